@@ -1,0 +1,22 @@
+"""The one place that knows where the library's own data and the user's data lie."""
+
+import os
+from pathlib import Path
+
+import platformdirs
+
+PACKAGE = Path(__file__).resolve().parent
+
+
+def data_folder() -> Path:
+    """Folder of what the library ships: in the wheel ``skinsource/_data``, else ``data/``."""
+    installed = PACKAGE / "_data"
+    return installed if installed.is_dir() else PACKAGE.parents[1] / "data"
+
+
+def user_folder() -> Path:
+    """Folder of what the user installs; the environment variable SKINSOURCE_DATA overrides it."""
+    override = os.environ.get("SKINSOURCE_DATA")
+    if override:
+        return Path(override).expanduser()
+    return Path(platformdirs.user_data_dir("skinsource", appauthor=False))

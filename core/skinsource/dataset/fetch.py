@@ -1,0 +1,122 @@
+"""Downloading the published files and installing them."""
+
+import hashlib
+import logging
+from pathlib import Path
+from typing import Any
+
+from skinsource.dataset.download import download
+from skinsource.dataset.install import install
+from skinsource.dataset.job import Progress, Stop, never, silent
+from skinsource.dataset.optional import optional_package
+from skinsource.dataset.published import RemoteFile, published_files
+from skinsource.dataset.source import download_folder
+from skinsource.dataset.store import StoreInfo
+from skinsource.errors import DownloadError, StorageError
+from skinsource.files import make_folder
+
+
+def fetch(
+    *,
+    files: tuple[RemoteFile, ...] | None = None,
+    downloads: Path | None = None,
+    folder: Path | None = None,
+    progress: Progress = silent,
+    cancelled: Stop = never,
+) -> StoreInfo:
+    """Download the measured dataset and the toolbox's map files, check and install them.
+
+    Files that are there already and whole are not downloaded again; a file that was cut is
+    continued.
+
+    Parameters
+    ----------
+    files
+        What to download; the published files when not given.
+    downloads, folder
+        Where the downloads and the store go; below the user's data folder when not given.
+    progress, cancelled
+        Called with (done, total, text), in bytes while downloading; asked between pieces.
+
+    Raises
+    ------
+    DownloadError
+        The network or the server did not deliver, or a checksum does not match.
+    StorageError
+        Full disk, folder that cannot be written.
+    MissingExtraError
+        An optional package is missing; found out before anything is downloaded.
+    Cancelled
+        ``cancelled`` said so; what has arrived is kept for the next time.
+    """
+    pooch = optional_package("pooch")
+    for name in ("requests", "matio"):
+        optional_package(name)
+    files = published_files() if files is None else files
+    downloads = download_folder() if downloads is None else downloads
+    make_folder(downloads)
+    # pooch would tell of each file on stderr, in the middle of the progress bar
+    pooch.get_logger().setLevel(logging.WARNING)
+    registry = pooch.create(
+        path=downloads,
+        base_url="",
+        registry={file.name: file.checksum for file in files},
+        urls={file.name: file.url for file in files},
+    )
+    total, done = sum(file.size_bytes for file in files), 0
+    for file in files:
+        progress(done, total, f"Downloading {file.name}")
+        one = _OneDownload(file, downloads, _moved_on(progress, done, total), cancelled)
+        _fetch_one(registry, file, downloads, one)
+        done += file.size_bytes
+    progress(total, total, "Downloaded")
+    return install(downloads, folder=folder, progress=progress, cancelled=cancelled)
+
+
+class _OneDownload:
+    """What pooch calls to have one file brought to a temporary path."""
+
+    def __init__(
+        self, file: RemoteFile, downloads: Path, progress: Progress, cancelled: Stop
+    ) -> None:
+        self._file = file
+        self._part = downloads / f"{file.name}.part"
+        self._progress = progress
+        self._cancelled = cancelled
+
+    def __call__(self, _url: str, output_file: str, _pooch: Any) -> None:
+        download(self._file, self._part, report=self._report, cancelled=self._cancelled)
+        self._refuse_other_content()
+        self._part.replace(output_file)
+
+    def _report(self, n_bytes: int) -> None:
+        self._progress(n_bytes, self._file.size_bytes, f"Downloading {self._file.name}")
+
+    def _refuse_other_content(self) -> None:
+        algorithm, _, expected = self._file.checksum.partition(":")
+        with self._part.open("rb") as opened:
+            found = hashlib.file_digest(opened, algorithm).hexdigest()
+        if found != expected:
+            self._part.unlink()
+            raise DownloadError(
+                f"{self._file.url}: what was downloaded is not the published file: its "
+                f"{algorithm} is {found}, expected {expected}. It was deleted; run 'skinsource "
+                "dataset fetch' again."
+            )
+
+
+def _moved_on(progress: Progress, before: int, total: int) -> Progress:
+    def of_all(done: int, _: int, text: str) -> None:
+        progress(before + done, total, text)
+
+    return of_all
+
+
+def _fetch_one(registry: Any, file: RemoteFile, downloads: Path, one: _OneDownload) -> None:
+    try:
+        registry.fetch(file.name, downloader=one)
+    except OSError as error:
+        raise StorageError(
+            f"{downloads / file.name}: cannot be written ({error.strerror or error}). Free some "
+            "space or choose a folder you may write to, then try again."
+        ) from error

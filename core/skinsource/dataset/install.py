@@ -1,0 +1,144 @@
+"""From the download to the store: read, check, convert, move into place."""
+
+import hashlib
+import os
+from collections.abc import Iterator
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource.assets import user_folder
+from skinsource.dataset import layout
+from skinsource.dataset.job import Progress, Stop, never, silent, stop_if
+from skinsource.dataset.mapfiles import MapFiles, read_map_files
+from skinsource.dataset.responses import N_ROWS, Responses, read_responses
+from skinsource.dataset.source import find_source
+from skinsource.dataset.store import StoreInfo, describe
+from skinsource.errors import StorageError
+from skinsource.files import make_folder, replacing
+
+STOPPED = "Installing was stopped; nothing was changed."
+_PIECE_BYTES = 4 * 2**20
+
+
+def install(
+    source: Path,
+    *,
+    folder: Path | None = None,
+    progress: Progress = silent,
+    cancelled: Stop = never,
+) -> StoreInfo:
+    """Make the store from what was downloaded, in place of an earlier one.
+
+    Everything is checked before the first byte is written, and the store is moved into place
+    whole: after any error, and after a cancel, what was there before is there still.
+
+    Parameters
+    ----------
+    source
+        Folder that holds ``impulseResponses.mat`` and the toolbox's folder ``visualization``,
+        or the file itself with that folder beside it.
+    folder
+        Where the store goes; the user's data folder when not given.
+    progress, cancelled
+        Called with (done, total, text); asked between steps.
+
+    Raises
+    ------
+    DatasetError
+        A file of the download is not what it should be.
+    StorageError
+        No such source, full disk, folder that cannot be written.
+    MissingExtraError
+        mat-io is not installed.
+    Cancelled
+        ``cancelled`` said so.
+    """
+    found = find_source(source)
+    folder = user_folder() if folder is None else folder
+    make_folder(folder)
+    path = folder / layout.FILE_NAME
+    stop_if(cancelled, STOPPED)
+    progress(0, 2 * N_ROWS, f"Reading {found.responses.name}")
+    maps = read_map_files(found.map_folder)
+    responses = read_responses(
+        found.responses, lambda done, _, text: progress(done, 2 * N_ROWS, text), cancelled
+    )
+    image = _image(responses, maps, _origin(found.responses))
+    stop_if(cancelled, STOPPED)
+    with replacing(path) as temporary, temporary.open("wb") as out:
+        for done, piece in _pieces(image):
+            stop_if(cancelled, STOPPED)
+            out.write(piece)
+            progress(N_ROWS + N_ROWS * done // len(image), 2 * N_ROWS, f"Writing {path.name}")
+        # Some file systems notice only now that they are full.
+        out.flush()
+        os.fsync(out.fileno())
+    return describe(path)
+
+
+def _origin(responses: Path) -> dict[str, str | int]:
+    try:
+        with responses.open("rb") as opened:
+            sha256 = hashlib.file_digest(opened, "sha256").hexdigest()
+        size_bytes = responses.stat().st_size
+    except OSError as error:
+        raise StorageError(
+            f"{responses}: cannot be read ({error.strerror or error}). Try again."
+        ) from error
+    return {
+        "source_name": responses.name,
+        "source_sha256": sha256,
+        "source_bytes": size_bytes,
+        "installed_at": datetime.now(UTC).isoformat(timespec="seconds"),
+    }
+
+
+def _image(responses: Responses, maps: MapFiles, origin: dict[str, str | int]) -> bytes:
+    # Made in memory and written by plain file calls: HDF5 itself does not fail cleanly when
+    # the disk is full.
+    with h5py.File(layout.FILE_NAME, "w", driver="core", backing_store=False) as store:
+        store.attrs["format"] = layout.FORMAT
+        store.attrs["format_version"] = layout.FORMAT_VERSION
+        for name, value in origin.items():
+            store.attrs[name] = value
+        for limb in layout.LIMBS:
+            _add_responses(store, limb, responses)
+            _add(store, layout.mask_name(limb), maps.masks[limb - 1])
+        _add(store, "map/outline", maps.outline)
+        _add(store, "map/output_positions", maps.output_positions)
+        _add(store, "map/input_positions", maps.input_positions)
+        _add(store, "map/visibility", maps.visibility)
+        store.flush()
+        return bytes(store.id.get_file_image())
+
+
+def _add_responses(store: Any, limb: int, responses: Responses) -> None:
+    dataset = store.create_dataset(
+        layout.responses_name(limb),
+        shape=layout.RESPONSES_SHAPE,
+        chunks=layout.CHUNK,
+        dtype="<f8",
+    )
+    checksums = []
+    for k in range(layout.RESPONSES_SHAPE[0]):
+        response = np.ascontiguousarray(responses[limb, k + 1])
+        dataset[k] = response
+        checksums.append(layout.checksum(response))
+    dataset.attrs["sha256"] = np.array(checksums, dtype="S64")
+
+
+def _add(store: Any, name: str, array: NDArray[Any]) -> None:
+    part = store.create_dataset(name, data=array)
+    part.attrs["sha256"] = layout.checksum(array)
+
+
+def _pieces(image: bytes) -> Iterator[tuple[int, memoryview]]:
+    view = memoryview(image)
+    for start in range(0, len(image), _PIECE_BYTES):
+        piece = view[start : start + _PIECE_BYTES]
+        yield start + len(piece), piece

@@ -1,0 +1,86 @@
+"""Checking and removing what is installed."""
+
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+from skinsource.dataset import layout
+from skinsource.dataset.job import Progress, Stop, never, silent, stop_if
+from skinsource.dataset.source import MAP_FILES, MAP_FOLDER, RESPONSES_FILE, download_folder
+from skinsource.dataset.store import open_store, store_path
+from skinsource.errors import StorageError
+from skinsource.limb import N_INPUTS
+
+
+def verify(*, progress: Progress = silent, cancelled: Stop = never) -> tuple[str, ...]:
+    """Compare every checksum in the store with the data.
+
+    Returns
+    -------
+    tuple of str
+        What does not match, one line each; empty when all is well.
+
+    Raises
+    ------
+    DatasetMissingError
+        Nothing is installed.
+    DatasetError
+        The store cannot be opened at all.
+    Cancelled
+        ``cancelled`` said so.
+    """
+    whole = [f"map/{part}" for part in layout.MAP_PARTS]
+    whole += [layout.mask_name(limb) for limb in layout.LIMBS]
+    total = len(layout.LIMBS) * N_INPUTS + len(whole)
+    problems = []
+    path = store_path()
+    with open_store(path) as store:
+        for done, (what, found, expected) in enumerate(_checksums(store, whole), start=1):
+            stop_if(cancelled, "Verifying was stopped.")
+            if found != expected:
+                problems.append(f"{path}: {what}: checksum {found}, expected {expected}")
+            progress(done, total, f"Verifying {what}")
+    return tuple(problems)
+
+
+def _checksums(store: Any, whole: list[str]) -> Iterator[tuple[str, str, str]]:
+    for name in whole:
+        part = store[name]
+        yield name, layout.checksum(part[()]), str(part.attrs["sha256"])
+    for limb in layout.LIMBS:
+        responses = store[layout.responses_name(limb)]
+        for k, digest in enumerate(responses.attrs["sha256"]):
+            yield f"limb {limb}, input {k + 1}", layout.checksum(responses[k]), digest.decode()
+
+
+def installed_files() -> tuple[Path, ...]:
+    """Files that `remove` would delete: the store, downloads, remains of killed installations."""
+    store = store_path()
+    downloads = download_folder()
+    candidates = [store, *sorted(store.parent.glob(f".{store.name}.*.part"))]
+    for name in (RESPONSES_FILE, *(f"{MAP_FOLDER}/{name}" for name in MAP_FILES)):
+        candidates += [downloads / name, downloads / f"{name}.part"]
+    return tuple(path for path in candidates if path.is_file())
+
+
+def remove() -> None:
+    """Delete the store and the downloads it was made from.
+
+    Raises
+    ------
+    StorageError
+        A file cannot be deleted.
+    """
+    for path in installed_files():
+        try:
+            path.unlink(missing_ok=True)
+        except OSError as error:
+            raise StorageError(
+                f"{path}: cannot be deleted ({error.strerror or error}). Close the programs that "
+                "use it, then try again."
+            ) from error
+    for folder in (download_folder() / MAP_FOLDER, download_folder()):
+        # What someone else put there stays, and so does its folder.
+        with suppress(OSError):
+            folder.rmdir()

@@ -1,0 +1,49 @@
+"""Levels: the only place where decibels are made."""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from skinsource.errors import InvalidInputError
+
+#: What silence is shown as.  Nothing measured or predicted comes near it.
+FLOOR_DB = -200.0
+
+
+def decibels(
+    x: ArrayLike, reference: float = 1.0, *, floor_db: float = FLOOR_DB
+) -> NDArray[np.float64]:
+    """Level of an amplitude, 20 log10(x / reference), in dB.
+
+    Parameters
+    ----------
+    x
+        Amplitudes, zero or positive, any shape.
+    reference
+        The amplitude of 0 dB, in the unit of ``x``.
+    floor_db
+        The lowest level returned: that of zero, and of all that lies below it.
+
+    Returns
+    -------
+    Levels in dB, shape of ``x``, finite.
+
+    Raises
+    ------
+    InvalidInputError
+        An amplitude is NaN, infinite or negative, or the reference is not positive.
+    """
+    amplitude = np.asarray(x, np.float64)
+    if not (np.isfinite(reference) and reference > 0):
+        raise InvalidInputError(f"reference is {reference}, expected a positive amplitude")
+    usable = np.isfinite(amplitude) & (amplitude >= 0)
+    if not usable.all():
+        first = tuple(int(i) for i in np.argwhere(~usable)[0])
+        raise InvalidInputError(
+            f"amplitude at index {first} is {amplitude[first]}, expected a finite number of zero "
+            "or more: a level in dB exists for nothing else"
+        )
+    level = np.full(amplitude.shape, float(floor_db))
+    # Two logarithms, because the quotient of extreme amplitudes under- or overflows.
+    np.log10(amplitude, out=level, where=amplitude > 0)
+    level = np.where(amplitude > 0, 20.0 * (level - np.log10(reference)), floor_db)
+    return np.maximum(level, floor_db)

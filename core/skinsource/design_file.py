@@ -1,0 +1,219 @@
+"""`.skinsource` files: a design, the view on it and the window's arrangement, in HDF5.
+
+Layout of version 1 (all numbers float64 or int64, all texts UTF-8)::
+
+    /            format = "skinsource design", version = 1
+    /design      limb, scaling
+    /design/inputs/0000 …    location, amplitude, onset_s, muted, solo, colour
+    /design/inputs/0000/waveform    kind, and the fields of that kind
+    /view        the fields of `View`; an absent one is None
+    /layout      bytes of the window's arrangement (may be empty)
+
+The reader refuses what it does not understand: nothing is guessed, nothing is dropped.
+"""
+
+import io
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+
+from skinsource.design import Design, Input
+from skinsource.errors import DesignFileError, InvalidInputError, StorageError
+from skinsource.files import write_bytes
+from skinsource.limb import LIMB_NAMES
+from skinsource.view import View
+from skinsource.waveforms import KINDS, Waveform
+
+FORMAT = "skinsource design"
+VERSION = 1
+SUFFIX = ".skinsource"
+
+#: Far above any design; a larger file is not one.
+_MAX_FILE_BYTES = 64 * 2**20
+_KINDS = {kind.__name__: kind for kind in KINDS}
+_OPTIONAL_VIEW_FIELDS = frozenset(
+    {"selected_input", "map_range_db", "time_range_s", "frequency_range_hz"}
+)
+_INPUT_FIELDS = tuple(field.name for field in fields(Input) if field.name != "waveform")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DesignFile:
+    """What a file holds: the design, the view on it, and the window's arrangement."""
+
+    design: Design
+    view: View = View()
+    layout: bytes = b""
+
+
+def save_design(path: Path, content: DesignFile) -> None:
+    """Write ``content`` to ``path``, whole or not at all.
+
+    The same content gives the same bytes.
+
+    Raises
+    ------
+    StorageError
+        The folder cannot be written, or the disk is full.
+    """
+    write_bytes(path, _encoded(content))
+
+
+def open_design(path: Path) -> DesignFile:
+    """Read a design file.
+
+    Raises
+    ------
+    StorageError
+        The file cannot be read.
+    DesignFileError
+        It is not a design file, it is damaged, or it holds something this version does not know.
+    """
+    try:
+        if path.stat().st_size > _MAX_FILE_BYTES:
+            raise DesignFileError(f"{path.name}: too large for a design; choose a {SUFFIX} file")
+        image = path.read_bytes()
+    except OSError as error:
+        raise StorageError(
+            f"{path}: cannot be read ({error.strerror or error}). Check that the file exists and "
+            "that you may read it."
+        ) from error
+    try:
+        with h5py.File(io.BytesIO(image), "r") as file:
+            return _Reader(path.name).content(file)
+    except (OSError, RuntimeError, KeyError, ValueError, TypeError, OverflowError) as error:
+        if isinstance(error, InvalidInputError):
+            raise DesignFileError(f"{path.name}: {error}. Nothing was opened.") from error
+        raise DesignFileError(
+            f"{path.name}: not a SkinSource design, or damaged ({error}). Choose a {SUFFIX} file "
+            "saved by SkinSource studio."
+        ) from error
+
+
+def _encoded(content: DesignFile) -> bytes:
+    # The image is built in memory: HDF5 on a full disk may end the process.
+    image = io.BytesIO()
+    # From format 1.10 on, HDF5 checks sums of all that it reads: no flipped bit goes unseen.
+    with h5py.File(image, "w", libver=("v110", "v110")) as file:
+        file.attrs["format"] = FORMAT
+        file.attrs["version"] = VERSION
+        design = file.create_group("design")
+        design.attrs["limb"] = content.design.limb
+        design.attrs["scaling"] = content.design.scaling
+        inputs = design.create_group("inputs")
+        for index, one in enumerate(content.design.inputs):
+            _write_input(inputs.create_group(f"{index:04d}"), one)
+        view = file.create_group("view")
+        for field in fields(View):
+            value = getattr(content.view, field.name)
+            if value is not None:
+                view.attrs[field.name] = _storable(value)
+        # A final zero, because an empty dataset cannot carry a checksum.
+        layout = np.frombuffer(content.layout + b"\0", np.uint8)
+        file.create_dataset("layout", data=layout, track_times=False, fletcher32=True)
+    return image.getvalue()
+
+
+def _write_input(group: h5py.Group, one: Input) -> None:
+    for name in _INPUT_FIELDS:
+        group.attrs[name] = getattr(one, name)
+    waveform = group.create_group("waveform")
+    waveform.attrs["kind"] = type(one.waveform).__name__
+    for field in fields(one.waveform):
+        waveform.attrs[field.name] = getattr(one.waveform, field.name)
+
+
+def _storable(value: Any) -> Any:
+    if isinstance(value, tuple):
+        kind = np.int64 if all(isinstance(part, int) for part in value) else np.float64
+        return np.array(value, kind)
+    return value
+
+
+class _Reader:
+    """Reads the groups of one file, and knows its name for messages."""
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+
+    def content(self, file: h5py.File) -> DesignFile:
+        found = file.attrs.get("format")
+        if found != FORMAT:
+            raise DesignFileError(
+                f"{self._name}: format is {found!r}, expected {FORMAT!r}. Choose a {SUFFIX} file."
+            )
+        version = int(file.attrs.get("version", 0))
+        if version != VERSION:
+            raise DesignFileError(
+                f"{self._name}: written in version {version} of the format, and this studio reads "
+                f"version {VERSION}. Open it with a newer SkinSource studio."
+            )
+        self._refuse_unknown("/", set(file), {"design", "view", "layout"})
+        return DesignFile(
+            design=self._design(file["design"]),
+            view=self._view(file["view"]),
+            layout=file["layout"][()].astype(np.uint8).tobytes()[:-1],
+        )
+
+    def _design(self, group: h5py.Group) -> Design:
+        values = self._attributes(group, ("limb", "scaling"))
+        if values["limb"] not in LIMB_NAMES:
+            raise DesignFileError(
+                f"{self._name}: made for the limb {values['limb']!r}, and this studio knows "
+                f"{', '.join(LIMB_NAMES)}. Open it with a newer SkinSource studio."
+            )
+        self._refuse_unknown("design", set(group), {"inputs"})
+        inputs = group["inputs"]
+        return Design(inputs=tuple(self._input(inputs[key]) for key in sorted(inputs)), **values)
+
+    def _input(self, group: h5py.Group) -> Input:
+        self._refuse_unknown(group.name, set(group), {"waveform"})
+        values = self._attributes(group, _INPUT_FIELDS)
+        return Input(waveform=self._waveform(group["waveform"]), **values)
+
+    def _waveform(self, group: h5py.Group) -> Waveform:
+        kind = group.attrs.get("kind")
+        if kind not in _KINDS:
+            raise DesignFileError(
+                f"{self._name}: {group.name} is a {kind!r}, and this studio knows "
+                f"{', '.join(_KINDS)}. Open it with a newer SkinSource studio."
+            )
+        names = tuple(field.name for field in fields(_KINDS[kind]))
+        values = self._attributes(group, ("kind", *names))
+        del values["kind"]
+        return _KINDS[kind](**values)
+
+    def _view(self, group: h5py.Group) -> View:
+        names = tuple(field.name for field in fields(View))
+        values: dict[str, Any] = dict.fromkeys(_OPTIONAL_VIEW_FIELDS)
+        values |= self._attributes(group, names, _OPTIONAL_VIEW_FIELDS)
+        return View(**values)
+
+    def _attributes(
+        self, group: h5py.Group, names: tuple[str, ...], optional: frozenset[str] = frozenset()
+    ) -> dict[str, Any]:
+        self._refuse_unknown(group.name, set(group.attrs), set(names))
+        missing = set(names) - set(group.attrs) - optional
+        if missing:
+            raise DesignFileError(
+                f"{self._name}: {group.name} lacks {', '.join(sorted(missing))}. The file is "
+                "damaged; go back to an earlier copy."
+            )
+        return {name: _plain(group.attrs[name]) for name in names if name in group.attrs}
+
+    def _refuse_unknown(self, place: str, found: set[str], known: set[str]) -> None:
+        unknown = found - known
+        if unknown:
+            raise DesignFileError(
+                f"{self._name}: {place} holds {', '.join(sorted(unknown))}, which this studio does "
+                "not understand. Open it with a newer SkinSource studio."
+            )
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, np.ndarray):
+        return tuple(value.tolist())
+    return value.item() if isinstance(value, np.generic) else value

@@ -1,0 +1,60 @@
+"""Everything that can go wrong and that a user can meet.
+
+Each message says where, what was found, what was expected, and what to do next.
+
+SkinSourceError
+├── InvalidInputError      a value handed to the library is impossible (also a `ValueError`)
+│   └── UnknownLimbError   no limb has this name
+├── FileFormatError        a file does not hold what it should
+│   ├── DatasetError       … a file of the measured dataset, or the store made from it
+│   └── DesignFileError    … a `.skinsource` file
+├── DatasetMissingError    a measured limb is asked for, and none is installed
+├── StorageError           reading or writing failed: full disk, no permission, no such folder
+├── DownloadError          the network, or the server, did not deliver
+├── MissingExtraError      an optional package is needed and not installed
+└── Cancelled              the user stopped it
+"""
+
+
+class SkinSourceError(Exception):
+    """Base of every error whose message is written for the user."""
+
+
+class InvalidInputError(SkinSourceError, ValueError):
+    """A value handed to the library cannot be used."""
+
+
+class UnknownLimbError(InvalidInputError):
+    """No limb has the name that was asked for."""
+
+
+class FileFormatError(SkinSourceError):
+    """A file does not hold what it should."""
+
+
+class DatasetError(FileFormatError):
+    """A file of the measured dataset, or the store made from it, is not what it should be."""
+
+
+class DesignFileError(FileFormatError):
+    """A design file cannot be understood."""
+
+
+class DatasetMissingError(SkinSourceError):
+    """A measured limb was asked for, and no measured dataset is installed."""
+
+
+class StorageError(SkinSourceError):
+    """The file system refused: full disk, read-only folder, no such folder."""
+
+
+class DownloadError(SkinSourceError):
+    """The network, or the server, did not deliver what was asked for."""
+
+
+class MissingExtraError(SkinSourceError):
+    """An optional package is needed and is not installed."""
+
+
+class Cancelled(SkinSourceError):
+    """The user stopped it; nothing was left behind."""

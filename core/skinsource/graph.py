@@ -1,0 +1,127 @@
+"""Demand-driven evaluation of named quantities.
+
+A *rule* is a pure function.  Its name is the quantity it computes; its parameters name the
+quantities it needs.  That is all the wiring there is.
+"""
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping
+from difflib import get_close_matches
+from inspect import signature
+from typing import Any
+
+import numpy as np
+
+
+class UnknownQuantity(LookupError):
+    """Nothing computes the quantity that was asked for."""
+
+
+class Stopped(Exception):
+    """Evaluation was abandoned on request."""
+
+
+class Graph:
+    """Computes what is asked for, and nothing else; recomputes only what changed.
+
+    Not thread-safe: one graph belongs to one thread.
+
+    Attributes
+    ----------
+    runs
+        How often each rule has run.
+
+    Raises
+    ------
+    ValueError
+        Two rules have the same name, or rules need each other in a circle.
+    """
+
+    def __init__(self, *rules: Callable[..., Any]) -> None:
+        names = Counter(_name(rule) for rule in rules)
+        twice = [name for name, times in names.items() if times > 1]
+        if twice:
+            raise ValueError(f"two rules compute {twice[0]!r}; expected one")
+        self._rules = {_name(rule): rule for rule in rules}
+        self._needs = {
+            name: tuple(signature(rule).parameters) for name, rule in self._rules.items()
+        }
+        self._refuse_circles()
+        self._memo: dict[str, tuple[tuple[Any, ...], Any]] = {}
+        self.runs: Counter[str] = Counter()
+
+    def evaluate(
+        self,
+        wanted: Iterable[str],
+        given: Mapping[str, Any],
+        stop: Callable[[], bool] = lambda: False,
+    ) -> dict[str, Any]:
+        """Return the ``wanted`` quantities, starting from the ``given`` ones.
+
+        ``stop`` is asked before each rule runs; once true, `Stopped` is raised.
+        """
+        known = dict(given)
+
+        def value(name: str) -> Any:
+            if name not in known:
+                known[name] = self._refresh(name, value, stop)
+            return known[name]
+
+        return {name: value(name) for name in wanted}
+
+    def _refresh(self, name: str, value: Callable[[str], Any], stop: Callable[[], bool]) -> Any:
+        if name not in self._rules:
+            raise UnknownQuantity(_unknown(name, self._rules))
+        inputs = tuple(value(need) for need in self._needs[name])
+        if name not in self._memo or not _same(self._memo[name][0], inputs):
+            if stop():
+                raise Stopped
+            result = self._rules[name](*inputs)
+            self.runs[name] += 1
+            _freeze(result)  # it is remembered, and shared with other threads
+            if name in self._memo and _same(self._memo[name][1], result):
+                result = self._memo[name][1]  # equal, so what follows from it stands
+            self._memo[name] = inputs, result
+        return self._memo[name][1]
+
+    def _refuse_circles(self) -> None:
+        settled: set[str] = set()
+
+        def visit(name: str, path: tuple[str, ...]) -> None:
+            if name in path:
+                raise ValueError("rules need each other: " + " -> ".join((*path, name)))
+            if name in settled or name not in self._rules:
+                return
+            for need in self._needs[name]:
+                visit(need, (*path, name))
+            settled.add(name)
+
+        for name in self._rules:
+            visit(name, ())
+
+
+def _name(rule: Callable[..., Any]) -> str:
+    return str(rule.__name__)
+
+
+def _same(old: Any, new: Any) -> bool:
+    # Arrays are compared by identity: a rule that did not run returned the same object.
+    if old is new:
+        return True
+    if isinstance(old, tuple) and isinstance(new, tuple):
+        return len(old) == len(new) and all(map(_same, old, new))
+    return not isinstance(old, np.ndarray) and type(old) is type(new) and bool(old == new)
+
+
+def _freeze(result: Any) -> None:
+    if isinstance(result, np.ndarray):
+        result.flags.writeable = False
+    elif isinstance(result, tuple):
+        for part in result:
+            _freeze(part)
+
+
+def _unknown(name: str, known: Iterable[str]) -> str:
+    close = get_close_matches(name, list(known), n=1)
+    hint = f"; did you mean {close[0]!r}?" if close else ""
+    return f"no rule computes {name!r}{hint}"

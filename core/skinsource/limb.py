@@ -1,0 +1,122 @@
+"""One upper limb: its impulse responses and its map."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource.errors import InvalidInputError
+
+N_INPUTS, N_OUTPUTS, N_AXES, N_TAPS = 20, 72, 3, 522
+SAMPLE_RATE_HZ = 1300.0
+#: Outputs on the palmar side: they have no place on the dorsal map.
+VOLAR_OUTPUTS = (61, 62, 63, 64, 65, 66)
+
+#: Hand lengths of limbs 1 to 4, measured and synthetic alike.
+HAND_LENGTHS_MM = (175.0, 165.0, 185.0, 165.0)
+#: Every limb that exists, installed or not.
+LIMB_NAMES = tuple(f"{kind}-{k}" for kind in ("measured", "synthetic") for k in range(1, 5))
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class LimbMap:
+    """Where things are on the back of a right hand and arm.
+
+    Coordinates are outline pixels: x to the right, y up (towards the fingertips), thumb to the
+    left.  ``hand_length_px`` of them make one hand length.
+
+    Attributes
+    ----------
+    outline : (n_vertices, 2)
+        Closed polygon, last vertex not repeated.
+    output_positions : (72, 2)
+        Sensors; rows of the six volar outputs (61 to 66) are NaN.
+    input_positions : (20, 2)
+        Input places, seen through the hand from the back.
+    hand_length_px
+        Tip of digit III to the middle of the wrist, in pixels.
+    visibility : (n_vertices, 72) or None
+        Distance from outline vertex to output where the one sees the other, else NaN.
+        ``None``: the surface operator applies its own rule.
+    densify
+        Whether the surface operator may split long outline edges (own outlines yes; the
+        published outline no, for parity).
+    """
+
+    outline: Floats
+    output_positions: Floats
+    input_positions: Floats
+    hand_length_px: float
+    visibility: Floats | None = None
+    densify: bool = True
+
+
+class Limb:
+    """An upper limb whose responses are read when touched, one input place at a time.
+
+    Attributes
+    ----------
+    name
+        ``"measured-1"`` to ``"measured-4"``, ``"synthetic-1"`` to ``"synthetic-4"``.
+    sample_rate_hz, hand_length_mm
+        1300.0; length of the hand.
+    synthetic
+        Whether the responses are computed, not measured.  Every view and export says so.
+    map
+        Places on the dorsal map, a `LimbMap`.
+    bytes_read
+        How many bytes of responses were read or computed so far.
+    """
+
+    def __init__(
+        self,
+        *,
+        name: str,
+        hand_length_mm: float,
+        synthetic: bool,
+        map: LimbMap,
+        read_response: Callable[[int], Floats],
+        sample_rate_hz: float = SAMPLE_RATE_HZ,
+    ) -> None:
+        self.name = name
+        self.hand_length_mm = hand_length_mm
+        self.synthetic = synthetic
+        self.map = map
+        self.sample_rate_hz = sample_rate_hz
+        self.bytes_read = 0
+        self._read_response = read_response
+        self._responses: dict[int, Floats] = {}
+
+    def __repr__(self) -> str:
+        kind = "synthetic" if self.synthetic else "measured"
+        return f"<Limb {self.name}: {kind}, hand {self.hand_length_mm:g} mm>"
+
+    def response_to(self, location: int) -> Floats:
+        """Impulse responses to one input place, (72 outputs, 3 axes, 522 taps), in m/s²."""
+        check_input_location(location)
+        if location not in self._responses:
+            response = self._read_response(location)
+            response.flags.writeable = False
+            self.bytes_read += response.nbytes
+            self._responses[location] = response
+        return self._responses[location]
+
+    @property
+    def impulse_responses(self) -> Floats:
+        """All impulse responses, (20 inputs, 72 outputs, 3 axes, 522 taps), in m/s²."""
+        everything = np.stack([self.response_to(place) for place in range(1, N_INPUTS + 1)])
+        everything.flags.writeable = False
+        return everything
+
+
+def check_input_location(location: int) -> None:
+    """Raise `InvalidInputError` unless ``location`` is an integer from 1 to 20."""
+    is_integer = isinstance(location, int | np.integer) and not isinstance(location, bool)
+    if not is_integer or not 1 <= location <= N_INPUTS:
+        raise InvalidInputError(
+            f"input location {location!r} does not exist: locations are the whole numbers 1 to "
+            f"{N_INPUTS}. See skinsource.locations for the list."
+        )

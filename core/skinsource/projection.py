@@ -1,0 +1,105 @@
+"""From three axes of acceleration to one signal for each output."""
+
+from typing import Literal, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from skinsource.errors import InvalidInputError
+
+Floats = NDArray[np.float64]
+Axes = Literal["x", "y", "z", "xy", "xz", "yz", "xyz"]
+Method = Literal["mag", "pca", "rms", "soc"]
+AXES: tuple[Axes, ...] = get_args(Axes)
+METHODS: tuple[Method, ...] = get_args(Method)
+
+
+def project_axes(acceleration: ArrayLike, axes: Axes = "xyz", method: Method = "mag") -> Floats:
+    """Project three-axis acceleration to one signal for each output.
+
+    Parameters
+    ----------
+    acceleration : (n_outputs, 3 axes, n_times)
+        In m/s², or any other unit.
+    axes
+        The axes that take part.  With a single axis the method has no say.
+    method
+        ``"mag"`` length of the vector; ``"pca"`` component along the first principal axis of the
+        centred data, applied to the data as they are, largest coefficient positive; ``"rms"``
+        component along the vector of the axes' RMS values; ``"soc"`` sum of components.
+
+    Returns
+    -------
+    (n_outputs, n_times), in the unit of ``acceleration``.  A silent output stays silent.
+
+    Raises
+    ------
+    InvalidInputError
+        Unknown axes or method, wrong shape, or values that are not finite.
+    """
+    if axes not in AXES:
+        raise InvalidInputError(f"axes {axes!r} are not known; choose from {', '.join(AXES)}")
+    if method not in METHODS:
+        raise InvalidInputError(f"method {method!r} is not known; choose from {', '.join(METHODS)}")
+    data = np.asarray(acceleration, np.float64)
+    if data.ndim != 3 or data.shape[1] != 3:
+        raise InvalidInputError(
+            f"acceleration has shape {data.shape}, expected (n_outputs, 3, n_times)"
+        )
+    if not np.isfinite(data).all():
+        place = np.argwhere(~np.isfinite(data))[0]
+        raise InvalidInputError(
+            f"acceleration of output {place[0] + 1}, axis {'xyz'[place[1]]}, sample {place[2]} is "
+            "not a finite number"
+        )
+    if len(axes) == 1:
+        return data[:, "xyz".index(axes)].copy()
+    chosen = data if axes == "xyz" else data[:, ["xyz".index(axis) for axis in axes]]
+    if method == "soc":
+        return chosen.sum(axis=1)
+    if method == "mag":
+        return magnitude(chosen)
+    direction = principal_axis(chosen) if method == "pca" else rms_direction(chosen)
+    return np.einsum("oa,oat->ot", direction, chosen)
+
+
+def magnitude(data: Floats) -> Floats:
+    """Length of the vector at each instant, (n_outputs, n_times)."""
+    scale = _scale(data)
+    squares = np.square(data[:, 0] / scale)
+    for axis in range(1, data.shape[1]):
+        squares += np.square(data[:, axis] / scale)
+    np.sqrt(squares, out=squares)
+    squares *= scale
+    return squares
+
+
+def rms_direction(data: Floats) -> Floats:
+    """Unit vector of the axes' RMS values, (n_outputs, n_axes); zero where all is silent."""
+    energy = np.mean(np.square(data / _scale(data)), axis=-1)
+    length = np.sqrt(energy.sum(axis=-1, keepdims=True))
+    return np.sqrt(energy) / np.where(length > 0, length, 1.0)
+
+
+def principal_axis(data: Floats) -> Floats:
+    """First principal axis of the centred data, (n_outputs, n_axes), unit vectors.
+
+    Sign as in MATLAB's ``pca``: the coefficient of largest magnitude is positive, of equal ones
+    the first.  Where nothing moves, the first axis.
+    """
+    centred = data / _scale(data)
+    centred = centred - centred.mean(axis=-1, keepdims=True)
+    covariance = centred @ centred.transpose(0, 2, 1)
+    _, vectors = np.linalg.eigh(covariance)
+    axis = vectors[:, :, -1]
+    still = ~covariance.any(axis=(1, 2))
+    axis[still] = np.eye(data.shape[1])[0]
+    largest = np.abs(axis).argmax(axis=1)
+    axis *= np.sign(np.take_along_axis(axis, largest[:, None], axis=1))
+    return axis
+
+
+def _scale(data: Floats) -> float:
+    # A power of two near the largest sample: squares neither over- nor underflow, nothing rounds.
+    largest = np.abs(data).max(initial=0.0)
+    return float(2.0 ** np.floor(np.log2(largest))) if largest > 0 else 1.0

@@ -1,0 +1,166 @@
+"""Sampled stimuli, as plain functions.
+
+Times are ``arange(n) / sample_rate_hz``; amplitude 1 is the peak of the recipe.
+"""
+
+from fractions import Fraction
+from typing import Literal, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import fft
+
+from skinsource.errors import InvalidInputError
+from skinsource.limb import SAMPLE_RATE_HZ
+
+Floats = NDArray[np.float64]
+WindowName = Literal["none", "tukey", "hanning"]
+WINDOWS: tuple[WindowName, ...] = get_args(WindowName)
+
+#: Share of a Tukey window that is taper, as upstream.
+TUKEY_TAPER = 0.25
+#: Samples of the upstream tap.
+TAP_SAMPLES = 21
+#: The measured band of the impulse responses.
+BAND_HZ = (25.0, 600.0)
+
+_PHASE_BLOCK = 256
+
+
+def sample_count(duration_s: float, sample_rate_hz: float = SAMPLE_RATE_HZ) -> int:
+    """Samples in a duration, rounded half up.
+
+    The product is rounded first, because 0.35 s x 1300 Hz is 454.99999999999994 in binary.
+    """
+    if not (np.isfinite(duration_s) and duration_s >= 0):
+        raise InvalidInputError(f"duration_s is {duration_s}, expected a finite time of 0 or more")
+    return int(np.floor(round(duration_s * sample_rate_hz, 6) + 0.5))
+
+
+def window(name: WindowName, n: int) -> Floats:
+    """Samples of a window, (n,).
+
+    Parameters
+    ----------
+    name
+        ``"none"`` ones; ``"hanning"`` MATLAB's ``hanning``, 0.5 (1 - cos(2 pi k / (n + 1))) for
+        k = 1..n, which has no zero at its ends; ``"tukey"`` MATLAB's ``tukeywin(n, 0.25)``,
+        which has.
+    n
+        Length in samples, 0 or more.
+    """
+    if name not in WINDOWS:
+        raise InvalidInputError(f"window {name!r} is not known; choose from {', '.join(WINDOWS)}")
+    if n < 0 or n != int(n):
+        raise InvalidInputError(f"a window of {n} samples cannot be made; expected 0, 1, 2, …")
+    if name == "hanning":
+        return 0.5 * (1.0 - np.cos(2.0 * np.pi * np.arange(1, n + 1) / (n + 1)))
+    samples = np.ones(n)
+    if name == "tukey" and n > 1:
+        # The taper lies over the first and last eighth of the time from 0 to 1.
+        time = np.arange(n) / (n - 1)
+        from_end = np.minimum(time, 1.0 - time)
+        tapered = from_end < TUKEY_TAPER / 2.0
+        phase = 2.0 * np.pi / TUKEY_TAPER * (from_end[tapered] - TUKEY_TAPER / 2.0)
+        samples[tapered] = 0.5 * (1.0 + np.cos(phase))
+    return samples
+
+
+def sinusoid(
+    frequency_hz: float,
+    duration_s: float = 0.1,
+    *,
+    phase_rad: float = 0.0,
+    window_name: WindowName = "none",
+    sample_rate_hz: float = SAMPLE_RATE_HZ,
+) -> Floats:
+    """A windowed sine burst of peak 1, (n,).
+
+    The phase is reduced to one turn in exact arithmetic, so that the error does not grow with
+    time (below 1e-12 at one hour).
+
+    Raises
+    ------
+    InvalidInputError
+        The frequency is not between 0 and half the sample rate, where it would alias.
+    """
+    if not 0 <= frequency_hz < sample_rate_hz / 2:
+        raise InvalidInputError(
+            f"frequency_hz is {frequency_hz}, expected 0 to {sample_rate_hz / 2:g} Hz (half the "
+            f"sample rate of {sample_rate_hz:g} Hz); a higher tone would alias"
+        )
+    if not np.isfinite(phase_rad):
+        raise InvalidInputError(f"phase_rad is {phase_rad}, expected a finite number")
+    n = sample_count(duration_s, sample_rate_hz)
+    turns_per_sample = Fraction(frequency_hz) / Fraction(sample_rate_hz)
+    starts = [float(k * turns_per_sample % 1) for k in range(0, n, _PHASE_BLOCK)]
+    within = np.arange(_PHASE_BLOCK) * float(turns_per_sample)
+    turns = np.add.outer(np.array(starts), within).ravel()[:n]
+    return np.sin(2.0 * np.pi * turns + phase_rad) * window(window_name, n)
+
+
+def tap(time_s: float = 0.0, *, sample_rate_hz: float = SAMPLE_RATE_HZ) -> Floats:
+    """The upstream tap: a 21-sample Hanning pulse that starts at ``time_s``, (n,).
+
+    Its peak comes ten samples after its start.  At 1300 Hz the pulse is 16.2 ms long.
+    """
+    silence = np.zeros(sample_count(time_s, sample_rate_hz))
+    return np.concatenate((silence, window("hanning", TAP_SAMPLES)))
+
+
+def impulse(
+    time_s: float = 0.0,
+    duration_s: float | None = None,
+    *,
+    sample_rate_hz: float = SAMPLE_RATE_HZ,
+) -> Floats:
+    """A single sample of 1 at ``time_s``, (n,); the result ends there unless given a duration."""
+    at = sample_count(time_s, sample_rate_hz)
+    n = at + 1 if duration_s is None else sample_count(duration_s, sample_rate_hz)
+    if at >= n:
+        raise InvalidInputError(
+            f"the impulse at {time_s} s lies after the end of the stimulus ({duration_s} s)"
+        )
+    samples = np.zeros(n)
+    samples[at] = 1.0
+    return samples
+
+
+def white_noise(
+    duration_s: float = 0.1,
+    seed: int = 0,
+    *,
+    band_hz: tuple[float, float] = BAND_HZ,
+    window_name: WindowName = "none",
+    sample_rate_hz: float = SAMPLE_RATE_HZ,
+) -> Floats:
+    """Gaussian noise, flat within a band and nothing outside it, of peak 1, (n,).
+
+    The same seed gives the same noise everywhere; it is not MATLAB's noise of that seed.
+
+    Raises
+    ------
+    InvalidInputError
+        The band is empty or lies above half the sample rate, the seed is negative, or the noise
+        is too short to hold a single frequency of the band.
+    """
+    low, high = band_hz
+    if not 0 <= low < high <= sample_rate_hz / 2:
+        raise InvalidInputError(
+            f"band_hz is {band_hz}, expected 0 <= low < high <= {sample_rate_hz / 2:g}"
+        )
+    if seed < 0 or seed != int(seed):
+        raise InvalidInputError(f"seed is {seed}, expected a whole number of 0 or more")
+    n = sample_count(duration_s, sample_rate_hz)
+    spectrum = fft.rfft(np.random.default_rng(int(seed)).standard_normal(n)) if n else np.zeros(0)
+    frequency_hz = np.arange(len(spectrum)) * sample_rate_hz / max(n, 1)
+    spectrum[(frequency_hz < low) | (frequency_hz > high)] = 0.0
+    if n and not spectrum.any():
+        raise InvalidInputError(
+            f"noise of {n} samples holds no frequency between {low:g} and {high:g} Hz; make it "
+            f"longer than {1 / high:.4f} s or widen the band"
+        )
+    samples = fft.irfft(spectrum, n) if n else np.zeros(0)
+    samples *= window(window_name, n)
+    peak = np.abs(samples).max(initial=0.0)
+    return samples / peak if peak > 0 else samples

@@ -1,0 +1,63 @@
+"""Levels over time and over frequency."""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy import fft
+
+from skinsource.errors import InvalidInputError
+
+Floats = NDArray[np.float64]
+
+
+def rms(x: ArrayLike) -> Floats:
+    """Root mean square over time (the last axis), in the unit of ``x``.
+
+    Raises
+    ------
+    InvalidInputError
+        There are no samples.
+    """
+    data = _samples(x)
+    return np.sqrt(np.mean(np.square(data), axis=-1))
+
+
+def magnitude_spectrum(x: ArrayLike, sample_rate_hz: float) -> tuple[Floats, Floats]:
+    """One-sided amplitude spectrum over exactly the samples given.
+
+    Parameters
+    ----------
+    x : (..., n_times)
+        Signals.
+    sample_rate_hz
+        Sample rate.
+
+    Returns
+    -------
+    frequency_hz : (n_times // 2 + 1,)
+        From 0 to at most half the sample rate, in steps of ``sample_rate_hz / n_times``.
+    magnitude : (..., n_times // 2 + 1)
+        ``|FFT| / n_times``, doubled except at 0 Hz and at half the sample rate (which only an
+        even ``n_times`` has), as upstream: a sine of amplitude 1 on a bin shows 1.
+
+    Raises
+    ------
+    InvalidInputError
+        There are no samples, or the rate is not positive.
+    """
+    data = _samples(x)
+    if not (np.isfinite(sample_rate_hz) and sample_rate_hz > 0):
+        raise InvalidInputError(f"sample_rate_hz is {sample_rate_hz}, expected a positive number")
+    n = data.shape[-1]
+    magnitude = np.abs(fft.rfft(data)) / n
+    last_doubled = (n + 1) // 2
+    magnitude[..., 1:last_doubled] *= 2.0
+    return np.arange(n // 2 + 1) * (sample_rate_hz / n), magnitude
+
+
+def _samples(x: ArrayLike) -> Floats:
+    data = np.asarray(x, np.float64)
+    if data.ndim == 0 or data.shape[-1] == 0:
+        raise InvalidInputError(
+            f"signal has shape {data.shape}, expected (..., n_times) with at least one sample"
+        )
+    return data

@@ -1,0 +1,59 @@
+"""A sine burst."""
+
+from dataclasses import dataclass
+from math import pi
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource import fields
+from skinsource.fields import NumberSpec
+from skinsource.signals import WindowName, sinusoid
+from skinsource.waveforms.common import DURATION, WINDOW
+
+FREQUENCY = NumberSpec(
+    label="Frequency",
+    unit="Hz",
+    minimum=1.0,
+    maximum=649.0,
+    step=0.02,
+    logarithmic=True,
+    hint="25 to 600 Hz is the measured band",
+)
+PHASE = NumberSpec(
+    label="Phase", unit="rad", minimum=-2 * pi, maximum=2 * pi, step=pi / 36, hint="Phase at onset"
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Tone:
+    """A sine burst.
+
+    Attributes
+    ----------
+    frequency_hz, phase_rad, duration_s
+        Frequency (25 to 600 Hz is the measured band), phase at onset, length.
+    window
+        ``"none"``, ``"tukey"`` or ``"hanning"``.
+    """
+
+    title: ClassVar[str] = "Tone"
+
+    frequency_hz: float = fields.number(100.0, FREQUENCY)
+    phase_rad: float = fields.number(0.0, PHASE)
+    duration_s: float = fields.number(0.2, DURATION)
+    window: WindowName = fields.choice("tukey", WINDOW)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    def samples(self, sample_rate_hz: float) -> NDArray[np.float64]:
+        """Drive, (n_times,), of peak 1."""
+        return sinusoid(
+            self.frequency_hz,
+            self.duration_s,
+            phase_rad=self.phase_rad,
+            window_name=self.window,
+            sample_rate_hz=sample_rate_hz,
+        )

@@ -1,0 +1,1 @@
+"""Desktop studio around the `skinsource` library."""

@@ -1,0 +1,63 @@
+"""Start the studio: ``skinsource-gui`` or ``python -m skinsource_gui``.
+
+Nothing here imports Qt before it is known that Qt can start.
+"""
+
+import argparse
+import importlib
+import importlib.util
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from skinsource import __version__
+from skinsource_gui.system_libraries import has_display, install_line, missing_packages
+
+_FIRST_RUN = Path("build/first-run")
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Open the studio; without a display, render the start design to files instead."""
+    options = _parser().parse_args(arguments)
+    if importlib.util.find_spec("PySide6") is None or importlib.util.find_spec("pyqtgraph") is None:
+        return _stop('the window needs its own packages: pip install "skinsource[gui]"')
+    on_a_screen = has_display() and options.render is None
+    missing = missing_packages(on_a_screen=on_a_screen)
+    if missing:
+        return _stop(f"Qt cannot start: system libraries are missing.\n{install_line(missing)}")
+    os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
+    if on_a_screen:
+        return int(importlib.import_module("skinsource_gui.app").run(options.design))
+    folder = options.render or _FIRST_RUN
+    if options.render is None:
+        sys.stdout.write(
+            f"There is no display here: the start design is rendered to {folder} instead.\n"
+        )
+    os.environ["QT_QPA_PLATFORM"] = "offscreen"
+    return int(importlib.import_module("skinsource_gui.first_run").run(folder, options.design))
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="skinsource-gui",
+        description="Design vibrotactile stimuli and see how they travel across hand and arm.",
+    )
+    parser.add_argument("design", nargs="?", type=Path, help="a .skinsource file to open")
+    parser.add_argument(
+        "--render",
+        type=Path,
+        metavar="FOLDER",
+        help="open no window; write a picture of it, the RMS map and the traces to FOLDER",
+    )
+    parser.add_argument("--version", action="version", version=f"skinsource {__version__}")
+    return parser
+
+
+def _stop(reason: str) -> int:
+    sys.stderr.write(f"skinsource-gui: {reason}\n")
+    return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

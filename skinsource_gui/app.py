@@ -1,0 +1,44 @@
+"""Starts Qt and the window."""
+
+import sys
+from pathlib import Path
+
+from PySide6.QtWidgets import QApplication
+
+from skinsource.assets import user_folder
+from skinsource.catalogue import available_limbs, default_limb
+from skinsource.design import start_design
+from skinsource.files import make_folder
+from skinsource_gui.preferences import Preferences
+from skinsource_gui.window import MainWindow
+
+#: While the worker computes, the window gets its turn after this time (Python's own is 5 ms).
+_SWITCH_INTERVAL_S = 5e-4
+
+
+def make_application() -> QApplication:
+    """Return the application object, named."""
+    application = QApplication(sys.argv[:1])
+    application.setApplicationName("SkinSource studio")
+    application.setDesktopFileName("skinsource-studio")
+    sys.setswitchinterval(_SWITCH_INTERVAL_S)
+    return application
+
+
+def make_window(path: Path | None, preferences: Preferences) -> MainWindow:
+    """Return the window on the start design, or on the design in ``path``."""
+    window = MainWindow(
+        start_design(default_limb()), preferences=preferences, available_limbs=available_limbs()
+    )
+    if path is not None:
+        window.files.open(path)
+    return window
+
+
+def run(path: Path | None) -> int:
+    """Open the studio and stay until it is closed."""
+    application = make_application()
+    make_folder(user_folder())
+    window = make_window(path, Preferences(user_folder() / "studio.ini"))
+    window.show()
+    return application.exec()

@@ -1,0 +1,118 @@
+"""The open design, its history, and the view on it."""
+
+from dataclasses import replace
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QUndoCommand, QUndoStack
+
+from skinsource.design import Design
+from skinsource.view import View
+
+
+class Document(QObject):
+    """Holds one immutable design and one immutable view.
+
+    Every edit of the design swaps it for another, undoably.  The view is saved with the design,
+    but never undone.
+    """
+
+    changed = Signal()
+    #: The path, or whether there is something unsaved, has changed.
+    title_changed = Signal()
+
+    def __init__(self, design: Design, view: View | None = None, parent: QObject | None = None):
+        super().__init__(parent)
+        self._design = design
+        self._view = _fitted(view or View(), design)
+        self._path: Path | None = None
+        self.undo_stack = QUndoStack(self)
+        self.undo_stack.cleanChanged.connect(self.title_changed)
+
+    @property
+    def design(self) -> Design:
+        """The design as it is now."""
+        return self._design
+
+    @property
+    def view(self) -> View:
+        """What is looked at now."""
+        return self._view
+
+    @property
+    def path(self) -> Path | None:
+        """The file it was opened from or saved to."""
+        return self._path
+
+    @property
+    def modified(self) -> bool:
+        """Whether there are edits that no file holds."""
+        return not self.undo_stack.isClean()
+
+    def edit(self, label: str, design: Design, gesture: int | None = None) -> None:
+        """Replace the design.
+
+        Edits of the same ``gesture`` (one drag of one handle) undo as one step.
+        """
+        if design != self._design:
+            self.undo_stack.push(_Swap(self, label, design, gesture))
+
+    def look(self, view: View) -> None:
+        """Replace the view."""
+        fitted = _fitted(view, self._design)
+        if fitted != self._view:
+            self._view = fitted
+            self.changed.emit()
+
+    def start_over(self, design: Design, view: View, path: Path | None) -> None:
+        """Take over another design, with an empty history."""
+        self.undo_stack.clear()
+        self._design, self._view, self._path = design, _fitted(view, design), path
+        self.changed.emit()
+        self.title_changed.emit()
+
+    def mark_saved(self, path: Path) -> None:
+        """Note that ``path`` holds the present design."""
+        self._path = path
+        self.undo_stack.setClean()
+        self.title_changed.emit()
+
+    def show_design(self, design: Design) -> None:
+        """Put ``design`` in place of the present one; for undo steps only."""
+        self._design = design
+        self._view = _fitted(self._view, design)
+        self.changed.emit()
+
+
+class _Swap(QUndoCommand):
+    """The only undo command there is: put that design in place of this one."""
+
+    def __init__(self, document: Document, label: str, after: Design, gesture: int | None):
+        super().__init__(label)
+        self._document = document
+        self._before, self._after = document.design, after
+        self._gesture = -1 if gesture is None else gesture
+
+    def redo(self) -> None:
+        self._document.show_design(self._after)
+
+    def undo(self) -> None:
+        self._document.show_design(self._before)
+
+    def id(self) -> int:
+        return self._gesture
+
+    def mergeWith(self, newer: QUndoCommand) -> bool:
+        if not isinstance(newer, _Swap):
+            return False
+        self._after = newer._after
+        self.setObsolete(self._after == self._before)
+        return True
+
+
+def _fitted(view: View, design: Design) -> View:
+    """Return ``view`` with a selected input that exists."""
+    selected, count = view.selected_input, len(design.inputs)
+    if selected is not None and selected >= count:
+        return replace(view, selected_input=count - 1 if count else None)
+    return view

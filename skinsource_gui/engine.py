@@ -1,0 +1,93 @@
+"""Evaluates quantities away from the GUI thread."""
+
+from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from threading import Event
+from time import perf_counter
+from typing import Any
+
+from PySide6.QtCore import QObject, Qt, Signal
+
+from skinsource.graph import Graph, Stopped
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """The quantities that are wanted, and the values to start from."""
+
+    wanted: frozenset[str]
+    given: Mapping[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What became of a request: its values, or the error that prevented them.
+
+    ``compute_s`` is the time the evaluation took.
+    """
+
+    request: Request
+    values: Mapping[str, Any] | None = None
+    error: Exception | None = None
+    compute_s: float = 0.0
+
+
+class Engine(QObject):
+    """Evaluates one request at a time; of those that wait, only the newest is kept.
+
+    A running evaluation is allowed to finish, so that a long drag shows a steady stream of
+    results instead of none until the mouse stops.
+    """
+
+    finished = Signal(object)  # Outcome, in the GUI thread
+    _landed = Signal(object)  # Outcome, from the worker thread
+
+    def __init__(self, graph: Graph, parent: QObject | None = None):
+        super().__init__(parent)
+        self._graph = graph
+        self._closing = Event()
+        self._busy = False
+        self._waiting: Request | None = None
+        self._worker = ThreadPoolExecutor(max_workers=1, thread_name_prefix="skinsource-engine")
+        self._landed.connect(self._on_landed, Qt.ConnectionType.QueuedConnection)
+
+    @property
+    def busy(self) -> bool:
+        """Whether a request is being evaluated or waits."""
+        return self._busy
+
+    def request(self, request: Request) -> None:
+        """Evaluate ``request`` as soon as possible, unless a newer one arrives first."""
+        if self._closing.is_set():
+            return
+        if self._busy:
+            self._waiting = request
+        else:
+            self._busy = True
+            self._worker.submit(self._work, request)
+
+    def close(self) -> None:
+        """Stop at the next rule and wait for the worker to end."""
+        self._waiting = None
+        self._closing.set()
+        self._worker.shutdown(wait=True)
+
+    def _work(self, request: Request) -> None:
+        start = perf_counter()
+        try:
+            values = self._graph.evaluate(request.wanted, request.given, self._closing.is_set)
+        except Stopped:
+            return
+        except Exception as error:  # noqa: BLE001  shown to the user by whoever listens
+            outcome = Outcome(request, error=error, compute_s=perf_counter() - start)
+        else:
+            outcome = Outcome(request, values, compute_s=perf_counter() - start)
+        self._landed.emit(outcome)
+
+    def _on_landed(self, outcome: Outcome) -> None:
+        self._busy = False
+        waiting, self._waiting = self._waiting, None
+        if waiting is not None:
+            self.request(waiting)
+        self.finished.emit(outcome)

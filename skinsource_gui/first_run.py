@@ -1,0 +1,47 @@
+"""Renders a design without a screen: the window, the map and the traces as files."""
+
+import sys
+from pathlib import Path
+
+from skinsource.errors import SkinSourceError
+from skinsource.export import export_levels, export_traces
+from skinsource.files import make_folder
+from skinsource_gui.app import make_application, make_window
+from skinsource_gui.pictures import save_picture
+from skinsource_gui.preferences import Preferences
+from skinsource_gui.window import MainWindow
+
+_SIZE_PX = (1600, 940)
+
+
+def run(folder: Path, design: Path | None) -> int:
+    """Write pictures and tables of ``design`` (or of the start design) to ``folder``."""
+    application = make_application()
+    try:
+        make_folder(folder)
+        window = make_window(design, Preferences(folder / "studio.ini"))
+        window.resize(*_SIZE_PX)
+        window.show()
+        window.commands.arrange_design()
+        application.processEvents()
+        window.catch_up()
+        application.processEvents()
+        names = _write(window, folder)
+        window.document.undo_stack.setClean()
+        window.close()
+    except SkinSourceError as error:
+        sys.stderr.write(f"skinsource-gui: {error}\n")
+        return 1
+    (folder / "studio.ini").unlink(missing_ok=True)
+    for name in names:
+        sys.stdout.write(f"  {folder / name}\n")
+    return 0
+
+
+def _write(window: MainWindow, folder: Path) -> list[str]:
+    design, view = window.document.design, window.document.view
+    save_picture(folder / "window.png", window.grab())
+    save_picture(folder / "rms-map.png", window.skin.picture(800, 1200))
+    export_levels(folder / "rms-map.csv", design, view)
+    export_traces(folder / "traces.csv", design, view)
+    return ["window.png", "rms-map.png", "rms-map.csv", "traces.csv"]

@@ -1,0 +1,57 @@
+"""What every panel is."""
+
+from collections.abc import Mapping
+from typing import Any, ClassVar
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QWidget
+
+from skinsource.design import Design
+from skinsource.view import View
+from skinsource_gui.theme import Theme
+
+
+class Panel(QWidget):
+    """A view of the design and of computed quantities.
+
+    A panel names what it ``needs`` and draws what it is given.  It starts no computation, and
+    while it is hidden nothing is computed for it.  What the user wants is told by signals.
+    """
+
+    #: Words of the dock's title; `objectName` of the dock; a sentence for its tooltip.
+    title: ClassVar[str] = ""
+    name: ClassVar[str] = ""
+
+    #: Label of the undo step, the new `Design`, number of the gesture or None.
+    design_edited = Signal(str, object, object)
+    #: The new `View`.
+    view_changed = Signal(object)
+    visibility_changed = Signal()
+
+    @property
+    def needs(self) -> frozenset[str]:
+        """Names of the quantities that `show_results` draws."""
+        return frozenset()
+
+    def show_state(self, design: Design, view: View) -> None:
+        """Take over the present design and view; called at each change, before any results."""
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        """Draw ``results``, which holds at least the quantities in ``needs``."""
+
+    def show_stale(self, stale: bool) -> None:
+        """Say whether what is drawn belongs to an older design than the present one."""
+
+    def show_problem(self, reason: str) -> None:
+        """Empty the picture and say why there is none."""
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+
+    def showEvent(self, event) -> None:
+        super().showEvent(event)
+        self.visibility_changed.emit()
+
+    def hideEvent(self, event) -> None:
+        super().hideEvent(event)
+        self.visibility_changed.emit()

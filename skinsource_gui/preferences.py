@@ -1,0 +1,71 @@
+"""What the studio remembers between sessions: theme, window, recent files."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QByteArray, QSettings
+
+_RECENT_FILES = 10
+
+
+class Preferences:
+    """A small INI file.
+
+    Parameters
+    ----------
+    path
+        Where it lies; made when something is first remembered.
+    """
+
+    def __init__(self, path: Path):
+        self._settings = QSettings(str(path), QSettings.Format.IniFormat)
+
+    @property
+    def theme_name(self) -> str:
+        """``"light"``, ``"dark"``, or ``"system"``."""
+        return str(self._settings.value("theme", "system"))
+
+    @theme_name.setter
+    def theme_name(self, name: str) -> None:
+        self._settings.setValue("theme", name)
+
+    @property
+    def geometry(self) -> QByteArray:
+        """Place and size of the window; empty at first."""
+        return self._bytes("geometry")
+
+    @geometry.setter
+    def geometry(self, geometry: QByteArray) -> None:
+        self._settings.setValue("geometry", geometry)
+
+    @property
+    def layout(self) -> QByteArray:
+        """Arrangement of the docks; empty at first."""
+        return self._bytes("layout")
+
+    @layout.setter
+    def layout(self, layout: QByteArray) -> None:
+        self._settings.setValue("layout", layout)
+
+    @property
+    def recent_files(self) -> list[Path]:
+        """Files that were opened or saved, newest first."""
+        found = self._settings.value("recent", [])
+        names = [found] if isinstance(found, str) else list(found or [])
+        return [Path(name) for name in names]
+
+    def remember_file(self, path: Path) -> None:
+        """Put ``path`` at the front of the recent files."""
+        others = [known for known in self.recent_files if known != path]
+        self._settings.setValue("recent", [str(p) for p in (path, *others)][:_RECENT_FILES])
+
+    def forget_file(self, path: Path) -> None:
+        """Take ``path`` out of the recent files."""
+        self._settings.setValue("recent", [str(p) for p in self.recent_files if p != path])
+
+    def flush(self) -> None:
+        """Write what is remembered to disk."""
+        self._settings.sync()
+
+    def _bytes(self, key: str) -> QByteArray:
+        value = self._settings.value(key, QByteArray())
+        return value if isinstance(value, QByteArray) else QByteArray()

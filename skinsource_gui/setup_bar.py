@@ -1,0 +1,127 @@
+"""The row above the panels: limb, scaling, axes, method."""
+
+from dataclasses import replace
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QStandardItemModel
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
+
+from skinsource.design import Design
+from skinsource.limb import HAND_LENGTHS_MM, LIMB_NAMES
+from skinsource.projection import AXES, METHODS
+from skinsource.response import SCALINGS
+from skinsource.view import View
+
+_SCALING_WORDS = {
+    "upstream": (
+        "Peak of each input",
+        "Each input alone reaches its amplitude as largest skin "
+        "acceleration, in m/s² (as the published toolbox does)",
+    ),
+    "relative": (
+        "Equal drives",
+        "No rescaling: strong and weak places keep their ratio; an "
+        "amplitude of 1 is the measuring pulse",
+    ),
+    "probe": (
+        "Probe acceleration",
+        "Amplitudes are accelerations of the probe in m/s², within about 3 dB",
+    ),
+}
+_AXES_WORDS = {"xy": "x, y", "xz": "x, z", "yz": "y, z", "xyz": "x, y, z"}
+_METHOD_WORDS = {
+    "mag": ("Magnitude", "Length of the acceleration vector"),
+    "pca": ("Principal axis", "Component along the axis of largest variance"),
+    "rms": ("RMS direction", "Component along the vector of the axes' RMS values"),
+    "soc": ("Sum of components", "Sum over the chosen axes"),
+}
+
+
+class SetupBar(QWidget):
+    """Combos for what the whole window shows."""
+
+    design_edited = Signal(str, object, object)
+    view_changed = Signal(object)
+
+    def __init__(self, available: tuple[str, ...], parent: QWidget | None = None):
+        super().__init__(parent)
+        self._design: Design | None = None
+        self._view: View | None = None
+        self._row = QHBoxLayout(self)
+        self._row.setContentsMargins(0, 0, 0, 0)
+        self._row.setSpacing(6)
+        self._limb = self._combo("Limb", [(name, limb_words(name), "") for name in LIMB_NAMES])
+        self._scaling = self._combo("Scaling", [(name, *_SCALING_WORDS[name]) for name in SCALINGS])
+        self._axes = self._combo("Axes", [(axes, _AXES_WORDS.get(axes, axes), "") for axes in AXES])
+        self._method = self._combo("Method", [(name, *_METHOD_WORDS[name]) for name in METHODS])
+        self._disable_missing(available)
+        self._limb.activated.connect(self._choose_limb)
+        self._scaling.activated.connect(self._choose_scaling)
+        self._axes.activated.connect(self._choose_axes)
+        self._method.activated.connect(self._choose_method)
+
+    def show_state(self, design: Design, view: View) -> None:
+        """Take over the present design and view."""
+        self._design, self._view = design, view
+        for combo, value in (
+            (self._limb, design.limb),
+            (self._scaling, design.scaling),
+            (self._axes, view.axes),
+            (self._method, view.method),
+        ):
+            combo.setCurrentIndex(combo.findData(value))
+        single = len(view.axes) == 1
+        self._method.setEnabled(not single)
+        self._method.setToolTip(
+            "A single axis needs no method" if single else "How several axes become one signal"
+        )
+
+    def _combo(self, label: str, options: list[tuple[str, str, str]]) -> QComboBox:
+        combo = QComboBox()
+        combo.setObjectName(label.lower())
+        combo.setAccessibleName(label)
+        combo.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        for value, words, hint in options:
+            combo.addItem(words, value)
+            combo.setItemData(combo.count() - 1, hint, Qt.ItemDataRole.ToolTipRole)
+        title = QLabel(label)
+        title.setBuddy(combo)
+        self._row.addWidget(title)
+        self._row.addWidget(combo)
+        self._row.addSpacing(6)
+        return combo
+
+    def _disable_missing(self, available: tuple[str, ...]) -> None:
+        model = self._limb.model()
+        if not isinstance(model, QStandardItemModel):
+            return
+        for index, name in enumerate(LIMB_NAMES):
+            if name not in available:
+                item = model.item(index)
+                item.setEnabled(False)
+                item.setToolTip("Not installed; Help > Get the measured limbs… says how")
+
+    def _choose_limb(self) -> None:
+        if self._design:
+            name = self._limb.currentData()
+            changed = replace(self._design, limb=name)
+            self.design_edited.emit(f"Change limb to {limb_words(name)}", changed, None)
+
+    def _choose_scaling(self) -> None:
+        if self._design:
+            changed = replace(self._design, scaling=self._scaling.currentData())
+            self.design_edited.emit("Change scaling", changed, None)
+
+    def _choose_axes(self) -> None:
+        if self._view:
+            self.view_changed.emit(replace(self._view, axes=self._axes.currentData()))
+
+    def _choose_method(self) -> None:
+        if self._view:
+            self.view_changed.emit(replace(self._view, method=self._method.currentData()))
+
+
+def limb_words(name: str) -> str:
+    """What a limb is called in the window, "Measured 1 (175 mm)"."""
+    kind, _, number = name.partition("-")
+    return f"{kind.capitalize()} {number} ({HAND_LENGTHS_MM[int(number) - 1]:g} mm)"

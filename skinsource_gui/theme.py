@@ -1,0 +1,165 @@
+"""Colours, fonts and spacings: the only place where they are decided."""
+
+from dataclasses import dataclass
+from string import Template
+
+from PySide6.QtGui import QColor, QFont, QPalette
+from PySide6.QtWidgets import QApplication
+
+from skinsource_gui.resources import read_text
+
+#: The rhythm of all distances, px.
+UNIT_PX = 8
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Theme:
+    """One set of colours, as ``#rrggbb``.
+
+    Attributes
+    ----------
+    name
+        ``"light"`` or ``"dark"``.
+    window, base, raised, border, grid
+        Behind everything; behind plots and lists; buttons; lines between; plot grids.
+    text, dim
+        Words; words of less weight (still 4.5 : 1 against ``window``).
+    accent, on_accent
+        Focus and selection, and words on it.
+    warning, error
+        Amber and red.
+    skin, skin_line
+        Fill and lines of the drawn hand.
+    inputs, outputs
+        One categorical palette each, safe for colour-vision deficiencies.
+    """
+
+    name: str
+    window: str
+    base: str
+    raised: str
+    border: str
+    grid: str
+    text: str
+    dim: str
+    accent: str
+    on_accent: str
+    warning: str
+    error: str
+    skin: str
+    skin_line: str
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+
+    def input_colour(self, number: int) -> QColor:
+        """Colour of an input, by `Input.colour`."""
+        return QColor(self.inputs[number % len(self.inputs)])
+
+    def output_colour(self, rank: int) -> QColor:
+        """Colour of a selected output, by its place in the selection."""
+        return QColor(self.outputs[rank % len(self.outputs)])
+
+
+LIGHT = Theme(
+    name="light",
+    window="#f3f4f6",
+    base="#ffffff",
+    raised="#ffffff",
+    border="#d2d6dc",
+    grid="#e4e7eb",
+    text="#1b1f24",
+    dim="#57606a",
+    accent="#0a66c2",
+    on_accent="#ffffff",
+    warning="#9a5b00",
+    error="#b42318",
+    skin="#ecdfd3",
+    skin_line="#a58e7a",
+    inputs=("#0072b2", "#d55e00", "#00845f", "#b0508a", "#9a6a00", "#3d7dc4", "#7a5195", "#6b4a3a"),
+    outputs=(
+        "#332288",
+        "#117733",
+        "#aa4499",
+        "#b8860b",
+        "#882255",
+        "#2a8c82",
+        "#c44e52",
+        "#4d4d4d",
+    ),
+)
+DARK = Theme(
+    name="dark",
+    window="#1d2025",
+    base="#15171b",
+    raised="#2a2e35",
+    border="#3a3f48",
+    grid="#2b2f37",
+    text="#e6e8eb",
+    dim="#a3abb6",
+    accent="#4c9be8",
+    on_accent="#0b1420",
+    warning="#e3a33b",
+    error="#f0776c",
+    skin="#4a4039",
+    skin_line="#8f7c6d",
+    inputs=("#4fa8e0", "#ff8a3d", "#2cc79b", "#e59ac6", "#f5c242", "#9fc3ff", "#b998e6", "#cda28f"),
+    outputs=(
+        "#a99bf5",
+        "#5fcb7a",
+        "#e07acb",
+        "#e6c34a",
+        "#f0709a",
+        "#5fd6c4",
+        "#ff9a8a",
+        "#c8ccd2",
+    ),
+)
+THEMES = {theme.name: theme for theme in (LIGHT, DARK)}
+
+
+def apply_theme(app: QApplication, theme: Theme) -> None:
+    """Give every widget of ``app`` the colours of ``theme``."""
+    app.setStyle("Fusion")
+    app.setPalette(_palette(theme))
+    app.setStyleSheet(
+        Template(read_text("theme.qss")).substitute(
+            {
+                name: getattr(theme, name)
+                for name in Theme.__slots__
+                if isinstance(getattr(theme, name), str)
+            }
+        )
+    )
+
+
+def tabular(font: QFont) -> QFont:
+    """Copy of ``font`` in which all digits have the same width."""
+    copy = QFont(font)
+    copy.setFeature(QFont.Tag("tnum"), 1)
+    return copy
+
+
+def _palette(theme: Theme) -> QPalette:
+    role = QPalette.ColorRole
+    palette = QPalette()
+    for part, colour in {
+        role.Window: theme.window,
+        role.WindowText: theme.text,
+        role.Base: theme.base,
+        role.AlternateBase: theme.window,
+        role.Text: theme.text,
+        role.PlaceholderText: theme.dim,
+        role.Button: theme.raised,
+        role.ButtonText: theme.text,
+        role.ToolTipBase: theme.raised,
+        role.ToolTipText: theme.text,
+        role.Highlight: theme.accent,
+        role.HighlightedText: theme.on_accent,
+        role.Link: theme.accent,
+        role.Mid: theme.border,
+    }.items():
+        palette.setColor(part, QColor(colour))
+    disabled = QPalette.ColorGroup.Disabled
+    for part in (role.WindowText, role.Text, role.ButtonText):
+        palette.setColor(disabled, part, QColor(theme.dim))
+    return palette

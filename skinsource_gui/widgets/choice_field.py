@@ -1,0 +1,56 @@
+"""One of several names, as a list that drops down."""
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QComboBox, QSizePolicy, QWidget
+
+from skinsource.fields import ChoiceSpec
+from skinsource_gui.widgets.burst import Burst
+
+
+class ChoiceField(QComboBox):
+    """A drop-down list of the options of ``spec``.
+
+    The wheel acts only while it has the focus, so that scrolling a panel changes nothing.
+    """
+
+    #: The chosen option; number of the gesture that quick further choices share.
+    chosen = Signal(str, object)
+
+    def __init__(self, spec: ChoiceSpec, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._burst = Burst(self)
+        for option, words in spec.options:
+            self.addItem(words, option)
+        self.setAccessibleName(spec.label)
+        self.setToolTip("\n".join(words for words in (spec.label, spec.hint) if words))
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.setMinimumContentsLength(8)
+        self.setMaxVisibleItems(20)
+        self.activated.connect(self._choose)
+
+    @property
+    def value(self) -> str:
+        """The chosen option."""
+        return self.currentData()
+
+    def set_value(self, option: str) -> None:
+        """Show another choice, and tell nobody."""
+        if option != self.value:
+            self._burst.end()
+            self.setCurrentIndex(self.findData(option))
+
+    def showPopup(self) -> None:
+        # The list may be wider than the field, so that no name is cut off.
+        self.view().setMinimumWidth(self.view().sizeHintForColumn(0) + 24)
+        super().showPopup()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
+
+    def _choose(self, index: int) -> None:
+        self.chosen.emit(self.itemData(index), self._burst.gesture())

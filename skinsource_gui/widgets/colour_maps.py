@@ -1,0 +1,47 @@
+"""From a part of the range to a colour."""
+
+import numpy as np
+import pyqtgraph
+from numpy.typing import NDArray
+from PySide6.QtGui import QColor
+
+#: Number of colours in a table.
+N_COLOURS = 256
+
+
+def colour_table(name: str = "viridis") -> NDArray[np.uint32]:
+    """Colours of a perceptually uniform map as ``0xffrrggbb``, lowest first, (256,).
+
+    Parameters
+    ----------
+    name
+        Any colour map that comes with pyqtgraph, such as ``"viridis"`` or ``"CET-L20"``.
+    """
+    rgb = pyqtgraph.colormap.get(name).getLookupTable(nPts=N_COLOURS, alpha=False)
+    red, green, blue = rgb.astype(np.uint32).T
+    return np.uint32(0xFF000000) | (red << 16) | (green << 8) | blue
+
+
+def colour_indices(levels_db: NDArray[np.float64], range_db: tuple[float, float]) -> NDArray:
+    """Row of the colour table of each level, uint8, shape of ``levels_db``.
+
+    Levels outside the range take the colour of its nearer end, NaN that of the lower end.
+    """
+    low, high = range_db
+    within = np.fmin(np.fmax(levels_db, low), high)
+    within -= low
+    within *= (N_COLOURS - 1) / (high - low)
+    within += 0.5
+    return within.astype(np.uint8)
+
+
+def level_colours(
+    levels_db: NDArray[np.float64], range_db: tuple[float, float], table: NDArray[np.uint32]
+) -> list[QColor]:
+    """Colour of each level, (n_levels,)."""
+    return [QColor(int(argb)) for argb in table[colour_indices(levels_db, range_db)]]
+
+
+def is_light(colour: QColor) -> bool:
+    """Whether black words on ``colour`` read better than white ones."""
+    return 0.299 * colour.redF() + 0.587 * colour.greenF() + 0.114 * colour.blueF() > 0.5

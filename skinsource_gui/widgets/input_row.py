@@ -1,0 +1,254 @@
+"""One input in a list: what it is, and what is changed most often."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QEvent, QObject, QRect, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QFont, QMouseEvent, QPainter, QPen, QResizeEvent
+from PySide6.QtWidgets import QWidget
+
+from skinsource.design import AMPLITUDE, Input
+from skinsource.locations import input_place
+from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.widgets.input_words import duration_text, figure_text
+from skinsource_gui.widgets.letter_button import (
+    BUTTON_PX,
+    mute_button,
+    remove_button,
+    solo_button,
+)
+from skinsource_gui.widgets.number_field import NumberField
+from skinsource_gui.widgets.swatch import SWATCH_PX, paint_swatch
+from skinsource_gui.widgets.waveform_preview import WaveformPreview
+
+ROW_PX = 48
+#: From this width on, everything stands in one line of columns.
+WIDE_PX = 420
+
+_LINE_PX = 20
+_AMPLITUDE_PX = 84
+_PREVIEW_PX = 72
+_MARK_PX = 3
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RowState:
+    """What a row shows.
+
+    Attributes
+    ----------
+    index
+        Of the input in the design.
+    shown
+        The input.
+    silent
+        Whether it is not heard, for being muted or because another is solo.
+    selected, list_focused
+        Whether the row is the selected one; whether keys go to the list.
+    unit
+        Of the amplitude.
+    """
+
+    index: int
+    shown: Input
+    silent: bool
+    selected: bool
+    list_focused: bool
+    unit: str
+
+
+class InputRow(QWidget):
+    """A row of the list of inputs.  Its signals begin with the index of its input."""
+
+    pressed = Signal(int)
+    amplitude_edited = Signal(int, float, object)
+    mute_toggled = Signal(int)
+    solo_toggled = Signal(int)
+    removed = Signal(int)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._theme = LIGHT
+        self._state: RowState | None = None
+        self.setObjectName("input_row")
+        self.setFixedHeight(ROW_PX)
+        self.preview = WaveformPreview(self)
+        self.preview.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.amplitude = NumberField(AMPLITUDE, self)
+        self.amplitude.setObjectName("amplitude_field")
+        # The theme's fields are as high as a line of a form, too high for two lines in a row.
+        self.amplitude.setStyleSheet("QLineEdit { min-height: 0; padding: 0 4px; }")
+        self.mute, self.solo, self.remove = mute_button(self), solo_button(self), remove_button(self)
+        self.amplitude.edited.connect(self._edit_amplitude)
+        self.amplitude.installEventFilter(self)
+        self.mute.clicked.connect(self._toggle_mute)
+        self.solo.clicked.connect(self._toggle_solo)
+        self.remove.clicked.connect(self._remove)
+
+    @property
+    def controls(self) -> tuple[QWidget, ...]:
+        """What the keyboard can reach, in its order."""
+        return (self.amplitude, self.mute, self.solo, self.remove)
+
+    @property
+    def state(self) -> RowState | None:
+        """What is shown."""
+        return self._state
+
+    def show_state(self, state: RowState) -> None:
+        """Show an input."""
+        if state == self._state:
+            return
+        old, self._state = self._state, state
+        shown = state.shown
+        self.amplitude.set_spec(replace(AMPLITUDE, unit=state.unit))
+        self.amplitude.set_value(shown.amplitude)
+        self.mute.setChecked(shown.muted)
+        self.solo.setChecked(shown.solo)
+        if old is None or old.selected != state.selected:
+            self._let_keyboard_in(state.selected)
+        self._show_look()
+        place = input_place(shown.location)
+        self.setAccessibleName(
+            f"Input at {place.number}, {place.name}: {figure_text(shown.waveform)}"
+            f"{', silent' if state.silent else ''}"
+        )
+        self.setToolTip(f"{place.number} · {place.name}\n{self._figure()}")
+        self.update()
+
+    def show_samples(self, samples: NDArray[np.float64]) -> None:
+        """Show what the input plays, (n_times,)."""
+        # Miniatures have no axis: any rate shows the whole of it, also of a single sample.
+        self.preview.show_samples(samples, float(max(samples.size, 8)))
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self._theme = theme
+        for part in (self.preview, *self.controls):
+            part.show_theme(theme)
+        self._show_look()
+        self.update()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self.amplitude and event.type() == QEvent.Type.FocusIn:
+            self._press()
+        return super().eventFilter(watched, event)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._press()
+        # Left to the list, which takes the focus.
+        event.ignore()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        right = self.width() - UNIT_PX
+        wide = self.width() >= WIDE_PX
+        first_line = QRect(0, (ROW_PX - 2 * _LINE_PX) // 2 - 1, 0, _LINE_PX)
+        for button in (self.remove, self.solo, self.mute):
+            right -= BUTTON_PX
+            top = (ROW_PX - BUTTON_PX) // 2 if wide else first_line.top()
+            button.setGeometry(right, top, BUTTON_PX, BUTTON_PX)
+        if wide:
+            right -= UNIT_PX + _AMPLITUDE_PX
+            self.amplitude.setGeometry(right, (ROW_PX - 26) // 2, _AMPLITUDE_PX, 26)
+            preview_px = max(_PREVIEW_PX, self.width() // 4)
+            right -= UNIT_PX + preview_px
+            self.preview.setGeometry(right, 6, preview_px, ROW_PX - 12)
+        else:
+            self.amplitude.setGeometry(
+                self.width() - UNIT_PX - _AMPLITUDE_PX,
+                first_line.bottom() + 4,
+                _AMPLITUDE_PX,
+                _LINE_PX + 2,
+            )
+            right -= UNIT_PX + _PREVIEW_PX
+            self.preview.setGeometry(right, first_line.top(), _PREVIEW_PX, _LINE_PX)
+
+    def paintEvent(self, event) -> None:
+        if self._state is None:
+            return
+        painter = QPainter(self)
+        self._paint_back(painter)
+        shown, silent = self._state.shown, self._state.silent
+        left = UNIT_PX
+        paint_swatch(
+            painter,
+            QRectF(left, (ROW_PX - SWATCH_PX) / 2, SWATCH_PX, SWATCH_PX),
+            shown.location,
+            self._theme.input_colour(shown.colour),
+            QColor(self._theme.text),
+            silent=silent,
+        )
+        left += SWATCH_PX + UNIT_PX
+        place = input_place(shown.location)
+        top = self.preview.y() if self.width() < WIDE_PX else 3
+        name = QRect(left, top, self.preview.x() - UNIT_PX - left, _LINE_PX)
+        painter.setPen(QColor(self._theme.dim if silent else self._theme.text))
+        font = QFont(painter.font())
+        font.setWeight(QFont.Weight.Medium)
+        painter.setFont(font)
+        fits = painter.fontMetrics().horizontalAdvance(place.name) <= name.width()
+        self._write(painter, name, place.name if fits else place.short_name)
+        painter.setFont(self.font())
+        painter.setPen(QColor(self._theme.dim))
+        end = self.preview.x() if self.width() >= WIDE_PX else self.amplitude.x()
+        self._write(
+            painter, QRect(left, top + _LINE_PX + 1, end - UNIT_PX - left, _LINE_PX), self._figure()
+        )
+
+    def _paint_back(self, painter: QPainter) -> None:
+        painter.setPen(QPen(QColor(self._theme.border), 1))
+        painter.drawLine(UNIT_PX, ROW_PX - 1, self.width() - UNIT_PX, ROW_PX - 1)
+        if not self._state.selected:
+            return
+        tint = QColor(self._theme.accent)
+        painter.fillRect(0, 0, _MARK_PX, ROW_PX, tint)
+        if self._state.list_focused:
+            painter.setPen(QPen(tint, 2))
+            painter.drawRect(QRectF(self.rect()).adjusted(1, 1, -1, -1))
+        tint.setAlpha(28)
+        painter.fillRect(self.rect(), tint)
+
+    def _write(self, painter: QPainter, place: QRect, text: str) -> None:
+        shown = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, place.width())
+        flags = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+        painter.drawText(place, flags, shown)
+
+    def _figure(self) -> str:
+        waveform = self._state.shown.waveform
+        return f"{figure_text(waveform)} · {duration_text(waveform)}"
+
+    def _show_look(self) -> None:
+        if self._state is None:
+            return
+        shown = self._state.shown
+        colour = self._theme.input_colour(shown.colour)
+        self.preview.set_look(
+            QColor(self._theme.dim) if self._state.silent else colour,
+            flipped=shown.amplitude < 0,
+        )
+
+    def _let_keyboard_in(self, selected: bool) -> None:
+        # One row at a time: twenty rows of four stops each would be a long way.
+        number = Qt.FocusPolicy.StrongFocus if selected else Qt.FocusPolicy.ClickFocus
+        button = Qt.FocusPolicy.TabFocus if selected else Qt.FocusPolicy.NoFocus
+        self.amplitude.setFocusPolicy(number)
+        for control in (self.mute, self.solo, self.remove):
+            control.setFocusPolicy(button)
+
+    def _press(self) -> None:
+        self.pressed.emit(self._state.index)
+
+    def _edit_amplitude(self, value: float, gesture: int | None) -> None:
+        self.amplitude_edited.emit(self._state.index, value, gesture)
+
+    def _toggle_mute(self) -> None:
+        self.mute_toggled.emit(self._state.index)
+
+    def _toggle_solo(self) -> None:
+        self.solo_toggled.emit(self._state.index)
+
+    def _remove(self) -> None:
+        self.removed.emit(self._state.index)

@@ -1,0 +1,75 @@
+"""The range of levels that the colours span."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource.decibels import FLOOR_DB
+
+Range = tuple[float, float]
+
+#: What the range can reach, and its smallest and automatic spans, dB.
+LOWEST_DB, HIGHEST_DB = FLOOR_DB, 200.0
+SMALLEST_SPAN_DB = 1.0
+AUTOMATIC_SPAN_DB = 50.0
+
+_ROUND_TO_DB = 5.0
+# How far below the round level the loudest output must fall before the range follows it down.
+_SLACK_DB = 3.0
+_TICK_STEPS_DB = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
+
+
+class AutomaticRange:
+    """A range that follows the loudest output without flickering.
+
+    Its top is the loudest level rounded up to 5 dB.  It falls only when the loudest output is
+    well below the next lower step.
+    """
+
+    def __init__(self) -> None:
+        self._top_db: float | None = None
+
+    def restart(self) -> None:
+        """Forget what was shown before."""
+        self._top_db = None
+
+    def follow(self, levels_db: NDArray[np.float64]) -> Range:
+        """Range for these levels; silence changes nothing."""
+        loudest = float(np.max(levels_db))
+        top = 0.0 if self._top_db is None else self._top_db
+        if loudest > FLOOR_DB:
+            keeps = self._top_db is not None and (top - _ROUND_TO_DB - _SLACK_DB <= loudest <= top)
+            if not keeps:
+                top = math.ceil(loudest / _ROUND_TO_DB) * _ROUND_TO_DB
+                top = min(max(top, LOWEST_DB + AUTOMATIC_SPAN_DB), HIGHEST_DB)
+                self._top_db = top
+        return top - AUTOMATIC_SPAN_DB, top
+
+
+def with_low(range_db: Range, low_db: float) -> Range:
+    """The range with another lower end, as far as the upper one allows."""
+    high = range_db[1]
+    return min(max(low_db, LOWEST_DB), high - SMALLEST_SPAN_DB), high
+
+
+def with_high(range_db: Range, high_db: float) -> Range:
+    """The range with another upper end, as far as the lower one allows."""
+    low = range_db[0]
+    return low, max(min(high_db, HIGHEST_DB), low + SMALLEST_SPAN_DB)
+
+
+def moved(range_db: Range, by_db: float) -> Range:
+    """The range shifted, with its span unchanged."""
+    low, high = range_db
+    by = min(max(by_db, LOWEST_DB - low), HIGHEST_DB - high)
+    return low + by, high + by
+
+
+def tick_levels(low_db: float, high_db: float, room_px: float, spacing_px: float) -> list[float]:
+    """Round levels from ``low_db`` to ``high_db``, at least ``spacing_px`` apart."""
+    span = high_db - low_db
+    fitting = (step for step in _TICK_STEPS_DB if step * room_px >= spacing_px * span)
+    step = next(fitting, _TICK_STEPS_DB[-1])
+    first, last = math.ceil(low_db / step - 1e-9), math.floor(high_db / step + 1e-9)
+    return [step * k for k in range(first, last + 1)]

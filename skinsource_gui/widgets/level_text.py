@@ -1,0 +1,28 @@
+"""Levels and outputs in words."""
+
+from skinsource.decibels import FLOOR_DB
+from skinsource.locations import output_place
+
+
+def minus(text: str) -> str:
+    """``text`` with real minus signs."""
+    return text.replace("-", "−")
+
+
+def level_text(level_db: float) -> str:
+    """A level in dB and as an acceleration."""
+    if level_db <= FLOOR_DB:
+        return "silent"
+    acceleration = 10.0 ** (level_db / 20.0)
+    if acceleration >= 0.1:
+        amount = f"{acceleration:.3g} m/s²"
+    elif acceleration >= 1e-4:
+        amount = f"{acceleration * 1e3:.3g} mm/s²"
+    else:
+        amount = f"{acceleration:.2e} m/s²"
+    return minus(f"{level_db:.1f} dB re 1 m/s²  ({amount})")
+
+
+def output_text(number: int) -> str:
+    """Number and place of an output."""
+    return f"Output {number}, {output_place(number).name}"

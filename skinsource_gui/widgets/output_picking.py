@@ -1,0 +1,53 @@
+"""Which output is meant by a click, a rubber band or an arrow key."""
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, QRectF
+
+from skinsource.limb import N_OUTPUTS, VOLAR_OUTPUTS
+
+Floats = NDArray[np.float64]
+Outputs = tuple[int, ...]
+
+#: All outputs on the back of hand and arm.
+DORSAL_OUTPUTS: Outputs = tuple(k for k in range(1, N_OUTPUTS + 1) if k not in VOLAR_OUTPUTS)
+
+
+def output_at(points: Floats, at: QPointF, reach_px: float) -> int | None:
+    """Number of the output nearest to ``at`` and within reach; ``points`` is (72, 2)."""
+    distances = np.hypot(points[:, 0] - at.x(), points[:, 1] - at.y())
+    nearest = int(np.argmin(distances))
+    return nearest + 1 if distances[nearest] <= reach_px else None
+
+
+def outputs_inside(points: Floats, area: QRectF) -> Outputs:
+    """Numbers of the outputs inside ``area``, ascending."""
+    x, y = points.T
+    inside = (x >= area.left()) & (x <= area.right()) & (y >= area.top()) & (y <= area.bottom())
+    return tuple(int(k) + 1 for k in np.flatnonzero(inside))
+
+
+def output_beyond(points: Floats, number: int, dx: int, dy: int) -> int:
+    """The nearest output in a direction of the screen, or ``number`` itself if there is none."""
+    steps = points - points[number - 1]
+    ahead = steps @ np.array([dx, dy], float)
+    aside = np.abs(steps @ np.array([-dy, dx], float))
+    # Those within 45 degrees first; then any that lie ahead.
+    for reachable in (aside <= ahead, aside < np.inf):
+        cost = np.where((ahead > 0.5) & reachable, ahead + 2 * aside, np.inf)
+        best = int(np.argmin(cost))
+        if np.isfinite(cost[best]):
+            return best + 1
+    return number
+
+
+def toggled(outputs: Outputs, number: int) -> Outputs:
+    """``outputs`` with ``number`` added at the end, or taken out."""
+    if number in outputs:
+        return tuple(k for k in outputs if k != number)
+    return (*outputs, number)
+
+
+def joined(outputs: Outputs, more: Outputs) -> Outputs:
+    """``outputs`` with those of ``more`` at the end that are new."""
+    return (*outputs, *(k for k in more if k not in outputs))

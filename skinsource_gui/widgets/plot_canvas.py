@@ -1,0 +1,204 @@
+"""Where curves are drawn: no toolbar, no legend, no mouse."""
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import QRectF, Signal
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QResizeEvent
+from PySide6.QtWidgets import QWidget
+
+from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.widgets.crosshair import REACH_PX, CrosshairPicture, paint_crosshair
+from skinsource_gui.widgets.curve_layer import CurveLayer, drawn_curves
+from skinsource_gui.widgets.curves import Curves
+from skinsource_gui.widgets.frame_layout import Content, Words, laid_out
+from skinsource_gui.widgets.plot_axis import ValueUnit, XAxis, value_unit
+from skinsource_gui.widgets.plot_frame import Frame, paint_frame, paint_message
+from skinsource_gui.widgets.plot_rows import Rows, row_count
+from skinsource_gui.widgets.ranges import HeldRange, Range
+from skinsource_gui.widgets.x_window import XWindow, x_window
+
+_NOT_FINITE = "The response has values that are not finite numbers."
+
+
+class PlotCanvas(pg.GraphicsView):
+    """Curves over one x axis, in one row or in one row each, with a crosshair.
+
+    Ranges are decided here, once for each update; pyqtgraph's own ranging is off.
+
+    Attributes
+    ----------
+    curves, message
+        What is drawn, or ``None``; what is said in place of curves, or nothing.
+    rows, unit
+        Rows with the range of their values; how values are written.
+    window
+        Visible part of the x axis.
+    frame
+        What is around the curves.
+    layer
+        The curves' graphics items.
+    cursor
+        Index of the sample under the crosshair, or ``None``.
+    """
+
+    #: The crosshair reads something else: `cursor` and what is drawn are up to date.
+    reading_changed = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent, useOpenGL=False)
+        self.setMinimumSize(160, 90)
+        self.theme = LIGHT
+        self.curves: Curves | None = None
+        self.message = ""
+        self.rows = Rows(count=1, values=(0.0, 1.0))
+        self.unit: ValueUnit = value_unit("amplitude", 0.0, 1.0)
+        self.window: XWindow = x_window(XAxis(titles=("",), unit=""), (0.0, 1.0), None)
+        self.frame = Frame(width=1, height=1, plot=(0, 0, 1, 1))
+        self.layer = CurveLayer(self)
+        self.cursor: int | None = None
+        self._font = tabular(self.font())
+        self._font.setPointSizeF(self._font.pointSizeF() * 0.9)
+        self._zoom: Range | None = None
+        self._stacked = False
+        self._words = Words()
+        self._held = HeldRange()
+        self._content: Content | None = None
+        self.set_theme(LIGHT)
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self.theme = theme
+        self.setBackground(QColor(theme.base))
+        self.layer.set_theme(theme)
+        self._repaint()
+
+    def set_view(self, axis: XAxis, zoom: Range | None, *, stacked: bool) -> None:
+        """X axis, its visible part in SI (``None``: all), and one row for each curve or one."""
+        if (axis, zoom, stacked) != (self.window.axis, self._zoom, self._stacked):
+            self.window = x_window(axis, self._data_range(), zoom)
+            self._zoom, self._stacked = zoom, stacked
+            self._draw()
+            self.reading_changed.emit()
+
+    def set_words(self, words: Words) -> None:
+        """Words around the curves."""
+        if words != self._words:
+            self._words = words
+            self.layer.set_stale(words.stale)
+            self._draw_frame()
+
+    def show_curves(self, curves: Curves) -> None:
+        """Draw ``curves`` in place of those before; zoom and crosshair stay."""
+        low, high = float(curves.y.min()), float(curves.y.max())
+        if not (np.isfinite(low) and np.isfinite(high)):
+            self.show_message(_NOT_FINITE)
+            return
+        if self.curves is not None and self.cursor is not None:
+            self.cursor = curves.nearest(float(self.curves.x[self.cursor]))
+        self.curves, self.message = curves, ""
+        values = self._held.follow(low, high, curves.kind)
+        self.rows = Rows(count=self.rows.count, values=values)
+        self.unit = value_unit(curves.kind, *values)
+        self.window = x_window(self.window.axis, self._data_range(), self._zoom)
+        self._draw()
+        self.reading_changed.emit()
+
+    def show_message(self, message: str) -> None:
+        """Empty the picture and say ``message`` in its middle."""
+        if self.curves is None and message == self.message:
+            return
+        self.curves, self.message, self.cursor, self._content = None, message, None, None
+        self.layer.hide()
+        self._repaint()
+        self.reading_changed.emit()
+
+    def set_cursor(self, index: int | None) -> None:
+        """Put the crosshair on sample ``index``."""
+        if index != self.cursor:
+            self._update_crosshair()
+            self.cursor = index
+            self._update_crosshair()
+            self.reading_changed.emit()
+
+    def crosshair(self) -> CrosshairPicture | None:
+        """Where the crosshair is, px; ``None`` where there is none in the visible part."""
+        if self.curves is None or self.cursor is None:
+            return None
+        x = float(self.curves.x[self.cursor])
+        if self.window.axis.log and x <= 0:
+            return None
+        part = self.window.part(self.window.axis.position(x))
+        if not 0 <= part <= 1:
+            return None
+        left, top, width, height = self.frame.plot
+        heights = [
+            self.rows.height(float(self.curves.y[rank, self.cursor]), rank if self._stacked else 0)
+            for rank in range(drawn_curves(self.curves, self.rows, stacked=self._stacked))
+        ]
+        ys = tuple(top + height * (1 - at / self.rows.count) for at in heights)
+        return CrosshairPicture(x=left + width * part, ys=ys)
+
+    def drawBackground(self, painter: QPainter, rect: QRectF) -> None:
+        super().drawBackground(painter, rect)
+        if self.curves is not None:
+            paint_frame(painter, self.frame, self.theme, self._font)
+        elif self.message:
+            whole = QRectF(self.viewport().rect())
+            paint_message(painter, whole, self.message, self.theme, self.font())
+
+    def drawForeground(self, painter: QPainter, rect: QRectF) -> None:
+        picture = self.crosshair()
+        if picture is not None:
+            paint_crosshair(painter, picture, self.frame.area, self.theme)
+
+    def resizeEvent(self, event: QResizeEvent | None) -> None:
+        super().resizeEvent(event)
+        if event is not None:  # pyqtgraph itself asks once, while it is being made
+            self._draw()
+
+    def _data_range(self) -> Range:
+        if self.curves is None:
+            return (0.0, 1.0)
+        return (float(self.curves.x[0]), float(self.curves.x[-1]))
+
+    def _draw(self) -> None:
+        self._draw_frame()
+        if self.curves is not None:
+            width_px = int(self.frame.plot[2] * self.devicePixelRatioF())
+            self.layer.draw(
+                self.curves, self.window, self.rows, width_px, stacked=self._stacked
+            )
+
+    def _draw_frame(self) -> None:
+        curves = self.curves
+        if curves is None:
+            self._repaint()
+            return
+        count = row_count(len(curves.names), stacked=self._stacked)
+        self.rows = Rows(count=count, values=self.rows.values)
+        content = Content(
+            width=float(self.width()),
+            height=float(self.height()),
+            window=self.window,
+            rows=self.rows,
+            stacked=self._stacked,
+            unit=self.unit,
+            level=curves.kind == "level",
+            numbers=tuple(name.number for name in curves.names),
+            words=self._words,
+        )
+        if content != self._content:
+            self._content = content
+            self.frame = laid_out(content, QFontMetricsF(self._font), self.frame.plot[0])
+            self.layer.place(self.frame.area, self.window, self.rows)
+            self._repaint()
+
+    def _update_crosshair(self) -> None:
+        picture = self.crosshair()
+        if picture is not None:
+            left = int(picture.x) - REACH_PX
+            self.viewport().update(left, 0, 2 * REACH_PX + 1, self.height())
+
+    def _repaint(self) -> None:
+        self.resetCachedContent()
+        self.viewport().update()

@@ -1,0 +1,52 @@
+"""Two quiet lines that follow the pointer."""
+
+from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QPainter
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from skinsource_gui.theme import LIGHT, Theme, tabular
+
+_LINES = 2
+
+
+class ReadoutLines(QWidget):
+    """Text of up to two lines, cut short where it is too long, always of the same height."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._text = ""
+        self._theme = LIGHT
+        self.setFont(tabular(self.font()))
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+
+    def text(self) -> str:
+        """The text, uncut."""
+        return self._text
+
+    def show_text(self, text: str) -> None:
+        """Show other text."""
+        if text != self._text:
+            self._text = text
+            self.setAccessibleDescription(text)
+            self.setToolTip(text)
+            self.update()
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self._theme = theme
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        return QSize(100, _LINES * self.fontMetrics().lineSpacing())
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(0, self.sizeHint().height())
+
+    def paintEvent(self, event) -> None:
+        painter = QPainter(self)
+        painter.setPen(QColor(self._theme.dim))
+        height = self.fontMetrics().lineSpacing()
+        for k, line in enumerate(self._text.split("\n")[:_LINES]):
+            words = self.fontMetrics().elidedText(line, Qt.TextElideMode.ElideRight, self.width())
+            painter.drawText(QRectF(0, k * height, self.width(), height), 0, words)
+        painter.end()

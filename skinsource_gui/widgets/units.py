@@ -1,0 +1,175 @@
+"""Numbers as a user reads and types them: milliseconds, degrees, hertz."""
+
+import math
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+
+from skinsource.errors import InvalidInputError
+from skinsource.fields import NumberSpec
+
+#: Significant digits of a number that is shown, and of one that is being edited.
+SHOWN_DIGITS = 6
+EDITED_DIGITS = 12
+
+_NUMBER = re.compile(r"([+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d{1,2})?)\s*(.*)", re.DOTALL)
+# A bound that was shown in a rounded form can be typed.
+_BOUND_TOLERANCE = 1e-12
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DisplayUnit:
+    """How values of one SI unit are shown.
+
+    Attributes
+    ----------
+    symbol
+        What stands behind the number.
+    si
+        One of what is shown, in SI units; rational, so that nothing is lost twice.
+    spellings
+        Other units that can be typed, and one of each in SI units.
+    """
+
+    symbol: str
+    si: Fraction = Fraction(1)
+    spellings: tuple[tuple[str, Fraction], ...] = ()
+
+    def shown(self, value_si: float) -> float:
+        """Number to show for a value."""
+        return float(Fraction(value_si) / self.si)
+
+    def value_si(self, shown: str | float) -> float:
+        """Value of a number that is shown."""
+        return float(Fraction(shown) * self.si)
+
+
+_MILLI = Fraction(1, 1000)
+_DEGREE = Fraction(math.pi) / 180
+_DISPLAY_UNITS = {
+    "s": DisplayUnit(
+        symbol="ms",
+        si=_MILLI,
+        spellings=(
+            ("s", Fraction(1)),
+            ("sec", Fraction(1)),
+            ("µs", _MILLI**2),
+            ("us", _MILLI**2),
+            ("min", Fraction(60)),
+        ),
+    ),
+    "rad": DisplayUnit(
+        symbol="°",
+        si=_DEGREE,
+        spellings=(
+            ("deg", _DEGREE),
+            ("rad", Fraction(1)),
+            ("pi", Fraction(math.pi)),
+            ("π", Fraction(math.pi)),
+        ),
+    ),
+    "Hz": DisplayUnit(symbol="Hz", spellings=(("kHz", 1 / _MILLI),)),
+    "m/s²": DisplayUnit(
+        symbol="m/s²",
+        spellings=(
+            ("m/s^2", Fraction(1)),
+            ("m/s2", Fraction(1)),
+            ("mm/s²", _MILLI),
+            ("mm/s^2", _MILLI),
+            ("mm/s2", _MILLI),
+        ),
+    ),
+    "×": DisplayUnit(symbol="×", spellings=(("x", Fraction(1)),)),
+}
+
+
+def display_unit(unit: str) -> DisplayUnit:
+    """How values of the SI unit ``unit`` are shown; unknown units are shown as they are."""
+    return _DISPLAY_UNITS.get(unit) or DisplayUnit(symbol=unit)
+
+
+def number_text(value_si: float, unit: str, digits: int = SHOWN_DIGITS) -> str:
+    """Number to show for a value, without its unit, to ``digits`` significant digits.
+
+    Digits left of the point are never rounded away.
+    """
+    shown = display_unit(unit).shown(value_si)
+    if shown == 0:
+        return "0"
+    magnitude = math.floor(math.log10(abs(shown)))
+    if magnitude < -4:
+        return f"{shown:.{digits}g}"
+    text = f"{shown:.{max(0, digits - 1 - magnitude)}f}"
+    if "." in text:
+        text = text.rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text
+
+
+def with_unit(number: str, unit: str) -> str:
+    """``number`` followed by the symbol of its unit, with the space that belongs there."""
+    symbol = display_unit(unit).symbol
+    return f"{number}{symbol}" if symbol in ("", "°") else f"{number} {symbol}"
+
+
+def value_text(value_si: float, unit: str, digits: int = SHOWN_DIGITS) -> str:
+    """Number and unit to show for a value: ``"200 ms"``."""
+    return with_unit(number_text(value_si, unit, digits), unit)
+
+
+def range_text(spec: NumberSpec) -> str:
+    """What a number may be, in words: ``"1 to 649 Hz"``."""
+    kind = "whole number" if spec.whole else "number"
+    low, high = math.isfinite(spec.minimum), math.isfinite(spec.maximum)
+    if low and high:
+        lowest = number_text(spec.minimum, spec.unit)
+        return f"{lowest} to {value_text(spec.maximum, spec.unit)}"
+    if low:
+        return f"{value_text(spec.minimum, spec.unit)} or more"
+    if high:
+        return f"{value_text(spec.maximum, spec.unit)} or less"
+    return f"any {kind}"
+
+
+def parse_number(text: str, spec: NumberSpec) -> float:
+    """Value in SI units of what a user typed: ``"250"``, ``"0,2 s"``, ``"200 ms"``.
+
+    Raises
+    ------
+    InvalidInputError
+        It is not a number, has a unit of something else, or is not allowed by ``spec``; the
+        message names what is.
+    """
+    unit = display_unit(spec.unit)
+    allowed = f"Allowed: {'whole numbers ' if spec.whole else ''}{range_text(spec)}."
+    typed = text.strip().replace("−", "-")
+    if not typed:
+        raise InvalidInputError(f"{spec.label}: nothing typed. {allowed}")
+    match = _NUMBER.fullmatch(typed)
+    if match is None:
+        raise InvalidInputError(f"{spec.label}: “{typed}” is not a number. {allowed}")
+    factor = _factor(match[2], unit)
+    if factor is None:
+        known = ", ".join(name for name in (unit.symbol, *dict(unit.spellings)) if name)
+        instead = f"Units: {known}." if known else "Type the number alone."
+        raise InvalidInputError(f"{spec.label}: “{match[2]}” is not one of its units. {instead}")
+    value = _at_bound(float(Fraction(match[1].replace(",", ".")) * factor), spec)
+    if not spec.minimum <= value <= spec.maximum:
+        side = "low" if value < spec.minimum else "high"
+        found = with_unit(match[1], spec.unit) if not match[2] else typed
+        raise InvalidInputError(f"{spec.label}: {found} is too {side}. {allowed}")
+    if spec.whole and value != int(value):
+        raise InvalidInputError(f"{spec.label}: {typed} is not a whole number. {allowed}")
+    return value
+
+
+def _factor(name: str, unit: DisplayUnit) -> Fraction | None:
+    spellings = {"": unit.si, unit.symbol.casefold(): unit.si}
+    spellings |= {spelling.casefold(): si for spelling, si in unit.spellings}
+    return spellings.get(name.strip().casefold())
+
+
+def _at_bound(value: float, spec: NumberSpec) -> float:
+    for bound in (spec.minimum, spec.maximum):
+        if math.isfinite(bound) and math.isclose(value, bound, rel_tol=_BOUND_TOLERANCE):
+            return bound
+    return value

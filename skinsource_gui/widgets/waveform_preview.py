@@ -1,0 +1,164 @@
+"""A small picture of what an input plays."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from skinsource_gui.theme import LIGHT, Theme, tabular
+
+Floats = NDArray[np.float64]
+
+_AXIS_PX = 18
+_MARGIN_PX = 4
+_TICK_SPACING_PX = 52
+# A single sample needs some time around it to be seen as one.
+_SHORTEST_S = 0.005
+_PALE = 0.35
+
+
+def extremes(samples: Floats, columns: int) -> Floats:
+    """Smallest and largest sample of each of ``columns`` equal stretches, (columns, 2)."""
+    starts = np.arange(columns) * samples.size // columns
+    return np.column_stack(
+        (np.minimum.reduceat(samples, starts), np.maximum.reduceat(samples, starts))
+    )
+
+
+def tick_step(span: float, most: int) -> float:
+    """The smallest of 1, 2, 5, 10, … that divides ``span`` into at most ``most`` parts."""
+    least = span / max(most, 1)
+    decade = 10.0 ** math.floor(math.log10(least))
+    return next(decade * factor for factor in (1, 2, 5, 10, 20) if decade * factor >= least)
+
+
+class WaveformPreview(QWidget):
+    """Samples of peak 1 over their time, optionally with an axis in milliseconds."""
+
+    def __init__(self, parent: QWidget | None = None, *, axis: bool = False) -> None:
+        super().__init__(parent)
+        self._has_axis = axis
+        self._theme = LIGHT
+        self._samples: Floats | None = None
+        self._sample_rate_hz = 1.0
+        self._words = ""
+        self._colour = QColor(LIGHT.text)
+        self._flipped = False
+        self._pale = False
+        self.setObjectName("waveform_preview")
+        self.setAccessibleName("Waveform")
+        self.setFont(tabular(self.font()))
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+
+    @property
+    def words(self) -> str:
+        """What stands in place of a curve, or ""."""
+        return self._words
+
+    @property
+    def duration_s(self) -> float | None:
+        """Length of what is drawn, or None."""
+        return None if self._samples is None else self._samples.size / self._sample_rate_hz
+
+    def show_samples(self, samples: Floats, sample_rate_hz: float) -> None:
+        """Draw ``samples``, (n_times,), of peak 1."""
+        old = self._samples
+        same = old is samples or (old is not None and np.array_equal(old, samples))
+        self._samples = samples
+        if same and not self._words and self._sample_rate_hz == sample_rate_hz:
+            return
+        self._sample_rate_hz, self._words = sample_rate_hz, ""
+        self.update()
+
+    def show_words(self, words: str) -> None:
+        """Draw no curve, and say why."""
+        self._samples, self._words = None, words
+        self.update()
+
+    def set_look(self, colour: QColor, *, flipped: bool = False) -> None:
+        """Colour of the curve; whether a negative amplitude turns its polarity."""
+        if (colour, flipped) != (self._colour, self._flipped):
+            self._colour, self._flipped = colour, flipped
+            self.update()
+
+    def set_pale(self, pale: bool) -> None:
+        """Whether the curve is out of date."""
+        if pale != self._pale:
+            self._pale = pale
+            self.update()
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self._theme = theme
+        self.update()
+
+    def paintEvent(self, event) -> None:
+        painter = QPainter(self)
+        if self._words:
+            painter.setPen(QColor(self._theme.dim))
+            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+            painter.drawText(self.rect(), flags, self._words)
+            return
+        if self._samples is None or not self._samples.size:
+            return
+        plot = QRectF(self.rect()).adjusted(_MARGIN_PX, 2, -_MARGIN_PX, -2)
+        if self._has_axis:
+            plot.setBottom(plot.bottom() - _AXIS_PX)
+            self._paint_axis(painter, plot)
+        painter.setPen(QPen(QColor(self._theme.border), 1))
+        painter.drawLine(QLineF(plot.left(), plot.center().y(), plot.right(), plot.center().y()))
+        self._paint_curve(painter, plot)
+
+    def _span_s(self) -> float:
+        return max(self._samples.size / self._sample_rate_hz, _SHORTEST_S)
+
+    def _paint_curve(self, painter: QPainter, plot: QRectF) -> None:
+        if self._pale:
+            painter.setOpacity(_PALE)
+        painter.setPen(QPen(self._colour, 1.25))
+        middle, reach = plot.center().y(), plot.height() / 2 * (-1 if self._flipped else 1)
+        shown_px = plot.width() * self._samples.size / self._sample_rate_hz / self._span_s()
+        columns = max(int(shown_px * self.devicePixelRatioF()), 1)
+        if self._samples.size > 2 * columns:
+            ends = middle - reach * extremes(self._samples, columns)
+            x = plot.left() + (np.arange(columns) + 0.5) * shown_px / columns
+            painter.setPen(QPen(self._colour, 0))
+            painter.drawLines(
+                [
+                    QLineF(at, high, at, low + 0.5)
+                    for at, (low, high) in zip(x.tolist(), ends.tolist(), strict=True)
+                ]
+            )
+            return
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        x = plot.left() + np.arange(self._samples.size) * shown_px / self._samples.size
+        y = middle - reach * self._samples
+        if self._samples.size == 1:
+            top = QPointF(x[0] + 1, y[0])
+            painter.drawLine(QPointF(x[0] + 1, middle), top)
+            painter.setBrush(self._colour)
+            painter.drawEllipse(top + QPointF(0, 2 if y[0] < middle else -2), 2, 2)
+            return
+        painter.drawPolyline([QPointF(*at) for at in zip(x.tolist(), y.tolist(), strict=True)])
+
+    def _paint_axis(self, painter: QPainter, plot: QRectF) -> None:
+        span_ms = self._span_s() * 1000
+        step_ms = tick_step(span_ms, int(plot.width() / _TICK_SPACING_PX))
+        unit_px = self.fontMetrics().horizontalAdvance(" ms") + 2
+        for k in range(int(span_ms / step_ms * (1 + 1e-9)) + 1):
+            x = plot.left() + k * step_ms / span_ms * plot.width()
+            painter.setPen(QPen(QColor(self._theme.grid), 1))
+            painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
+            label = f"{k * step_ms:g}"
+            width = self.fontMetrics().horizontalAdvance(label)
+            left = min(max(x - width / 2, plot.left()), plot.right() - width)
+            if left + width > plot.right() - unit_px:
+                # The last tick makes room for the unit of all.
+                continue
+            painter.setPen(QColor(self._theme.dim))
+            painter.drawText(QPointF(left, self.height() - 5), label)
+        painter.setPen(QColor(self._theme.dim))
+        painter.drawText(QPointF(plot.right() - unit_px + 2, self.height() - 5), " ms")

@@ -1,0 +1,151 @@
+"""What all tests share: no window on the screen, no data of the user, the measured dataset."""
+
+import os
+import shutil
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+os.environ["PYQTGRAPH_QT_LIB"] = "PySide6"
+
+BESIDE_THE_PROJECT = Path(__file__).resolve().parents[2] / "shared"
+
+
+@pytest.fixture(autouse=True)
+def user_data(tmp_path_factory, monkeypatch) -> Iterator[Path]:
+    """Give each test an empty user-data folder, so that nothing the user has is touched."""
+    folder = tmp_path_factory.mktemp("user-data")
+    monkeypatch.setenv("SKINSOURCE_DATA", str(folder))
+    yield folder
+    # pytest keeps the folders of the last three runs, and a store is large
+    shutil.rmtree(folder, ignore_errors=True)
+
+
+@pytest.fixture(scope="session")
+def dataset_folder() -> Path:
+    """Find the measured dataset as downloaded; skip where it is absent."""
+    named = os.environ.get("SKINSOURCE_TEST_DATASET")
+    folder = Path(named) if named else BESIDE_THE_PROJECT / "dataset"
+    if not (folder / "impulseResponses.mat").is_file():
+        pytest.skip(f"the measured dataset is not in {folder}; set SKINSOURCE_TEST_DATASET")
+    return folder
+
+
+@pytest.fixture(scope="session")
+def installed_dataset(dataset_folder, tmp_path_factory) -> Iterator[Path]:
+    """Install the measured dataset once; give the user-data folder it is in.  Read only."""
+    pytest.importorskip("matio", reason="mat-io is not installed")
+    from skinsource.dataset.install import install
+
+    folder = tmp_path_factory.mktemp("installed")
+    install(dataset_folder, folder=folder)
+    yield folder
+    shutil.rmtree(folder, ignore_errors=True)
+
+
+@pytest.fixture
+def measured(installed_dataset, user_data, monkeypatch) -> Path:
+    """Run the test with the measured dataset installed; give the user-data folder."""
+    monkeypatch.setenv("SKINSOURCE_DATA", str(installed_dataset))
+    return installed_dataset
+
+
+@pytest.fixture(scope="session")
+def matlab_reference() -> Path:
+    """Find the references made by MATLAB; skip where they are absent."""
+    folder = BESIDE_THE_PROJECT / "matlab-reference"
+    if not folder.is_dir():
+        pytest.skip(f"the references made by MATLAB are not in {folder}")
+    return folder
+
+
+def made_up_response(limb: int, place: int) -> np.ndarray:
+    """Response (522 taps, 72 outputs, 3 axes) that differs between limbs, places and axes."""
+    response = np.full((522, 72, 3), limb + place / 100)
+    response[3, 5, 1] += 0.25
+    return response
+
+
+@pytest.fixture(scope="session")
+def make_response() -> Callable[[int, int], np.ndarray]:
+    """Give the made-up response of one limb to one place."""
+    return made_up_response
+
+
+@pytest.fixture(scope="session")
+def write_table() -> Callable[..., None]:
+    """Write ``impulseResponses.mat`` from rows of (data, model, location)."""
+    matio = pytest.importorskip("matio", reason="mat-io is not installed")
+    pandas = pytest.importorskip("pandas", reason="pandas is not installed")
+
+    def write(path: Path, rows: list[tuple[Any, Any, Any]], version: str = "v7.3") -> None:
+        data, models, locations = zip(*rows, strict=True)
+        table = pandas.DataFrame(
+            {"Data": list(data), "Model": list(models), "Location": list(locations)}
+        )
+        matio.save_to_mat(str(path), {"dataTable": table}, version=version)
+
+    return write
+
+
+@pytest.fixture(scope="session")
+def complete_rows() -> list[tuple[np.ndarray, float, float]]:
+    """All 80 rows of a made-up dataset.  Copy the list before changing it."""
+    return [
+        (made_up_response(limb, place), float(limb), float(place))
+        for limb in range(1, 5)
+        for place in range(1, 21)
+    ]
+
+
+@pytest.fixture(scope="session")
+def made_up_download(tmp_path_factory, write_table, complete_rows) -> Path:
+    """Folder like the download, with made-up content.  Read only."""
+    matio = pytest.importorskip("matio", reason="mat-io is not installed")
+    from matio.utils.matclass import MatlabOpaque
+
+    folder = tmp_path_factory.mktemp("made-up")
+    write_table(folder / "impulseResponses.mat", complete_rows)
+    maps = folder / "visualization"
+    maps.mkdir()
+    random = np.random.default_rng(1)
+    polyshape = np.empty((1, 1), dtype=[("Vertices", "O")])
+    polyshape["Vertices"][0, 0] = random.uniform(-600, -40, (1505, 2))
+    outputs = random.uniform(-600, -40, (72, 2))
+    outputs[60:66] = np.nan
+    seen = random.uniform(0, 400, (1505, 72))
+    seen[:, 60:66] = np.nan
+    content = {
+        "surface": ("surface", MatlabOpaque({"any": polyshape}, "polyshape")),
+        "outputLocations": ("outputLocations", outputs),
+        "inputLocations": ("inputLocations", random.uniform(-600, -40, (20, 2))),
+        "adjacencyMatrix": ("adjacencyMatrix", seen),
+    }
+    shapes = ((464, 174), (437, 164), (490, 184), (437, 164))
+    for k, shape in enumerate(shapes, start=1):
+        content[f"mask{k}"] = ("mask", (np.indices(shape).sum(axis=0) % 2).astype(float))
+    for name, (variable, value) in content.items():
+        matio.save_to_mat(str(maps / f"{name}.mat"), {variable: value}, version="v7")
+    return folder
+
+
+@pytest.fixture(scope="session")
+def made_up_store(made_up_download, tmp_path_factory) -> Iterator[Path]:
+    """Store made from the made-up download.  Read only."""
+    from skinsource.dataset.install import install
+
+    folder = tmp_path_factory.mktemp("made-up-store")
+    yield install(made_up_download, folder=folder).path
+    shutil.rmtree(folder, ignore_errors=True)
+
+
+@pytest.fixture
+def made_up_installed(made_up_store, user_data) -> Path:
+    """Install a made-up dataset of its own for one test; give the store."""
+    path = user_data / made_up_store.name
+    shutil.copyfile(made_up_store, path)
+    return path

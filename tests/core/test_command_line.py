@@ -1,0 +1,180 @@
+"""The command ``skinsource``: what it writes, and its exit codes."""
+
+import io
+import socket
+import subprocess
+import sys
+
+import h5py
+import pytest
+
+from skinsource.command_line import main
+from skinsource.dataset import commands
+from skinsource.dataset.progress_bar import ProgressBar
+from skinsource.errors import Cancelled
+from skinsource.version import __version__
+
+
+@pytest.fixture
+def run(capsys):
+    """Run a command; give the exit code and what it wrote to stdout and stderr."""
+
+    def run(*words):
+        code = main([str(word) for word in words])
+        written = capsys.readouterr()
+        return code, written.out, written.err
+
+    return run
+
+
+def test_the_version_is_told(capsys):
+    with pytest.raises(SystemExit) as stop:
+        main(["--version"])
+    assert stop.value.code == 0
+    assert capsys.readouterr().out == f"skinsource {__version__}\n"
+
+
+@pytest.mark.parametrize(
+    "words", [[], ["nonsense"], ["dataset"], ["dataset", "install"], ["dataset", "list", "more"]]
+)
+def test_a_wrong_call_ends_with_code_2(words, capsys):
+    with pytest.raises(SystemExit) as stop:
+        main(words)
+    assert stop.value.code == 2
+    assert "usage: skinsource" in capsys.readouterr().err
+
+
+def test_python_m_skinsource_is_the_same_command():
+    done = subprocess.run(
+        [sys.executable, "-m", "skinsource", "--version"],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stdout == f"skinsource {__version__}\n"
+
+
+def test_limbs_lists_the_synthetic_limbs_and_says_what_they_are(run):
+    code, out, err = run("limbs")
+    assert (code, err) == (0, "")
+    lines = out.splitlines()
+    assert [line.split()[0] for line in lines] == [f"synthetic-{k}" for k in (1, 2, 3, 4)]
+    assert all("SYNTHETIC: computed, not measured" in line for line in lines)
+    assert "hand length 175 mm" in lines[0]
+
+
+def test_limbs_lists_installed_limbs_first(run, made_up_installed):
+    _, out, _ = run("limbs")
+    assert out.startswith("measured-1    hand length 175 mm  measured\n")
+    assert len(out.splitlines()) == 8
+
+
+def test_install_list_verify_remove(run, made_up_download, user_data):
+    code, out, err = run("dataset", "install", made_up_download)
+    store = user_data / "measured.h5"
+    assert (code, err) == (0, "")
+    assert out == f"Installed measured-1 to measured-4 (73.4 MB) in {store}\n"
+
+    code, out, err = run("dataset", "list")
+    assert (code, err) == (0, "")
+    assert "measured-3  hand length 185 mm\n" in out
+    assert f"store      {store} (73.4 MB)\n" in out
+    assert "made from  impulseResponses.mat" in out
+
+    code, out, err = run("dataset", "verify")
+    assert (code, err) == (0, "")
+    assert "every checksum matches" in out
+
+    code, out, err = run("dataset", "remove", "--yes")
+    assert (code, err) == (0, "")
+    assert out == f"{store} (73.4 MB)\nDeleted.\n"
+    assert not store.exists()
+
+    code, out, _ = run("dataset", "remove", "--yes")
+    assert (code, out) == (0, "Nothing is installed.\n")
+
+
+def test_list_says_how_to_get_the_dataset_when_there_is_none(run):
+    code, out, err = run("dataset", "list")
+    assert (code, err) == (0, "")
+    assert "not installed" in out
+    assert "skinsource dataset fetch" in out
+
+
+def test_verify_names_what_is_damaged_and_ends_with_code_1(run, made_up_installed):
+    with h5py.File(made_up_installed, "r+") as store:
+        store["responses/limb-4"][18, 0, 0, 0] += 1e-9
+    code, out, err = run("dataset", "verify")
+    assert (code, out) == (1, "")
+    first, second = err.splitlines()
+    assert "limb 4, input 19: checksum" in first
+    assert "dataset is damaged" in second
+
+
+@pytest.mark.parametrize("answer", ["\n", "n\n", "", "yess\n"])
+def test_remove_deletes_nothing_without_a_yes(run, made_up_installed, monkeypatch, answer):
+    monkeypatch.setattr(sys, "stdin", io.StringIO(answer))
+    code, out, _ = run("dataset", "remove")
+    assert code == 1
+    assert out.endswith("Delete these files? [y/N] Nothing was deleted.\n")
+    assert made_up_installed.exists()
+
+
+def test_remove_deletes_after_a_yes(run, made_up_installed, monkeypatch):
+    monkeypatch.setattr(sys, "stdin", io.StringIO("Yes\n"))
+    code, _, _ = run("dataset", "remove")
+    assert code == 0
+    assert not made_up_installed.exists()
+
+
+def test_an_error_is_one_line_on_stderr_with_code_1(run, tmp_path):
+    code, out, err = run("dataset", "install", tmp_path / "absent")
+    assert (code, out) == (1, "")
+    assert err.startswith("skinsource: ")
+    assert err.count("\n") == 1
+    assert "no such file or folder" in err
+
+
+def test_fetch_from_a_mirror_that_is_down_is_one_line_with_code_1(run, monkeypatch):
+    for package in ("pooch", "requests", "matio"):
+        pytest.importorskip(package, reason=f"{package} is not installed")
+    monkeypatch.setenv("NO_PROXY", "127.0.0.1")
+    with socket.socket() as reserved:
+        reserved.bind(("127.0.0.1", 0))  # never listens: every connection is refused
+        url = f"http://127.0.0.1:{reserved.getsockname()[1]}"
+        code, out, err = run("dataset", "fetch", "--dataset-url", url, "--map-url", url)
+    assert (code, out) == (1, "")
+    assert err.startswith(f"skinsource: {url}/adjacencyMatrix.mat: cannot be downloaded")
+    assert err.count("\n") == 1
+
+
+@pytest.mark.parametrize("stop", [KeyboardInterrupt(), Cancelled("Stopped.")])
+def test_ctrl_c_ends_with_code_130(run, monkeypatch, stop):
+    def interrupted(**_):
+        raise stop
+
+    monkeypatch.setattr(commands, "fetch", interrupted)
+    code, out, err = run("dataset", "fetch")
+    assert (code, out) == (130, "")
+    assert err.lower() == "skinsource: stopped.\n"
+
+
+def test_the_bar_draws_on_a_terminal_and_wipes_itself():
+    terminal = io.StringIO()
+    terminal.isatty = lambda: True
+    with ProgressBar(terminal) as bar:
+        bar(1, 2, "Checking")
+        bar(1, 2, "Checking")
+        bar(2, 2, "Done")
+    lines = terminal.getvalue().split("\r")
+    assert lines[1] == "[" + "#" * 15 + "." * 15 + "]  50% Checking"
+    assert lines[2].rstrip() == "[" + "#" * 30 + "] 100% Done"
+    assert lines[3].strip() == ""
+    assert len(lines[3]) >= len(lines[2].rstrip())
+
+
+def test_the_bar_writes_nothing_where_there_is_no_terminal():
+    file = io.StringIO()
+    with ProgressBar(file) as bar:
+        bar(1, 2, "Checking")
+    assert file.getvalue() == ""

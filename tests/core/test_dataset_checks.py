@@ -1,0 +1,185 @@
+"""What the checker says of a download that is not what it should be."""
+
+import re
+import shutil
+import sys
+
+import numpy as np
+import pytest
+
+from skinsource.dataset.install import install
+from skinsource.errors import DatasetError, MissingExtraError, StorageError
+
+
+@pytest.fixture
+def download(made_up_download, tmp_path):
+    folder = tmp_path / "download"
+    shutil.copytree(made_up_download, folder)
+    return folder
+
+
+@pytest.fixture
+def refused(download, user_data):
+    """Install what is in ``download``; give the message; see that nothing was left behind."""
+
+    def attempt(error=DatasetError):
+        with pytest.raises(error) as caught:
+            install(download)
+        assert list(user_data.iterdir()) == []
+        return str(caught.value)
+
+    return attempt
+
+
+@pytest.fixture
+def refused_rows(download, refused, write_table):
+    def attempt(rows, version="v7.3"):
+        write_table(download / "impulseResponses.mat", rows, version)
+        return refused()
+
+    return attempt
+
+
+@pytest.mark.parametrize("version", ["v7", "v7.3"])
+def test_a_row_of_wrong_shape_is_named_with_what_was_expected(refused_rows, complete_rows, version):
+    rows = list(complete_rows)
+    rows[16] = (rows[16][0][:500], *rows[16][1:])
+    assert refused_rows(rows, version) == (
+        "impulseResponses.mat: row 17 (model 1, location 17) has shape (500, 72, 3), expected "
+        "(522, 72, 3) (taps, outputs, axes). The download may be cut short; run 'skinsource "
+        "dataset fetch' again."
+    )
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf])
+def test_a_value_that_is_not_finite_is_named_with_its_place(refused_rows, complete_rows, bad):
+    rows = list(complete_rows)
+    data = rows[42][0].copy()
+    data[11, 2, 0] = bad
+    rows[42] = (data, *rows[42][1:])
+    message = refused_rows(rows)
+    assert "row 43 (model 3, location 3) holds 1 values that are not finite" in message
+    assert "tap 12, output 3, axis 1" in message
+
+
+def test_whole_numbers_in_place_of_double_are_refused(refused_rows, complete_rows):
+    rows = list(complete_rows)
+    rows[0] = (rows[0][0].astype(np.int32), *rows[0][1:])
+    assert "row 1 (model 1, location 1) holds values of type int32" in refused_rows(rows)
+
+
+def test_a_repeated_row_is_refused(refused_rows, complete_rows):
+    rows = list(complete_rows)
+    rows[30] = rows[29]
+    assert "row 31 (model 2, location 10) repeats an earlier row" in refused_rows(rows)
+
+
+def test_a_missing_row_is_named(refused_rows, complete_rows):
+    rows = complete_rows[:64] + complete_rows[65:]
+    message = refused_rows(rows)
+    assert "has 79 of 80 rows, the first missing one is model 4, location 5" in message
+
+
+@pytest.mark.parametrize(
+    ("column", "value", "said"),
+    [
+        (1, 5.0, "row 8 has Model 5.0, expected a whole number 1 to 4"),
+        (1, 1.5, "row 8 has Model 1.5"),
+        (2, 0.0, "row 8 has Location 0.0, expected a whole number 1 to 20"),
+        (2, np.nan, "row 8 has Location nan"),
+    ],
+)
+def test_a_model_or_location_that_does_not_exist_is_refused(
+    refused_rows, complete_rows, column, value, said
+):
+    rows = list(complete_rows)
+    row = list(rows[7])
+    row[column] = value
+    rows[7] = tuple(row)
+    assert said in refused_rows(rows)
+
+
+def test_a_table_without_the_columns_is_refused(download, refused):
+    matio = pytest.importorskip("matio")
+    pandas = pytest.importorskip("pandas")
+    table = pandas.DataFrame({"Model": [1.0], "Other": [2.0]})
+    matio.save_to_mat(str(download / "impulseResponses.mat"), {"dataTable": table})
+    assert "dataTable has no column Data, Location" in refused()
+
+
+def test_a_variable_that_is_no_table_is_refused(download, refused):
+    matio = pytest.importorskip("matio")
+    matio.save_to_mat(str(download / "impulseResponses.mat"), {"dataTable": np.eye(3)})
+    assert "expected a table with the columns Data, Model, Location" in refused()
+
+
+def test_a_matlab_file_with_something_else_in_it_is_refused(download, refused):
+    shutil.copy(download / "visualization" / "mask1.mat", download / "impulseResponses.mat")
+    assert "holds mask, expected a variable 'dataTable'. Is this the right file?" in refused()
+
+
+@pytest.mark.parametrize(
+    "content", [b"", b"<html>not found</html>\n" * 50, b"\0" * 5000, b"\x89HDF\r\n\x1a\n" * 99]
+)
+def test_a_file_that_is_no_matlab_file_is_refused(download, refused, content):
+    (download / "impulseResponses.mat").write_bytes(content)
+    assert refused().startswith("impulseResponses.mat: ")
+
+
+@pytest.mark.parametrize("version", ["v7", "v7.3"])
+@pytest.mark.parametrize("share", [0.02, 0.5, 0.999])
+def test_a_file_that_was_cut_off_is_refused(
+    download, refused, write_table, complete_rows, version, share
+):
+    path = download / "impulseResponses.mat"
+    write_table(path, complete_rows, version)
+    whole = path.read_bytes()
+    path.write_bytes(whole[: int(len(whole) * share)])
+    assert "impulseResponses.mat: cannot be read as a MATLAB file" in refused()
+
+
+@pytest.mark.parametrize(
+    ("name", "variable", "value", "said"),
+    [
+        ("outputLocations", "outputLocations", np.zeros((71, 2)), r"shape \(71, 2\)"),
+        ("outputLocations", "outputLocations", np.zeros((72, 2)), "expected NaN"),
+        ("outputLocations", "outputLocations", np.full((72, 2), np.nan), "found NaN"),
+        ("inputLocations", "inputLocations", np.full((20, 2), np.nan), "found NaN"),
+        ("inputLocations", "inputLocations", np.zeros((2, 20)), r"expected \(20, 2\)"),
+        ("adjacencyMatrix", "adjacencyMatrix", np.zeros((5, 72)), r"expected \(1505, 72\)"),
+        ("adjacencyMatrix", "adjacencyMatrix", -np.ones((1505, 72)), "expected distances"),
+        ("adjacencyMatrix", "adjacencyMatrix", np.full((1505, 72), np.nan), "at least one"),
+        ("surface", "surface", np.zeros((1505, 2)), "no polyshape with Vertices"),
+        ("surface", "other", np.zeros((1505, 2)), "expected a variable 'surface'"),
+        ("mask2", "mask", np.zeros((464, 174)), r"expected \(437, 164\)"),
+        ("mask3", "mask", np.full((490, 184), 0.5), "zeros and ones"),
+    ],
+)
+def test_a_map_file_with_other_content_is_refused(download, refused, name, variable, value, said):
+    matio = pytest.importorskip("matio")
+    path = download / "visualization" / f"{name}.mat"
+    matio.save_to_mat(str(path), {variable: value}, version="v7")
+    message = refused()
+    assert message.startswith(f"{name}.mat: ")
+    assert re.search(said, message)
+
+
+def test_missing_map_files_are_named(download, refused):
+    (download / "visualization" / "surface.mat").unlink()
+    (download / "visualization" / "mask3.mat").unlink()
+    assert "missing mask3.mat, surface.mat" in refused()
+
+
+def test_a_folder_without_the_responses_is_refused(download, refused):
+    (download / "impulseResponses.mat").unlink()
+    assert "holds no impulseResponses.mat" in refused()
+
+
+def test_a_path_that_does_not_exist_is_refused(download, refused):
+    shutil.rmtree(download)
+    assert "no such file or folder" in refused(StorageError)
+
+
+def test_without_mat_io_the_message_holds_the_line_to_type(download, refused, monkeypatch):
+    monkeypatch.setitem(sys.modules, "matio", None)
+    assert 'pip install "skinsource[dataset]"' in refused(MissingExtraError)

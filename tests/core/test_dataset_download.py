@@ -1,0 +1,272 @@
+"""Downloading from a server on this machine that can be told to misbehave."""
+
+import hashlib
+import http.server
+import socket
+import sys
+import threading
+from dataclasses import dataclass, field, replace
+
+import pytest
+
+from skinsource.dataset import published
+from skinsource.dataset.fetch import fetch
+from skinsource.dataset.store import is_installed, load_measured_limb
+from skinsource.errors import Cancelled, DownloadError, MissingExtraError, StorageError
+
+for _package in ("pooch", "requests", "matio"):
+    pytest.importorskip(_package, reason=f"{_package} is not installed")
+
+RESPONSES = "impulseResponses.mat"
+#: What arrives is kept in pieces of this many bytes.
+PIECE = 2**16
+
+
+@dataclass
+class Served:
+    """What the server offers and how it behaves; what it was asked for."""
+
+    content: dict[str, bytes] = field(default_factory=dict)
+    #: Bytes of body after which the connection is cut, one entry per answer; then no more cuts.
+    cuts: list[int] = field(default_factory=list)
+    ranges: bool = True
+    false_ranges: bool = False
+    asked: list[tuple[str, str | None]] = field(default_factory=list)
+    url: str = ""
+
+
+class Handler(http.server.BaseHTTPRequestHandler):
+    def do_GET(self):
+        served = self.server.served
+        name = self.path.partition("?")[0].rpartition("/")[2]
+        wanted = self.headers.get("Range")
+        served.asked.append((name, wanted))
+        if name not in served.content:
+            self.send_error(404)
+            return
+        body, first = served.content[name], 0
+        if wanted and served.ranges:
+            first = int(wanted.removeprefix("bytes=").partition("-")[0])
+            if first >= len(body):
+                self.send_error(416)
+                return
+            self.send_response(206)
+            told = first + 1 if served.false_ranges else first
+            self.send_header("Content-Range", f"bytes {told}-{len(body) - 1}/{len(body)}")
+        else:
+            self.send_response(200)
+        self.send_header("Content-Length", str(len(body) - first))
+        self.end_headers()
+        end = first + served.cuts.pop(0) if served.cuts and name == RESPONSES else len(body)
+        self.wfile.write(body[first:end])
+
+    def log_message(self, *_):
+        pass
+
+
+@pytest.fixture
+def served(made_up_download, monkeypatch):
+    monkeypatch.setenv("NO_PROXY", "127.0.0.1")
+    served = Served(
+        content={path.name: path.read_bytes() for path in made_up_download.rglob("*.mat")}
+    )
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler) as server:
+        server.served = served
+        served.url = f"http://127.0.0.1:{server.server_port}"
+        thread = threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.01})
+        thread.start()
+        yield served
+        server.shutdown()
+        thread.join()
+
+
+@pytest.fixture
+def files(served):
+    """Give the files to download: the published list with the made-up sizes and checksums."""
+    return tuple(
+        replace(
+            file,
+            size_bytes=len(body := served.content[file.name.rpartition("/")[2]]),
+            checksum=f"{(algorithm := file.checksum.partition(':')[0])}:"
+            f"{hashlib.new(algorithm, body, usedforsecurity=False).hexdigest()}",
+        )
+        for file in published.published_files(served.url, served.url)
+    )
+
+
+@pytest.fixture
+def part(user_data):
+    return user_data / "measured-download" / f"{RESPONSES}.part"
+
+
+def _asked_for_responses(served):
+    return [wanted for name, wanted in served.asked if name == RESPONSES]
+
+
+def test_the_published_files_are_the_nine_of_the_published_record():
+    files = published.published_files()
+    assert len(files) == 9
+    responses = files[-1]
+    assert responses.url == (
+        "https://zenodo.org/records/10547601/files/impulseResponses.mat?download=1"
+    )
+    assert responses.size_bytes == 69_367_862
+    assert responses.checksum == "md5:9226dcefe3f80809a06376fbaa42ae91"
+    assert all("3d3ed8ae97b4854ede92ce9024fa41ca8e330d30" in file.url for file in files[:-1])
+
+
+def test_the_sizes_and_checksums_of_the_map_files_are_those_of_the_real_files(dataset_folder):
+    for file in published.published_files()[:-1]:
+        content = (dataset_folder / file.name).read_bytes()
+        assert len(content) == file.size_bytes
+        assert f"sha256:{hashlib.sha256(content).hexdigest()}" == file.checksum
+
+
+def test_a_complete_download_is_installed_and_not_downloaded_again(served, files, user_data):
+    seen = []
+    info = fetch(files=files, progress=lambda *report: seen.append(report))
+    assert info.path == user_data / "measured.h5"
+    assert load_measured_limb(2).response_to(3)[0, 0, 0] == 2.03
+    assert len(served.asked) == 9
+    total = sum(file.size_bytes for file in files)
+    downloading = [done for done, of, text in seen if text.startswith("Download")]
+    assert downloading == sorted(downloading)
+    assert downloading[-1] == total
+    left = {path.name for path in (user_data / "measured-download").rglob("*") if path.is_file()}
+    assert left == set(served.content)
+
+    fetch(files=files)
+    assert len(served.asked) == 9
+
+
+def test_a_damaged_file_from_an_earlier_download_is_downloaded_again(served, files, user_data):
+    fetch(files=files)
+    path = user_data / "measured-download" / RESPONSES
+    path.write_bytes(b"damaged")
+    fetch(files=files)
+    assert _asked_for_responses(served) == [None, None]
+    assert path.read_bytes() == served.content[RESPONSES]
+
+
+def test_a_cut_connection_is_taken_up_where_it_broke(served, files):
+    served.cuts = [2 * PIECE, 3 * PIECE]
+    fetch(files=files)
+    assert _asked_for_responses(served) == [None, f"bytes={2 * PIECE}-", f"bytes={5 * PIECE}-"]
+    assert is_installed()
+
+
+def test_a_download_that_stops_coming_is_continued_the_next_time(served, files, part):
+    served.cuts = [2 * PIECE, 0]
+    with pytest.raises(DownloadError, match=rf"{2 * PIECE} of \d+ bytes have arrived and are kept"):
+        fetch(files=files)
+    assert not is_installed()
+    assert part.stat().st_size == 2 * PIECE
+
+    fetch(files=files)
+    assert _asked_for_responses(served)[-1] == f"bytes={2 * PIECE}-"
+    assert is_installed()
+    assert not part.exists()
+
+
+def test_a_server_that_cannot_continue_is_asked_for_everything(served, files):
+    served.cuts = [2 * PIECE]
+    served.ranges = False
+    fetch(files=files)
+    assert _asked_for_responses(served) == [None, f"bytes={2 * PIECE}-"]
+    assert is_installed()
+
+
+def test_a_server_that_continues_elsewhere_is_asked_for_everything(served, files):
+    served.cuts = [2 * PIECE]
+    served.false_ranges = True
+    fetch(files=files)
+    assert _asked_for_responses(served) == [None, f"bytes={2 * PIECE}-", None]
+    assert is_installed()
+
+
+def test_a_range_the_server_refuses_is_asked_for_from_the_beginning(served, files, part):
+    served.cuts = [5 * PIECE, 0]
+    with pytest.raises(DownloadError):
+        fetch(files=files)
+    whole = served.content[RESPONSES]
+    served.content[RESPONSES] = whole[:200_000]
+    with pytest.raises(DownloadError, match=f"offers 200000 bytes, expected {len(whole)}"):
+        fetch(files=files)
+    assert _asked_for_responses(served)[-2:] == [f"bytes={5 * PIECE}-", None]
+
+
+def test_a_wrong_checksum_is_an_error_and_the_bad_file_is_deleted(served, files, user_data):
+    body = bytearray(served.content[RESPONSES])
+    body[1000] ^= 1
+    served.content[RESPONSES] = bytes(body)
+    with pytest.raises(DownloadError, match=r"its md5 is \w{32}, expected \w{32}\. It was deleted"):
+        fetch(files=files)
+    assert not list(user_data.rglob(f"*{RESPONSES}*"))
+    assert not list(user_data.rglob("tmp*"))
+    assert not is_installed()
+
+
+def test_a_longer_file_than_the_published_one_is_refused(served, files, part):
+    served.content[RESPONSES] += b"more"
+    with pytest.raises(DownloadError, match="This is not the published file"):
+        fetch(files=files)
+    assert not part.exists()
+
+
+def test_a_file_that_is_not_there_is_an_error_with_the_answer_of_the_server(served, files):
+    del served.content["surface.mat"]
+    with pytest.raises(DownloadError, match=r"surface\.mat: the server answered 404 Not Found"):
+        fetch(files=files)
+    assert not is_installed()
+
+
+def test_a_server_that_is_down_is_an_error(monkeypatch):
+    monkeypatch.setenv("NO_PROXY", "127.0.0.1")
+    with socket.socket() as reserved:
+        reserved.bind(("127.0.0.1", 0))  # never listens: every connection is refused
+        url = f"http://127.0.0.1:{reserved.getsockname()[1]}"
+        with pytest.raises(DownloadError, match=r"cannot be downloaded .*Check the connection"):
+            fetch(files=published.published_files(url, url))
+
+
+def test_a_cancel_keeps_what_has_arrived_and_installs_nothing(served, files, part, user_data):
+    stop = threading.Event()
+
+    def stop_midway(done, _total, text):
+        if RESPONSES in text and part.exists() and part.stat().st_size > 100_000:
+            stop.set()
+
+    with pytest.raises(Cancelled, match="goes on from there"):
+        fetch(files=files, progress=stop_midway, cancelled=stop.is_set)
+    assert not is_installed()
+    arrived = part.stat().st_size
+    assert 100_000 < arrived < len(served.content[RESPONSES])
+    assert not list(user_data.rglob("tmp*"))
+
+    fetch(files=files)
+    assert _asked_for_responses(served)[-1] == f"bytes={arrived}-"
+    assert is_installed()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no limit of the file size")
+def test_a_full_disk_while_downloading_is_one_clear_error(served, files):
+    import resource
+
+    usual = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, usual[1]))
+    try:
+        with pytest.raises(StorageError, match=r"cannot be written \(.*Free some"):
+            fetch(files=files)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, usual)
+    assert not is_installed()
+
+
+@pytest.mark.parametrize("package", ["pooch", "requests", "matio"])
+def test_a_missing_package_is_found_out_before_anything_is_downloaded(
+    served, files, monkeypatch, package
+):
+    monkeypatch.setitem(sys.modules, package, None)
+    with pytest.raises(MissingExtraError, match=r'pip install "skinsource\[dataset\]"'):
+        fetch(files=files)
+    assert served.asked == []

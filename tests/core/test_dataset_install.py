@@ -1,0 +1,235 @@
+"""Installing: the same store from either encoding; whole or not at all."""
+
+import errno
+import os
+import shutil
+import sys
+import tempfile
+
+import h5py
+import numpy as np
+import pytest
+
+from skinsource.dataset.install import install
+from skinsource.dataset.store import describe, is_installed, load_mask, load_measured_limb
+from skinsource.errors import Cancelled, DatasetError, StorageError
+
+
+def _everything(path):
+    """Give all arrays of a store, by name."""
+    found = {}
+    with h5py.File(path) as store:
+        store.visititems(
+            lambda name, part: (
+                found.__setitem__(name, part[()]) if isinstance(part, h5py.Dataset) else None
+            )
+        )
+    return found
+
+
+def _assert_same_content(one, other):
+    first, second = _everything(one), _everything(other)
+    assert list(first) == list(second)
+    assert all(first[name].tobytes() == second[name].tobytes() for name in first)
+
+
+def test_installing_keeps_every_response_with_time_last(made_up_installed, make_response):
+    for limb in (1, 4):
+        opened = load_measured_limb(limb)
+        for place in (1, 13, 20):
+            expected = make_response(limb, place).transpose(1, 2, 0)
+            np.testing.assert_array_equal(opened.response_to(place), expected)
+    assert opened.response_to(20)[5, 1, 3] == 4.2 + 0.25
+
+
+def test_both_matlab_encodings_give_the_same_bits(
+    made_up_download, made_up_store, write_table, complete_rows, tmp_path
+):
+    folder = tmp_path / "v7"
+    shutil.copytree(made_up_download, folder)
+    write_table(folder / "impulseResponses.mat", complete_rows, "v7")
+    store = install(folder).path
+    _assert_same_content(store, made_up_store)
+
+
+def test_the_order_of_the_rows_does_not_matter(
+    made_up_download, made_up_store, write_table, complete_rows, tmp_path
+):
+    folder = tmp_path / "reversed"
+    shutil.copytree(made_up_download, folder)
+    write_table(folder / "impulseResponses.mat", complete_rows[::-1])
+    _assert_same_content(install(folder).path, made_up_store)
+
+
+def test_the_measured_dataset_in_v7_gives_the_same_bits(
+    dataset_folder, installed_dataset, tmp_path
+):
+    matio = pytest.importorskip("matio")
+    folder = tmp_path / "v7"
+    shutil.copytree(dataset_folder / "visualization", folder / "visualization")
+    read = matio.load_from_mat(str(dataset_folder / "impulseResponses.mat"))
+    path = folder / "impulseResponses.mat"
+    matio.save_to_mat(str(path), read, version="v7", do_compression=False)
+    assert b"MATLAB 5.0" in path.read_bytes()[:128]
+    store = install(folder).path
+    path.unlink()
+    _assert_same_content(store, installed_dataset / "measured.h5")
+
+
+@pytest.mark.parametrize(
+    ("responses", "maps", "given"),
+    [
+        ("impulseResponses.mat", "visualization", ""),
+        ("impulseResponses.mat", "visualization", "impulseResponses.mat"),
+        ("renamed.mat", "visualization", "renamed.mat"),
+        ("impulseResponses.mat", "source/visualization", ""),
+        ("impulseResponses.mat", "", ""),
+        ("impulseResponses.mat", "skinsource-main/source/visualization", ""),
+        ("skinsource-main/source/impulseResponses.mat", "skinsource-main/source/visualization", ""),
+    ],
+)
+def test_the_files_are_found_where_a_download_puts_them(
+    made_up_download, user_data, tmp_path, responses, maps, given
+):
+    folder = tmp_path / "download"
+    shutil.copytree(made_up_download / "visualization", folder / maps)
+    (folder / responses).parent.mkdir(parents=True, exist_ok=True)
+    shutil.copy(made_up_download / "impulseResponses.mat", folder / responses)
+    assert install(folder / given).path == user_data / "measured.h5"
+
+
+def test_progress_ends_at_its_total_and_never_goes_back(made_up_download, user_data):
+    seen = []
+    install(made_up_download, progress=lambda *report: seen.append(report))
+    done = [report[0] for report in seen]
+    assert done == sorted(done)
+    assert seen[-1][0] == seen[-1][1] == 160
+    assert all(text for _, _, text in seen)
+
+
+@pytest.mark.parametrize("asked", [0, 1, 40, 81, 82, 90])
+def test_a_cancel_at_any_moment_leaves_nothing(made_up_download, user_data, asked):
+    answers = iter([False] * asked)
+    with pytest.raises(Cancelled, match="nothing was changed"):
+        install(made_up_download, cancelled=lambda: next(answers, True))
+    assert next(answers, None) is None
+    assert list(user_data.iterdir()) == []
+
+
+def test_ctrl_c_while_writing_leaves_nothing(made_up_download, user_data):
+    def interrupt(done, _total, _text):
+        if done > 100:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        install(made_up_download, progress=interrupt)
+    assert list(user_data.iterdir()) == []
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no limit of the file size")
+def test_writing_that_fails_midway_leaves_nothing(made_up_download, user_data):
+    import resource
+
+    usual = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (20_000_000, usual[1]))
+    try:
+        with pytest.raises(StorageError, match=r"measured\.h5: cannot be written \(.*Free some"):
+            install(made_up_download)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, usual)
+    assert list(user_data.iterdir()) == []
+
+
+def test_a_disk_found_full_at_the_last_moment_leaves_nothing(
+    made_up_download, user_data, monkeypatch
+):
+    def full(_handle):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(StorageError, match="No space left on device"):
+        install(made_up_download)
+    assert list(user_data.iterdir()) == []
+
+
+def test_a_folder_that_may_not_be_written_is_one_clear_error(
+    made_up_download, user_data, monkeypatch
+):
+    def refuse(*_, **__):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+
+    monkeypatch.setattr(tempfile, "mkstemp", refuse)
+    with pytest.raises(StorageError, match=r"Permission denied.*choose a folder you may write"):
+        install(made_up_download)
+    assert list(user_data.iterdir()) == []
+
+
+def test_a_user_folder_that_cannot_be_made_is_one_clear_error(made_up_download, tmp_path):
+    (tmp_path / "file").write_text("in the way")
+    with pytest.raises(StorageError, match="cannot be written"):
+        install(made_up_download, folder=tmp_path / "file" / "below")
+
+
+def test_a_failure_keeps_the_old_store(made_up_download, made_up_installed, tmp_path):
+    before = made_up_installed.read_bytes()
+    broken = tmp_path / "broken"
+    shutil.copytree(made_up_download, broken)
+    (broken / "impulseResponses.mat").write_bytes(b"nonsense")
+    with pytest.raises(DatasetError):
+        install(broken)
+    answers = iter([False] * 85)
+    with pytest.raises(Cancelled):
+        install(made_up_download, cancelled=lambda: next(answers, True))
+    assert made_up_installed.read_bytes() == before
+    assert [path.name for path in made_up_installed.parent.iterdir()] == ["measured.h5"]
+
+
+def test_a_second_installation_replaces_the_first(
+    made_up_download, made_up_installed, write_table, complete_rows, tmp_path
+):
+    folder = tmp_path / "newer"
+    shutil.copytree(made_up_download, folder)
+    rows = [(data + 1, limb, place) for data, limb, place in complete_rows]
+    write_table(folder / "impulseResponses.mat", rows)
+    install(folder)
+    assert load_measured_limb(1).response_to(1)[0, 0, 0] == 2.01
+    assert [path.name for path in made_up_installed.parent.iterdir()] == ["measured.h5"]
+
+
+def test_the_store_tells_what_it_was_made_from(made_up_download, user_data):
+    info = install(made_up_download)
+    assert info == describe()
+    assert is_installed()
+    assert info.limbs == (1, 2, 3, 4)
+    assert info.source_name == "impulseResponses.mat"
+    assert info.source_bytes == (made_up_download / "impulseResponses.mat").stat().st_size
+    assert len(info.source_sha256) == 64
+    assert info.installed_at.endswith("+00:00")
+    assert info.size_bytes == info.path.stat().st_size
+
+
+def test_the_measured_values_are_those_of_the_published_dataset(measured):
+    # minimum, maximum, RMS of each limb's responses, rounded
+    known = {
+        1: (-24.22, 26.26, 0.216),
+        2: (-26.91, 25.92, 0.233),
+        3: (-29.96, 26.93, 0.242),
+        4: (-26.97, 25.75, 0.257),
+    }
+    for number, (lowest, highest, rms) in known.items():
+        responses = load_measured_limb(number).impulse_responses
+        assert responses.shape == (20, 72, 3, 522)
+        assert round(responses.min(), 2) == lowest
+        assert round(responses.max(), 2) == highest
+        assert round(float(np.sqrt(np.mean(responses**2))), 3) == rms
+
+
+def test_the_measured_map_is_complete(measured):
+    limb_map = load_measured_limb(1).map
+    assert limb_map.outline.shape == (1505, 2)
+    assert limb_map.input_positions.shape == (20, 2)
+    assert limb_map.visibility.shape == (1505, 72)
+    assert not limb_map.densify
+    volar = np.flatnonzero(np.isnan(limb_map.output_positions).all(axis=1)) + 1
+    assert volar.tolist() == [61, 62, 63, 64, 65, 66]
+    assert [int(load_mask(number).sum()) for number in (1, 2, 3, 4)] == [34267, 30491, 38274, 30491]

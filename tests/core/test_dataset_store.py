@@ -1,0 +1,264 @@
+"""The store: reads only what is touched, and notices every change."""
+
+import os
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+from skinsource.dataset import store, upkeep
+from skinsource.errors import (
+    Cancelled,
+    DatasetError,
+    DatasetMissingError,
+    InvalidInputError,
+    StorageError,
+    UnknownLimbError,
+)
+
+CHUNK_BYTES = 72 * 3 * 522 * 8
+
+
+def _chunk_offset(path, limb, place):
+    with h5py.File(path) as opened:
+        info = opened[f"responses/limb-{limb}"].id.get_chunk_info_by_coord((place - 1, 0, 0, 0))
+    assert info.size == CHUNK_BYTES
+    return info.byte_offset
+
+
+def _flip(path, offset):
+    with path.open("r+b") as opened:
+        opened.seek(offset)
+        byte = opened.read(1)[0]
+        opened.seek(offset)
+        opened.write(bytes([byte ^ 1]))
+
+
+def _set_attribute(path, name, value):
+    with h5py.File(path, "r+") as opened:
+        opened.attrs[name] = value
+
+
+@pytest.mark.usefixtures("user_data")
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: store.load_measured_limb(1),
+        lambda: store.load_mask(1),
+        store.describe,
+        upkeep.verify,
+    ],
+)
+def test_without_a_store_the_message_says_how_to_get_it(call):
+    assert not store.is_installed()
+    with pytest.raises(DatasetMissingError) as caught:
+        call()
+    assert "'skinsource dataset fetch'" in str(caught.value)
+    assert "'skinsource dataset install PATH'" in str(caught.value)
+
+
+def test_a_limb_knows_its_name_hand_and_kind(made_up_installed):
+    lengths = []
+    for number in (1, 2, 3, 4):
+        limb = store.load_measured_limb(number)
+        assert limb.name == f"measured-{number}"
+        assert not limb.synthetic
+        assert limb.sample_rate_hz == 1300.0
+        assert limb.map.hand_length_px == 398.1017
+        lengths.append(limb.hand_length_mm)
+    assert lengths == [175.0, 165.0, 185.0, 165.0]
+
+
+@pytest.mark.parametrize("number", [0, 5, -1])
+def test_a_limb_that_does_not_exist_is_refused(made_up_installed, number):
+    with pytest.raises(UnknownLimbError, match=f"measured limb {number} does not exist"):
+        store.load_measured_limb(number)
+    with pytest.raises(UnknownLimbError):
+        store.load_mask(number)
+
+
+def test_opening_a_limb_reads_no_responses_and_one_input_reads_one_chunk(made_up_installed):
+    limb = store.load_measured_limb(2)
+    assert limb.bytes_read == 0
+    limb.response_to(7)
+    limb.response_to(7)
+    assert limb.bytes_read == CHUNK_BYTES
+    limb.response_to(8)
+    assert limb.bytes_read == 2 * CHUNK_BYTES
+
+
+@pytest.mark.skipif(not Path("/proc/self/io").exists(), reason="only Linux counts bytes read")
+def test_the_operating_system_agrees_that_one_input_reads_one_chunk(made_up_installed):
+    def bytes_read():
+        return int(Path("/proc/self/io").read_text().split()[1])
+
+    limb = store.load_measured_limb(2)
+    before = bytes_read()
+    limb.response_to(7)
+    assert CHUNK_BYTES <= bytes_read() - before < 1.1 * CHUNK_BYTES
+
+
+def test_an_input_is_read_although_all_others_are_destroyed(made_up_installed, make_response):
+    with h5py.File(made_up_installed, "r+") as opened:
+        for limb in (1, 2, 3, 4):
+            responses = opened[f"responses/limb-{limb}"]
+            assert responses.chunks == (1, 72, 3, 522)
+            assert responses.compression is None
+            assert responses.dtype == np.float64
+            for k in range(20):
+                if (limb, k) != (3, 10):
+                    responses[k] = np.nan
+    response = store.load_measured_limb(3).response_to(11)
+    np.testing.assert_array_equal(response, make_response(3, 11).transpose(1, 2, 0))
+
+
+def test_one_flipped_bit_is_noticed_when_that_input_is_read(made_up_installed):
+    _flip(made_up_installed, _chunk_offset(made_up_installed, 1, 5) + 12_345)
+    limb = store.load_measured_limb(1)
+    limb.response_to(4)
+    limb.response_to(6)
+    with pytest.raises(DatasetError, match=r"limb 1, input 5 is damaged.*dataset fetch"):
+        limb.response_to(5)
+    (problem,) = upkeep.verify()
+    assert "limb 1, input 5: checksum" in problem
+
+
+@pytest.mark.parametrize("part", ["outline", "output_positions", "input_positions", "visibility"])
+def test_one_flipped_bit_in_the_map_is_noticed_when_a_limb_is_opened(made_up_installed, part):
+    with h5py.File(made_up_installed) as opened:
+        offset = opened[f"map/{part}"].id.get_offset()
+    _flip(made_up_installed, offset)
+    with pytest.raises(DatasetError, match=f"map/{part} is damaged"):
+        store.load_measured_limb(1)
+    assert [part in problem for problem in upkeep.verify()] == [True]
+
+
+def test_one_flipped_bit_in_a_mask_is_noticed(made_up_installed):
+    with h5py.File(made_up_installed) as opened:
+        offset = opened["masks/limb-2"].id.get_offset()
+    _flip(made_up_installed, offset)
+    with pytest.raises(DatasetError, match="masks/limb-2 is damaged"):
+        store.load_mask(2)
+    assert store.load_mask(1).dtype == np.bool_
+
+
+def test_verify_counts_every_checksum_and_finds_a_whole_store_whole(made_up_installed):
+    seen = []
+    assert upkeep.verify(progress=lambda *report: seen.append(report)) == ()
+    assert [done for done, _, _ in seen] == list(range(1, 89))
+    assert seen[-1][1] == 88
+
+
+def test_verify_can_be_stopped(made_up_installed):
+    with pytest.raises(Cancelled):
+        upkeep.verify(cancelled=lambda: True)
+
+
+def test_another_format_version_is_refused(made_up_installed):
+    _set_attribute(made_up_installed, "format_version", 2)
+    with pytest.raises(DatasetError, match="has format version 2, this program reads version 1"):
+        store.load_measured_limb(1)
+
+
+def test_a_file_of_another_kind_is_refused(made_up_installed):
+    _set_attribute(made_up_installed, "format", "something else")
+    with pytest.raises(DatasetError, match="is no store of the measured dataset"):
+        store.describe()
+
+
+@pytest.mark.parametrize("share", [0.0, 0.3, 0.9])
+def test_a_store_that_was_cut_off_is_one_clear_error(made_up_installed, share):
+    whole = made_up_installed.read_bytes()
+    made_up_installed.write_bytes(whole[: int(len(whole) * share)])
+    with pytest.raises(DatasetError, match=r"the store is damaged.*Install it again"):
+        store.load_measured_limb(1)
+
+
+def test_a_store_that_lacks_a_part_is_one_clear_error(made_up_installed):
+    with h5py.File(made_up_installed, "r+") as opened:
+        del opened["responses/limb-1"]
+    with pytest.raises(DatasetError, match="the store is damaged"):
+        store.load_measured_limb(1)
+
+
+def test_a_store_that_may_not_be_read_is_one_clear_error(made_up_installed, monkeypatch):
+    def refuse(*_, **__):
+        raise PermissionError("Permission denied")
+
+    monkeypatch.setattr(h5py, "File", refuse)
+    with pytest.raises(StorageError, match="may not be read"):
+        store.load_measured_limb(1)
+
+
+def test_a_limb_in_use_notices_that_the_store_is_gone(made_up_installed):
+    limb = store.load_measured_limb(1)
+    upkeep.remove()
+    with pytest.raises(DatasetMissingError):
+        limb.response_to(1)
+
+
+def test_a_limb_in_use_notices_that_other_data_took_the_place(made_up_installed):
+    limb = store.load_measured_limb(1)
+    with h5py.File(made_up_installed, "r+") as opened:
+        attributes = opened["responses/limb-1"].attrs
+        attributes["sha256"] = np.array(["0" * 64] * 20, dtype="S64")
+    with pytest.raises(DatasetError, match="Open the limb again"):
+        limb.response_to(1)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="open files are listed on Linux only")
+def test_no_file_stays_open_after_reading(made_up_installed):
+    limb = store.load_measured_limb(1)
+    limb.response_to(1)
+    handles = [
+        os.readlink(f"/proc/self/fd/{handle}")
+        for handle in os.listdir("/proc/self/fd")
+        if os.path.lexists(f"/proc/self/fd/{handle}")
+    ]
+    assert not [name for name in handles if name.endswith("measured.h5")]
+
+
+def test_a_response_and_the_map_cannot_be_written_to(made_up_installed):
+    limb = store.load_measured_limb(1)
+    limb_map = limb.map
+    for array in (
+        limb.response_to(3),
+        limb_map.outline,
+        limb_map.output_positions,
+        limb_map.input_positions,
+        limb_map.visibility,
+    ):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 0
+
+
+def test_an_input_location_that_does_not_exist_is_refused(made_up_installed):
+    limb = store.load_measured_limb(1)
+    with pytest.raises(InvalidInputError):
+        limb.response_to(21)
+
+
+def test_remove_deletes_the_store_its_downloads_and_remains_but_nothing_else(made_up_installed):
+    folder = made_up_installed.parent
+    downloads = folder / "measured-download"
+    (downloads / "visualization").mkdir(parents=True)
+    for name in ("impulseResponses.mat", "visualization/mask1.mat", "impulseResponses.mat.part"):
+        (downloads / name).write_bytes(b"x")
+    (folder / ".measured.h5.abc.part").write_bytes(b"x")
+    (folder / "design.skinsource").write_bytes(b"mine")
+    (downloads / "notes.txt").write_bytes(b"mine")
+    assert len(upkeep.installed_files()) == 5
+    upkeep.remove()
+    left = sorted(path.name for path in folder.rglob("*"))
+    assert left == ["design.skinsource", "measured-download", "notes.txt"]
+
+
+def test_a_file_that_cannot_be_deleted_is_one_clear_error(made_up_installed, monkeypatch):
+    def refuse(*_, **__):
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(Path, "unlink", refuse)
+    with pytest.raises(StorageError, match="cannot be deleted"):
+        upkeep.remove()

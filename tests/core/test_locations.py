@@ -1,0 +1,77 @@
+import pytest
+
+from skinsource.errors import InvalidInputError
+from skinsource.limb import VOLAR_OUTPUTS
+from skinsource.locations import INPUTS, OUTPUTS, REGIONS, input_place, output_place
+
+
+def test_there_are_20_inputs_and_72_outputs_numbered_in_order():
+    assert [place.number for place in INPUTS] == list(range(1, 21))
+    assert [place.number for place in OUTPUTS] == list(range(1, 73))
+
+
+def test_every_place_has_its_own_name_and_short_name():
+    for places in (INPUTS, OUTPUTS):
+        assert len({place.name for place in places}) == len(places)
+        assert len({place.short_name for place in places}) == len(places)
+        assert max(len(place.short_name) for place in places) <= 18
+
+
+def test_the_first_five_inputs_push_along_the_digits_and_the_others_into_the_skin():
+    assert [place.contact for place in INPUTS[:5]] == ["in-axis"] * 5
+    assert {place.contact for place in INPUTS[5:]} == {"perpendicular"}
+
+
+def test_only_outputs_61_to_66_are_volar():
+    volar = tuple(place.number for place in OUTPUTS if place.side == "volar")
+    assert volar == VOLAR_OUTPUTS
+
+
+def test_outputs_1_to_42_are_on_the_hand_and_the_rest_on_the_arm():
+    arm = {"wrist", "forearm", "elbow"}
+    assert all((place.region in arm) == (place.number > 42) for place in OUTPUTS)
+    assert {place.region for place in OUTPUTS} == set(REGIONS)
+
+
+@pytest.mark.parametrize(
+    ("number", "name", "region"),
+    [
+        (2, "Digit II, tip, along the digit", "digit II"),
+        (8, "Digit III, pad", "digit III"),
+        (15, "Digit V, base", "digit V"),
+        (18, "Palm, centre", "hand"),
+    ],
+)
+def test_an_input_is_found_by_its_number(number, name, region):
+    place = input_place(number)
+    assert (place.number, place.name, place.region) == (number, name, region)
+
+
+@pytest.mark.parametrize(
+    ("number", "name", "region"),
+    [
+        (20, "Digit III, beside the nail, radial", "digit III"),
+        (28, "Digit II, beside the nail, ulnar", "digit II"),
+        (24, "Digit III, proximal phalanx", "digit III"),
+        (32, "Digit II, knuckle", "hand"),
+        (41, "Digit I, distal phalanx", "digit I"),
+        (57, "Forearm, middle, 1 of 5 from the wrist", "forearm"),
+        (51, "Forearm, ulnar side, 5 of 5 from the wrist", "forearm"),
+        (69, "Elbow, middle", "elbow"),
+    ],
+)
+def test_an_output_is_found_by_its_number(number, name, region):
+    place = output_place(number)
+    assert (place.number, place.name, place.region) == (number, name, region)
+
+
+@pytest.mark.parametrize("number", [0, 21, -1, 1.0, True, "1", None])
+def test_an_input_that_does_not_exist_is_refused(number):
+    with pytest.raises(InvalidInputError, match="1 to 20"):
+        input_place(number)
+
+
+@pytest.mark.parametrize("number", [0, 73, -1, 1.0, True, "1", None])
+def test_an_output_that_does_not_exist_is_refused(number):
+    with pytest.raises(InvalidInputError, match="1 to 72"):
+        output_place(number)

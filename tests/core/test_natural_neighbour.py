@@ -1,0 +1,192 @@
+"""Sibson's weights against rational arithmetic, and what must hold for any sites."""
+
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from skinsource.natural_neighbour import natural_neighbour_weights
+from skinsource.polygon import densified
+from skinsource.triangulation import snapped_to_lattice, triangulate
+
+RANDOM = np.random.default_rng(20240607).uniform(0, 1000, (60, 2))
+LATTICE = np.stack(np.meshgrid(np.arange(7.0), np.arange(5.0)), axis=-1).reshape(-1, 2)
+ANGLE = np.arange(48) * np.pi / 24
+CIRCLE = 100 * np.column_stack([np.cos(ANGLE), np.sin(ANGLE)])
+SITES = {"random": RANDOM, "lattice": LATTICE, "circle": snapped_to_lattice(CIRCLE)}
+
+
+def rotated(points, angle_rad):
+    cosine, sine = np.cos(angle_rad), np.sin(angle_rad)
+    return points @ np.array([[cosine, sine], [-sine, cosine]])
+
+
+def points_within(sites, count, seed):
+    """Random means of the sites: always inside their hull."""
+    shares = np.random.default_rng(seed).dirichlet(np.full(len(sites), 0.2), count)
+    return shares @ sites
+
+
+def clipped(polygon, keep, other):
+    """The part of an exact polygon that is nearer to ``keep`` than to ``other``."""
+
+    def closer(p):
+        return sum((p[i] - other[i]) ** 2 - (p[i] - keep[i]) ** 2 for i in (0, 1))
+
+    out = []
+    for p, q in zip(polygon, polygon[1:] + polygon[:1], strict=True):
+        at_p, at_q = closer(p), closer(q)
+        if at_p >= 0:
+            out.append(p)
+        if at_p * at_q < 0:
+            share = at_p / (at_p - at_q)
+            out.append(tuple(p[i] + share * (q[i] - p[i]) for i in (0, 1)))
+    return out
+
+
+def exact_area(polygon):
+    pairs = zip(polygon, polygon[1:] + polygon[:1], strict=True)
+    return sum(p[0] * q[1] - q[0] * p[1] for p, q in pairs) / 2
+
+
+def exact_weights(sites, point):
+    """Areas taken from the sites' Voronoi cells, by clipping exact polygons."""
+    exact = [tuple(Fraction(float(c)) for c in site) for site in sites]
+    q = tuple(Fraction(float(c)) for c in point)
+    far = Fraction(10**9)
+    cell = [(-far, -far), (far, -far), (far, far), (-far, far)]
+    for site in exact:
+        cell = clipped(cell, q, site)
+    taken = []
+    for site in exact:
+        part = cell
+        for other in exact:
+            if part and other != site:
+                part = clipped(part, site, other)
+        taken.append(exact_area(part) if len(part) > 2 else Fraction(0))
+    return np.array([float(area / sum(taken)) for area in taken])
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_weights_equal_the_areas_of_exactly_clipped_voronoi_cells(seed):
+    random = np.random.default_rng(seed)
+    sites = np.unique(random.integers(0, 40, (12, 2)), axis=0).astype(float)
+    points = np.round(points_within(sites, 12, seed) * 64) / 64
+    weights, fallback = natural_neighbour_weights(triangulate(sites), points)
+    expected = [exact_weights(sites, point) for point in points]
+    assert not fallback.any()
+    np.testing.assert_allclose(weights.toarray(), expected, atol=1e-13, err_msg=f"seed {seed}")
+
+
+@pytest.mark.parametrize("point", [(2.25, 1.5), (2.5, 2.5), (3.0, 1.25), (0.125, 3.9375)])
+def test_many_sites_on_one_circle_give_the_exact_weights(point):
+    weights, _ = natural_neighbour_weights(triangulate(LATTICE), np.array([point]))
+    expected = exact_weights(LATTICE, point)
+    np.testing.assert_allclose(weights.toarray()[0], expected, atol=1e-14)
+
+
+@pytest.mark.parametrize("kind", SITES)
+def test_any_sites_give_weights_that_are_shares_and_reproduce_the_point(kind):
+    sites = SITES[kind]
+    points = points_within(sites, 500, 3)
+    weights, fallback = natural_neighbour_weights(triangulate(sites), points)
+    assert not fallback.any()
+    assert weights.data.min() >= -1e-12
+    np.testing.assert_allclose(weights.sum(axis=1), 1.0, atol=1e-13)
+    np.testing.assert_allclose(weights @ sites, points, atol=1e-9 * np.ptp(sites))
+
+
+@pytest.mark.parametrize("kind", SITES)
+def test_at_a_site_the_value_is_the_site_s_own(kind):
+    sites = SITES[kind]
+    weights, fallback = natural_neighbour_weights(triangulate(sites), sites)
+    assert not fallback.any()
+    np.testing.assert_array_equal(weights.toarray(), np.eye(len(sites)))
+
+
+@pytest.mark.parametrize("distance", [1e-12, 1e-9, 1e-8, 1e-7, 1e-5, 1e-2])
+def test_near_a_site_the_weights_stay_sound(distance):
+    sites = snapped_to_lattice(RANDOM)
+    offsets = np.random.default_rng(1).normal(size=sites.shape) * distance
+    inner = np.all((sites > 150) & (sites < 850), axis=1)
+    points = (sites + offsets)[inner]
+    weights, _ = natural_neighbour_weights(triangulate(sites), points)
+    np.testing.assert_allclose(weights @ sites, points, atol=1e-7)
+    assert weights.toarray()[:, inner].diagonal().min() >= 1 - distance
+
+
+def test_on_an_edge_of_the_hull_interpolation_is_linear_between_its_ends():
+    sites = np.array([[0, 0], [8, 0], [12, 3], [8, 10], [0, 10], [3, 4], [7, 6]], dtype=float)
+    points = np.array([[2, 0], [7.5, 0], [0, 2.5], [10, 1.5], [4, 10]])
+    weights, fallback = natural_neighbour_weights(triangulate(sites), points)
+    expected = np.zeros((5, 7))
+    expected[0, [0, 1]] = 0.75, 0.25
+    expected[1, [0, 1]] = 0.0625, 0.9375
+    expected[2, [0, 4]] = 0.75, 0.25
+    expected[3, [1, 2]] = 0.5, 0.5
+    expected[4, [3, 4]] = 0.5, 0.5
+    assert not fallback.any()
+    np.testing.assert_allclose(weights.toarray(), expected, atol=1e-14)
+
+
+def test_outside_the_hull_the_nearest_place_on_it_counts():
+    sites = np.array([[0, 0], [8, 0], [8, 8], [0, 8], [3, 4]], dtype=float)
+    weights, fallback = natural_neighbour_weights(
+        triangulate(sites), np.array([[2, -3], [9, 9], [8.5, 2]])
+    )
+    assert not fallback.any()
+    np.testing.assert_allclose(
+        weights.toarray(), [[0.75, 0.25, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0.75, 0.25, 0, 0]]
+    )
+
+
+@pytest.mark.parametrize("angle_rad", [0.1, 0.3, 1.0, 2.2])
+def test_rotated_and_split_straight_edges_need_no_fallback_on_the_lattice(angle_rad):
+    rectangle = np.array([[0, 0], [300, 0], [300, 500], [0, 500]], dtype=float)
+    inner = np.random.default_rng(5).uniform(40, 260, (20, 2))
+    sites = rotated(np.concatenate([densified(rectangle, 4.0), inner]), angle_rad)
+    sites = np.unique(snapped_to_lattice(sites), axis=0)
+    points = rotated(np.random.default_rng(6).uniform(1, 299, (2000, 2)), angle_rad)
+    weights, fallback = natural_neighbour_weights(triangulate(sites), points)
+    assert not fallback.any()
+    assert weights.data.min() >= 0
+    np.testing.assert_allclose(weights @ sites, points, atol=1e-8)
+
+
+@pytest.mark.parametrize("angle_rad", [0.1, 1.0])
+def test_rotated_straight_edges_stay_sound_even_off_the_lattice(angle_rad):
+    rectangle = np.array([[0, 0], [300, 0], [300, 500], [0, 500]], dtype=float)
+    sites = rotated(np.concatenate([densified(rectangle, 1.0), [[100, 100]]]), angle_rad)
+    points = rotated(np.random.default_rng(6).uniform(1, 299, (500, 2)), angle_rad)
+    weights, _ = natural_neighbour_weights(triangulate(sites), points)
+    assert weights.data.min() >= 0
+    np.testing.assert_allclose(weights @ sites, points, atol=1e-7)
+
+
+def test_a_cavity_that_runs_in_a_ring_is_cut_and_interpolated_linearly():
+    sound = triangulate(RANDOM)
+    everything_inside = np.tile([0.0, 0.0, 0.0, -1.0], (len(sound.corners), 1))
+    # The area of each triangle stays: the linear weights need it.
+    everything_inside[:, 0] = sound.circles[:, 0]
+    everything_inside[:, 3] = -1e12
+    points = points_within(RANDOM, 50, 2)
+    weights, fallback = natural_neighbour_weights(replace(sound, circles=everything_inside), points)
+    assert fallback.all()
+    assert np.diff(weights.indptr).max() <= 3
+    np.testing.assert_allclose(weights.sum(axis=1), 1.0, atol=1e-13)
+    np.testing.assert_allclose(weights @ RANDOM, points, atol=1e-9)
+
+
+def test_the_lattice_keeps_half_pixels_of_the_published_size_and_is_fine_elsewhere():
+    halves = np.array([[0.0, 0.0], [395.0, 1054.0], [10.5, 700.5], [11.5, 3.5]])
+    np.testing.assert_array_equal(snapped_to_lattice(halves), halves)
+    for scale in (1e-3, 1.0, 1e3):
+        moved = snapped_to_lattice(RANDOM * scale) - RANDOM * scale
+        assert np.abs(moved).max() <= 1000 * scale / 2**14
+
+
+def test_no_points_give_no_rows():
+    weights, fallback = natural_neighbour_weights(triangulate(LATTICE), np.zeros((0, 2)))
+    assert weights.shape == (0, len(LATTICE))
+    assert fallback.shape == (0,)

@@ -1,0 +1,133 @@
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from skinsource.assets import data_folder
+from skinsource.errors import InvalidInputError, UnknownLimbError
+from skinsource.geodesic import paths_in
+from skinsource.synthetic import SYNTHETIC_LIMBS, load_synthetic_limb, synthetic_model
+from skinsource.waves import Pulse, Skin, pulse_spectrum, wavenumber
+
+# From the description of the model: speed and decay of waves in the skin of limb 1.
+FREQUENCIES_HZ = np.array([30, 50, 100, 150, 200, 300, 400, 500], dtype=float)
+SPEEDS_M_S = np.array([10.5, 11.1, 12.0, 12.6, 13.0, 13.6, 14.1, 14.4])
+DECAYS_DB_CM = np.array([0.26, 0.42, 0.80, 1.15, 1.50, 2.18, 2.82, 3.45])
+
+
+@pytest.mark.parametrize("number", SYNTHETIC_LIMBS)
+def test_a_synthetic_limb_has_the_shape_of_a_measured_one(number):
+    limb = load_synthetic_limb(number)
+    assert limb.name == f"synthetic-{number}"
+    assert limb.synthetic
+    assert limb.sample_rate_hz == 1300.0
+    responses = limb.impulse_responses
+    assert responses.shape == (20, 72, 3, 522)
+    assert responses.dtype == np.float64
+    assert np.isfinite(responses).all()
+    assert (np.abs(responses).max(axis=(2, 3)) > 0).all()
+
+
+def test_hand_lengths_are_those_of_the_four_people():
+    lengths = [load_synthetic_limb(number).hand_length_mm for number in SYNTHETIC_LIMBS]
+    assert lengths == [175.0, 165.0, 185.0, 165.0]
+
+
+@pytest.mark.parametrize("number", SYNTHETIC_LIMBS)
+def test_the_largest_sample_of_input_8_is_20(number):
+    response = load_synthetic_limb(number).response_to(8)
+    assert np.abs(response).max() == pytest.approx(20.0, rel=1e-12)
+
+
+def test_the_same_numbers_come_out_at_every_load():
+    for number in SYNTHETIC_LIMBS:
+        first, second = load_synthetic_limb(number), load_synthetic_limb(number)
+        np.testing.assert_array_equal(first.response_to(13), second.response_to(13))
+        np.testing.assert_array_equal(first.map.outline, second.map.outline)
+
+
+def test_only_the_places_that_are_touched_are_computed():
+    limb = load_synthetic_limb(2)
+    assert limb.bytes_read == 0
+    limb.response_to(7)
+    limb.response_to(7)
+    assert limb.bytes_read == 72 * 3 * 522 * 8
+
+
+def test_a_response_is_the_same_alone_and_among_all():
+    np.testing.assert_array_equal(
+        load_synthetic_limb(3).response_to(20), load_synthetic_limb(3).impulse_responses[19]
+    )
+
+
+def test_noise_is_added_only_when_asked_for_and_is_the_same_each_time():
+    model = synthetic_model(1)
+    quiet, noisy = model.response_to(8), model.response_to(8, noise_rms_m_s2=0.006)
+    assert np.std(noisy - quiet) == pytest.approx(0.006, rel=0.02)
+    np.testing.assert_array_equal(noisy, model.response_to(8, noise_rms_m_s2=0.006))
+    other = model.response_to(9, noise_rms_m_s2=0.006) - model.response_to(9)
+    assert abs(np.corrcoef(other.ravel(), (noisy - quiet).ravel())[0, 1]) < 0.02
+    np.testing.assert_array_equal(quiet, load_synthetic_limb(1).response_to(8))
+
+
+@pytest.mark.parametrize("number", [0, 5, True, "1", None])
+def test_a_limb_that_does_not_exist_is_refused(number):
+    with pytest.raises(UnknownLimbError, match="limbs 1 to 4"):
+        load_synthetic_limb(number)
+
+
+def test_an_input_that_does_not_exist_is_refused():
+    with pytest.raises(InvalidInputError, match="1 to 20"):
+        synthetic_model(1).response_to(21)
+
+
+def test_speed_and_decay_follow_the_published_table():
+    shared = json.loads((data_folder() / "synthetic-limbs.json").read_text(encoding="utf-8"))
+    k = wavenumber(FREQUENCIES_HZ, Skin(**shared["skin"]))
+    speed = 2 * np.pi * FREQUENCIES_HZ / k.real
+    decay = -k.imag * 20 * np.log10(np.e) / 100
+    np.testing.assert_allclose(speed, SPEEDS_M_S, atol=0.06)
+    np.testing.assert_allclose(decay, DECAYS_DB_CM, atol=0.01)
+
+
+def test_the_pulse_is_silent_before_it_starts_and_peaks_after_its_delay():
+    shared = json.loads((data_folder() / "synthetic-limbs.json").read_text(encoding="utf-8"))
+    pulse = np.fft.irfft(pulse_spectrum(Pulse(**shared["pulse"]), 1024, 1300.0))
+    start = int(np.floor(0.0515 * 1300))
+    assert np.abs(pulse[:start]).max() < 1e-3 * np.abs(pulse).max()
+    assert 52.0 <= np.argmax(pulse) / 1.3 <= 54.5
+
+
+def test_paths_leave_a_digit_through_its_knuckle_and_reach_the_arm_through_the_wrist():
+    shape = synthetic_model(1).shape
+    paths = paths_in(shape)
+    tip_to_neighbour = paths.lengths_px[7, 33 - 1]
+    base_3, base_2 = shape.digit_axes[2][0], shape.digit_axes[1][0]
+    expected = (
+        np.linalg.norm(shape.input_positions[7] - base_3)
+        + np.linalg.norm(base_3 - base_2)
+        + np.linalg.norm(base_2 - shape.output_positions[32])
+    )
+    assert tip_to_neighbour == pytest.approx(expected)
+    assert paths.knuckles[7, [20 - 1, 26 - 1, 57 - 1, 33 - 1]].tolist() == [0, 1, 1, 2]
+    assert paths.knuckles[17, [26 - 1, 57 - 1, 20 - 1]].tolist() == [0, 0, 1]
+    assert paths.wrists[7, [26 - 1, 57 - 1, 61 - 1]].tolist() == [0, 1, 1]
+    outputs = shape.output_positions.copy()
+    outputs[60:66] = shape.volar_positions
+    straight = np.linalg.norm(shape.input_positions[:, None] - outputs[None], axis=-1)
+    assert (paths.lengths_px >= straight - 1e-9).all()
+    np.testing.assert_allclose(paths.lengths_px[17, 6:9], straight[17, 6:9])
+    np.testing.assert_allclose(paths.lengths_px[7, 18:22], straight[7, 18:22])
+
+
+def test_loading_a_synthetic_limb_imports_neither_qt_nor_the_slow_parts_of_scipy():
+    code = (
+        "import sys; from skinsource.synthetic import load_synthetic_limb;"
+        "load_synthetic_limb(1).response_to(1);"
+        "slow = {'scipy.signal', 'scipy.interpolate', 'scipy.stats', 'PySide6'};"
+        "sys.exit(' '.join(sorted(slow & set(sys.modules))) or 0)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr

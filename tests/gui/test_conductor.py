@@ -1,0 +1,111 @@
+import numpy as np
+import pytest
+from PySide6.QtWidgets import QWidget
+
+from skinsource.design import Design, Input
+from skinsource.graph import Graph
+from skinsource.view import View
+from skinsource_gui.conductor import Conductor
+from skinsource_gui.document import Document
+from skinsource_gui.engine import Engine
+from skinsource_gui.panel import Panel
+
+
+def loudness(inputs):
+    if any(one.amplitude == 13 for one in inputs):
+        raise ValueError("thirteen is refused")
+    return np.array([one.amplitude for one in inputs])
+
+
+def colours(inputs):
+    return tuple(one.colour for one in inputs)
+
+
+class Recorder(Panel):
+    def __init__(self, *needs):
+        super().__init__()
+        self._needs = frozenset(needs)
+        self.results, self.problems, self.stale, self.states = [], [], False, []
+
+    @property
+    def needs(self):
+        return self._needs
+
+    def show_state(self, design, view):
+        self.states.append(design)
+
+    def show_results(self, results):
+        self.results.append(results)
+
+    def show_stale(self, stale):
+        self.stale = stale
+
+    def show_problem(self, reason):
+        self.problems.append(reason)
+
+
+@pytest.fixture
+def stage(qtbot):
+    window = QWidget()
+    qtbot.addWidget(window)
+    document = Document(Design(limb="synthetic-1", inputs=(Input(location=7),)))
+    graph = Graph(loudness, colours)
+    engine = Engine(graph)
+    loud, colourful = Recorder("loudness"), Recorder("colours")
+    for panel in (loud, colourful):
+        panel.setParent(window)
+    conductor = Conductor(document, engine, (loud, colourful))
+    window.show()
+    qtbot.waitUntil(lambda: not engine.busy)
+
+    class Stage:
+        def amplitude(self, value):
+            document.edit("amplitude", document.design.with_input(0, amplitude=value))
+            qtbot.waitUntil(lambda: not engine.busy)
+
+    stage = Stage()
+    stage.document, stage.engine, stage.graph = document, engine, graph
+    stage.loud, stage.colourful, stage.conductor = loud, colourful, conductor
+    yield stage
+    engine.close()
+
+
+def test_a_panel_is_given_the_state_before_the_results(stage):
+    stage.amplitude(2.0)
+    assert stage.loud.states[-1].inputs[0].amplitude == 2.0
+    assert stage.loud.results[-1]["loudness"].tolist() == [2.0]
+    assert not stage.loud.stale
+
+
+def test_what_did_not_change_is_not_drawn_again(stage):
+    drawn = len(stage.colourful.results)
+    stage.amplitude(2.0)
+    assert len(stage.colourful.results) == drawn
+
+
+def test_a_hidden_panel_costs_nothing_and_is_brought_up_to_date(qtbot, stage):
+    stage.loud.hide()
+    qtbot.waitUntil(lambda: not stage.engine.busy)
+    runs, drawn = stage.graph.runs["loudness"], len(stage.loud.results)
+    stage.amplitude(3.0)
+    assert stage.graph.runs["loudness"] == runs
+    assert len(stage.loud.results) == drawn
+    stage.loud.show()
+    qtbot.waitUntil(lambda: not stage.engine.busy)
+    assert stage.loud.results[-1]["loudness"].tolist() == [3.0]
+
+
+def test_an_impossible_request_shows_its_reason_and_the_next_one_recovers(qtbot, stage):
+    with qtbot.waitSignal(stage.conductor.failed) as failed:
+        stage.amplitude(13)
+    assert failed.args == ["thirteen is refused"]
+    assert stage.loud.problems == ["thirteen is refused"]
+    drawn = len(stage.colourful.results)
+    stage.amplitude(1.0)
+    assert stage.loud.results[-1]["loudness"].tolist() == [1.0]
+    assert len(stage.colourful.results) == drawn + 1  # its picture was emptied
+
+
+def test_a_look_elsewhere_reaches_the_panels(stage):
+    stage.loud.view_changed.emit(View(outputs=(5,)))
+    assert stage.document.view.outputs == (5,)

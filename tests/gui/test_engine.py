@@ -1,0 +1,70 @@
+from threading import Event
+
+import pytest
+
+from skinsource.graph import Graph
+from skinsource_gui.engine import Engine, Request
+
+
+@pytest.fixture
+def gate():
+    return Event()
+
+
+@pytest.fixture
+def seen():
+    return []
+
+
+@pytest.fixture
+def engine(qapp, gate, seen):
+    def answer(x):
+        assert gate.wait(5)
+        seen.append(x)
+        return 10 * x
+
+    engine = Engine(Graph(answer))
+    yield engine
+    gate.set()
+    engine.close()
+
+
+def request(x, name="answer"):
+    return Request(frozenset({name}), {"x": x})
+
+
+def test_of_the_waiting_requests_only_the_newest_is_evaluated(qtbot, engine, gate, seen):
+    outcomes = []
+    engine.finished.connect(outcomes.append)
+    for x in (1, 2, 3, 4):
+        engine.request(request(x))
+    gate.set()
+    qtbot.waitUntil(lambda: len(outcomes) == 2)
+    assert seen == [1, 4]
+    assert [outcome.values["answer"] for outcome in outcomes] == [10, 40]
+
+
+def test_an_error_is_an_outcome_and_the_engine_goes_on(qtbot, engine, gate):
+    gate.set()
+    with qtbot.waitSignal(engine.finished) as first:
+        engine.request(request(1, "anser"))
+    assert "did you mean 'answer'" in str(first.args[0].error)
+    with qtbot.waitSignal(engine.finished) as second:
+        engine.request(request(1))
+    assert second.args[0].values == {"answer": 10}
+
+
+def test_a_closed_engine_takes_no_requests_and_leaves_no_thread(qtbot, engine, gate, seen):
+    gate.set()
+    engine.close()
+    engine.request(request(1))
+    assert not engine.busy
+    assert seen == []
+
+
+def test_closing_while_something_runs_waits_for_it_and_drops_what_waits(engine, gate, seen):
+    engine.request(request(1))
+    engine.request(request(2))
+    gate.set()
+    engine.close()
+    assert seen in ([], [1])
