@@ -69,8 +69,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "Ctrl+D",
         separated=True,
     ),
-    _action("delete_input", "Edit", "Delete input", "Remove the selected input", "Ctrl+Backspace"),
-    _action("clear_inputs", "Edit", "Delete all inputs", "Remove all inputs from the hand"),
+    _action("remove_input", "Edit", "Remove input", "Remove the selected input", "Ctrl+Backspace"),
+    _action("clear_inputs", "Edit", "Remove all inputs", "Empty the hand"),
     _action(
         "select_no_outputs",
         "Edit",

@@ -77,16 +77,16 @@ class Commands(QObject):
             last = len(document.design.inputs) - 1
             document.look(replace(document.view, selected_input=last))
 
-    def delete_input(self) -> None:
+    def remove_input(self) -> None:
         document = self._window.document
         index = document.view.selected_input
         if index is not None:
             place = document.design.inputs[index].location
-            document.edit(f"Delete input {place}", document.design.without_input(index))
+            document.edit(f"Remove input {place}", document.design.without_input(index))
 
     def clear_inputs(self) -> None:
         document = self._window.document
-        document.edit("Delete all inputs", replace(document.design, inputs=()))
+        document.edit("Remove all inputs", replace(document.design, inputs=()))
 
     def select_no_outputs(self) -> None:
         document = self._window.document

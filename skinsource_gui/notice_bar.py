@@ -1,6 +1,6 @@
 """The one way to tell the user that something went wrong, or went well."""
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QToolButton, QWidget
 
 from skinsource_gui.theme import Theme
@@ -8,6 +8,9 @@ from skinsource_gui.theme import Theme
 
 class NoticeBar(QFrame):
     """A line across the window; it stays until it is closed or replaced."""
+
+    #: Whether there is something to show.
+    shown = Signal(bool)
 
     def __init__(self, parent: QWidget | None = None):
         super().__init__(parent)
@@ -23,24 +26,30 @@ class NoticeBar(QFrame):
         close.setObjectName("close_notice")
         close.setToolTip("Close this notice")
         close.setAccessibleName("Close this notice")
-        close.clicked.connect(self.hide)
+        close.clicked.connect(self.be_quiet)
         row = QHBoxLayout(self)
         row.setContentsMargins(12, 4, 8, 4)
         row.addWidget(self._text, 1)
         row.addWidget(close)
-        self.hide()
+        self._speaks = False
 
     @property
     def text(self) -> str:
         """What it says; empty while hidden."""
-        return "" if self.isHidden() else self._text.text()
+        return self._text.text() if self._speaks else ""
 
     def say(self, text: str, kind: str = "info") -> None:
         """Show ``text``; ``kind`` is ``"error"``, ``"warning"`` or ``"info"``."""
         self._kind = kind
         self._text.setText(text)
         self._paint()
-        self.show()
+        self._speaks = True
+        self.shown.emit(True)
+
+    def be_quiet(self) -> None:
+        """Take away what it says."""
+        self._speaks = False
+        self.shown.emit(False)
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""

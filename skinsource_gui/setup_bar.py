@@ -4,13 +4,15 @@ from dataclasses import replace
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QStandardItemModel
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from skinsource.design import Design
+from skinsource.fields import ChoiceSpec
 from skinsource.limb import HAND_LENGTHS_MM, LIMB_NAMES
-from skinsource.projection import AXES, METHODS
-from skinsource.response import SCALINGS
+from skinsource.projection import AXES, METHODS, Axes, Method
+from skinsource.response import SCALINGS, Scaling
 from skinsource.view import View
+from skinsource_gui.widgets.choice_field import ChoiceField
 
 _SCALING_WORDS = {
     "upstream": (
@@ -38,7 +40,7 @@ _METHOD_WORDS = {
 
 
 class SetupBar(QWidget):
-    """Combos for what the whole window shows."""
+    """Choices for what the whole window shows."""
 
     design_edited = Signal(str, object, object)
     view_changed = Signal(object)
@@ -50,46 +52,51 @@ class SetupBar(QWidget):
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(0, 0, 0, 0)
         self._row.setSpacing(6)
-        self._limb = self._combo("Limb", [(name, limb_words(name), "") for name in LIMB_NAMES])
-        self._scaling = self._combo("Scaling", [(name, *_SCALING_WORDS[name]) for name in SCALINGS])
-        self._axes = self._combo("Axes", [(axes, _AXES_WORDS.get(axes, axes), "") for axes in AXES])
-        self._method = self._combo("Method", [(name, *_METHOD_WORDS[name]) for name in METHODS])
+        self._limb = self._choice("Limb", [(name, limb_words(name), "") for name in LIMB_NAMES])
+        self._scaling = self._choice(
+            "Scaling", [(name, *_SCALING_WORDS[name]) for name in SCALINGS]
+        )
+        self._axes = self._choice(
+            "Axes", [(axes, _AXES_WORDS.get(axes, axes), "") for axes in AXES]
+        )
+        self._method = self._choice("Method", [(name, *_METHOD_WORDS[name]) for name in METHODS])
+        self._row.addStretch(1)
         self._disable_missing(available)
-        self._limb.activated.connect(self._choose_limb)
-        self._scaling.activated.connect(self._choose_scaling)
-        self._axes.activated.connect(self._choose_axes)
-        self._method.activated.connect(self._choose_method)
+        self._limb.chosen.connect(self._choose_limb)
+        self._scaling.chosen.connect(self._choose_scaling)
+        self._axes.chosen.connect(self._choose_axes)
+        self._method.chosen.connect(self._choose_method)
 
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view."""
         self._design, self._view = design, view
-        for combo, value in (
+        for field, value in (
             (self._limb, design.limb),
             (self._scaling, design.scaling),
             (self._axes, view.axes),
             (self._method, view.method),
         ):
-            combo.setCurrentIndex(combo.findData(value))
+            field.set_value(value)
         single = len(view.axes) == 1
         self._method.setEnabled(not single)
         self._method.setToolTip(
             "A single axis needs no method" if single else "How several axes become one signal"
         )
 
-    def _combo(self, label: str, options: list[tuple[str, str, str]]) -> QComboBox:
-        combo = QComboBox()
-        combo.setObjectName(label.lower())
-        combo.setAccessibleName(label)
-        combo.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        for value, words, hint in options:
-            combo.addItem(words, value)
-            combo.setItemData(combo.count() - 1, hint, Qt.ItemDataRole.ToolTipRole)
+    def _choice(self, label: str, options: list[tuple[str, str, str]]) -> ChoiceField:
+        spec = ChoiceSpec(label=label, options=tuple((value, words) for value, words, _ in options))
+        field = ChoiceField(spec)
+        field.setObjectName(label.lower())
+        field.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        field.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
+        for index, (_, _, hint) in enumerate(options):
+            field.setItemData(index, hint, Qt.ItemDataRole.ToolTipRole)
         title = QLabel(label)
-        title.setBuddy(combo)
+        title.setBuddy(field)
         self._row.addWidget(title)
-        self._row.addWidget(combo)
+        self._row.addWidget(field)
         self._row.addSpacing(6)
-        return combo
+        return field
 
     def _disable_missing(self, available: tuple[str, ...]) -> None:
         model = self._limb.model()
@@ -101,24 +108,24 @@ class SetupBar(QWidget):
                 item.setEnabled(False)
                 item.setToolTip("Not installed; Help > Get the measured limbs… says how")
 
-    def _choose_limb(self) -> None:
+    def _choose_limb(self, name: str, gesture: int | None) -> None:
         if self._design:
-            name = self._limb.currentData()
             changed = replace(self._design, limb=name)
-            self.design_edited.emit(f"Change limb to {limb_words(name)}", changed, None)
+            self.design_edited.emit(f"Change limb to {limb_words(name)}", changed, gesture)
 
-    def _choose_scaling(self) -> None:
+    def _choose_scaling(self, scaling: Scaling, gesture: int | None) -> None:
         if self._design:
-            changed = replace(self._design, scaling=self._scaling.currentData())
-            self.design_edited.emit("Change scaling", changed, None)
+            self.design_edited.emit(
+                "Change scaling", replace(self._design, scaling=scaling), gesture
+            )
 
-    def _choose_axes(self) -> None:
+    def _choose_axes(self, axes: Axes) -> None:
         if self._view:
-            self.view_changed.emit(replace(self._view, axes=self._axes.currentData()))
+            self.view_changed.emit(replace(self._view, axes=axes))
 
-    def _choose_method(self) -> None:
+    def _choose_method(self, method: Method) -> None:
         if self._view:
-            self.view_changed.emit(replace(self._view, method=self._method.currentData()))
+            self.view_changed.emit(replace(self._view, method=method))
 
 
 def limb_words(name: str) -> str:

@@ -70,6 +70,7 @@ class MainWindow(QMainWindow):
         self.commands = Commands(self)
         self.actions_by_name: dict[str, QAction] = build_menus(self, self.commands)
         self.notice = NoticeBar()
+        self._impossible = False
         self.setup_bar = SetupBar(tuple(available_limbs))
         self._build_bars()
         self.conductor = Conductor(self.document, self.engine, self.panels)
@@ -118,6 +119,8 @@ class MainWindow(QMainWindow):
     def _build_bars(self) -> None:
         notices = self._bar("Notices")
         notices.addWidget(self.notice)
+        notices.hide()
+        self.notice.shown.connect(notices.setVisible)
         self.addToolBarBreak()
         bar = self._bar("Setup")
         bar.addWidget(self.setup_bar)
@@ -157,6 +160,7 @@ class MainWindow(QMainWindow):
         self.setup_bar.view_changed.connect(self.document.look)
         self.files.failed.connect(self.complain)
         self.files.opened.connect(self.restore_arrangement)
+        self.conductor.failed.connect(self._show_impossible)
         self.conductor.delivered.connect(self._show_outcome)
         self.engine.finished.connect(self._log_fault)
 
@@ -164,11 +168,15 @@ class MainWindow(QMainWindow):
         """Show what went wrong, where the user looks."""
         self.notice.say(reason, "error")
 
+    def _show_impossible(self, reason: str) -> None:
+        self._impossible = True
+        self.complain(reason)
+
     def _show_state(self) -> None:
         design = self.document.design
         self.setup_bar.show_state(design, self.document.view)
         self.actions_by_name["remove_delay"].setChecked(self.document.view.delay_removed)
-        for name in ("duplicate_input", "delete_input"):
+        for name in ("duplicate_input", "remove_input"):
             self.actions_by_name[name].setEnabled(self.document.view.selected_input is not None)
         self.actions_by_name["clear_inputs"].setEnabled(bool(design.inputs))
         synthetic = design.limb.startswith("synthetic")
@@ -183,6 +191,9 @@ class MainWindow(QMainWindow):
         self.setWindowModified(self.document.modified)
 
     def _show_outcome(self, outcome: Outcome) -> None:
+        if self._impossible:
+            self._impossible = False
+            self.notice.be_quiet()
         inputs = self.document.design.inputs
         heard = f"{len(inputs)} input{'' if len(inputs) == 1 else 's'}"
         self._timing.setText(f"{heard} · computed in {outcome.compute_s * 1e3:.1f} ms · float64")

@@ -55,6 +55,10 @@ class Input:
 
     def __post_init__(self) -> None:
         check_input_location(self.location)
+        if not isinstance(self.waveform, Waveform):
+            raise InvalidInputError(
+                f"waveform is {self.waveform!r}, expected one of the recipes of skinsource.waveforms"
+            )
         fields.check(self)
         if not (isinstance(self.muted, bool) and isinstance(self.solo, bool)):
             raise InvalidInputError(
@@ -86,6 +90,12 @@ class Design:
 
     def __post_init__(self) -> None:
         check_scaling(self.scaling)
+        if not isinstance(self.limb, str):
+            raise InvalidInputError(f"limb is {self.limb!r}, expected the name of a limb")
+        if not (
+            isinstance(self.inputs, tuple) and all(isinstance(one, Input) for one in self.inputs)
+        ):
+            raise InvalidInputError(f"inputs are {self.inputs!r}, expected a tuple of Input")
         if len(self.inputs) > MAX_INPUTS:
             raise InvalidInputError(
                 f"the design has {len(self.inputs)} inputs, expected at most {MAX_INPUTS}"
@@ -93,8 +103,9 @@ class Design:
 
     def with_input(self, index: int, **changes: Any) -> "Design":
         """Return a copy in which input ``index`` has ``changes`` applied."""
-        changed = replace(self.inputs[index], **changes)
-        return replace(self, inputs=(*self.inputs[:index], changed, *self.inputs[index + 1 :]))
+        inputs = list(self.inputs)
+        inputs[index] = replace(inputs[index], **changes)
+        return replace(self, inputs=tuple(inputs))
 
     def adding(self, new: Input) -> "Design":
         """Return a copy with one more input, in the first colour that is free."""
@@ -104,7 +115,9 @@ class Design:
 
     def without_input(self, index: int) -> "Design":
         """Return a copy without input ``index``."""
-        return replace(self, inputs=(*self.inputs[:index], *self.inputs[index + 1 :]))
+        inputs = list(self.inputs)
+        del inputs[index]
+        return replace(self, inputs=tuple(inputs))
 
 
 def audible_inputs(inputs: tuple[Input, ...]) -> tuple[Input, ...]:

@@ -102,7 +102,8 @@ def _checked_number(kind: str, name: str, value: Any, spec: NumberSpec) -> float
     message = f"{kind}.{name} is {value!r}, expected {allowed}"
     if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
         raise InvalidInputError(message)
-    if not np.isfinite(value) or not spec.minimum <= value <= spec.maximum:
+    # The range first: a whole number beyond all floats cannot be asked whether it is finite.
+    if not spec.minimum <= value <= spec.maximum or not np.isfinite(value):
         raise InvalidInputError(message)
     if spec.whole:
         if value != int(value):

@@ -13,6 +13,8 @@ Method = Literal["mag", "pca", "rms", "soc"]
 AXES: tuple[Axes, ...] = get_args(Axes)
 METHODS: tuple[Method, ...] = get_args(Method)
 
+_TIE = 1e-9
+
 
 def project_axes(acceleration: ArrayLike, axes: Axes = "xyz", method: Method = "mag") -> Floats:
     """Project three-axis acceleration to one signal for each output.
@@ -35,7 +37,7 @@ def project_axes(acceleration: ArrayLike, axes: Axes = "xyz", method: Method = "
     Raises
     ------
     InvalidInputError
-        Unknown axes or method, wrong shape, or values that are not finite.
+        Unknown axes or method, wrong shape, no samples, or values that are not finite.
     """
     if axes not in AXES:
         raise InvalidInputError(f"axes {axes!r} are not known; choose from {', '.join(AXES)}")
@@ -46,6 +48,8 @@ def project_axes(acceleration: ArrayLike, axes: Axes = "xyz", method: Method = "
         raise InvalidInputError(
             f"acceleration has shape {data.shape}, expected (n_outputs, 3, n_times)"
         )
+    if data.shape[-1] == 0:
+        raise InvalidInputError("acceleration has no samples, expected at least one")
     if not np.isfinite(data).all():
         place = np.argwhere(~np.isfinite(data))[0]
         raise InvalidInputError(
@@ -94,7 +98,9 @@ def principal_axis(data: Floats) -> Floats:
     axis = vectors[:, :, -1]
     still = ~covariance.any(axis=(1, 2))
     axis[still] = np.eye(data.shape[1])[0]
-    largest = np.abs(axis).argmax(axis=1)
+    size = np.abs(axis)
+    # Equal coefficients differ in their last digits, and not on all machines alike.
+    largest = (size >= (1.0 - _TIE) * size.max(axis=1, keepdims=True)).argmax(axis=1)
     axis *= np.sign(np.take_along_axis(axis, largest[:, None], axis=1))
     return axis
 

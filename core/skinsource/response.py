@@ -1,6 +1,6 @@
 """How the skin answers: superposition of convolutions (eq. 1 of the SkinSource paper)."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Literal, get_args
 
 import numpy as np
@@ -14,6 +14,9 @@ from skinsource.limb import Limb, check_input_location
 Floats = NDArray[np.float64]
 Scaling = Literal["upstream", "relative", "probe"]
 SCALINGS: tuple[Scaling, ...] = get_args(Scaling)
+
+# Beyond it the transforms overflow, and NaN would come out.
+_LARGEST = 1e30
 
 
 def predict(
@@ -81,12 +84,13 @@ def input_field(limb: Limb, location: int, drive: Floats, scaling: Scaling) -> F
 def unit_gain(field: Floats, scaling: Scaling) -> float:
     """What a unit field is multiplied with under a scaling.
 
-    For ``"upstream"`` one over its signed maximum; 1 where there is no positive sample.
+    For ``"upstream"`` one over its signed maximum; 1 where there is no positive sample, or none
+    whose reciprocal is a number.
     """
     if scaling != "upstream":
         return 1.0
     largest = float(field.max())
-    return 1.0 / largest if largest > 0 else 1.0
+    return 1.0 / largest if largest >= np.finfo(np.float64).tiny else 1.0
 
 
 def check_scaling(scaling: str) -> None:
@@ -99,11 +103,11 @@ def check_scaling(scaling: str) -> None:
 
 def _checked_drives(drives: ArrayLike) -> Floats:
     try:
-        samples = np.asarray(drives, np.float64)
+        samples = _real(drives)
     except (TypeError, ValueError) as error:
         raise InvalidInputError(
-            "drives cannot be read as one array: expected (n_inputs, n_times), all inputs of equal "
-            "length. Pad the shorter ones with zeros."
+            "drives cannot be read as one array of real numbers: expected (n_inputs, n_times), all "
+            "inputs of equal length. Pad the shorter ones with zeros."
         ) from error
     if samples.ndim == 1:
         samples = samples[None]
@@ -112,16 +116,20 @@ def _checked_drives(drives: ArrayLike) -> Floats:
             f"drives has shape {samples.shape}, expected (n_inputs, n_times) with at least one "
             "input and one sample"
         )
-    if not np.isfinite(samples).all():
-        row, sample = np.argwhere(~np.isfinite(samples))[0]
+    usable = np.abs(samples) <= _LARGEST
+    if not usable.all():
+        row, sample = np.argwhere(~usable)[0]
         raise InvalidInputError(
-            f"drive {row + 1}, sample {sample} is {samples[row, sample]}, expected a finite number"
+            f"drive {row + 1}, sample {sample} is {samples[row, sample]}, expected a finite number "
+            f"of at most {_LARGEST:g}"
         )
     return samples
 
 
 def _checked_locations(locations: Sequence[int] | int, n_inputs: int) -> list[int]:
-    places = list(np.atleast_1d(np.asarray(locations)).ravel().tolist())
+    # An array would make 1 of True and 7.0 of 7 beside 2.5.
+    found = locations.tolist() if isinstance(locations, np.ndarray) else locations
+    places = list(found) if isinstance(found, Iterable) else [found]
     for place in places:
         check_input_location(place)
     if len(places) != n_inputs:
@@ -134,11 +142,23 @@ def _checked_locations(locations: Sequence[int] | int, n_inputs: int) -> list[in
 def _checked_amplitudes(amplitudes: ArrayLike | None, n_inputs: int) -> Floats:
     if amplitudes is None:
         return np.ones(n_inputs)
-    factors = np.atleast_1d(np.asarray(amplitudes, np.float64))
+    try:
+        factors = np.atleast_1d(_real(amplitudes))
+    except (TypeError, ValueError) as error:
+        raise InvalidInputError(
+            f"amplitudes cannot be read as numbers: expected {n_inputs}, one for each drive"
+        ) from error
     if factors.shape != (n_inputs,):
         raise InvalidInputError(
             f"amplitudes has shape {factors.shape}, expected ({n_inputs},): one for each drive"
         )
-    if not np.isfinite(factors).all():
-        raise InvalidInputError(f"amplitudes are {factors.tolist()}, expected finite numbers")
+    if not (np.abs(factors) <= _LARGEST).all():
+        raise InvalidInputError(
+            f"amplitudes are {factors.tolist()}, expected finite numbers of at most {_LARGEST:g}"
+        )
     return factors
+
+
+def _real(values: ArrayLike) -> Floats:
+    # Texts and complex numbers are refused, not read or halved.
+    return np.asarray(values).astype(np.float64, casting="same_kind", copy=False)

@@ -32,7 +32,7 @@ def sample_count(duration_s: float, sample_rate_hz: float = SAMPLE_RATE_HZ) -> i
 
     The product is rounded first, because 0.35 s x 1300 Hz is 454.99999999999994 in binary.
     """
-    if not (np.isfinite(duration_s) and duration_s >= 0):
+    if not (duration_s >= 0 and np.isfinite(duration_s * sample_rate_hz)):
         raise InvalidInputError(f"duration_s is {duration_s}, expected a finite time of 0 or more")
     return int(np.floor(round(duration_s * sample_rate_hz, 6) + 0.5))
 
@@ -51,8 +51,9 @@ def window(name: WindowName, n: int) -> Floats:
     """
     if name not in WINDOWS:
         raise InvalidInputError(f"window {name!r} is not known; choose from {', '.join(WINDOWS)}")
-    if n < 0 or n != int(n):
+    if not n >= 0 or n % 1:
         raise InvalidInputError(f"a window of {n} samples cannot be made; expected 0, 1, 2, …")
+    n = int(n)
     if name == "hanning":
         return 0.5 * (1.0 - np.cos(2.0 * np.pi * np.arange(1, n + 1) / (n + 1)))
     samples = np.ones(n)
@@ -92,7 +93,7 @@ def sinusoid(
     if not np.isfinite(phase_rad):
         raise InvalidInputError(f"phase_rad is {phase_rad}, expected a finite number")
     n = sample_count(duration_s, sample_rate_hz)
-    turns_per_sample = Fraction(frequency_hz) / Fraction(sample_rate_hz)
+    turns_per_sample = Fraction(float(frequency_hz)) / Fraction(float(sample_rate_hz))
     starts = [float(k * turns_per_sample % 1) for k in range(0, n, _PHASE_BLOCK)]
     within = np.arange(_PHASE_BLOCK) * float(turns_per_sample)
     turns = np.add.outer(np.array(starts), within).ravel()[:n]
@@ -149,7 +150,7 @@ def white_noise(
         raise InvalidInputError(
             f"band_hz is {band_hz}, expected 0 <= low < high <= {sample_rate_hz / 2:g}"
         )
-    if seed < 0 or seed != int(seed):
+    if not seed >= 0 or seed % 1:
         raise InvalidInputError(f"seed is {seed}, expected a whole number of 0 or more")
     n = sample_count(duration_s, sample_rate_hz)
     spectrum = fft.rfft(np.random.default_rng(int(seed)).standard_normal(n)) if n else np.zeros(0)

@@ -16,6 +16,9 @@ LAYOUTS: tuple[Layout, ...] = get_args(Layout)
 
 Range = tuple[float, float]
 
+# Beyond all that can be looked at, and below what a float can hold.
+_FAR = 1e300
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class View:
@@ -44,7 +47,7 @@ class View:
     """
 
     axes: Axes = "xyz"
-    method: Method = "mag"
+    method: Method = "pca"
     outputs: tuple[int, ...] = (29, 52)
     selected_input: int | None = 0
     map_style: MapStyle = "interpolated"
@@ -64,8 +67,10 @@ class View:
         _check_member("map_style", self.map_style, MAP_STYLES)
         _check_member("traces_layout", self.traces_layout, LAYOUTS)
         _check_member("spectra_layout", self.spectra_layout, LAYOUTS)
-        if len(set(self.outputs)) != len(self.outputs) or not all(
-            isinstance(output, int) and 1 <= output <= N_OUTPUTS for output in self.outputs
+        if not (
+            isinstance(self.outputs, tuple)
+            and all(isinstance(output, int) and 1 <= output <= N_OUTPUTS for output in self.outputs)
+            and len(set(self.outputs)) == len(self.outputs)
         ):
             raise InvalidInputError(
                 f"outputs are {self.outputs}, expected different whole numbers 1 to {N_OUTPUTS}"
@@ -82,7 +87,7 @@ class View:
                 f"selected_input is {self.selected_input!r}, expected None or 0, 1, 2, …"
             )
         for name in ("map_range_db", "time_range_s", "frequency_range_hz"):
-            _check_range(name, getattr(self, name))
+            object.__setattr__(self, name, _checked_range(name, getattr(self, name)))
 
 
 def _check_member(name: str, value: str, allowed: tuple[str, ...]) -> None:
@@ -90,9 +95,15 @@ def _check_member(name: str, value: str, allowed: tuple[str, ...]) -> None:
         raise InvalidInputError(f"{name} is {value!r}, expected one of {', '.join(allowed)}")
 
 
-def _check_range(name: str, value: Range | None) -> None:
+def _checked_range(name: str, value: Range | None) -> Range | None:
     if value is None:
-        return
-    low, high = value
-    if not (np.isfinite(low) and np.isfinite(high) and low < high):
-        raise InvalidInputError(f"{name} is {value}, expected two finite numbers, low < high")
+        return None
+    if isinstance(value, tuple) and len(value) == 2 and all(map(_is_ordinary, value)):
+        low, high = float(value[0]), float(value[1])
+        if low < high:
+            return low, high
+    raise InvalidInputError(f"{name} is {value!r}, expected None or two finite numbers, low < high")
+
+
+def _is_ordinary(end: object) -> bool:
+    return isinstance(end, int | float | np.floating) and -_FAR < end < _FAR

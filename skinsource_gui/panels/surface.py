@@ -146,7 +146,6 @@ class SurfacePanel(Panel):
         self.toolbar.style_chosen.connect(self._choose_style)
         self.toolbar.sensors_switched.connect(self._switch_sensors)
         self.toolbar.fit_chosen.connect(self._choose_fit)
-        self.map.fit_changed.connect(self.toolbar.show_fit)
         self.map.outputs_chosen.connect(self._choose_outputs)
         self.map.readout_changed.connect(self._show_readout)
         self.colour_bar.range_chosen.connect(self._choose_range)

@@ -7,18 +7,36 @@ from typing import Any
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from skinsource.design import Design
-from skinsource.locations import output_place
 from skinsource.quantities import PRE_TRIGGER_DELAY_S
 from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.curves import CurveName, Curves
+from skinsource_gui.widgets.curves import Curves, output_names
 from skinsource_gui.widgets.plot_axis import XAxis
 from skinsource_gui.widgets.plot_toolbar import PlotToolbar
 from skinsource_gui.widgets.signal_plot import SignalPlot
 
 _NO_OUTPUTS = "Select outputs on the skin map"
 _DELAY = f"{PRE_TRIGGER_DELAY_S * 1e3:.0f} ms"
+_DELAYED_AXIS = XAxis(
+    titles=(
+        f"Time (ms) · responses start ~{_DELAY} late (pre-trigger of the measurement)",
+        f"Time (ms) · starts ~{_DELAY} late (pre-trigger)",
+        f"Time (ms), ~{_DELAY} late",
+        "Time (ms)",
+    ),
+    unit="ms",
+    factor=1e3,
+    decimals=2,
+)
+_DELAY_REMOVED_AXIS = replace(
+    _DELAYED_AXIS,
+    titles=(
+        f"Time (ms), {_DELAY} pre-trigger removed",
+        f"Time (ms), {_DELAY} removed",
+        "Time (ms)",
+    ),
+)
 
 
 class TracesPanel(Panel):
@@ -59,9 +77,7 @@ class TracesPanel(Panel):
     def show_state(self, design: Design, view: View) -> None:
         self._view = view
         self._delay.setChecked(view.delay_removed)
-        self._toolbar.show_state(
-            layout=view.traces_layout, zoomed=view.time_range_s is not None
-        )
+        self._toolbar.show_state(layout=view.traces_layout, zoomed=view.time_range_s is not None)
         if not view.outputs:
             self._plot.show_message(_NO_OUTPUTS)
         if self._drawn_removed == view.delay_removed:
@@ -73,9 +89,12 @@ class TracesPanel(Panel):
         if not results["outputs"]:
             self._plot.show_message(_NO_OUTPUTS)
             return
-        names = tuple(_name(output) for output in results["outputs"])
-        curves = Curves(x=results["response_time_s"], y=results["selected_traces"], names=names)
-        self._plot.show_curves(curves, badge=_badge(results["limb"]))
+        curves = Curves(
+            x=results["response_time_s"],
+            y=results["selected_traces"],
+            names=output_names(results["outputs"]),
+        )
+        self._plot.show_curves(curves, synthetic=results["limb"].startswith("synthetic"))
 
     def show_stale(self, stale: bool) -> None:
         self._plot.set_stale(stale)

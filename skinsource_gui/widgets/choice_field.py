@@ -1,7 +1,7 @@
 """One of several names, as a list that drops down."""
 
-from PySide6.QtCore import Signal
-from PySide6.QtGui import QWheelEvent
+from PySide6.QtCore import QPointF, Signal
+from PySide6.QtGui import QPainter, QPalette, QPen, QWheelEvent
 from PySide6.QtWidgets import QComboBox, QSizePolicy, QWidget
 
 from skinsource.fields import ChoiceSpec
@@ -45,6 +45,15 @@ class ChoiceField(QComboBox):
         # The list may be wider than the field, so that no name is cut off.
         self.view().setMinimumWidth(self.view().sizeHintForColumn(0) + 24)
         super().showPopup()
+
+    def paintEvent(self, event) -> None:
+        super().paintEvent(event)
+        # The theme's style sheet takes away the arrow of the style.
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(self.palette().color(QPalette.ColorRole.PlaceholderText), 1.5))
+        tip = QPointF(self.width() - 13, self.height() / 2 + 2)
+        painter.drawPolyline([tip + QPointF(-4, -4), tip, tip + QPointF(4, -4)])
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         if self.hasFocus():

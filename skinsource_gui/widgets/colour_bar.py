@@ -1,5 +1,7 @@
 """The colour bar: what the colours mean, and the range they span."""
 
+from itertools import pairwise
+
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt, Signal
@@ -44,6 +46,16 @@ class ColourBar(QWidget):
         for field in (self.high_field, self.low_field):
             field.setFont(tabular(field.font()))
             field.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        order = (
+            self.high_field,
+            self.strip,
+            self.strip.high,
+            self.strip.low,
+            self.low_field,
+            self.auto_button,
+        )
+        for before, after in pairwise(order):
+            self.setTabOrder(before, after)
         self.setFixedWidth(self._width())
         self.strip.range_chosen.connect(self.range_chosen)
         self.high_field.level_chosen.connect(self._choose_high)

@@ -55,7 +55,7 @@ def paint_colour_scale(
     painter.setPen(QPen(QColor(theme.border), 1))
     painter.drawRect(ramp)
     widest = 0
-    for level in tick_levels(*axis_db, ramp.height(), 2.0 * line):
+    for level in tick_levels(*axis_db, ramp.height(), 2.8 * line):
         y = level_y(level, axis_db, ramp)
         words = minus(f"{level:g}")
         widest = max(widest, painter.fontMetrics().horizontalAdvance(words))

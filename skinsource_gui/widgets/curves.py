@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from skinsource.locations import output_place
 from skinsource_gui.widgets.ranges import Kind
 
 Floats = NDArray[np.float64]
@@ -53,3 +54,11 @@ class Curves:
         if right >= self.x.size:
             return 0
         return right - 1 if x - self.x[right - 1] <= self.x[right] - x else right
+
+
+def output_names(outputs: tuple[int, ...]) -> tuple[CurveName, ...]:
+    """Names of the curves of ``outputs``, 1 to 72."""
+    places = [output_place(output) for output in outputs]
+    return tuple(
+        CurveName(number=place.number, short=place.short_name, full=place.name) for place in places
+    )

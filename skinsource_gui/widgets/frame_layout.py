@@ -6,7 +6,7 @@ from math import ceil
 from PySide6.QtGui import QFontMetricsF
 
 from skinsource_gui.theme import UNIT_PX
-from skinsource_gui.widgets.plot_axis import Tick, ValueUnit, linear_ticks, log_ticks, number_text
+from skinsource_gui.widgets.plot_axis import Tick, ValueUnit, linear_ticks, log_ticks
 from skinsource_gui.widgets.plot_frame import Frame, Mark
 from skinsource_gui.widgets.plot_rows import Rows
 from skinsource_gui.widgets.x_window import XWindow
@@ -15,6 +15,9 @@ _X_TICK_PX = 60.0
 # The left margin grows at once, and shrinks only by more than this.
 _MARGIN_SLACK_PX = 12.0
 _LEAST_MARGIN_PX = 28.0
+# Distances of ticks, in lines of text: preferred, and in rows that would have none otherwise.
+_AIRY, _DENSE = 1.8, 1.0
+_SYNTHETIC = "SYNTHETIC"
 _NOTHING_HERE = "Nothing to see in this part. Press 0 to show everything."
 
 
@@ -24,15 +27,15 @@ class Words:
 
     Attributes
     ----------
-    badge
-        What must not be overlooked: ``"SYNTHETIC"``.
+    synthetic
+        Whether the curves are of a limb that was not measured.
     notes
         What should be known, longest first.
     stale
         Whether the curves belong to an older design.
     """
 
-    badge: str = ""
+    synthetic: bool = False
     notes: tuple[str, ...] = ()
     stale: bool = False
 
@@ -95,23 +98,27 @@ def laid_out(content: Content, metrics: QFontMetricsF, old_left_px: float) -> Fr
         notes=words.notes,
         titles=content.window.axis.titles,
         mark=" · ".join(word for word in passing if word),
-        badge=words.badge,
+        badge=_SYNTHETIC if words.synthetic else "",
         hint="" if _overlap(content.window) else _NOTHING_HERE,
     )
 
 
 def _y_ticks(content: Content, row_px: float, line_px: float) -> tuple[Tick, ...]:
     low, high = content.rows.values
-    ticks = linear_ticks(low, high, row_px / (1.8 * line_px), content.unit.factor)
+    airy = linear_ticks(low, high, row_px / (_AIRY * line_px), content.unit.factor)
     if content.rows.count == 1:
-        return ticks
-    # Labels of neighbouring rows must not touch.
-    fit = [
-        tick
-        for tick in ticks
-        if min(tick.value - low, high - tick.value) / (high - low) * row_px >= 0.4 * line_px
-    ]
-    return tuple(fit) if len(fit) > 1 else ()
+        return airy
+    dense = linear_ticks(low, high, row_px / (_DENSE * line_px), content.unit.factor)
+    for ticks in (airy, dense):
+        # Labels of neighbouring rows must not touch.
+        fit = tuple(
+            tick
+            for tick in ticks
+            if min(tick.value - low, high - tick.value) / (high - low) * row_px >= 0.4 * line_px
+        )
+        if len(fit) > 1:
+            return fit
+    return ()
 
 
 def _y_marks(
@@ -172,10 +179,8 @@ def _unit_words(content: Content, *, unread: bool) -> str:
         return symbol
     # Too thin for ticks: the range is said in words.
     low, high = (value * content.unit.factor for value in content.rows.values)
-    decimals = max(content.unit.decimals - 2, 0)
-    ends = number_text(low, decimals), number_text(high, decimals)
-    span = f"±{ends[1]}" if low == -high else f"{ends[0]} to {ends[1]}"
-    return f"{symbol}, each row {span}"
+    span = f"±{high:.4g}" if low == -high else f"{low:.4g} to {high:.4g}"
+    return f"{symbol}, each row {span}".replace("-", "\u2212")
 
 
 def _overlap(window: XWindow) -> bool:

@@ -10,7 +10,7 @@ from PySide6.QtGui import QTransform
 from skinsource_gui.widgets.hand_drawing import HandDrawing
 
 #: Smallest and largest radius of a site, px; no hit area is narrower than the smallest.
-_RADIUS_PX = (11.0, 18.0)
+_RADIUS_PX = (11.0, 26.0)
 _RADIUS_PER_SCALE = 17.0
 # Room beside and above the hand for the markers off its fingertips, in radii.
 _SIDE_RADII, _TOP_RADII = 1.6, 2.9

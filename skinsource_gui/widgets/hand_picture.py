@@ -114,6 +114,7 @@ class HandPicture:
         """Fit everything into ``size``; below the hand there are two lines of text."""
         self._size = size
         self._line_px = metrics.height() + 2.0
+        self._hand = None
         height = size.height() - 2 * self._line_px - UNIT_PX
         self.layout = hand_layout(self._drawing, QRectF(0.0, 2.0, size.width(), height))
 
@@ -137,7 +138,7 @@ class HandPicture:
         self._paint_legend(painter)
 
     def _hand_at(self, ratio: float) -> QPixmap:
-        key = (self._size.width(), self._size.height(), ratio, self.theme)
+        key = (ratio, self.theme)
         if self._hand is None or self._hand[0] != key:
             drawn = hand_pixmap(self._drawing, self.layout.transform, self._size, ratio, self.theme)
             self._hand = (key, drawn)

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence
-from PySide6.QtWidgets import QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QScrollArea, QVBoxLayout, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.input_row import InputRow, RowState
@@ -130,7 +130,8 @@ class InputRows(QWidget):
             self._rows[key] = row
             self._layout.insertWidget(position, row)
         for row in old.values():
-            had_focus = row.isAncestorOf(self.focusWidget()) if self.focusWidget() else False
+            focused = QApplication.focusWidget()
+            had_focus = focused is not None and row.isAncestorOf(focused)
             self._layout.removeWidget(row)
             row.hide()
             row.deleteLater()

@@ -27,8 +27,12 @@ ROW_PX = 48
 WIDE_PX = 420
 
 _LINE_PX = 20
+_FIRST_LINE_PX = 3
+_TEXT_LEFT_PX = UNIT_PX + SWATCH_PX + UNIT_PX
+# Room for the words of most inputs.
+_TEXT_PX = 172
 _AMPLITUDE_PX = 84
-_PREVIEW_PX = 72
+_PREVIEW_PX = 64
 _MARK_PX = 3
 
 
@@ -79,7 +83,11 @@ class InputRow(QWidget):
         self.amplitude.setObjectName("amplitude_field")
         # The theme's fields are as high as a line of a form, too high for two lines in a row.
         self.amplitude.setStyleSheet("QLineEdit { min-height: 0; padding: 0 4px; }")
-        self.mute, self.solo, self.remove = mute_button(self), solo_button(self), remove_button(self)
+        self.mute, self.solo, self.remove = (
+            mute_button(self),
+            solo_button(self),
+            remove_button(self),
+        )
         self.amplitude.edited.connect(self._edit_amplitude)
         self.amplitude.installEventFilter(self)
         self.mute.clicked.connect(self._toggle_mute)
@@ -145,26 +153,27 @@ class InputRow(QWidget):
         super().resizeEvent(event)
         right = self.width() - UNIT_PX
         wide = self.width() >= WIDE_PX
-        first_line = QRect(0, (ROW_PX - 2 * _LINE_PX) // 2 - 1, 0, _LINE_PX)
+        button_px = BUTTON_PX if wide else _LINE_PX
         for button in (self.remove, self.solo, self.mute):
-            right -= BUTTON_PX
-            top = (ROW_PX - BUTTON_PX) // 2 if wide else first_line.top()
-            button.setGeometry(right, top, BUTTON_PX, BUTTON_PX)
+            right -= button_px + 2
+            top = (ROW_PX - button_px) // 2 if wide else _FIRST_LINE_PX
+            button.setGeometry(right, top, button_px, button_px)
         if wide:
             right -= UNIT_PX + _AMPLITUDE_PX
             self.amplitude.setGeometry(right, (ROW_PX - 26) // 2, _AMPLITUDE_PX, 26)
-            preview_px = max(_PREVIEW_PX, self.width() // 4)
-            right -= UNIT_PX + preview_px
+            right -= UNIT_PX
+            preview_px = max(_PREVIEW_PX, right - _TEXT_LEFT_PX - _TEXT_PX)
+            right -= preview_px
             self.preview.setGeometry(right, 6, preview_px, ROW_PX - 12)
         else:
             self.amplitude.setGeometry(
                 self.width() - UNIT_PX - _AMPLITUDE_PX,
-                first_line.bottom() + 4,
+                _FIRST_LINE_PX + _LINE_PX + 2,
                 _AMPLITUDE_PX,
-                _LINE_PX + 2,
+                _LINE_PX + 1,
             )
             right -= UNIT_PX + _PREVIEW_PX
-            self.preview.setGeometry(right, first_line.top(), _PREVIEW_PX, _LINE_PX)
+            self.preview.setGeometry(right, _FIRST_LINE_PX, _PREVIEW_PX, _LINE_PX)
 
     def paintEvent(self, event) -> None:
         if self._state is None:
@@ -181,22 +190,21 @@ class InputRow(QWidget):
             QColor(self._theme.text),
             silent=silent,
         )
-        left += SWATCH_PX + UNIT_PX
+        left = _TEXT_LEFT_PX
         place = input_place(shown.location)
-        top = self.preview.y() if self.width() < WIDE_PX else 3
-        name = QRect(left, top, self.preview.x() - UNIT_PX - left, _LINE_PX)
+        name = QRect(left, _FIRST_LINE_PX, self.preview.x() - UNIT_PX - left, _LINE_PX)
         painter.setPen(QColor(self._theme.dim if silent else self._theme.text))
         font = QFont(painter.font())
         font.setWeight(QFont.Weight.Medium)
         painter.setFont(font)
         fits = painter.fontMetrics().horizontalAdvance(place.name) <= name.width()
-        self._write(painter, name, place.name if fits else place.short_name)
+        short_name = place.short_name[0].upper() + place.short_name[1:]
+        self._write(painter, name, place.name if fits else short_name)
         painter.setFont(self.font())
         painter.setPen(QColor(self._theme.dim))
         end = self.preview.x() if self.width() >= WIDE_PX else self.amplitude.x()
-        self._write(
-            painter, QRect(left, top + _LINE_PX + 1, end - UNIT_PX - left, _LINE_PX), self._figure()
-        )
+        figure = QRect(left, _FIRST_LINE_PX + _LINE_PX + 1, end - UNIT_PX - left, _LINE_PX)
+        self._write(painter, figure, self._figure())
 
     def _paint_back(self, painter: QPainter) -> None:
         painter.setPen(QPen(QColor(self._theme.border), 1))

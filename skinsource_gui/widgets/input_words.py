@@ -21,6 +21,8 @@ def figure_text(waveform: Waveform) -> str:
 
 def duration_text(waveform: Waveform) -> str:
     """Length of a waveform: ``"200 ms"``."""
+    if sample_count(waveform.duration_s) == 1:
+        return "one sample"
     return value_text(waveform.duration_s, "s", digits=3)
 
 
@@ -29,5 +31,5 @@ def fixed_length_text(waveform: Waveform) -> str:
     if DURATION_FIELD in specs_of(waveform):
         return ""
     count = sample_count(waveform.duration_s)
-    samples = "one sample" if count == 1 else f"{count} samples"
-    return f"{duration_text(waveform)} ({samples}), fixed"
+    samples = "" if count == 1 else f" ({count} samples)"
+    return f"{duration_text(waveform)}{samples}, fixed"

@@ -43,7 +43,8 @@ class LevelField(QDoubleSpinBox):
         return super().valueFromText(text.replace("−", "-"))
 
     def validate(self, text: str, position: int) -> object:
-        return super().validate(text.replace("−", "-"), position)
+        state, _, position = super().validate(text.replace("−", "-"), position)
+        return state, minus(text), position
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         if self.hasFocus():

@@ -1,6 +1,6 @@
 """The dorsal map as a widget that can be zoomed and panned."""
 
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
@@ -32,9 +32,6 @@ class MapCanvas(QWidget):
 
     Ctrl and wheel zoom at the pointer, the wheel and a drag with the middle button pan.
     """
-
-    #: What the map is fitted to: `FIT_ALL`, `FIT_HAND` or `FREE`.
-    fit_changed = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -156,7 +153,6 @@ class MapCanvas(QWidget):
     def _set_fit(self, fit: str) -> None:
         self.fit = fit
         self._refit()
-        self.fit_changed.emit(fit)
 
     def _refit(self) -> None:
         if self.content.limb_map is None:
@@ -174,7 +170,6 @@ class MapCanvas(QWidget):
         room = QRectF(self.rect())
         self.fit = FREE
         self._arrange(frame.kept_near(outline_bounds(self.content.limb_map), room))
-        self.fit_changed.emit(FREE)
 
     def _arrange(self, frame: MapFrame) -> None:
         room = QRectF(self.rect())

@@ -11,7 +11,7 @@ from skinsource.limb import VOLAR_OUTPUTS, LimbMap
 
 Floats = NDArray[np.float64]
 
-#: Palmar outputs as they are laid out beside the map: rows from the wrist to the elbow, the middle of
+#: Palmar outputs as they are laid out: rows from the wrist to the elbow, the middle of
 #: the arm on the left and its ulnar side on the right.
 PALMAR_ROWS = ((61, 62), (63, 64), (66, 65))
 PALMAR_TITLE = "Palmar side"

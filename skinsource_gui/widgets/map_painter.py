@@ -1,5 +1,7 @@
 """Draws the dorsal map."""
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -19,7 +21,7 @@ from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.colour_maps import is_light, level_colours
 from skinsource_gui.widgets.map_content import MapContent
 from skinsource_gui.widgets.map_layout import PALMAR_TITLE, MapLayout
-from skinsource_gui.widgets.output_labels import output_labels
+from skinsource_gui.widgets.output_labels import output_labels, square
 from skinsource_gui.widgets.output_picking import DORSAL_OUTPUTS
 
 _HINTS = QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
@@ -43,7 +45,7 @@ class MapPainter:
         self._table = table
         self._layout: MapLayout | None = None
         self._screen_outline = QPainterPath()
-        self._marks: tuple[tuple[object, ...], QImage] | None = None
+        self._kept: dict[str, tuple[tuple[object, ...], QImage]] = {}
 
     def paint(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
@@ -52,14 +54,14 @@ class MapPainter:
         if layout is not self._layout:
             self._layout = layout
             self._screen_outline = layout.frame.transform().map(self._outline)
-            self._marks = None
+            self._kept = {}
         painter.setRenderHints(_HINTS)
         self._paint_field(painter, content, layout, theme)
-        painter.drawImage(layout.room.topLeft(), self._marks_image(painter, content, theme))
+        self._paint_marks(painter, content, layout, theme)
         if content.shown_field is None:
             self._paint_discs(painter, content, layout, theme)
         self._paint_palmar(painter, content, layout, theme)
-        _paint_selection(painter, content, layout, theme)
+        self._paint_selection(painter, content, layout, theme)
 
     def _paint_field(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
@@ -78,28 +80,57 @@ class MapPainter:
         painter.drawImage(QPointF(0, 0), image)
         painter.restore()
 
-    def _marks_image(self, painter: QPainter, content: MapContent, theme: Theme) -> QImage:
-        """Outline and sensor dots: slow to draw and rarely different, so kept as a picture."""
-        layout = self._layout
+    def _paint_marks(
+        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+    ) -> None:
+        """Outline and sensor dots."""
         dots = content.sensors_shown and content.shown_field is not None
-        ratio = painter.device().devicePixelRatioF()
-        key = (theme.name, dots, ratio)
-        if self._marks is None or self._marks[0] != key:
-            size = (layout.room.size() * ratio).toSize()
-            image = QImage(size, QImage.Format.Format_ARGB32_Premultiplied)
+
+        def paint(on_image: QPainter) -> None:
+            line = QPen(QColor(theme.skin_line), 1.25 * layout.unit)
+            on_image.strokePath(self._screen_outline, line)
+            if dots:
+                _paint_dots(on_image, layout)
+
+        self._paint_kept(painter, "marks", (theme.name, dots), paint)
+
+    def _paint_selection(
+        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+    ) -> None:
+        """Rings in the colours of the curves, and numbers."""
+        if not content.outputs:
+            return
+
+        def paint(on_image: QPainter) -> None:
+            _paint_rings(on_image, content, layout, theme)
+            _paint_labels(on_image, content, layout, theme)
+
+        on_field = content.shown_field is not None
+        self._paint_kept(painter, "selection", (theme.name, content.outputs, on_field), paint)
+
+    def _paint_kept(
+        self,
+        painter: QPainter,
+        name: str,
+        depends_on: tuple[object, ...],
+        paint: Callable[[QPainter], None],
+    ) -> None:
+        """Draw what is slow to draw and rarely different: it is kept as a picture."""
+        room, ratio = self._layout.room, painter.device().devicePixelRatioF()
+        key = (*depends_on, ratio, painter.font().toString())
+        if name not in self._kept or self._kept[name][0] != key:
+            size = room.size() * ratio
+            image = QImage(size.toSize(), QImage.Format.Format_ARGB32_Premultiplied)
             image.setDevicePixelRatio(ratio)
             image.fill(Qt.GlobalColor.transparent)
             on_image = QPainter(image)
             on_image.setRenderHints(_HINTS)
-            on_image.translate(-layout.room.topLeft())
-            on_image.strokePath(
-                self._screen_outline, QPen(QColor(theme.skin_line), 1.25 * layout.unit)
-            )
-            if dots:
-                _paint_dots(on_image, layout)
+            on_image.setFont(painter.font())
+            on_image.translate(-room.topLeft())
+            paint(on_image)
             on_image.end()
-            self._marks = key, image
-        return self._marks[1]
+            self._kept[name] = key, image
+        painter.drawImage(room.topLeft(), self._kept[name][1])
 
     def _paint_discs(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
@@ -161,11 +192,6 @@ def paint_ring(
     painter.drawEllipse(centre, radius, radius)
 
 
-def square(centre: QPointF, radius: float) -> QRectF:
-    """The square around a circle."""
-    return QRectF(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius)
-
-
 def small_font(font: QFont, factor: float = 0.86) -> QFont:
     """Copy of ``font`` for labels."""
     copy = QFont(font)
@@ -184,25 +210,27 @@ def _paint_dots(painter: QPainter, layout: MapLayout) -> None:
         painter.drawEllipse(centre, layout.dot_radius, layout.dot_radius)
 
 
-def _paint_selection(
-    painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
-) -> None:
-    """Rings in the colours of the curves, and numbers."""
+def _paint_rings(painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme) -> None:
+    """Rings in the colours of the curves around the selected outputs."""
     ground = QColor(theme.base)
-    colours = {number: theme.output_colour(k) for k, number in enumerate(content.outputs)}
-    for number, colour in colours.items():
+    for rank, number in enumerate(content.outputs):
         centre = QPointF(*layout.points[number - 1])
         radius = ring_radius(number, content, layout)
-        paint_ring(painter, centre, radius, colour, ground, layout.unit)
+        paint_ring(painter, centre, radius, theme.output_colour(rank), ground, layout.unit)
+
+
+def _paint_labels(painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme) -> None:
+    """Numbers beside the rings of dorsal outputs; palmar ones carry theirs anyway."""
     dorsal = [number for number in content.outputs if number not in VOLAR_OUTPUTS]
     if not dorsal:
         return
-    metrics = QFontMetricsF(painter.font())
     radius = ring_radius(dorsal[0], content, layout)
+    ground = QColor(theme.base)
     ground.setAlphaF(0.9)
-    for label in output_labels(dorsal, layout, radius, metrics):
-        painter.setPen(QPen(colours[label.number], 1))
-        painter.setBrush(ground)
+    painter.setBrush(ground)
+    for label in output_labels(dorsal, layout, radius, QFontMetricsF(painter.font())):
+        colour = theme.output_colour(content.outputs.index(label.number))
+        painter.setPen(QPen(colour, 1))
         painter.drawRoundedRect(label.area, 3 * layout.unit, 3 * layout.unit)
         painter.setPen(QColor(theme.text))
         painter.drawText(label.area, Qt.AlignmentFlag.AlignCenter, str(label.number))

@@ -8,6 +8,9 @@ from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.map_canvas import FIT_ALL, FIT_HAND
 from skinsource_gui.widgets.map_icons import fit_icon, hand_icon, sensors_icon
 
+# As narrow as they are, all buttons fit into the narrowest panel.
+_ICON_BUTTON_PX = 29
+
 
 class MapToolbar(QWidget):
     """Style of the map, its sensors, and what part of it is seen."""
@@ -27,20 +30,22 @@ class MapToolbar(QWidget):
             "map_sensors_only", "Sensors only", "Colours at the outputs alone"
         )
         self.sensors = self._button("map_sensors_shown", "", "Mark the outputs on the map")
-        self.all = self._button("map_fit_all", "", "Fit hand and arm (0, or double-click)")
-        self.hand = self._button("map_fit_hand", "", "Fit the hand (H)")
+        self.all = self._button("map_fit_all", "", "Fit hand and arm (0, or double-click)", False)
+        self.hand = self._button("map_fit_hand", "", "Fit the hand (H)", False)
         self.sensors.setAccessibleName("Sensors")
         self.all.setAccessibleName("Fit")
         self.hand.setAccessibleName("Hand")
+        for button in (self.sensors, self.all, self.hand):
+            button.setFixedWidth(_ICON_BUTTON_PX)
         styles = QButtonGroup(self)
         styles.addButton(self.interpolated)
         styles.addButton(self.sensors_only)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(2)
+        row.setSpacing(1)
         row.addWidget(self.interpolated)
         row.addWidget(self.sensors_only)
-        row.addSpacing(UNIT_PX // 2)
+        row.addSpacing(UNIT_PX // 4)
         row.addWidget(self.sensors)
         row.addStretch(1)
         row.addWidget(self.all)
@@ -50,7 +55,6 @@ class MapToolbar(QWidget):
         self.sensors.clicked.connect(self.sensors_switched)
         self.all.clicked.connect(self._choose_all)
         self.hand.clicked.connect(self._choose_hand)
-        self.show_fit(FIT_ALL)
 
     def show_view(self, view: View) -> None:
         """Show the present choice."""
@@ -60,23 +64,18 @@ class MapToolbar(QWidget):
         self.sensors.setEnabled(interpolated)
         self.sensors.setChecked(view.sensors_shown or not interpolated)
 
-    def show_fit(self, fit: str) -> None:
-        """Show what the map is fitted to."""
-        self.all.setChecked(fit == FIT_ALL)
-        self.hand.setChecked(fit == FIT_HAND)
-
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
         self.sensors.setIcon(sensors_icon(theme))
         self.all.setIcon(fit_icon(theme))
         self.hand.setIcon(hand_icon(theme))
 
-    def _button(self, name: str, text: str, hint: str) -> QToolButton:
+    def _button(self, name: str, text: str, hint: str, checkable: bool = True) -> QToolButton:
         button = QToolButton(self)
         button.setObjectName(name)
         button.setText(text)
         button.setToolTip(hint)
-        button.setCheckable(True)
+        button.setCheckable(checkable)
         button.setIconSize(QSize(16, 16))
         button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         return button

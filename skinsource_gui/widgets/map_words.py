@@ -1,10 +1,11 @@
 """Words that stand on the map: the reason for its absence, marks, notes."""
 
 from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.map_content import MapContent
+from skinsource_gui.widgets.map_painter import small_font
 
 SYNTHETIC_MARK = "SYNTHETIC"
 OUTDATED_MARK = "Updating…"
@@ -13,7 +14,7 @@ OUTDATED_MARK = "Updating…"
 def paint_words(painter: QPainter, content: MapContent, room: QRectF, theme: Theme) -> None:
     """Draw message, synthetic mark, note and the mark of something outdated in ``room``."""
     unit = QFontMetricsF(painter.font()).height() / 14
-    inner = room.adjusted(8 * unit, 6 * unit, -8 * unit, -6 * unit)
+    inner = room.adjusted(8 * unit, 5 * unit, -5 * unit, -6 * unit)
     if content.synthetic:
         paint_synthetic_mark(painter, inner, theme)
     if content.message:
@@ -27,15 +28,15 @@ def paint_words(painter: QPainter, content: MapContent, room: QRectF, theme: The
 
 
 def paint_synthetic_mark(painter: QPainter, area: QRectF, theme: Theme) -> None:
-    """Draw the word SYNTHETIC into the upper left corner of ``area``."""
+    """Draw the word SYNTHETIC into the upper right corner of ``area``."""
     painter.save()
-    font = QFont(painter.font())
+    font = small_font(painter.font())
     font.setBold(True)
     painter.setFont(font)
     metrics = QFontMetricsF(font)
     line = metrics.height()
-    width = metrics.horizontalAdvance(SYNTHETIC_MARK) + 0.9 * line
-    badge = QRectF(area.left(), area.top(), width, 1.35 * line)
+    width = metrics.horizontalAdvance(SYNTHETIC_MARK) + 0.7 * line
+    badge = QRectF(area.right() - width, area.top(), width, 1.35 * line)
     painter.setPen(QColor(theme.warning))
     painter.setBrush(QColor(theme.base))
     painter.drawRoundedRect(badge, 3, 3)

@@ -18,6 +18,8 @@ from skinsource_gui.widgets.units import (
 )
 
 _UNIT_GAP_PX = 4
+# Fields that stand below each other leave the same room for units, so that digits align.
+_WIDEST_UNIT = "m/s²"
 _STARTERS = frozenset("0123456789.,+-−")
 _FINISHERS = frozenset({Qt.Key.Key_Return, Qt.Key.Key_Enter})
 _EMPTIERS = frozenset({Qt.Key.Key_Backspace, Qt.Key.Key_Delete})
@@ -172,12 +174,17 @@ class NumberEntry(QLineEdit):
         has_own_unit = self.editing and any(c.isalpha() or c in "°×²" for c in self.text())
         if not has_own_unit:
             painter.setPen(QColor(self._theme.dim))
-            flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+            flags = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+            inside.setLeft(inside.right() - self._unit_px())
             painter.drawText(inside, flags, display_unit(self._spec.unit).symbol)
         if self._problem:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.setPen(QPen(QColor(self._theme.error), 2))
             painter.drawRoundedRect(QRectF(self.rect()).adjusted(1, 1, -1, -1), 4, 4)
+
+    def _unit_px(self) -> int:
+        symbol = display_unit(self._spec.unit).symbol
+        return max(self.fontMetrics().horizontalAdvance(text) for text in (symbol, _WIDEST_UNIT))
 
     def _begins_editing(self, event: QKeyEvent) -> bool:
         plain = not event.modifiers() & (
@@ -200,9 +207,7 @@ class NumberEntry(QLineEdit):
         self._show_value()
 
     def _take_spec(self) -> None:
-        symbol = display_unit(self._spec.unit).symbol
-        width = self.fontMetrics().horizontalAdvance(symbol) + _UNIT_GAP_PX if symbol else 0
-        self.setTextMargins(0, 0, width, 0)
+        self.setTextMargins(0, 0, self._unit_px() + _UNIT_GAP_PX, 0)
         self.setAccessibleName(self._spec.label)
         self.setToolTip(self._plain_tooltip())
         self._show_value()

@@ -20,7 +20,9 @@ class OutputLabel:
 def output_labels(
     numbers: Iterable[int], layout: MapLayout, radius: float, metrics: QFontMetricsF
 ) -> tuple[OutputLabel, ...]:
-    """Labels of dorsal outputs, each beside its ring; one that would cover another is left out.
+    """Labels of dorsal outputs, each beside its ring, rather not on another one's ring.
+
+    One that would cover another label is left out.
 
     Parameters
     ----------
@@ -33,16 +35,28 @@ def output_labels(
     metrics
         Of the font of the labels.
     """
+    wanted = tuple(numbers)
+    rings = [square(QPointF(*layout.points[number - 1]), radius) for number in wanted]
     placed: list[OutputLabel] = []
-    for number in numbers:
+    for number in wanted:
         x, y = layout.points[number - 1]
         width = metrics.horizontalAdvance(str(number)) + 6 * layout.unit
         height = metrics.height()
-        for area in _around(QPointF(x, y), width, height, radius + 3 * layout.unit):
-            if layout.room.contains(area) and not any(area.intersects(p.area) for p in placed):
-                placed.append(OutputLabel(number=number, area=area))
-                break
+        areas = _around(QPointF(x, y), width, height, radius + 3 * layout.unit)
+        free = [
+            area
+            for area in areas
+            if layout.room.contains(area) and not any(area.intersects(p.area) for p in placed)
+        ]
+        if free:
+            clear = (area for area in free if not any(area.intersects(ring) for ring in rings))
+            placed.append(OutputLabel(number=number, area=next(clear, free[0])))
     return tuple(placed)
+
+
+def square(centre: QPointF, radius: float) -> QRectF:
+    """The square around a circle."""
+    return QRectF(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius)
 
 
 def _around(centre: QPointF, width: float, height: float, away: float) -> tuple[QRectF, ...]:

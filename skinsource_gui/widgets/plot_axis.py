@@ -134,9 +134,7 @@ def log_ticks(low: float, high: float, most: float) -> tuple[Tick, ...]:
     labelled = [tick for tick in ticks if _first_digit(tick.value) in every]
     if len(labelled) < 3:
         return linear_ticks(low, high, most)
-    return tuple(
-        tick if tick in labelled else Tick(value=tick.value, label="") for tick in ticks
-    )
+    return tuple(tick if tick in labelled else Tick(value=tick.value, label="") for tick in ticks)
 
 
 def number_text(value: float, decimals: int) -> str:

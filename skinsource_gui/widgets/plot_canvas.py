@@ -2,9 +2,9 @@
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QRectF, Signal
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QResizeEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QEvent, QRectF, Signal
+from PySide6.QtGui import QColor, QFontMetricsF, QHelpEvent, QPainter, QResizeEvent
+from PySide6.QtWidgets import QToolTip, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.crosshair import REACH_PX, CrosshairPicture, paint_crosshair
@@ -151,10 +151,23 @@ class PlotCanvas(pg.GraphicsView):
         if picture is not None:
             paint_crosshair(painter, picture, self.frame.area, self.theme)
 
+    def viewportEvent(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
+            QToolTip.showText(event.globalPos(), self._hint_at(event.y()), self.viewport())
+            return True
+        return super().viewportEvent(event)
+
     def resizeEvent(self, event: QResizeEvent | None) -> None:
         super().resizeEvent(event)
         if event is not None:  # pyqtgraph itself asks once, while it is being made
             self._draw()
+
+    def _hint_at(self, y_px: float) -> str:
+        # What the words above and below the plot say when there is room for them.
+        if self.curves is None or self.frame.area.top() <= y_px <= self.frame.area.bottom():
+            return ""
+        texts = self.frame.notes if y_px < self.frame.area.top() else self.frame.titles
+        return texts[0] if texts else ""
 
     def _data_range(self) -> Range:
         if self.curves is None:
@@ -165,9 +178,7 @@ class PlotCanvas(pg.GraphicsView):
         self._draw_frame()
         if self.curves is not None:
             width_px = int(self.frame.plot[2] * self.devicePixelRatioF())
-            self.layer.draw(
-                self.curves, self.window, self.rows, width_px, stacked=self._stacked
-            )
+            self.layer.draw(self.curves, self.window, self.rows, width_px, stacked=self._stacked)
 
     def _draw_frame(self) -> None:
         curves = self.curves

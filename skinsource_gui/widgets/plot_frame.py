@@ -118,9 +118,7 @@ def _paint_grid(painter: QPainter, frame: Frame, theme: Theme) -> None:
     painter.drawLine(QPointF(right, top), QPointF(right, bottom))
 
 
-def _paint_x_labels(
-    painter: QPainter, frame: Frame, theme: Theme, metrics: QFontMetricsF
-) -> None:
+def _paint_x_labels(painter: QPainter, frame: Frame, theme: Theme, metrics: QFontMetricsF) -> None:
     bottom, line = frame.plot[1] + frame.plot[3], metrics.height()
     painter.setPen(QColor(theme.dim))
     free_from = 0.0
@@ -139,9 +137,7 @@ def _paint_x_labels(
     painter.drawText(QRectF(left, bottom + 2 + line, width, line), _CENTRED, title)
 
 
-def _paint_y_labels(
-    painter: QPainter, frame: Frame, theme: Theme, metrics: QFontMetricsF
-) -> None:
+def _paint_y_labels(painter: QPainter, frame: Frame, theme: Theme, metrics: QFontMetricsF) -> None:
     left, _, width, height = frame.plot
     line = metrics.height()
     painter.setPen(QColor(theme.dim))
@@ -165,9 +161,7 @@ def _paint_y_labels(
     painter.restore()
 
 
-def _paint_header(
-    painter: QPainter, frame: Frame, theme: Theme, metrics: QFontMetricsF
-) -> None:
+def _paint_header(painter: QPainter, frame: Frame, theme: Theme, metrics: QFontMetricsF) -> None:
     left, top, width, _ = frame.plot
     line = QRectF(left, 0, width, top - 1)
     right = line.right()
@@ -185,8 +179,8 @@ def _paint_header(
         right -= metrics.horizontalAdvance(frame.mark) + UNIT_PX
     at_left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
     painter.setPen(QColor(theme.text))
-    painter.drawText(QRectF(2, 0, right - 2, line.height()), at_left, frame.unit)
-    start = max(left, 2 + metrics.horizontalAdvance(frame.unit)) + 2 * UNIT_PX
+    painter.drawText(QRectF(left, 0, right - left, line.height()), at_left, frame.unit)
+    start = left + metrics.horizontalAdvance(frame.unit) + 2 * UNIT_PX
     note = fitting(frame.notes, metrics, right - start)
     painter.setPen(QColor(theme.warning))
     painter.drawText(QRectF(start, 0, max(right - start, 1), line.height()), at_left, note)

@@ -115,10 +115,10 @@ class NavigablePlot(PlotCanvas):
 
     def event(self, event: QEvent) -> bool:
         # These keys are this plot's while it has the focus, whatever the window's actions are.
-        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
-            if self.curves is not None and _is_ours(event):
-                event.accept()
-                return True
+        is_shortcut = event.type() == QEvent.Type.ShortcutOverride
+        if is_shortcut and isinstance(event, QKeyEvent) and self.curves and _is_ours(event):
+            event.accept()
+            return True
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

@@ -3,6 +3,8 @@
 from math import ceil, floor, isfinite, log10
 from typing import Literal
 
+from skinsource.decibels import FLOOR_DB
+
 Range = tuple[float, float]
 #: ``"amplitude"``: linear, includes zero; ``"level"``: dB, 80 dB from top to bottom.
 Kind = Literal["amplitude", "level"]
@@ -31,7 +33,7 @@ class HeldRange:
         """Range for data from ``low`` to ``high``.
 
         Amplitudes: ``(0, top)`` for data that are never negative, else ``(-top, top)``.
-        Levels: ``(top - 80, top)``.
+        Levels: ``(top - 80, top)``.  Silence leaves the range as it was.
         """
         wanted = _level_range(high) if kind == "level" else _amplitude_range(low, high)
         if kind != self._kind or not self._still_fits(low, high, wanted):
@@ -42,11 +44,13 @@ class HeldRange:
     def _still_fits(self, low: float, high: float, wanted: Range) -> bool:
         held_low, held_high = self._range
         if self._kind == "level":
+            if high <= FLOOR_DB:
+                return True
             return wanted[1] <= held_high <= wanted[1] + _LEVEL_SLACK_DB
-        if (held_low < 0) != (wanted[0] < 0):
-            return False
         if low == high == 0:
             return True
+        if (held_low < 0) != (wanted[0] < 0):
+            return False
         return max(high, -low) <= held_high and wanted[1] >= _SHRINK_BELOW * held_high
 
 
@@ -57,6 +61,8 @@ def _amplitude_range(low: float, high: float) -> Range:
 
 
 def _level_range(high: float) -> Range:
+    if high <= FLOOR_DB:
+        return (-LEVEL_SPAN_DB, 0.0)
     top = ceil(high / _LEVEL_STEP_DB) * _LEVEL_STEP_DB
     return (top - LEVEL_SPAN_DB, top)
 

@@ -1,12 +1,14 @@
 """Curves of the selected outputs, with their legend."""
 
+from dataclasses import replace
+
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.curves import Curves
 from skinsource_gui.widgets.frame_layout import Words
-from skinsource_gui.widgets.legend_strip import LegendStrip
+from skinsource_gui.widgets.legend_strip import LegendStrip, LegendText
 from skinsource_gui.widgets.plot_axis import XAxis
 from skinsource_gui.widgets.plot_navigation import NavigablePlot
 from skinsource_gui.widgets.ranges import Range
@@ -59,9 +61,13 @@ class SignalPlot(QWidget):
         """X axis, its visible part in SI (``None``: all), and one row for each curve or one."""
         self.canvas.set_view(axis, zoom, stacked=stacked)
 
-    def show_curves(self, curves: Curves, *, badge: str = "", notes: tuple[str, ...] = ()) -> None:
-        """Draw ``curves``, with a badge and the longest of ``notes`` that fits."""
-        self._say(Words(badge=badge, notes=notes, stale=self._words.stale))
+    def show_curves(self, curves: Curves, *, synthetic: bool, notes: tuple[str, ...] = ()) -> None:
+        """Draw ``curves``, and the longest of ``notes`` that fits.
+
+        They count as up to date until `set_stale` says otherwise.
+        """
+        self._late.stop()
+        self._say(Words(synthetic=synthetic, notes=notes))
         self.canvas.show_curves(curves)
 
     def show_message(self, message: str) -> None:
@@ -72,29 +78,33 @@ class SignalPlot(QWidget):
         """Say whether curves belong to an older design; told to the eye only after a while."""
         if not stale:
             self._late.stop()
-            self._say(Words(badge=self._words.badge, notes=self._words.notes))
+            self._say(replace(self._words, stale=False))
         elif not self._words.stale and not self._late.isActive():
             self._late.start()
 
     def _mark_stale(self) -> None:
-        self._say(Words(badge=self._words.badge, notes=self._words.notes, stale=True))
+        self._say(replace(self._words, stale=True))
 
     def _say(self, words: Words) -> None:
         self._words = words
         self.canvas.set_words(words)
 
     def _read(self) -> None:
-        curves, cursor, axis = self.canvas.curves, self.canvas.cursor, self.canvas.window.axis
+        canvas = self.canvas
+        curves, unit, axis = canvas.curves, canvas.unit, canvas.window.axis
         if curves is None:
-            self.legend.set_readings("", ())
-            self.legend.set_curves((), "", "")
+            self.legend.say(LegendText())
             return
-        unit = self.canvas.unit
-        longest = axis.reading(float(abs(curves.x).max()))
-        self.legend.set_curves(curves.names, unit.symbol, longest)
-        if cursor is None:
-            self.legend.set_readings("", ())
-            return
-        where = axis.reading(float(curves.x[cursor]))
-        readings = tuple(unit.reading(float(value)) for value in curves.y[:, cursor])
-        self.legend.set_readings(where, readings)
+        text = LegendText(
+            names=curves.names,
+            unit=unit.symbol,
+            where_room=axis.reading(float(max(-curves.x[0], curves.x[-1]))),
+            reading_room=max((unit.reading(value) for value in canvas.rows.values), key=len),
+        )
+        if canvas.cursor is not None:
+            text = replace(
+                text,
+                where=axis.reading(float(curves.x[canvas.cursor])),
+                readings=tuple(unit.reading(float(y)) for y in curves.y[:, canvas.cursor]),
+            )
+        self.legend.say(text)

@@ -13,7 +13,9 @@ _ROUNDING_PX = 5
 def words_on(colour: QColor) -> QColor:
     """Black or white, whichever is easier to read on ``colour`` (WCAG 2 contrast)."""
     parts = (colour.redF(), colour.greenF(), colour.blueF())
-    linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
+    linear = [
+        part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts
+    ]
     luminance = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
     return QColor("black") if luminance > 0.179 else QColor("white")
 

@@ -118,25 +118,19 @@ class WaveformPreview(QWidget):
     def _paint_curve(self, painter: QPainter, plot: QRectF) -> None:
         if self._pale:
             painter.setOpacity(_PALE)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(self._colour, 1.25))
         middle, reach = plot.center().y(), plot.height() / 2 * (-1 if self._flipped else 1)
         shown_px = plot.width() * self._samples.size / self._sample_rate_hz / self._span_s()
         columns = max(int(shown_px * self.devicePixelRatioF()), 1)
         if self._samples.size > 2 * columns:
-            ends = middle - reach * extremes(self._samples, columns)
-            x = plot.left() + (np.arange(columns) + 0.5) * shown_px / columns
+            samples = extremes(self._samples, columns).ravel()
             painter.setPen(QPen(self._colour, 0))
-            painter.drawLines(
-                [
-                    QLineF(at, high, at, low + 0.5)
-                    for at, (low, high) in zip(x.tolist(), ends.tolist(), strict=True)
-                ]
-            )
-            return
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        x = plot.left() + np.arange(self._samples.size) * shown_px / self._samples.size
-        y = middle - reach * self._samples
-        if self._samples.size == 1:
+        else:
+            samples = self._samples
+        x = plot.left() + np.arange(samples.size) * shown_px / samples.size
+        y = middle - reach * samples
+        if samples.size == 1:
             top = QPointF(x[0] + 1, y[0])
             painter.drawLine(QPointF(x[0] + 1, middle), top)
             painter.setBrush(self._colour)

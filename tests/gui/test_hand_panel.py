@@ -20,8 +20,12 @@ KEY, LEFT = Qt.Key, Qt.MouseButton.LeftButton
 NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
-# Popups are raised, which a test has no screen for.
-pytestmark = pytest.mark.qt_log_ignore("This plugin does not support raise", extend=True)
+# What popups do on a screen.
+pytestmark = pytest.mark.qt_log_ignore(
+    "This plugin does not support raise",
+    "This plugin does not support grabbing the keyboard",
+    extend=True,
+)
 
 
 class Studio:
@@ -94,8 +98,8 @@ def studio(qtbot) -> Studio:
     panel = HandPanel()
     qtbot.addWidget(panel)
     panel.resize(260, 330)
-    panel.show()
-    qtbot.waitExposed(panel)
+    with qtbot.waitExposed(panel):
+        panel.show()
     studio = Studio(panel)
     studio.show()
     return studio
@@ -349,9 +353,9 @@ def test_tab_reaches_the_diagram_and_shows_the_cursor_on_the_selected_input(qtbo
     panel.show_state(
         Design(limb="synthetic-1", inputs=(Input(location=13),)), View(selected_input=0)
     )
-    window.show()
-    window.activateWindow()
-    qtbot.waitActive(window)
+    with qtbot.waitActive(window):
+        window.show()
+        window.activateWindow()
     field.setFocus()
     assert panel.diagram.state.cursor is None
     QTest.keyClick(field, KEY.Key_Tab)
@@ -458,8 +462,8 @@ def test_space_is_left_to_the_window_until_keys_are_used_here(studio, qtbot):
     played = []
     shortcut = QShortcut(Qt.Key.Key_Space, studio.panel)
     shortcut.activated.connect(lambda: played.append(True))
-    studio.panel.activateWindow()
-    qtbot.waitActive(studio.panel)
+    with qtbot.waitActive(studio.panel):
+        studio.panel.activateWindow()
     studio.click(18)
     QTest.keyClick(studio.panel.windowHandle(), KEY.Key_Space)
     assert played == [True]

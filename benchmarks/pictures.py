@@ -1,0 +1,104 @@
+"""Pictures of the whole window and of each panel, light and dark, in two sizes.
+
+make pictures     (writes build/pictures; open them and look)
+"""
+
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
+
+from PySide6.QtWidgets import QApplication
+
+from skinsource.catalogue import available_limbs, default_limb
+from skinsource.design import Design, Input, start_design
+from skinsource.view import View
+from skinsource.waveforms import Noise, Tap, Tone
+from skinsource_gui.app import make_application
+from skinsource_gui.preferences import Preferences
+from skinsource_gui.window import MainWindow
+
+SIZES = ((1366, 768), (1920, 1080))
+FOLDER = Path("build/pictures")
+
+
+def scenes() -> dict[str, tuple[Design, View, str]]:
+    """Design, view and arrangement of each picture."""
+    limb = default_limb()
+    several = Design(
+        limb=limb,
+        inputs=(
+            Input(location=7, waveform=Tone(frequency_hz=100.0)),
+            Input(location=3, waveform=Noise(seed=3), amplitude=0.5, colour=1, onset_s=0.05),
+            Input(location=18, waveform=Tap(), amplitude=-2.0, colour=2, onset_s=0.1),
+            Input(location=12, waveform=Tone(frequency_hz=640.0), colour=3, muted=True),
+        ),
+    )
+    six = View(outputs=(29, 30, 33, 35, 38, 61), axes="z", selected_input=1)
+    return {
+        "start": (start_design(limb), View(), "arrange_design"),
+        "several": (several, six, "arrange_design"),
+        "stacked": (
+            several,
+            View(
+                outputs=(29, 30, 33, 52),
+                axes="z",
+                traces_layout="stacked",
+                spectra_layout="stacked",
+                map_style="sensors",
+                delay_removed=True,
+                log_frequency=True,
+            ),
+            "arrange_design",
+        ),
+        "analysis": (several, six, "arrange_analysis"),
+        "presentation": (several, six, "arrange_presentation"),
+        "empty": (
+            Design(limb="synthetic-1"),
+            View(outputs=(), selected_input=None),
+            "arrange_design",
+        ),
+    }
+
+
+def main() -> int:
+    """Write all pictures."""
+    make_application()
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    for name, (design, view, arrangement) in scenes().items():
+        for theme in ("light", "dark"):
+            for size in SIZES:
+                photograph(name, design, view, arrangement, theme, size)
+    return 0
+
+
+def photograph(
+    name: str, design: Design, view: View, arrangement: str, theme: str, size: tuple[int, int]
+) -> None:
+    """Write one picture of the window, and of each panel of the smaller window."""
+    with tempfile.TemporaryDirectory() as folder:
+        preferences = Preferences(Path(folder) / "studio.ini")
+        preferences.theme_name = theme
+        window = MainWindow(
+            design, view=view, preferences=preferences, available_limbs=available_limbs()
+        )
+        window.resize(*size)
+        window.show()
+        getattr(window.commands, arrangement)()
+        QApplication.processEvents()
+        window.catch_up()
+        QApplication.processEvents()
+        stem = f"{name}-{theme}-{size[0]}"
+        window.grab().save(str(FOLDER / f"{stem}.png"))
+        if name == "several" and size == SIZES[0]:
+            for panel in window.panels:
+                panel.grab().save(str(FOLDER / f"{stem}-{panel.name}.png"))
+        window.close()
+        print(FOLDER / f"{stem}.png")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,48 @@
+"""What the README and the examples say is true."""
+
+import re
+import runpy
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def test_the_script_in_the_readme_runs():
+    (script,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
+    values: dict = {}
+    exec(compile(script, "README.md", "exec"), values)  # noqa: S102  our own page
+    assert values["acceleration"].shape == (72, 3, 260 + 521)
+    assert values["heatmap"].ndim == 2
+
+
+def test_make_has_the_targets_that_the_readme_names():
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    for target in re.findall(r"^make (\w+)", README, re.MULTILINE):
+        assert re.search(rf"^{target}:", makefile, re.MULTILINE), target
+
+
+def test_the_extras_that_the_readme_installs_exist():
+    project = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+    for extras in re.findall(r'"\.\[(.*?)\]"', README):
+        for extra in extras.split(","):
+            assert re.search(rf"^{extra} = \[", project, re.MULTILINE), extra
+
+
+def test_the_links_of_the_readme_lead_somewhere():
+    for target in re.findall(r"\]\((?!http)(.*?)\)", README):
+        assert (ROOT / target).exists(), target
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "examples").glob("*.py")), ids=lambda p: p.stem)
+def test_the_examples_run_on_the_built_in_limb(path, capsys):
+    runpy.run_path(str(path), run_name="__main__")
+    assert "synthetic-1" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "examples").glob("*.py")), ids=lambda p: p.stem)
+def test_the_examples_run_on_the_measured_limb(path, measured, capsys):
+    runpy.run_path(str(path), run_name="__main__")
+    assert "measured-1" in capsys.readouterr().out

@@ -1,0 +1,69 @@
+"""A studio window of its own for each test, on the small built-in limb."""
+
+import threading
+
+import pytest
+from PySide6.QtWidgets import QApplication
+
+from skinsource.catalogue import available_limbs
+from skinsource.design import start_design
+from skinsource_gui.preferences import Preferences
+from skinsource_gui.window import MainWindow
+
+
+@pytest.fixture
+def preferences(user_data):
+    return Preferences(user_data / "studio.ini")
+
+
+@pytest.fixture
+def make_window(qtbot, preferences, monkeypatch):
+    """Open studio windows; close them at the end, and see that no thread is left."""
+    opened = []
+    before = set(threading.enumerate())
+
+    def make(design=None, view=None):
+        window = MainWindow(
+            design or start_design("synthetic-1"),
+            view=view,
+            preferences=preferences,
+            available_limbs=available_limbs(),
+        )
+        window.resize(1366, 728)
+        qtbot.addWidget(window, before_close_func=_forget_changes)
+        opened.append(window)
+        window.show()
+        window.commands.arrange_design()
+        qtbot.waitExposed(window)
+        qtbot.waitUntil(lambda: not window.engine.busy)
+        return window
+
+    yield make
+    for window in opened:
+        _forget_changes(window)
+        window.close()
+    QApplication.processEvents()
+    left = [thread for thread in threading.enumerate() if thread not in before]
+    assert not left, f"threads outlive the window: {left}"
+
+
+@pytest.fixture
+def window(make_window):
+    """The studio on its start design, with everything drawn."""
+    return make_window()
+
+
+@pytest.fixture
+def settle(qtbot, window):
+    """Wait until the window shows the present design."""
+
+    def wait():
+        qtbot.waitUntil(lambda: not window.engine.busy)
+        QApplication.processEvents()
+
+    return wait
+
+
+def _forget_changes(window):
+    # A modal question at the end would wait for ever.
+    window.document.undo_stack.setClean()

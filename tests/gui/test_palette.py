@@ -1,0 +1,72 @@
+from functools import partial
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QDialog
+
+from skinsource_gui.actions import ACTIONS
+from skinsource_gui.palette import Palette, score
+
+
+@pytest.mark.parametrize(
+    ("letters", "text", "found"),
+    [("", "Undo", True), ("ud", "Undo", True), ("und o", "Undo", True), ("du", "Undo", False)],
+)
+def test_letters_are_found_in_their_order(letters, text, found):
+    assert (score(letters, text) is not None) == found
+
+
+def test_letters_side_by_side_come_before_letters_far_apart():
+    assert score("save", "Save") < score("save", "Select all visible entries")
+
+
+def _note(ran, name, _checked=False):
+    ran.append(name)
+
+
+def test_typing_and_enter_run_the_action(qtbot):
+    ran = []
+    actions = [QAction("Undo"), QAction("Dark theme"), QAction("Save")]
+    for action in actions:
+        action.triggered.connect(partial(_note, ran, action.text()))
+    palette = Palette(actions)
+    qtbot.addWidget(palette)
+    qtbot.keyClicks(palette.line, "dark")
+    assert palette.list.count() == 1
+    qtbot.keyClick(palette.line, Qt.Key.Key_Return)
+    assert ran == ["Dark theme"]
+
+
+def test_up_and_down_move_in_the_list(qtbot):
+    palette = Palette([QAction("One"), QAction("Two")])
+    qtbot.addWidget(palette)
+    first = palette.list.currentItem().text()
+    qtbot.keyClick(palette.line, Qt.Key.Key_Down)
+    assert palette.list.currentItem().text() != first
+    qtbot.keyClick(palette.line, Qt.Key.Key_Up)
+    assert palette.list.currentItem().text() == first
+
+
+def test_every_action_of_the_table_is_done_by_the_window(window):
+    assert set(window.actions_by_name) == {spec.name for spec in ACTIONS}
+
+
+def test_no_shortcut_is_given_twice():
+    keys = [key for spec in ACTIONS for key in spec.keys]
+    assert len(keys) == len(set(keys))
+
+
+@pytest.mark.parametrize("name", ["find_action", "show_keys", "show_dataset_help", "show_about"])
+def test_each_page_opens(window, name):
+    window.actions_by_name[name].trigger()
+    dialog = window.findChild(QDialog)
+    assert dialog.isVisible()
+    dialog.reject()
+
+
+@pytest.mark.parametrize("name", ["light", "dark"])
+def test_themes_are_remembered(window, preferences, name):
+    window.actions_by_name[f"use_{name}_theme"].trigger()
+    assert window.theme.name == name
+    assert preferences.theme_name == name

@@ -1,0 +1,126 @@
+"""Ranges, ticks and points of the plots: numbers, without a window."""
+
+import numpy as np
+import pytest
+
+from skinsource_gui.widgets.curves import Curves, output_names
+from skinsource_gui.widgets.decimation import MOST_POINTS, visible_points
+from skinsource_gui.widgets.plot_axis import linear_ticks, log_ticks, number_text, value_unit
+from skinsource_gui.widgets.plot_rows import Rows
+from skinsource_gui.widgets.ranges import HeldRange, within, zoomed
+
+
+def test_a_range_grows_at_once_and_shrinks_only_below_60_percent():
+    held = HeldRange()
+    assert held.follow(-1.0, 0.5, "amplitude") == (-1.25, 1.25)
+    assert held.follow(-0.9, 0.9, "amplitude") == (-1.25, 1.25)
+    assert held.follow(-0.8, 0.3, "amplitude") == (-1.25, 1.25)
+    assert held.follow(-1.26, 0.5, "amplitude")[1] == pytest.approx(1.6)
+    assert held.follow(-0.9, 0.5, "amplitude")[1] == pytest.approx(1.6)
+    assert held.follow(-0.4, 0.2, "amplitude")[1] == pytest.approx(0.5)
+
+
+def test_magnitudes_start_at_zero_and_signed_values_are_symmetric():
+    assert HeldRange().follow(0.0, 0.9, "amplitude") == (0.0, 1.0)
+    assert HeldRange().follow(-0.1, 0.9, "amplitude") == (-1.0, 1.0)
+
+
+def test_silence_keeps_the_range():
+    held = HeldRange()
+    before = held.follow(-0.3, 0.3, "amplitude")
+    assert held.follow(0.0, 0.0, "amplitude") == before
+    loud = held.follow(-140.0, 12.0, "level")
+    assert held.follow(-200.0, -200.0, "level") == loud
+
+
+def test_levels_span_80_db_below_a_top_that_holds_still():
+    held = HeldRange()
+    low, high = held.follow(-200.0, -12.0, "level")
+    assert (low, high) == (-90.0, -10.0)
+    assert held.follow(-200.0, -17.0, "level") == (-90.0, -10.0)
+    assert held.follow(-200.0, -9.0, "level") == (-85.0, -5.0)
+    assert held.follow(-200.0, -31.0, "level") == (-110.0, -30.0)
+
+
+@pytest.mark.parametrize("peak", [5e-324, 1e-300, 1e-12, 3.7, 1e12, 1e300])
+def test_every_peak_fits_into_its_range_and_has_ticks_that_can_be_read(peak):
+    low, high = HeldRange().follow(-peak, peak, "amplitude")
+    assert low <= -peak < peak <= high
+    unit = value_unit("amplitude", low, high)
+    ticks = linear_ticks(low, high, 5, unit.factor)
+    assert all(low * 1.001 <= tick.value <= high * 1.001 for tick in ticks)
+    assert len({tick.label for tick in ticks}) == len(ticks)
+
+
+@pytest.mark.parametrize(
+    ("top", "symbol", "labels"),
+    [
+        (0.1, "m/s²", ["−0.10", "−0.05", "0.00", "0.05", "0.10"]),
+        (0.005, "mm/s²", ["−4", "−2", "0", "2", "4"]),
+        (2e-6, "µm/s²", ["−2", "−1", "0", "1", "2"]),
+        (50.0, "m/s²", ["−40", "−20", "0", "20", "40"]),
+    ],
+)
+def test_amplitude_ticks_are_plain_numbers_in_a_fitting_unit(top, symbol, labels):
+    unit = value_unit("amplitude", -top, top)
+    assert unit.symbol == symbol
+    assert [tick.label for tick in linear_ticks(-top, top, 5, unit.factor)] == labels
+
+
+def test_a_logarithmic_axis_labels_1_2_5_and_falls_back_to_even_steps_in_a_close_zoom():
+    ticks = log_ticks(10, 650, 8)
+    assert [tick.label for tick in ticks if tick.label] == ["10", "20", "50", "100", "200", "500"]
+    assert {30.0, 40.0, 60.0} <= {round(tick.value, 6) for tick in ticks}
+    assert [tick.label for tick in log_ticks(95, 125, 4)] == ["100", "110", "120"]
+
+
+def test_minus_is_a_minus_sign_and_there_is_no_negative_zero():
+    assert number_text(-0.25, 2) == "−0.25"
+    assert number_text(-1e-9, 2) == "0.00"
+
+
+def test_a_zoom_keeps_the_place_under_the_pointer_and_stays_inside():
+    assert zoomed((0.0, 1.0), 0.25, 2.0) == (0.125, 0.625)
+    assert within((-0.1, 0.3), (0.0, 1.0), 0.01) == pytest.approx((0.0, 0.4))
+    assert within((0.5, 0.5001), (0.0, 1.0), 0.01) == pytest.approx((0.49505, 0.50505))
+    assert within((-1.0, 2.0), (0.0, 1.0), 0.01) is None
+
+
+def test_peaks_survive_when_a_long_signal_is_drawn_with_few_points():
+    x = np.arange(80_000) / 1300
+    y = np.zeros((2, x.size))
+    y[0, 12_345], y[1, 70_001] = 3.0, -4.0
+    few_x, few_y = visible_points(x, y, (x[0], x[-1]), 500)
+    assert few_x.size <= 1004
+    assert few_y[0].max() == 3.0
+    assert few_y[1].min() == -4.0
+    assert np.all(np.diff(few_x) >= 0)
+    close_x, close_y = visible_points(x, y, (x[12_300], x[12_400]), 500)
+    assert close_y[0].max() == 3.0
+    assert close_x[0] <= x[12_300]
+    assert close_x[-1] >= x[12_400]
+
+
+def test_short_signals_are_drawn_sample_by_sample():
+    x = np.arange(MOST_POINTS) / 1300
+    y = np.zeros((1, x.size))
+    assert visible_points(x, y, (0.0, 1.0), 10)[1] is y
+
+
+def test_stacked_rows_never_reach_into_each_other():
+    rows = Rows(count=3, values=(-1.0, 1.0))
+    for row, bottom in ((0, 2), (1, 1), (2, 0)):
+        heights = rows.heights(np.array([-9.0, -1.0, 0.0, 1.0, 9.0]), row)
+        assert bottom < heights.min()
+        assert heights.max() < bottom + 1
+        assert heights[2] == bottom + 0.5
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_crosshair_snaps_to_the_nearest_sample(seed):
+    random = np.random.default_rng(seed)
+    x = np.sort(random.uniform(0, 1, random.integers(1, 40)))
+    curves = Curves(x=x, y=np.zeros((1, x.size)), names=output_names((1,)))
+    for at in random.uniform(-0.2, 1.2, 20):
+        found = curves.nearest(at)
+        assert abs(x[found] - at) == abs(x - at).min(), f"seed {seed}, x {at}"

@@ -1,0 +1,176 @@
+"""The spectra, as a user meets them."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QToolButton
+
+from skinsource.design import start_design
+from skinsource.quantities import RULES, sources
+from skinsource.spectra import magnitude_spectrum
+from skinsource.view import View
+from skinsource_gui.panels.spectra import SpectraPanel
+from skinsource_gui.widgets.signal_plot import SignalPlot
+
+LINEAR = View(method="pca", outputs=(29, 52), log_magnitude=False)
+
+
+def results_for(view, *, n_times=650, amplitude=0.5, limb="synthetic-1"):
+    time_s = np.arange(n_times) / 1300
+    rows = [amplitude / 10**k * np.sin(2 * np.pi * 100 * time_s) for k in range(len(view.outputs))]
+    traces = np.array(rows).reshape(len(view.outputs), n_times)
+    return {
+        "selected_spectra": magnitude_spectrum(traces, 1300.0),
+        "outputs": view.outputs,
+        "axes": view.axes,
+        "method": view.method,
+        "limb": limb,
+    }
+
+
+@pytest.fixture
+def show(qtbot):
+    """Open a spectra panel on a view; what it wants of the view is done, without new results."""
+
+    def make(view=LINEAR, **how):
+        panel = SpectraPanel()
+        qtbot.addWidget(panel)
+        panel.views = []
+        design = start_design("synthetic-1")
+
+        def look(changed):
+            panel.views.append(changed)
+            panel.show_state(design, changed)
+
+        panel.view_changed.connect(look)
+        panel.resize(420, 200)
+        panel.show()
+        qtbot.waitExposed(panel)
+        panel.show_state(design, view)
+        panel.show_results(results_for(view, **how))
+        return panel
+
+    return make
+
+
+def canvas_of(panel):
+    return panel.findChild(SignalPlot).canvas
+
+
+def click(panel, name):
+    button = panel.findChild(QToolButton, name)
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    return button
+
+
+def test_what_the_panel_needs_is_computed_or_given():
+    known = {rule.__name__ for rule in RULES} | set(sources(start_design("synthetic-1"), View()))
+    assert SpectraPanel().needs <= known
+
+
+def test_a_sine_reads_its_amplitude_at_its_frequency(show):
+    panel = show()
+    canvas, legend = canvas_of(panel), panel.findChild(SignalPlot).legend
+    canvas.set_cursor(canvas.curves.nearest(100.0))
+    assert legend.text.where == "100.0 Hz"
+    assert legend.text.readings == ("0.5000", "0.0500")
+    assert legend.text.unit == "m/s²"
+
+
+def test_the_level_switch_shows_db_of_the_same_results_at_once(show):
+    panel = show()
+    canvas, legend = canvas_of(panel), panel.findChild(SignalPlot).legend
+    canvas.set_cursor(canvas.curves.nearest(100.0))
+    button = click(panel, "log-magnitude")
+    assert panel.views[-1].log_magnitude
+    assert button.isChecked()
+    assert canvas.frame.unit == "dB re 1 m/s²"
+    assert legend.text.readings == ("−6.0", "−26.0")
+    assert legend.text.unit == "dB"
+    assert canvas.rows.values == (-85.0, -5.0)
+    click(panel, "log-magnitude")
+    assert canvas.frame.unit == "m/s²"
+    assert canvas.rows.values[0] == 0.0
+
+
+def test_frequency_goes_from_0_or_from_10_to_650_hz(show):
+    panel = show()
+    window = canvas_of(panel).window
+    assert window.values(window.shown) == pytest.approx((0.0, 650.0))
+    click(panel, "log-frequency")
+    assert panel.views[-1].log_frequency
+    window = canvas_of(panel).window
+    assert window.values(window.shown) == pytest.approx((10.0, 650.0))
+    labels = {mark.text for mark in canvas_of(panel).frame.x_marks}
+    assert {"10", "100", "500"} <= labels
+
+
+def test_the_measured_band_is_told_from_what_lies_outside(show):
+    panel = show()
+    left, _, width, _ = canvas_of(panel).frame.plot
+    low, high = canvas_of(panel).frame.shaded
+    assert low == pytest.approx((left, width * 25 / 650))
+    assert high == pytest.approx((left + width * 600 / 650, width * 50 / 650))
+    panel.show_state(start_design("synthetic-1"), replace(LINEAR, frequency_range_hz=(50.0, 300.0)))
+    assert canvas_of(panel).frame.shaded == ()
+
+
+@pytest.mark.parametrize(
+    ("axes", "method", "noted"),
+    [("xyz", "mag", True), ("xy", "mag", True), ("z", "mag", False), ("xyz", "pca", False)],
+)
+def test_the_spectrum_of_a_magnitude_says_that_it_is_rectified(show, axes, method, noted):
+    panel = show(replace(LINEAR, axes=axes, method=method))
+    notes = canvas_of(panel).frame.notes
+    assert bool(notes) == noted
+    if noted:
+        assert notes[0] == "spectrum of a magnitude: rectified, shows doubled frequencies"
+
+
+def test_a_zoom_is_kept_in_the_view_and_survives_new_data(show):
+    panel = show()
+    canvas = canvas_of(panel)
+    QTest.keyClick(canvas, Qt.Key.Key_Plus)
+    zoom = panel.views[-1].frequency_range_hz
+    assert zoom == pytest.approx((325 - 650 / 3, 325 + 650 / 3))
+    panel.show_results(results_for(panel.views[-1], n_times=901, amplitude=2.0))
+    assert canvas.window.shown == pytest.approx(zoom)
+    QTest.keyClick(canvas, Qt.Key.Key_0)
+    assert panel.views[-1].frequency_range_hz is None
+
+
+def test_the_layout_is_that_of_the_spectra_alone(show):
+    panel = show()
+    click(panel, "stacked")
+    assert panel.views[-1].spectra_layout == "stacked"
+    assert panel.views[-1].traces_layout == "overlaid"
+    assert canvas_of(panel).rows.count == 2
+
+
+def test_silence_is_drawn_without_a_warning(show):
+    for level in (False, True):
+        panel = show(replace(LINEAR, log_magnitude=level), amplitude=0.0)
+        assert canvas_of(panel).curves is not None
+        panel.grab()
+
+
+def test_a_problem_is_not_undone_by_a_switch(show):
+    panel = show()
+    panel.show_problem("the limb is not installed")
+    click(panel, "log-magnitude")
+    click(panel, "log-frequency")
+    assert canvas_of(panel).message == "the limb is not installed"
+    assert canvas_of(panel).curves is None
+
+
+def test_without_outputs_the_panel_says_what_to_do(show):
+    panel = show(replace(LINEAR, outputs=()))
+    assert canvas_of(panel).message == "Select outputs on the skin map"
+
+
+@pytest.mark.parametrize(("limb", "badge"), [("synthetic-2", "SYNTHETIC"), ("measured-1", "")])
+def test_only_synthetic_limbs_carry_the_badge(show, limb, badge):
+    assert canvas_of(show(limb=limb)).frame.badge == badge

@@ -1,0 +1,208 @@
+"""The traces, as a user meets them."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QToolButton
+
+from skinsource.design import start_design
+from skinsource.quantities import RULES, sources
+from skinsource.view import View
+from skinsource_gui.panels.traces import TracesPanel
+from skinsource_gui.widgets.signal_plot import SignalPlot
+
+SIGNED = View(method="pca", outputs=(29, 52, 7))
+
+
+def results_for(view, *, n_times=651, amplitude=0.3, limb="synthetic-1"):
+    time_s = np.arange(n_times) / 1300 - (0.052 if view.delay_removed else 0.0)
+    rows = [amplitude / (1 + k) * np.sin(300 * time_s) for k in range(len(view.outputs))]
+    traces = np.array(rows).reshape(len(view.outputs), n_times)
+    if view.method == "mag":
+        traces = np.abs(traces)
+    return {
+        "response_time_s": time_s,
+        "selected_traces": traces,
+        "outputs": view.outputs,
+        "delay_removed": view.delay_removed,
+        "limb": limb,
+    }
+
+
+@pytest.fixture
+def show(qtbot):
+    """Open a traces panel on a view; what it wants of the view is done."""
+
+    def make(view=SIGNED, **how):
+        panel = TracesPanel()
+        qtbot.addWidget(panel)
+        panel.views = []
+        design = start_design("synthetic-1")
+
+        def look(changed):
+            panel.views.append(changed)
+            panel.show_state(design, changed)
+            panel.show_results(results_for(changed, **how))
+
+        panel.view_changed.connect(look)
+        panel.resize(420, 200)
+        panel.show()
+        qtbot.waitExposed(panel)
+        panel.show_state(design, view)
+        panel.show_results(results_for(view, **how))
+        return panel
+
+    return make
+
+
+def canvas_of(panel):
+    return panel.findChild(SignalPlot).canvas
+
+
+def click(panel, name):
+    button = panel.findChild(QToolButton, name)
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    return button
+
+
+def test_what_the_panel_needs_is_computed_or_given():
+    known = {rule.__name__ for rule in RULES} | set(sources(start_design("synthetic-1"), View()))
+    assert TracesPanel().needs <= known
+
+
+def test_curves_are_named_after_the_outputs_they_belong_to(show):
+    panel = show()
+    names = panel.findChild(SignalPlot).legend.text.names
+    assert [(name.number, name.short) for name in names] == [
+        (29, "II nail rad."),
+        (52, "wrist 1 rad."),
+        (7, "mid hand 1"),
+    ]
+    # The view is ahead of the results: the old names stay with the old curves.
+    panel.show_state(start_design("synthetic-1"), replace(SIGNED, outputs=(1, 2, 3)))
+    assert panel.findChild(SignalPlot).legend.text.names == names
+
+
+def test_the_plot_keeps_most_of_a_small_panel(show):
+    panel = show()
+    left, _, width, height = canvas_of(panel).frame.plot
+    assert height >= 100
+    assert width >= 360
+    assert left >= 28
+
+
+@pytest.mark.parametrize(("method", "low"), [("pca", -0.32), ("mag", 0.0)])
+def test_magnitudes_start_at_zero_and_components_are_symmetric(show, method, low):
+    panel = show(replace(SIGNED, method=method))
+    assert canvas_of(panel).rows.values == pytest.approx((low, 0.32))
+
+
+def test_the_axis_tells_of_the_delay_and_the_switch_removes_it(show):
+    panel = show()
+    canvas = canvas_of(panel)
+    assert canvas.frame.titles[0] == (
+        "Time (ms) · responses start ~52 ms late (pre-trigger of the measurement)"
+    )
+    button = click(panel, "remove-delay")
+    assert panel.views[-1].delay_removed
+    assert button.isChecked()
+    assert canvas.frame.titles[0] == "Time (ms), 52 ms pre-trigger removed"
+    assert canvas.window.shown[0] == pytest.approx(-0.052)
+    click(panel, "remove-delay")
+    assert not panel.views[-1].delay_removed
+    assert "late" in canvas.frame.titles[0]
+
+
+def test_removing_the_delay_keeps_the_same_piece_of_the_curves_in_sight(show):
+    panel = show(replace(SIGNED, time_range_s=(0.1, 0.2)))
+    click(panel, "remove-delay")
+    assert panel.views[-1].time_range_s == pytest.approx((0.048, 0.148))
+    click(panel, "remove-delay")
+    assert panel.views[-1].time_range_s == pytest.approx((0.1, 0.2))
+
+
+def test_the_axis_speaks_of_the_curves_that_are_drawn_not_of_those_to_come(show):
+    panel = show()
+    shown = canvas_of(panel).window
+    panel.show_state(
+        start_design("synthetic-1"), replace(SIGNED, delay_removed=True, time_range_s=(0.0, 0.1))
+    )
+    assert canvas_of(panel).window == shown
+    assert "late" in canvas_of(panel).frame.titles[0]
+
+
+def test_stacked_and_overlaid_are_chosen_by_mouse_and_by_arrow_keys(show, qtbot):
+    panel = show()
+    panel.activateWindow()
+    qtbot.waitUntil(panel.isActiveWindow)
+    click(panel, "stacked")
+    assert panel.views[-1].traces_layout == "stacked"
+    assert canvas_of(panel).rows.count == 3
+    stacked = panel.findChild(QToolButton, "stacked")
+    stacked.setFocus()
+    QTest.keyClick(stacked, Qt.Key.Key_Left)
+    assert panel.views[-1].traces_layout == "overlaid"
+    assert canvas_of(panel).rows.count == 1
+
+
+def test_a_zoom_survives_new_data_and_is_left_by_the_button(show):
+    panel = show()
+    canvas = canvas_of(panel)
+    leave = panel.findChild(QToolButton, "show-all")
+    assert not leave.isVisible()
+    QTest.mousePress(canvas.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(120, 60))
+    QTest.mouseMove(canvas.viewport(), QPoint(220, 60))
+    QTest.mouseRelease(canvas.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(220, 60))
+    zoom = panel.views[-1].time_range_s
+    assert canvas.window.shown == pytest.approx(zoom)
+    panel.show_results(results_for(panel.views[-1], n_times=2000, amplitude=3.0))
+    assert canvas.window.shown == pytest.approx(zoom)
+    assert leave.isVisible()
+    QTest.mouseClick(leave, Qt.MouseButton.LeftButton)
+    assert panel.views[-1].time_range_s is None
+    assert canvas.window.shown == pytest.approx((0.0, 650 / 1300))
+    assert not leave.isVisible()
+
+
+def test_without_outputs_the_panel_says_what_to_do(show):
+    panel = show(replace(SIGNED, outputs=()))
+    assert canvas_of(panel).message == "Select outputs on the skin map"
+    panel.show_state(start_design("synthetic-1"), SIGNED)
+    panel.show_results(results_for(SIGNED))
+    assert canvas_of(panel).message == ""
+    panel.show_state(start_design("synthetic-1"), replace(SIGNED, outputs=()))
+    assert canvas_of(panel).message == "Select outputs on the skin map"
+    assert canvas_of(panel).curves is None
+
+
+def test_a_problem_empties_the_picture_until_there_are_results(show):
+    panel = show()
+    panel.show_problem("input 3 has no samples")
+    canvas, legend = canvas_of(panel), panel.findChild(SignalPlot).legend
+    assert canvas.message == "input 3 has no samples"
+    assert not any(item.isVisible() for item in canvas.layer.items)
+    assert legend.text.names == ()
+    panel.show_state(start_design("synthetic-1"), replace(SIGNED, time_range_s=(0.0, 0.1)))
+    assert canvas.message == "input 3 has no samples"
+    panel.show_results(results_for(SIGNED))
+    assert canvas.message == ""
+    assert all(item.isVisible() for item in canvas.layer.items)
+
+
+@pytest.mark.parametrize(("limb", "badge"), [("synthetic-2", "SYNTHETIC"), ("measured-1", "")])
+def test_only_synthetic_limbs_carry_the_badge(show, limb, badge):
+    assert canvas_of(show(limb=limb)).frame.badge == badge
+
+
+def test_tab_reaches_every_control(show, qtbot):
+    panel = show(replace(SIGNED, time_range_s=(0.1, 0.2)))
+    panel.activateWindow()
+    qtbot.waitUntil(panel.isActiveWindow)
+    seen = set()
+    for _ in range(12):
+        QTest.keyClick(panel.window().focusWidget() or panel, Qt.Key.Key_Tab)
+        seen.add(panel.window().focusWidget().objectName())
+    assert seen >= {"overlaid", "remove-delay", "show-all", "traces-plot"}

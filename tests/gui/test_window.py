@@ -1,0 +1,141 @@
+import sys
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QComboBox, QWidget
+
+from skinsource.catalogue import load_limb
+from skinsource.design import Design, Input
+from skinsource.projection import project_axes
+from skinsource.response import predict
+from skinsource.view import View
+from skinsource.waveforms import Tone
+
+
+@pytest.fixture
+def delivered(window):
+    outcomes = []
+    window.conductor.delivered.connect(outcomes.append)
+    return outcomes
+
+
+def test_the_first_window_shows_a_prediction_of_the_start_design(window, settle, delivered):
+    window.document.look(replace(window.document.view, axes="z"))
+    settle()
+    limb = load_limb("synthetic-1")
+    drive = Tone(frequency_hz=100.0).samples(1300.0)
+    expected = project_axes(predict(limb, [drive], [7]), "z")[[28, 51]]
+    np.testing.assert_allclose(
+        delivered[-1].values["selected_traces"], expected, atol=1e-12 * np.abs(expected).max()
+    )
+
+
+def test_dragging_a_frequency_reaches_the_screen_and_is_one_undo_step(window, settle, delivered):
+    before = window.document.design
+    for frequency_hz in np.linspace(100, 200, 20):
+        tone = Tone(frequency_hz=float(frequency_hz))
+        design = window.document.design.with_input(0, waveform=tone)
+        window.inspector.design_edited.emit("Change frequency of input 7", design, 5)
+    settle()
+    assert delivered[-1].request.given["inputs"][0].waveform.frequency_hz == 200.0
+    assert window.document.undo_stack.count() == 1
+    assert window.actions_by_name["undo"].text() == "Undo change frequency of input 7"
+    window.commands.undo()
+    assert window.document.design == before
+
+
+def test_hidden_panels_ask_for_nothing(window, settle, delivered):
+    for name in ("skin", "spectra"):
+        window.docks[name].close()
+    settle()
+    window.document.edit("a", window.document.design.with_input(0, amplitude=2.0))
+    settle()
+    wanted = delivered[-1].request.wanted
+    assert not wanted & {"surface_levels_db", "output_levels_db", "selected_spectra"}
+    assert "selected_traces" in wanted
+
+
+def test_a_sensors_only_map_does_not_interpolate(window, settle, delivered):
+    window.document.look(replace(window.document.view, map_style="sensors"))
+    settle()
+    window.document.edit("a", window.document.design.with_input(0, amplitude=3.0))
+    settle()
+    assert "surface_levels_db" not in delivered[-1].request.wanted
+
+
+def test_a_limb_that_is_not_installed_says_so_and_empties_the_pictures(window, settle):
+    design = replace(window.document.design, limb="measured-1")
+    window.document.edit("Change limb", design)
+    settle()
+    assert "skinsource dataset" in window.notice.text
+    window.commands.undo()
+    settle()
+    assert window.notice.text == ""
+
+
+def test_synthetic_stands_in_the_window_on_a_synthetic_limb(window):
+    assert "SYNTHETIC" in window._limb_note.text()
+
+
+def test_a_single_axis_needs_no_method(window):
+    combo = window.setup_bar.findChild(QComboBox, "method")
+    assert combo.isEnabled()
+    window.document.look(replace(window.document.view, axes="z"))
+    assert not combo.isEnabled()
+
+
+@pytest.mark.parametrize("arrangement", ["design", "analysis", "presentation"])
+@pytest.mark.parametrize("size", [(1366, 728), (1920, 1040)])
+def test_each_arrangement_fits_the_screen(window, arrangement, size):
+    window.resize(*size)
+    getattr(window.commands, f"arrange_{arrangement}")()
+    QApplication.processEvents()
+    assert (window.width(), window.height()) == size
+    for panel in window.panels:
+        if panel.isVisible():
+            smallest = panel.minimumSizeHint()
+            assert panel.width() >= smallest.width(), panel.name
+            assert panel.height() >= smallest.height(), panel.name
+
+
+def test_every_control_says_what_it_is(window):
+    silent = [
+        child
+        for child in window.findChildren(QWidget)
+        if child.focusPolicy() & Qt.FocusPolicy.TabFocus
+        and child.isVisibleTo(window)
+        and not isinstance(child.parent(), QAbstractScrollArea)  # its viewport
+        and not (child.accessibleName() or child.toolTip() or _text(child))
+    ]
+    assert not silent, [(type(child).__name__, child.objectName()) for child in silent]
+
+
+def _text(widget):
+    try:
+        return widget.text()
+    except AttributeError:
+        return ""
+
+
+def test_closing_during_an_evaluation_ends_cleanly(make_window):
+    window = make_window(
+        Design(
+            limb="synthetic-1",
+            inputs=tuple(Input(location=k, waveform=Tone(duration_s=2.0)) for k in range(1, 9)),
+        ),
+        View(outputs=(1, 2, 3)),
+    )
+    window.document.edit("a", window.document.design.with_input(0, onset_s=0.1))
+    assert window.engine.busy
+    window.document.undo_stack.setClean()
+    window.close()  # the fixture sees that no thread is left
+
+
+def test_void_qt_calls_lose_no_reference_to_none(window):
+    # PySide6 6.12 on Python 3.11 loses one with each call, and stops the process in the end.
+    before = sys.getrefcount(None)
+    for _ in range(60_000):
+        window.setObjectName("studio")
+    assert abs(sys.getrefcount(None) - before) < 1000
