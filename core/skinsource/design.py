@@ -57,14 +57,14 @@ class Input:
         check_input_location(self.location)
         if not isinstance(self.waveform, Waveform):
             raise InvalidInputError(
-                f"waveform is {self.waveform!r}, expected one of the recipes of skinsource.waveforms"
+                f"waveform is {self.waveform!r}, expected a recipe of skinsource.waveforms"
             )
         fields.check(self)
         if not (isinstance(self.muted, bool) and isinstance(self.solo, bool)):
             raise InvalidInputError(
                 f"muted and solo are {self.muted!r} and {self.solo!r}, expected True or False"
             )
-        if not isinstance(self.colour, int) or self.colour < 0:
+        if not isinstance(self.colour, int) or not 0 <= self.colour < 2**31:
             raise InvalidInputError(f"colour is {self.colour!r}, expected 0, 1, 2, …")
 
 

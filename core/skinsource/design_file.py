@@ -1,6 +1,6 @@
 """`.skinsource` files: a design, the view on it and the window's arrangement, in HDF5.
 
-Layout of version 1 (all numbers float64 or int64, all texts UTF-8)::
+Layout of version 1 (all numbers float64 or int64, all texts UTF-8 of fixed length)::
 
     /            format = "skinsource design", version = 1
     /design      limb, scaling
@@ -20,7 +20,7 @@ from typing import Any
 import h5py
 import numpy as np
 
-from skinsource.design import Design, Input
+from skinsource.design import MAX_INPUTS, Design, Input
 from skinsource.errors import DesignFileError, InvalidInputError, StorageError
 from skinsource.files import write_bytes
 from skinsource.limb import LIMB_NAMES
@@ -98,11 +98,11 @@ def _encoded(content: DesignFile) -> bytes:
     image = io.BytesIO()
     # From format 1.10 on, HDF5 checks sums of all that it reads: no flipped bit goes unseen.
     with h5py.File(image, "w", libver=("v110", "v110")) as file:
-        file.attrs["format"] = FORMAT
-        file.attrs["version"] = VERSION
+        _write(file, "format", FORMAT)
+        _write(file, "version", VERSION)
         design = file.create_group("design")
-        design.attrs["limb"] = content.design.limb
-        design.attrs["scaling"] = content.design.scaling
+        _write(design, "limb", content.design.limb)
+        _write(design, "scaling", content.design.scaling)
         inputs = design.create_group("inputs")
         for index, one in enumerate(content.design.inputs):
             _write_input(inputs.create_group(f"{index:04d}"), one)
@@ -110,7 +110,7 @@ def _encoded(content: DesignFile) -> bytes:
         for field in fields(View):
             value = getattr(content.view, field.name)
             if value is not None:
-                view.attrs[field.name] = _storable(value)
+                _write(view, field.name, value)
         # A final zero, because an empty dataset cannot carry a checksum.
         layout = np.frombuffer(content.layout + b"\0", np.uint8)
         file.create_dataset("layout", data=layout, track_times=False, fletcher32=True)
@@ -119,18 +119,24 @@ def _encoded(content: DesignFile) -> bytes:
 
 def _write_input(group: h5py.Group, one: Input) -> None:
     for name in _INPUT_FIELDS:
-        group.attrs[name] = getattr(one, name)
+        _write(group, name, getattr(one, name))
     waveform = group.create_group("waveform")
-    waveform.attrs["kind"] = type(one.waveform).__name__
+    _write(waveform, "kind", type(one.waveform).__name__)
     for field in fields(one.waveform):
-        waveform.attrs[field.name] = getattr(one.waveform, field.name)
+        _write(waveform, field.name, getattr(one.waveform, field.name))
 
 
-def _storable(value: Any) -> Any:
-    if isinstance(value, tuple):
-        kind = np.int64 if all(isinstance(part, int) for part in value) else np.float64
-        return np.array(value, kind)
-    return value
+def _write(group: h5py.Group, name: str, value: Any) -> None:
+    if isinstance(value, str):
+        # Of fixed length: HDF5 keeps texts of free length outside its checksums.
+        text = value.encode()
+        kind = h5py.string_dtype("utf-8", max(1, len(text)))
+        group.attrs.create(name, text, dtype=kind)
+    elif isinstance(value, tuple):
+        whole = all(isinstance(part, int) for part in value)
+        group.attrs[name] = np.array(value, np.int64 if whole else np.float64)
+    else:
+        group.attrs[name] = value
 
 
 class _Reader:
@@ -140,22 +146,23 @@ class _Reader:
         self._name = name
 
     def content(self, file: h5py.File) -> DesignFile:
-        found = file.attrs.get("format")
+        found = self._attribute(file, "format")
         if found != FORMAT:
             raise DesignFileError(
                 f"{self._name}: format is {found!r}, expected {FORMAT!r}. Choose a {SUFFIX} file."
             )
-        version = int(file.attrs.get("version", 0))
-        if version != VERSION:
+        version = self._attribute(file, "version")
+        if type(version) is not int or version != VERSION:
             raise DesignFileError(
                 f"{self._name}: written in version {version} of the format, and this studio reads "
                 f"version {VERSION}. Open it with a newer SkinSource studio."
             )
+        self._refuse_unknown("/", set(file.attrs), {"format", "version"})
         self._refuse_unknown("/", set(file), {"design", "view", "layout"})
         return DesignFile(
-            design=self._design(file["design"]),
-            view=self._view(file["view"]),
-            layout=file["layout"][()].astype(np.uint8).tobytes()[:-1],
+            design=self._design(self._member(file, "design", h5py.Group)),
+            view=self._view(self._member(file, "view", h5py.Group)),
+            layout=self._layout(self._member(file, "layout", h5py.Dataset)),
         )
 
     def _design(self, group: h5py.Group) -> Design:
@@ -165,32 +172,49 @@ class _Reader:
                 f"{self._name}: made for the limb {values['limb']!r}, and this studio knows "
                 f"{', '.join(LIMB_NAMES)}. Open it with a newer SkinSource studio."
             )
-        self._refuse_unknown("design", set(group), {"inputs"})
-        inputs = group["inputs"]
-        return Design(inputs=tuple(self._input(inputs[key]) for key in sorted(inputs)), **values)
+        self._refuse_unknown("/design", set(group), {"inputs"})
+        inputs = self._member(group, "inputs", h5py.Group)
+        keys = [f"{index:04d}" for index in range(min(len(inputs), MAX_INPUTS))]
+        self._refuse_unknown("/design/inputs", set(inputs) | set(inputs.attrs), set(keys))
+        members = (self._member(inputs, key, h5py.Group) for key in keys)
+        return Design(inputs=tuple(self._input(member) for member in members), **values)
 
     def _input(self, group: h5py.Group) -> Input:
         self._refuse_unknown(group.name, set(group), {"waveform"})
         values = self._attributes(group, _INPUT_FIELDS)
-        return Input(waveform=self._waveform(group["waveform"]), **values)
+        waveform = self._waveform(self._member(group, "waveform", h5py.Group))
+        return Input(waveform=waveform, **values)
 
     def _waveform(self, group: h5py.Group) -> Waveform:
-        kind = group.attrs.get("kind")
+        kind = self._attribute(group, "kind")
         if kind not in _KINDS:
             raise DesignFileError(
                 f"{self._name}: {group.name} is a {kind!r}, and this studio knows "
                 f"{', '.join(_KINDS)}. Open it with a newer SkinSource studio."
             )
+        self._refuse_unknown(group.name, set(group), set())
         names = tuple(field.name for field in fields(_KINDS[kind]))
         values = self._attributes(group, ("kind", *names))
         del values["kind"]
         return _KINDS[kind](**values)
 
     def _view(self, group: h5py.Group) -> View:
+        self._refuse_unknown("/view", set(group), set())
         names = tuple(field.name for field in fields(View))
         values: dict[str, Any] = dict.fromkeys(_OPTIONAL_VIEW_FIELDS)
         values |= self._attributes(group, names, _OPTIONAL_VIEW_FIELDS)
         return View(**values)
+
+    def _layout(self, dataset: h5py.Dataset) -> bytes:
+        self._refuse_unknown("/layout", set(dataset.attrs), set())
+        # With a checksum it is stored in this file, and not in another one.
+        sound = dataset.dtype == np.uint8 and dataset.ndim == 1 and dataset.fletcher32
+        if not sound or not 1 <= dataset.size <= _MAX_FILE_BYTES:
+            raise DesignFileError(
+                f"{self._name}: /layout is {dataset.dtype} of shape {dataset.shape}, expected "
+                "bytes with a checksum. The file is damaged; go back to an earlier copy."
+            )
+        return bytes(dataset[()].tobytes()[:-1])
 
     def _attributes(
         self, group: h5py.Group, names: tuple[str, ...], optional: frozenset[str] = frozenset()
@@ -202,7 +226,31 @@ class _Reader:
                 f"{self._name}: {group.name} lacks {', '.join(sorted(missing))}. The file is "
                 "damaged; go back to an earlier copy."
             )
-        return {name: _plain(group.attrs[name]) for name in names if name in group.attrs}
+        return {name: self._attribute(group, name) for name in names if name in group.attrs}
+
+    def _attribute(self, group: h5py.Group, name: str) -> Any:
+        if name not in group.attrs:
+            return None
+        # A damaged text of free length can keep HDF5 busy for ever: look before reading.
+        found = group.attrs.get_id(name)
+        if found.shape is None or found.dtype.kind not in "biufS":
+            raise DesignFileError(
+                f"{self._name}: {name} of {group.name} is of type {found.dtype}, expected a "
+                f"number or a text of fixed length. Choose a {SUFFIX} file saved by SkinSource "
+                "studio."
+            )
+        return _plain(group.attrs[name])
+
+    def _member(self, group: h5py.Group, name: str, kind: type) -> Any:
+        # A link could lead into any other file.
+        is_here = isinstance(group.get(name, getlink=True), h5py.HardLink)
+        member = group[name] if is_here else None
+        if not isinstance(member, kind):
+            raise DesignFileError(
+                f"{self._name}: {name} in {group.name} is not a {kind.__name__.lower()} of this "
+                "file. The file is damaged; go back to an earlier copy."
+            )
+        return member
 
     def _refuse_unknown(self, place: str, found: set[str], known: set[str]) -> None:
         unknown = found - known
@@ -216,4 +264,5 @@ class _Reader:
 def _plain(value: Any) -> Any:
     if isinstance(value, np.ndarray):
         return tuple(value.tolist())
-    return value.item() if isinstance(value, np.generic) else value
+    number = value.item() if isinstance(value, np.generic) else value
+    return number.decode() if isinstance(number, bytes) else number

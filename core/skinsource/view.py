@@ -81,7 +81,7 @@ class View:
                     f"{name} is {getattr(self, name)!r}, expected True or False"
                 )
         if self.selected_input is not None and not (
-            isinstance(self.selected_input, int) and self.selected_input >= 0
+            isinstance(self.selected_input, int) and 0 <= self.selected_input < 2**31
         ):
             raise InvalidInputError(
                 f"selected_input is {self.selected_input!r}, expected None or 0, 1, 2, …"
@@ -106,4 +106,4 @@ def _checked_range(name: str, value: Range | None) -> Range | None:
 
 
 def _is_ordinary(end: object) -> bool:
-    return isinstance(end, int | float | np.floating) and -_FAR < end < _FAR
+    return isinstance(end, int | float | np.floating) and bool(-_FAR < end < _FAR)

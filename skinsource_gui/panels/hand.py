@@ -1,6 +1,5 @@
 """The hand on which inputs are placed."""
 
-import json
 from dataclasses import replace
 from functools import partial
 from typing import ClassVar
@@ -8,11 +7,9 @@ from typing import ClassVar
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QMenu, QVBoxLayout, QWidget
 
-from skinsource.anatomy import HandProportions
-from skinsource.assets import data_folder
 from skinsource.design import MAX_INPUTS, Design, Input, audible_inputs
 from skinsource.locations import input_place
-from skinsource.outline import HandShape, hand_shape
+from skinsource.synthetic import standard_hand
 from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.theme import LIGHT, Theme
@@ -32,7 +29,7 @@ class HandPanel(Panel):
         self._design: Design | None = None
         self._view = View()
         self._theme = LIGHT
-        self.diagram = HandDiagram(palmar_drawing(_drawn_hand()), self._theme, self)
+        self.diagram = HandDiagram(palmar_drawing(standard_hand()), self._theme, self)
         self.diagram.add_requested.connect(self._add)
         self.diagram.select_requested.connect(self._select)
         self.diagram.move_requested.connect(self._move)
@@ -151,13 +148,4 @@ def _site_words(site: int) -> str:
 def _words(one: Input) -> str:
     return ", ".join(
         [one.waveform.title, *(["muted"] if one.muted else []), *(["solo"] if one.solo else [])]
-    )
-
-
-def _drawn_hand() -> HandShape:
-    """The hand that all synthetic limbs are variations of."""
-    text = (data_folder() / "synthetic-limbs.json").read_text(encoding="utf-8")
-    hand = json.loads(text)["hand"]
-    return hand_shape(
-        HandProportions(**{k: tuple(v) if isinstance(v, list) else v for k, v in hand.items()})
     )

@@ -3,10 +3,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.anatomy import HandProportions, skeleton_of
-from skinsource.curves import smooth
 from skinsource.errors import InvalidInputError
-from skinsource.outline import HAND_LENGTH_PX, hand_shape
+from skinsource.hand.anatomy import HandProportions, skeleton_of
+from skinsource.hand.curves import smooth
+from skinsource.hand.outline import HAND_LENGTH_PX, hand_shape
 from skinsource.synthetic import SYNTHETIC_LIMBS, synthetic_model
 
 PROPORTIONS = HandProportions(

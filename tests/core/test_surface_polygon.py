@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from skinsource.errors import InvalidInputError
-from skinsource.polygon import (
+from skinsource.surface.polygon import (
     count_crossings,
     densified,
     distinct_vertices,

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from skinsource.boundary import boundary_by_sight, boundary_from_table
-from skinsource.polygon import densified
-from skinsource.shortest_ways import distances_inside
-from skinsource.visibility import nearest_seen, raster_unit, sees, sight_region
+from skinsource.surface.boundary import boundary_by_sight, boundary_from_table
+from skinsource.surface.polygon import densified
+from skinsource.surface.shortest_ways import distances_inside
+from skinsource.surface.visibility import nearest_seen, raster_unit, sees, sight_region
 
 SQUARE = np.array([[0, 0], [100, 0], [100, 100], [0, 100]], dtype=float)
 # Two prongs, 20 wide and 40 apart, on a base 20 high.

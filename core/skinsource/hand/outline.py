@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skinsource.anatomy import (
+from skinsource.hand.anatomy import (
     INDEX,
     LITTLE,
     MIDDLE,
@@ -15,10 +15,10 @@ from skinsource.anatomy import (
     Skeleton,
     skeleton_of,
 )
-from skinsource.curves import Floats, bezier, smooth
+from skinsource.hand.curves import Floats, bezier, smooth
+from skinsource.hand.markings import creases_of, nails_of
+from skinsource.hand.places import input_points, output_points
 from skinsource.limb import LimbMap
-from skinsource.markings import creases_of, nails_of
-from skinsource.places import input_points, output_points
 
 #: Outline pixels in one hand length.
 HAND_LENGTH_PX = 400.0

@@ -6,7 +6,7 @@ from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import dijkstra
 from scipy.spatial import KDTree
 
-from skinsource.visibility import SightRegion
+from skinsource.surface.visibility import SightRegion
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
@@ -32,7 +32,7 @@ def distances_inside(region: SightRegion, starts: Floats, ends: Floats) -> Float
     Parameters
     ----------
     region
-        From `skinsource.visibility.sight_region`.
+        From `skinsource.surface.visibility.sight_region`.
     starts, ends : (n_starts, 2) and (n_ends, 2)
 
     Returns

@@ -8,15 +8,22 @@ from typing import Any
 import numpy as np
 from scipy import fft
 
-from skinsource.anatomy import HandProportions
 from skinsource.assets import data_folder
-from skinsource.curves import Floats
 from skinsource.errors import UnknownLimbError
-from skinsource.geodesic import paths_in
+from skinsource.hand.anatomy import HandProportions
+from skinsource.hand.curves import Floats
+from skinsource.hand.outline import HandShape, hand_shape
 from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS, SAMPLE_RATE_HZ, Limb, check_input_location
 from skinsource.locations import INPUTS
-from skinsource.outline import HandShape, hand_shape
-from skinsource.waves import Complex, Pulse, Skin, bending_boost, pulse_spectrum, wavenumber
+from skinsource.synthetic.geodesic import paths_in
+from skinsource.synthetic.waves import (
+    Complex,
+    Pulse,
+    Skin,
+    bending_boost,
+    pulse_spectrum,
+    wavenumber,
+)
 
 #: Numbers of the built-in synthetic limbs.
 SYNTHETIC_LIMBS = (1, 2, 3, 4)
@@ -126,16 +133,29 @@ def synthetic_model(number: int) -> SyntheticModel:
             f"synthetic limb {number!r} does not exist: there are the limbs 1 to "
             f"{len(SYNTHETIC_LIMBS)}. Choose one of them."
         )
-    text = (data_folder() / "synthetic-limbs.json").read_text(encoding="utf-8")
-    shared = json.loads(text)
+    shared = _parameters()
     limb = next(entry for entry in shared["limbs"] if entry["number"] == number)
     return _prepared(shared, limb)
 
 
+def standard_hand() -> HandShape:
+    """Return the hand that all synthetic limbs are variations of; the studio draws it."""
+    return hand_shape(_proportions(_parameters()["hand"]))
+
+
+def _parameters() -> dict[str, Any]:
+    text = (data_folder() / "synthetic-limbs.json").read_text(encoding="utf-8")
+    parameters: dict[str, Any] = json.loads(text)
+    return parameters
+
+
+def _proportions(hand: Mapping[str, Any]) -> HandProportions:
+    lists = {key: tuple(value) for key, value in hand.items() if isinstance(value, list)}
+    return HandProportions(**{**hand, **lists})
+
+
 def _prepared(shared: Mapping[str, Any], limb: Mapping[str, Any]) -> SyntheticModel:
-    hand: dict[str, Any] = {**shared["hand"], **limb["hand"]}
-    lists = {name: tuple(value) for name, value in hand.items() if isinstance(value, list)}
-    shape = hand_shape(HandProportions(**{**hand, **lists}))
+    shape = hand_shape(_proportions({**shared["hand"], **limb["hand"]}))
     skin = Skin(**shared["skin"])
     stiffness = skin.rising_shear_modulus_pa * limb["shear_factor"]
     skin = replace(skin, rising_shear_modulus_pa=stiffness)

@@ -7,13 +7,13 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.sparse import csr_array, vstack
 from scipy.spatial import QhullError
 
-from skinsource.boundary import Boundary, boundary_by_sight, boundary_from_table
 from skinsource.errors import InvalidInputError
 from skinsource.limb import Limb, LimbMap
-from skinsource.natural_neighbour import natural_neighbour_weights
-from skinsource.polygon import count_crossings, densified, distinct_vertices, grid_inside
-from skinsource.triangulation import snapped_to_lattice, triangulate
-from skinsource.visibility import raster_unit
+from skinsource.surface.boundary import Boundary, boundary_by_sight, boundary_from_table
+from skinsource.surface.natural_neighbour import natural_neighbour_weights
+from skinsource.surface.polygon import count_crossings, densified, distinct_vertices, grid_inside
+from skinsource.surface.triangulation import snapped_to_lattice, triangulate
+from skinsource.surface.visibility import raster_unit
 
 #: What -inf (the decibels of nothing) counts as.
 FLOOR_DB = -200.0

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skinsource.curves import Floats, profile
 from skinsource.errors import InvalidInputError
+from skinsource.hand.curves import Floats, profile
 
 THUMB, INDEX, MIDDLE, RING, LITTLE = range(5)
 # Joints along a digit, as fractions of its length from the base knuckle to the tip.

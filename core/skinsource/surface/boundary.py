@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.shortest_ways import distances_inside
-from skinsource.visibility import nearest_seen, sight_region
+from skinsource.surface.shortest_ways import distances_inside
+from skinsource.surface.visibility import nearest_seen, sight_region
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
@@ -51,7 +51,7 @@ def boundary_from_table(table: Floats, outline: Floats, outputs: Floats, unit: f
 
 
 def boundary_by_sight(outline: Floats, outputs: Floats, unit: float) -> Boundary:
-    """Boundary by the rule of `skinsource.visibility`.
+    """Boundary by the rule of `skinsource.surface.visibility`.
 
     Parameters
     ----------

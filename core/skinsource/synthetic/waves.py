@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import fft
 
-from skinsource.curves import Floats
+from skinsource.hand.curves import Floats
 
 Complex = NDArray[np.complex128]
 

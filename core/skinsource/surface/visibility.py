@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation, binary_fill_holes
 
-from skinsource.polygon import grid_inside, ranges
+from skinsource.surface.polygon import grid_inside, ranges
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]

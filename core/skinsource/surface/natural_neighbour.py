@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import coo_array, csr_array
 
-from skinsource.triangulation import Triangulation, cross, dot, locate, nearest_on_hull
+from skinsource.surface.triangulation import Triangulation, cross, dot, locate, nearest_on_hull
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
@@ -41,7 +41,7 @@ def natural_neighbour_weights(
     Parameters
     ----------
     triangulation
-        From `skinsource.triangulation.triangulate`.
+        From `skinsource.surface.triangulation.triangulate`.
     points : (n_points, 2)
 
     Returns

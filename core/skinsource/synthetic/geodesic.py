@@ -5,10 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.curves import Floats
+from skinsource.hand.curves import Floats
+from skinsource.hand.outline import HandShape
 from skinsource.limb import N_INPUTS, N_OUTPUTS, VOLAR_OUTPUTS
 from skinsource.locations import ARM_REGIONS, DIGITS, INPUTS, OUTPUTS
-from skinsource.outline import HandShape
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

@@ -1,0 +1,1 @@
+"""The project's own drawing of a right hand and arm, from the proportions of its parts."""

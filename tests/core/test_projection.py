@@ -1,0 +1,216 @@
+"""Projections, against sums and singular vectors worked out output by output."""
+
+import math
+
+import numpy as np
+import pytest
+
+from skinsource.errors import InvalidInputError
+from skinsource.projection import (
+    AXES,
+    METHODS,
+    magnitude,
+    principal_axis,
+    project_axes,
+    rms_direction,
+)
+
+SEED = 20240405
+SEVERAL = [axes for axes in AXES if len(axes) > 1]
+
+
+def moving(n_outputs: int, n_times: int, seed: int = SEED) -> np.ndarray:
+    """Correlated three-axis noise with an offset, which tells centred from plain data."""
+    random = np.random.default_rng(seed)
+    mixing = random.standard_normal((n_outputs, 3, 3))
+    noise = random.standard_normal((n_outputs, 3, n_times))
+    return mixing @ noise + random.standard_normal((n_outputs, 3, 1))
+
+
+def first_singular_vector(rows: np.ndarray) -> np.ndarray:
+    """First principal axis of (n_axes, n_times), largest coefficient positive."""
+    centred = rows.T - rows.T.mean(axis=0)
+    axis = np.linalg.svd(centred, full_matrices=False)[2][0]
+    return axis * np.sign(axis[np.argmax(np.abs(axis))])
+
+
+def direct(data: np.ndarray, axes: str, method: str) -> np.ndarray:
+    result = []
+    for output in data:
+        rows = np.array([output["xyz".index(axis)] for axis in axes])
+        if method == "mag":
+            result.append([math.hypot(*sample) for sample in rows.T])
+        elif method == "soc":
+            result.append([math.fsum(sample) for sample in rows.T])
+        elif method == "rms":
+            sizes = [math.sqrt(math.fsum(row * row) / len(row)) for row in rows]
+            length = math.hypot(*sizes)
+            result.append(sum(size / length * row for size, row in zip(sizes, rows, strict=True)))
+        else:
+            result.append(first_singular_vector(rows) @ rows)
+    return np.array(result)
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("axes", SEVERAL)
+@pytest.mark.parametrize(("n_outputs", "n_times"), [(1, 40), (2, 651), (7, 523), (72, 100)])
+def test_projections_agree_with_a_direct_computation(axes, method, n_outputs, n_times):
+    data = moving(n_outputs, n_times)
+    expected = direct(data, axes, method)
+    found = project_axes(data, axes, method)
+    assert found.shape == (n_outputs, n_times)
+    limit = 1e-12 * np.abs(expected).max()
+    np.testing.assert_allclose(found, expected, rtol=0, atol=limit, err_msg=f"{SEED=}")
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("axis", "xyz")
+def test_a_single_axis_is_itself_whatever_the_method(axis, method):
+    data = moving(4, 30)
+    found = project_axes(data, axis, method)
+    np.testing.assert_array_equal(found, data[:, "xyz".index(axis)])
+    assert not np.shares_memory(found, data)
+
+
+def test_the_main_axis_is_found_in_centred_data_and_applied_to_the_data_as_they_are():
+    random = np.random.default_rng(SEED)
+    along_x = np.zeros((1, 3, 500))
+    along_x[0, 0] = random.standard_normal(500)
+    along_x[0, 1] = 1000.0
+    found = project_axes(along_x, "xyz", "pca")
+    np.testing.assert_allclose(found[0], along_x[0, 0], rtol=0, atol=1e-10)
+
+
+def test_a_circle_has_no_main_axis_but_a_plane():
+    time = np.arange(1300) / 1300
+    random = np.random.default_rng(SEED)
+    frame, _ = np.linalg.qr(random.standard_normal((3, 3)))
+    turning = np.array([np.cos(2 * np.pi * 250 * time), np.sin(2 * np.pi * 250 * time)])
+    data = (frame[:, :2] @ turning)[None]
+    plane = frame[:, :2] @ frame[:, :2].T
+    for noise in (0.0, 1e-16, 1e-14):
+        noisy = data + noise * random.standard_normal(data.shape)
+        axis = principal_axis(noisy)[0]
+        assert np.linalg.norm(axis) == pytest.approx(1.0, abs=1e-14)
+        np.testing.assert_allclose(plane @ axis, axis, rtol=0, atol=1e-12, err_msg=f"{SEED=}")
+        energy = np.sum(project_axes(noisy, "xyz", "pca") ** 2)
+        assert energy == pytest.approx(650.0, rel=1e-12)
+
+
+@pytest.mark.parametrize("excess", [1e-6, 1e-3, 0.1])
+def test_a_main_axis_turns_no_further_than_noise_over_gap(excess):
+    time = np.arange(1300) / 1300
+    random = np.random.default_rng(SEED)
+    frame, _ = np.linalg.qr(random.standard_normal((3, 3)))
+    turning = np.array(
+        [(1 + excess) * np.cos(2 * np.pi * 250 * time), np.sin(2 * np.pi * 250 * time)]
+    )
+    data = (frame[:, :2] @ turning)[None]
+    expected = np.outer(frame[:, 0], frame[:, 0])
+    noise = 1e-12
+    axis = principal_axis(data + noise * random.standard_normal(data.shape))[0]
+    limit = 10 * max(noise, 1e-15) / excess
+    np.testing.assert_allclose(np.outer(axis, axis), expected, rtol=0, atol=limit)
+
+
+@pytest.mark.parametrize("axes", SEVERAL)
+def test_the_axis_found_carries_the_largest_energy_there_is(axes):
+    data = moving(20, 300, seed=3)
+    chosen = data[:, ["xyz".index(axis) for axis in axes]]
+    for rows, axis in zip(chosen, principal_axis(chosen), strict=True):
+        centred = rows - rows.mean(axis=1, keepdims=True)
+        largest = np.linalg.svd(centred, compute_uv=False)[0]
+        assert np.linalg.norm(axis @ centred) == pytest.approx(largest, rel=1e-12)
+
+
+@pytest.mark.parametrize("direction", [(1, -1, 0), (1, -1, 1), (-1, 1, -1), (0.3, 1, -1), (0, -1, 1)])
+def test_of_equal_coefficients_the_first_is_positive(direction):
+    first = np.flatnonzero(np.abs(direction) == np.max(np.abs(direction)))[0]
+    for seed in range(100):
+        signal = np.random.default_rng(seed).standard_normal(500)
+        data = np.multiply.outer(direction, signal)[None].astype(float)
+        assert principal_axis(data)[0, first] > 0, f"{seed=}"
+
+
+def test_the_largest_coefficient_is_positive():
+    for seed in range(50):
+        for axis in principal_axis(moving(5, 200, seed)):
+            assert axis[np.argmax(np.abs(axis))] > 0, f"{seed=}"
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("axes", AXES)
+def test_a_silent_output_stays_silent_beside_others(axes, method):
+    data = moving(3, 100)
+    data[1] = 0.0
+    found = project_axes(data, axes, method)
+    assert not found[1].any()
+    assert found[0].any()
+    assert found[2].any()
+    assert not project_axes(np.zeros((1, 3, 50)), axes, method).any()
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_one_sample_is_enough(method):
+    data = np.array([[[3.0], [4.0], [12.0]], [[0.0], [0.0], [0.0]]])
+    found = project_axes(data, "xyz", method)
+    expected = {"mag": 13.0, "soc": 19.0, "rms": 13.0, "pca": 3.0}
+    np.testing.assert_allclose(found, [[expected[method]], [0.0]], rtol=1e-15)
+
+
+@pytest.mark.parametrize("n_times", [1, 2, 3])
+def test_fewer_samples_than_axes_have_a_main_axis(n_times):
+    axis = principal_axis(moving(10, n_times))
+    np.testing.assert_allclose(np.linalg.norm(axis, axis=1), 1.0, atol=1e-14)
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("exponent", [-900, -500, 500, 900])
+def test_doubling_doubles_bit_for_bit_far_beyond_where_squares_exist(method, exponent):
+    data = moving(6, 80)
+    found = project_axes(np.ldexp(data, exponent), "xyz", method)
+    np.testing.assert_array_equal(found, np.ldexp(project_axes(data, "xyz", method), exponent))
+
+
+def test_turning_the_axes_keeps_the_magnitude():
+    random = np.random.default_rng(SEED)
+    turn, _ = np.linalg.qr(random.standard_normal((3, 3)))
+    data = moving(5, 200)
+    np.testing.assert_allclose(magnitude(turn @ data), magnitude(data), rtol=1e-13)
+
+
+def test_the_direction_of_the_rms_has_length_one_or_is_absent():
+    data = moving(3, 100)
+    data[2] = 0.0
+    np.testing.assert_allclose(np.linalg.norm(rms_direction(data), axis=1), [1, 1, 0], atol=1e-15)
+
+
+def test_no_outputs_give_no_signals():
+    assert project_axes(np.zeros((0, 3, 9)), "xyz", "mag").shape == (0, 9)
+
+
+@pytest.mark.parametrize("shape", [(72, 3), (72, 2, 100), (3,), (1, 72, 3, 5), (72, 100, 3)])
+def test_a_wrong_shape_is_refused(shape):
+    with pytest.raises(InvalidInputError, match=r"expected \(n_outputs, 3, n_times\)"):
+        project_axes(np.zeros(shape))
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf])
+def test_a_sample_that_is_no_number_is_named(method, value):
+    data = moving(72, 20)
+    data[51, 1, 17] = value
+    with pytest.raises(InvalidInputError, match="output 52, axis y, sample 17"):
+        project_axes(data, "xz", method)
+
+
+def test_no_samples_are_refused():
+    with pytest.raises(InvalidInputError, match="no samples"):
+        project_axes(np.zeros((72, 3, 0)), "xyz", "pca")
+
+
+def test_unknown_axes_and_methods_are_refused_with_the_known_ones():
+    with pytest.raises(InvalidInputError, match="choose from x, y, z, xy"):
+        project_axes(moving(1, 5), "yx")
+    with pytest.raises(InvalidInputError, match="choose from mag, pca, rms, soc"):
+        project_axes(moving(1, 5), "xyz", "norm")
