@@ -120,10 +120,17 @@ class Design:
         return replace(self, inputs=tuple(inputs))
 
 
-def audible_inputs(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
-    """Inputs that are heard: the solo ones if there are any, without the muted ones."""
+def audible_indices(inputs: tuple[Input, ...]) -> tuple[int, ...]:
+    """Places in ``inputs`` of those that are heard: the solo ones, if any, but no muted ones."""
     any_solo = any(one.solo for one in inputs)
-    return tuple(one for one in inputs if not one.muted and (one.solo or not any_solo))
+    return tuple(
+        index for index, one in enumerate(inputs) if not one.muted and (one.solo or not any_solo)
+    )
+
+
+def audible_inputs(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
+    """Inputs that are heard."""
+    return tuple(inputs[index] for index in audible_indices(inputs))
 
 
 def amplitude_unit(scaling: Scaling) -> str:

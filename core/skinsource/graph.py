@@ -12,6 +12,8 @@ from typing import Any
 
 import numpy as np
 
+from skinsource.work import Work, counting, tally
+
 
 class UnknownQuantity(LookupError):
     """Nothing computes the quantity that was asked for."""
@@ -30,6 +32,8 @@ class Graph:
     ----------
     runs
         How often each rule has run.
+    work
+        What the latest evaluation did.
 
     Raises
     ------
@@ -49,6 +53,7 @@ class Graph:
         self._refuse_circles()
         self._memo: dict[str, tuple[tuple[Any, ...], Any]] = {}
         self.runs: Counter[str] = Counter()
+        self.work = Work()
 
     def evaluate(
         self,
@@ -58,26 +63,31 @@ class Graph:
     ) -> dict[str, Any]:
         """Return the ``wanted`` quantities, starting from the ``given`` ones.
 
-        ``stop`` is asked before each rule runs; once true, `Stopped` is raised.
+        ``stop`` is asked before each rule runs; once true, `Stopped` is raised.  A rule that takes
+        long has a parameter ``stop`` and asks itself.
         """
-        known = dict(given)
+        known = {"stop": stop, **given}
 
         def value(name: str) -> Any:
             if name not in known:
                 known[name] = self._refresh(name, value, stop)
             return known[name]
 
-        return {name: value(name) for name in wanted}
+        with counting() as self.work:
+            return {name: value(name) for name in wanted}
 
     def _refresh(self, name: str, value: Callable[[str], Any], stop: Callable[[], bool]) -> Any:
         if name not in self._rules:
             raise UnknownQuantity(_unknown(name, self._rules))
-        inputs = tuple(value(need) for need in self._needs[name])
+        given = {need: value(need) for need in self._needs[name]}
+        # How to stop is handed on, but is no part of what the result depends on.
+        inputs = tuple(known for need, known in given.items() if need != "stop")
         if name not in self._memo or not _same(self._memo[name][0], inputs):
             if stop():
                 raise Stopped
-            result = self._rules[name](*inputs)
+            result = self._rules[name](**given)
             self.runs[name] += 1
+            tally(rules_run=1)
             _freeze(result)  # it is remembered, and shared with other threads
             if name in self._memo and _same(self._memo[name][1], result):
                 result = self._memo[name][1]  # equal, so what follows from it stands

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.errors import InvalidInputError
+from skinsource.work import tally
 
 N_INPUTS, N_OUTPUTS, N_AXES, N_TAPS = 20, 72, 3, 522
 SAMPLE_RATE_HZ = 1300.0
@@ -101,6 +102,7 @@ class Limb:
             response = self._read_response(location)
             response.flags.writeable = False
             self.bytes_read += response.nbytes
+            tally(bytes_read=response.nbytes)
             self._responses[location] = response
         return self._responses[location]
 

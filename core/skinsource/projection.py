@@ -93,11 +93,15 @@ def principal_axis(data: Floats) -> Floats:
     """
     centred = data / _scale(data)
     centred = centred - centred.mean(axis=-1, keepdims=True)
-    covariance = centred @ centred.transpose(0, 2, 1)
+    return principal_axis_of(centred @ centred.transpose(0, 2, 1))
+
+
+def principal_axis_of(covariance: Floats) -> Floats:
+    """Principal axis by covariance, (n_outputs, n_axes, n_axes); signs as in `principal_axis`."""
     _, vectors = np.linalg.eigh(covariance)
     axis = vectors[:, :, -1]
     still = ~covariance.any(axis=(1, 2))
-    axis[still] = np.eye(data.shape[1])[0]
+    axis[still] = np.eye(covariance.shape[1])[0]
     size = np.abs(axis)
     # Equal coefficients differ in their last digits, and not on all machines alike.
     largest = (size >= (1.0 - _TIE) * size.max(axis=1, keepdims=True)).argmax(axis=1)

@@ -47,11 +47,17 @@ def magnitude_spectrum(x: ArrayLike, sample_rate_hz: float) -> tuple[Floats, Flo
     data = _samples(x)
     if not (np.isfinite(sample_rate_hz) and sample_rate_hz > 0):
         raise InvalidInputError(f"sample_rate_hz is {sample_rate_hz}, expected a positive number")
-    n = data.shape[-1]
-    magnitude = np.abs(fft.rfft(data)) / n
-    last_doubled = (n + 1) // 2
-    magnitude[..., 1:last_doubled] *= 2.0
-    return np.arange(n // 2 + 1) * (sample_rate_hz / n), magnitude
+    return one_sided_magnitude(fft.rfft(data), data.shape[-1], sample_rate_hz)
+
+
+def one_sided_magnitude(
+    spectra: NDArray[np.complex128], n_times: int, sample_rate_hz: float
+) -> tuple[Floats, Floats]:
+    """Frequencies and magnitudes as in `magnitude_spectrum`, from transforms of real signals."""
+    magnitude = np.asarray(np.abs(spectra), np.float64) / n_times
+    magnitude[..., 1 : (n_times + 1) // 2] *= 2.0
+    frequency_hz: Floats = np.arange(n_times // 2 + 1) * (sample_rate_hz / n_times)
+    return frequency_hz, magnitude
 
 
 def _samples(x: ArrayLike) -> Floats:

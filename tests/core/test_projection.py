@@ -123,7 +123,9 @@ def test_the_axis_found_carries_the_largest_energy_there_is(axes):
         assert np.linalg.norm(axis @ centred) == pytest.approx(largest, rel=1e-12)
 
 
-@pytest.mark.parametrize("direction", [(1, -1, 0), (1, -1, 1), (-1, 1, -1), (0.3, 1, -1), (0, -1, 1)])
+@pytest.mark.parametrize(
+    "direction", [(1, -1, 0), (1, -1, 1), (-1, 1, -1), (0.3, 1, -1), (0, -1, 1)]
+)
 def test_of_equal_coefficients_the_first_is_positive(direction):
     first = np.flatnonzero(np.abs(direction) == np.max(np.abs(direction)))[0]
     for seed in range(100):

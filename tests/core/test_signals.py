@@ -1,5 +1,6 @@
 import math
 from fractions import Fraction
+from itertools import pairwise
 
 import mpmath
 import numpy as np
@@ -118,8 +119,7 @@ def test_noise_is_about_as_strong_in_every_third_of_its_band():
     frequency_hz = np.fft.rfftfreq(samples.size, 1 / RATE_HZ)
     edges = np.linspace(25, 600, 4)
     mean = [
-        power[(frequency_hz >= low) & (frequency_hz < high)].mean()
-        for low, high in zip(edges[:-1], edges[1:], strict=True)
+        power[(frequency_hz >= low) & (frequency_hz < high)].mean() for low, high in pairwise(edges)
     ]
     np.testing.assert_allclose(mean / np.mean(mean), 1.0, atol=0.1)
 

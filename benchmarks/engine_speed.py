@@ -1,0 +1,159 @@
+"""What an edit costs, as a ratio to computing everything anew with ``scipy.signal.fftconvolve``.
+
+Twenty inputs of 1 s; after each edit the map of all 72 outputs, six traces and six spectra in
+three axes each.  The plain way convolves every input with all 216 responses, takes the maximum,
+sums, and takes RMS, traces and spectra.  Both ways run in turn in one process, in float64; medians
+of the ratios of the rounds.
+
+    python benchmarks/engine_speed.py [--rounds 15] [--long]
+"""
+
+import argparse
+import platform
+import statistics
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+from time import perf_counter
+
+import numpy as np
+from scipy.signal import fftconvolve
+
+from skinsource.catalogue import default_limb, load_limb
+from skinsource.design import Design, Input
+from skinsource.quantities import new_graph, sources
+from skinsource.view import View
+from skinsource.waveforms import Noise, Tap, Tone
+
+OUTPUTS = (29, 30, 33, 35, 38, 52)
+WANTED = frozenset({"output_rms", "axis_traces", "axis_spectra"})
+PROMISED = {
+    "amplitude of one input": 150,
+    "onset of one input": 60,
+    "waveform of one input": 40,
+    "all 20 waveforms": 6,
+    "axes": 75,
+    "method": 75,
+    "one more output": 75,
+}
+
+Edit = Callable[[Design, View, int], tuple[Design, View]]
+
+
+def twenty_inputs() -> tuple[Input, ...]:
+    """Tones, noise and taps at the twenty places, all as long as 1 s."""
+    kinds = (
+        lambda k: Tone(frequency_hz=40.0 + 25.0 * k, duration_s=1.0),
+        lambda k: Noise(seed=k, duration_s=1.0),
+        lambda k: Tone(frequency_hz=600.0 - 25.0 * k, duration_s=1.0, window="hanning"),
+        lambda k: Tap(),
+    )
+    return tuple(
+        Input(
+            location=k + 1,
+            waveform=kinds[k % 4](k),
+            amplitude=0.5 + 0.1 * k,
+            onset_s=0.05 if k == 10 else 0.0,
+            colour=k,
+        )
+        for k in range(20)
+    )
+
+
+def edits() -> dict[str, Edit]:
+    """Each edit of the table, as a function of the round."""
+
+    def waveform(one: Input, k: int) -> Input:
+        if isinstance(one.waveform, Noise):
+            return replace(one, waveform=replace(one.waveform, seed=1000 + k + one.location))
+        if isinstance(one.waveform, Tone):
+            return replace(
+                one, waveform=replace(one.waveform, frequency_hz=60.0 + k + one.location)
+            )
+        return replace(one, waveform=Noise(seed=2000 + k + one.location, duration_s=0.05))
+
+    return {
+        "amplitude of one input": lambda d, v, k: (d.with_input(4, amplitude=1.0 + 0.01 * k), v),
+        "onset of one input": lambda d, v, k: (d.with_input(4, onset_s=(1 + k % 50) / 1300.0), v),
+        "waveform of one input": lambda d, v, k: (
+            d.with_input(4, waveform=Tone(frequency_hz=100.0 + k, duration_s=1.0)),
+            v,
+        ),
+        "all 20 waveforms": lambda d, v, k: (
+            replace(d, inputs=tuple(waveform(one, k) for one in d.inputs)),
+            v,
+        ),
+        "axes": lambda d, v, k: (d, replace(v, axes=("z", "xyz")[k % 2])),
+        "method": lambda d, v, k: (d, replace(v, method=("pca", "mag", "rms", "soc")[k % 4])),
+        "one more output": lambda d, v, k: (d, replace(v, outputs=(*OUTPUTS[:5], 53 + k % 10))),
+    }
+
+
+def plainly(design: Design, view: View) -> None:
+    """Compute everything anew."""
+    limb = load_limb(design.limb) if plainly.limb is None else plainly.limb
+    total = 0.0
+    n_times = 1300 + max(round(one.onset_s * 1300) for one in design.inputs)
+    for one in design.inputs:
+        drive = np.zeros(n_times)
+        samples = one.waveform.samples(1300.0)
+        start = round(one.onset_s * 1300)
+        drive[start : start + samples.size] = samples[: n_times - start]
+        response = plainly.responses[one.location]
+        field = fftconvolve(response, drive[:, None, None], axes=0)
+        total = total + field * (one.amplitude / field.max())
+    del limb
+    rms = np.sqrt(np.mean(np.sum(total**2, axis=2), axis=0))
+    traces = total[:, [output - 1 for output in view.outputs]].transpose(1, 2, 0)
+    spectra = np.abs(np.fft.rfft(traces)) / traces.shape[-1]
+    plainly.result = rms, traces, spectra
+
+
+def main() -> int:
+    """Print the table; 1 if a promise is broken."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--rounds", type=int, default=15)
+    parser.add_argument("--long", action="store_true", help="also 60 s, streamed")
+    options = parser.parse_args()
+    name = default_limb()
+    plainly.limb = load_limb(name)
+    # Upstream's own arrangement: time first.
+    plainly.responses = {
+        k: np.ascontiguousarray(plainly.limb.response_to(k).transpose(2, 0, 1))
+        for k in range(1, 21)
+    }
+    print(f"{platform.platform()}, Python {platform.python_version()}, numpy {np.__version__}")
+    print(f"{name}, 20 inputs of 1 s, float64; ms are medians, ratios medians of {options.rounds}")
+    print(f"{'edit':>24} {'plain':>8} {'studio':>8} {'ratio':>7} {'promised':>9}")
+    broken = 0
+    for label, edit in edits().items():
+        broken += not table_row(label, edit, name, options.rounds)
+    return int(broken > 0)
+
+
+def table_row(label: str, edit: Edit, limb: str, rounds: int) -> bool:
+    """Print one row; whether the promise holds."""
+    start = Design(limb=limb, inputs=twenty_inputs())
+    view = View(axes="xyz", method="mag", outputs=OUTPUTS, selected_input=4)
+    graph = new_graph()
+    graph.evaluate(WANTED, sources(start, view))
+    plain_s, studio_s = [], []
+    for k in range(rounds + 2):
+        design, looked = edit(start, view, k)
+        begin = perf_counter()
+        plainly(design, looked)
+        between = perf_counter()
+        graph.evaluate(WANTED, sources(design, looked))
+        end = perf_counter()
+        plain_s.append(between - begin)
+        studio_s.append(end - between)
+    ratio = statistics.median(a / b for a, b in zip(plain_s[2:], studio_s[2:], strict=True))
+    plain_ms, studio_ms = (1e3 * statistics.median(t[2:]) for t in (plain_s, studio_s))
+    promised = PROMISED[label]
+    mark = "" if ratio >= promised else "  BROKEN"
+    print(f"{label:>24} {plain_ms:8.2f} {studio_ms:8.3f} {ratio:7.1f} {promised:9d}{mark}")
+    return ratio >= promised
+
+
+if __name__ == "__main__":
+    sys.exit(main())

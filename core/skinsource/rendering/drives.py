@@ -1,0 +1,88 @@
+"""Drives: drawn once per waveform, transformed once per length, delayed by a phase ramp."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource.rendering.memory import Memory
+from skinsource.rendering.transforms import Complexes, Floats, forward
+from skinsource.waveforms import Waveform
+from skinsource.work import tally
+
+Booleans = NDArray[np.bool_]
+
+_BUDGET_BYTES = 32 * 2**20
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Drive:
+    """What an input plays, scaled by a power of two so that its peak lies between 1 and 2.
+
+    Attributes
+    ----------
+    samples : (n_times,)
+        Scaled samples.
+    factor
+        The power of two that was divided out; nothing rounds.
+    """
+
+    samples: Floats
+    factor: float
+
+    @property
+    def silent(self) -> bool:
+        """Whether it holds nothing but zeros."""
+        return self.factor == 0.0
+
+
+def drive_of(samples: Floats) -> Drive:
+    """Scale ``samples`` by a power of two; all computing is then far from over- and underflow."""
+    peak = float(np.abs(samples).max(initial=0.0))
+    if peak == 0.0:
+        return Drive(samples, 0.0)
+    exponent = int(np.frexp(peak)[1]) - 1
+    return Drive(np.ldexp(samples, -exponent), float(np.ldexp(1.0, exponent)))
+
+
+class Drives:
+    """Drawn waveforms and their spectra, in bounded memory."""
+
+    def __init__(self, budget_bytes: int = _BUDGET_BYTES) -> None:
+        self._drawn = Memory[Drive](budget_bytes, lambda drive: drive.samples.nbytes)
+        self._spectra = Memory[Complexes](budget_bytes, lambda spectrum: spectrum.nbytes)
+
+    def drawn(self, waveform: Waveform, sample_rate_hz: float) -> Drive:
+        """Samples of ``waveform``."""
+
+        def compute() -> Drive:
+            drive = drive_of(waveform.samples(sample_rate_hz))
+            tally(samples_drawn=drive.samples.size)
+            return drive
+
+        return self._drawn.get((waveform, sample_rate_hz), compute)
+
+    def spectrum(self, waveform: Waveform, sample_rate_hz: float, n_fft: int) -> Complexes:
+        """Spectrum of ``waveform`` starting at time 0, (n_fft // 2 + 1,)."""
+        return self._spectra.get(
+            (waveform, sample_rate_hz, n_fft),
+            lambda: forward(self.drawn(waveform, sample_rate_hz).samples, n_fft),
+        )
+
+
+def delayed(spectrum: Complexes, delay_samples: int, n_fft: int) -> Complexes:
+    """Spectrum of the same signal ``delay_samples`` later; it must not run out of ``n_fft``."""
+    if delay_samples == 0:
+        return spectrum
+    # The turns are reduced in whole numbers, so that long delays lose no accuracy.
+    turns = (np.arange(spectrum.shape[-1]) * delay_samples) % n_fft / n_fft
+    return spectrum * np.exp(-2j * np.pi * turns)
+
+
+def reach(samples: Floats, delay_samples: int, n_taps: int, n_times: int) -> Booleans:
+    """When a drive can be felt at all, (n_times,): at and after its samples other than zero."""
+    felt = np.zeros(n_times + 1, np.int64)
+    places = np.flatnonzero(samples) + delay_samples
+    np.add.at(felt, places, 1)
+    np.subtract.at(felt, np.minimum(places + n_taps, n_times), 1)
+    return np.cumsum(felt[:-1]) > 0

@@ -1,0 +1,45 @@
+"""Remembers values up to a budget; the least recently used go first."""
+
+from collections import OrderedDict
+from collections.abc import Callable, Hashable
+from threading import Lock
+from typing import Generic, TypeVar
+
+V = TypeVar("V")
+
+
+class Memory(Generic[V]):
+    """Values by key, for one or several threads.
+
+    Parameters
+    ----------
+    budget_bytes
+        What all values together may take.
+    size_of
+        Bytes of one value.
+    """
+
+    def __init__(self, budget_bytes: int, size_of: Callable[[V], int]) -> None:
+        self._budget_bytes = budget_bytes
+        self._size_of = size_of
+        self._values: OrderedDict[Hashable, V] = OrderedDict()
+        self.held_bytes = 0
+        self._lock = Lock()
+
+    def get(self, key: Hashable, compute: Callable[[], V]) -> V:
+        """Return the value of ``key``; ``compute`` it where it is not remembered."""
+        with self._lock:
+            if key in self._values:
+                self._values.move_to_end(key)
+                return self._values[key]
+        value = compute()
+        with self._lock:
+            replaced = self._values.pop(key, None)
+            if replaced is not None:
+                self.held_bytes -= self._size_of(replaced)
+            self._values[key] = value
+            self.held_bytes += self._size_of(value)
+            while self.held_bytes > self._budget_bytes and self._values:
+                _, oldest = self._values.popitem(last=False)
+                self.held_bytes -= self._size_of(oldest)
+        return value

@@ -1,0 +1,116 @@
+"""Second moments of the three axes of each output, and what follows from them.
+
+RMS levels of every projection follow from the moments, and the moments from spectra by Parseval:
+no channel is brought back to time.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from skinsource.projection import Axes, Method, principal_axis_of
+from skinsource.rendering.transforms import Complexes, Floats
+
+#: Below this share of its terms a sum has lost too many digits, and is computed another way.
+_CANCELLED = 1e-4
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Moments:
+    """Sums over the samples of a response.
+
+    Attributes
+    ----------
+    second : (72 outputs, 3 axes, 3 axes)
+        Sum of the products of axes; only the diagonal where nothing else is needed.
+    first : (72 outputs, 3 axes)
+        Sum of the samples.
+    """
+
+    second: Floats
+    first: Floats
+
+
+def needs_products(axes: Axes, method: Method) -> bool:
+    """Whether a projection needs the products of different axes."""
+    return len(axes) > 1 and method != "mag"
+
+
+def moments_of(left: Complexes, right: Complexes, n_fft: int, *, products: bool) -> Moments:
+    """Moments between two fields from their spectra, symmetrised.
+
+    Parameters
+    ----------
+    left, right : (n_outputs, 3, n_fft // 2 + 1)
+        Spectra; the same array twice gives the moments of one field.
+    products
+        Whether products of different axes are wanted.
+    """
+    second = np.zeros((*left.shape[:2], 3))
+    pairs = [(a, b) for a in range(3) for b in range(a, 3) if products or a == b]
+    for a, b in pairs:
+        value = _product_sum(left[:, a], right[:, b])
+        if left is not right and a != b:
+            value = 0.5 * (value + _product_sum(left[:, b], right[:, a]))
+        second[:, a, b] = second[:, b, a] = value
+    return Moments(second / n_fft, left[:, :, 0].real.copy())
+
+
+def _product_sum(left: Complexes, right: Complexes) -> Floats:
+    # Twice the real part of the product, but for the ends of the spectrum, which stand alone.
+    whole = np.vecdot(left.view(np.float64), right.view(np.float64))
+    ends = left[:, 0].real * right[:, 0].real + left[:, -1].real * right[:, -1].real
+    result: Floats = 2.0 * whole - ends
+    return result
+
+
+def combined(
+    others: Moments, cross: Moments, pivot: Moments, weight: float
+) -> tuple[Moments, np.ndarray]:
+    """Moments of ``others + weight * pivot``, and the outputs where digits cancelled.
+
+    Returns
+    -------
+    moments
+        The exact three terms.
+    cancelled : (72,) of bool
+        Outputs whose energy is below 1e-4 of the sum of the terms' magnitudes: compute those from
+        the sum of the fields instead.
+    """
+    second = others.second + 2.0 * weight * cross.second + weight**2 * pivot.second
+    first = others.first + weight * pivot.first
+    size = np.einsum("oaa->o", others.second) + weight**2 * np.einsum("oaa->o", pivot.second)
+    energy = np.einsum("oaa->o", second)
+    return Moments(second, first), (energy < _CANCELLED * size)
+
+
+def directions_of(moments: Moments, axes: Axes, method: Method, n_times: int) -> Floats | None:
+    """Vector that the chosen axes are projected on, (n_outputs, n_axes).
+
+    None for ``"mag"`` of several axes, which is no projection.
+    """
+    if len(axes) > 1 and method == "mag":
+        return None
+    if len(axes) == 1 or method == "soc":
+        return np.ones((len(moments.second), len(axes)))
+    second, first = _chosen(moments, axes)
+    if method == "rms":
+        power = np.maximum(np.einsum("oaa->oa", second), 0.0)
+        length = np.sqrt(power.sum(axis=1, keepdims=True))
+        return np.sqrt(power) / np.where(length > 0, length, 1.0)
+    return principal_axis_of(second - first[:, :, None] * first[:, None, :] / n_times)
+
+
+def energies(moments: Moments, directions: Floats | None, axes: Axes) -> Floats:
+    """Sum of squares of the projected signal of each output, (n_outputs,)."""
+    second, _ = _chosen(moments, axes)
+    if directions is None or len(axes) == 1:
+        return np.einsum("oaa->o", second)
+    return np.maximum(np.einsum("oa,oab,ob->o", directions, second, directions), 0.0)
+
+
+def _chosen(moments: Moments, axes: Axes) -> tuple[Floats, Floats]:
+    if axes == "xyz":
+        return moments.second, moments.first
+    numbers = ["xyz".index(axis) for axis in axes]
+    return moments.second[:, numbers][:, :, numbers], moments.first[:, numbers]

@@ -1,0 +1,230 @@
+"""Rules that turn the inputs of a scene into parts: the selected input, and all others.
+
+The selected input is the one that is being edited.  Its field is kept at amplitude 1, apart from
+the sum of the others, so that a change of its amplitude transforms nothing, and a change of its
+waveform or onset leaves the others alone.  What comes out is a function of design and view.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from skinsource.design import Input
+from skinsource.limb import N_TAPS, Limb
+from skinsource.rendering.drives import Booleans, Drives, delayed, reach
+from skinsource.rendering.gains import largest_sample
+from skinsource.rendering.memory import Memory
+from skinsource.rendering.parallel import in_parallel
+from skinsource.rendering.response_spectra import ResponseSpectra
+from skinsource.rendering.streaming import (
+    BLOCK_FFT,
+    LONGEST_AT_ONCE,
+    Played,
+    StreamedField,
+    largest_sample_streamed,
+)
+from skinsource.rendering.transforms import Complexes
+from skinsource.response_scaling import Scaling
+from skinsource.signals import sample_count
+from skinsource.waveforms import Waveform
+
+_GAINS_BUDGET_BYTES = 2**20
+# Starting a thread takes as long as the field of one input.
+_WORTH_A_THREAD = 8
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Source:
+    """An input without its amplitude: what its unit field depends on."""
+
+    waveform: Waveform
+    location: int
+    onset_s: float
+
+
+def source_of(one: Input) -> Source:
+    """Return ``one`` without its amplitude."""
+    return Source(waveform=one.waveform, location=one.location, onset_s=one.onset_s)
+
+
+class Renderer:
+    """The rules that need memory: spectra of responses and drives, gains.
+
+    Each method is a rule of the graph: its name is what it computes.
+    """
+
+    def __init__(self) -> None:
+        self._responses = ResponseSpectra()
+        self._drives = Drives()
+        # A key and a number: about a hundred bytes.
+        self._gains = Memory[float](_GAINS_BUDGET_BYTES, lambda _: 100)
+
+    def stimulus_samples(self, audible: tuple[Input, ...], sample_rate_hz: float) -> int:
+        """Samples from time 0 to the end of the last input; 1 where nothing is heard."""
+        return max((self._end(source_of(one), sample_rate_hz) for one in audible), default=1)
+
+    def others_spectrum(
+        self,
+        limb_data: Limb,
+        others: tuple[Input, ...],
+        scaling: Scaling,
+        n_fft: int | None,
+    ) -> Complexes | None:
+        """Field of all audible inputs but the selected one, (72, 3, n_bins); None: silence."""
+        if n_fft is None or not others:
+            return None
+        # Two halves, always the same two, so that the sum does not depend on how it was made.
+        middle = len(others) // 2
+        halves = [half for half in (others[:middle], others[middle:]) if half]
+        sums = [
+            total
+            for total in in_parallel(
+                [partial(self._sum, limb_data, half, scaling, n_fft) for half in halves],
+                worthwhile=len(others) >= _WORTH_A_THREAD,
+            )
+            if total is not None
+        ]
+        if not sums:
+            return None
+        return sums[0] if len(sums) == 1 else np.add(sums[0], sums[1], out=sums[0])
+
+    def pivot_spectrum(
+        self,
+        limb_data: Limb,
+        pivot_source: Source | None,
+        scaling: Scaling,
+        n_fft: int | None,
+    ) -> Complexes | None:
+        """Field of the selected input at amplitude 1, before any gain, (72, 3, n_bins)."""
+        if pivot_source is None or n_fft is None:
+            return None
+        if self._drives.drawn(pivot_source.waveform, limb_data.sample_rate_hz).silent:
+            return None
+        return self._unit_field(limb_data, pivot_source, scaling, n_fft, 1.0)
+
+    def others_felt(
+        self, others: tuple[Input, ...], response_samples: int, sample_rate_hz: float
+    ) -> Booleans:
+        """When any of the other inputs can be felt, (response_samples,)."""
+        felt = np.zeros(response_samples, bool)
+        for one in others:
+            felt |= self._felt(source_of(one), sample_rate_hz, response_samples)
+        return felt
+
+    def pivot_felt(
+        self, pivot_source: Source | None, response_samples: int, sample_rate_hz: float
+    ) -> Booleans:
+        """When the selected input can be felt, (response_samples,)."""
+        if pivot_source is None:
+            return np.zeros(response_samples, bool)
+        return self._felt(pivot_source, sample_rate_hz, response_samples)
+
+    def pivot_gain(
+        self,
+        limb_data: Limb,
+        pivot_source: Source | None,
+        scaling: Scaling,
+        n_fft: int | None,
+    ) -> float:
+        """What the field of the selected input is multiplied with at amplitude 1."""
+        if pivot_source is None or n_fft is None:
+            return 0.0
+        return self._gain(limb_data, pivot_source, scaling, n_fft)
+
+    def streamed_field(
+        self,
+        limb_data: Limb,
+        audible: tuple[Input, ...],
+        scaling: Scaling,
+        response_samples: int,
+        stop: Callable[[], bool],
+    ) -> StreamedField | None:
+        """Field of all audible inputs where the scene is too long to be transformed at once."""
+        if response_samples <= LONGEST_AT_ONCE:
+            return None
+        rate = limb_data.sample_rate_hz
+        played = []
+        for one in audible:
+            source = source_of(one)
+            drive = self._drives.drawn(one.waveform, rate)
+            weight = one.amplitude * self._gain(limb_data, source, scaling, BLOCK_FFT, stop)
+            if weight != 0.0:
+                played.append(
+                    Played(
+                        samples=drive.samples,
+                        start=sample_count(one.onset_s, rate),
+                        weight=weight,
+                        response=self._responses.of(limb_data, one.location, scaling, BLOCK_FFT),
+                    )
+                )
+        return StreamedField(played, response_samples, stop)
+
+    def _sum(
+        self, limb: Limb, inputs: tuple[Input, ...], scaling: Scaling, n_fft: int
+    ) -> Complexes | None:
+        total: Complexes | None = None
+        # One buffer for all: new memory of this size costs more than what is written to it.
+        field: Complexes | None = None
+        for one in inputs:
+            source = source_of(one)
+            weight = one.amplitude * self._gain(limb, source, scaling, n_fft)
+            if weight == 0.0:
+                continue
+            field = self._unit_field(limb, source, scaling, n_fft, weight, field)
+            if total is None:
+                total, field = field, None
+            else:
+                total += field
+        return total
+
+    def _end(self, source: Source, sample_rate_hz: float) -> int:
+        drawn = self._drives.drawn(source.waveform, sample_rate_hz)
+        return sample_count(source.onset_s, sample_rate_hz) + drawn.samples.size
+
+    def _felt(self, source: Source, sample_rate_hz: float, n_times: int) -> Booleans:
+        drawn = self._drives.drawn(source.waveform, sample_rate_hz)
+        onset = sample_count(source.onset_s, sample_rate_hz)
+        return reach(drawn.samples, onset, N_TAPS, n_times)
+
+    def _unit_field(
+        self,
+        limb: Limb,
+        source: Source,
+        scaling: Scaling,
+        n_fft: int,
+        weight: float,
+        buffer: Complexes | None = None,
+    ) -> Complexes:
+        rate = limb.sample_rate_hz
+        drive = self._drives.spectrum(source.waveform, rate, n_fft)
+        drive = delayed(drive, sample_count(source.onset_s, rate), n_fft) * weight
+        response = self._responses.of(limb, source.location, scaling, n_fft)
+        return np.multiply(response.values, drive, out=buffer)
+
+    def _gain(
+        self,
+        limb: Limb,
+        source: Source,
+        scaling: Scaling,
+        n_fft: int,
+        stop: Callable[[], bool] = lambda: False,
+    ) -> float:
+        rate = limb.sample_rate_hz
+        drive = self._drives.drawn(source.waveform, rate)
+        if drive.silent or scaling != "upstream":
+            # Drives are kept divided by a power of two.
+            return drive.factor
+
+        def compute() -> float:
+            response = self._responses.of(limb, source.location, scaling, n_fft)
+            if drive.samples.size + N_TAPS - 1 > n_fft:
+                largest = largest_sample_streamed(drive.samples, response, stop)
+            else:
+                spectrum = self._drives.spectrum(source.waveform, rate, n_fft)
+                largest = largest_sample(drive.samples, spectrum, response)
+            # The factor of the drive cancels: the field reaches the amplitude whatever it was.
+            return 1.0 / largest if largest > 0 else drive.factor
+
+        return self._gains.get((limb, source.location, source.waveform, n_fft), compute)

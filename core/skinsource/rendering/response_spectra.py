@@ -1,0 +1,78 @@
+"""Spectra of impulse responses, by place and length, in bounded memory."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from skinsource.calibration import per_probe_acceleration
+from skinsource.limb import Limb
+from skinsource.rendering.memory import Memory
+from skinsource.rendering.transforms import Complexes, Floats, forward
+from skinsource.response_scaling import Scaling
+
+#: Responses of twenty places for stimuli of one to two seconds.
+BUDGET_BYTES = 256 * 2**20
+
+
+@dataclass(frozen=True, eq=False)
+class ResponseSpectrum:
+    """Responses to one place, in time and in frequency.
+
+    Attributes
+    ----------
+    taps : (72 outputs, 3 axes, 522)
+        m/s².
+    values : (72 outputs, 3 axes, n_fft // 2 + 1)
+        Their spectra.
+    """
+
+    taps: Floats
+    values: Complexes
+    n_fft: int
+
+    @cached_property
+    def weighted_magnitudes(self) -> Floats:
+        """Magnitudes over n_fft, doubled but for the ends, (216, n_bins): sums bound samples."""
+        flat = self.values.reshape(-1, self.values.shape[-1])
+        magnitudes = np.sqrt(np.square(flat.real) + np.square(flat.imag))
+        magnitudes *= 2.0 / self.n_fft
+        magnitudes[:, [0, -1]] *= 0.5
+        return magnitudes
+
+    @cached_property
+    def energies(self) -> Floats:
+        """Root of the sum of squares of each response, (216,)."""
+        return np.linalg.norm(self.taps.reshape(-1, self.taps.shape[-1]), axis=-1)
+
+    @cached_property
+    def absolute_sums(self) -> Floats:
+        """Sum of magnitudes of each response, (216,)."""
+        return np.abs(self.taps.reshape(-1, self.taps.shape[-1])).sum(axis=-1)
+
+
+class ResponseSpectra:
+    """Spectra by limb, place, scaling and length."""
+
+    def __init__(self, budget_bytes: int = BUDGET_BYTES) -> None:
+        # The magnitudes, made when first needed, are half as large as the values.
+        self._memory = Memory[ResponseSpectrum](
+            budget_bytes, lambda one: one.values.nbytes * 3 // 2
+        )
+
+    @property
+    def held_bytes(self) -> int:
+        """What the spectra take in memory."""
+        return self._memory.held_bytes
+
+    def of(self, limb: Limb, location: int, scaling: Scaling, n_fft: int) -> ResponseSpectrum:
+        """Responses to ``location``; under ``"probe"`` scaling the calibrated ones."""
+
+        def compute() -> ResponseSpectrum:
+            taps = limb.response_to(location)
+            if scaling == "probe":
+                taps = per_probe_acceleration(taps, limb.sample_rate_hz)
+            return ResponseSpectrum(taps, forward(taps, n_fft), n_fft)
+
+        # A limb is the object, not the name: after a reinstall the name means other data.
+        return self._memory.get((limb, location, scaling == "probe", n_fft), compute)

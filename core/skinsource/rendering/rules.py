@@ -1,0 +1,292 @@
+"""Rules from parts of a scene to levels, traces and spectra.
+
+Levels follow from moments, moments from spectra: only the outputs that are looked at are brought
+back to time.  With the selected input apart, a change of its amplitude is three terms.
+"""
+
+import numpy as np
+
+from skinsource.decibels import decibels
+from skinsource.design import Input, audible_indices, audible_inputs
+from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS
+from skinsource.projection import Axes, Method, magnitude
+from skinsource.rendering.drives import Booleans
+from skinsource.rendering.moments import (
+    Moments,
+    combined,
+    directions_of,
+    energies,
+    moments_of,
+    needs_products,
+)
+from skinsource.rendering.part import Part
+from skinsource.rendering.renderer import Source, source_of
+from skinsource.rendering.streaming import LONGEST_AT_ONCE, StreamedField
+from skinsource.rendering.transforms import Complexes, Floats, forward, transform_length
+from skinsource.spectra import one_sided_magnitude
+
+
+def audible(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
+    """Inputs that are heard."""
+    return audible_inputs(inputs)
+
+
+def pivot(inputs: tuple[Input, ...], selected_input: int | None) -> Input | None:
+    """The selected input, if it is heard."""
+    heard = selected_input is not None and selected_input in audible_indices(inputs)
+    return inputs[selected_input] if heard and selected_input is not None else None
+
+
+def others(inputs: tuple[Input, ...], selected_input: int | None) -> tuple[Input, ...]:
+    """Inputs that are heard, without the selected one."""
+    return tuple(inputs[k] for k in audible_indices(inputs) if k != selected_input)
+
+
+def pivot_source(pivot: Input | None) -> Source | None:
+    """The selected input without its amplitude."""
+    return None if pivot is None else source_of(pivot)
+
+
+def pivot_weight(pivot: Input | None, pivot_gain: float) -> float:
+    """What the unit field of the selected input is multiplied with."""
+    return 0.0 if pivot is None else pivot.amplitude * pivot_gain
+
+
+def response_samples(stimulus_samples: int) -> int:
+    """Samples of the response: the stimulus and one response more."""
+    return stimulus_samples + N_TAPS - 1
+
+
+def products_needed(axes: Axes, method: Method) -> bool:
+    """Whether levels need the products of different axes."""
+    return needs_products(axes, method)
+
+
+def n_fft(response_samples: int) -> int | None:
+    """Length of transforms; None where the scene is too long to be transformed at once."""
+    short = response_samples <= LONGEST_AT_ONCE
+    return transform_length(response_samples) if short else None
+
+
+def others_part(
+    others_spectrum: Complexes | None, others_felt: Booleans, n_fft: int | None
+) -> Part | None:
+    """Field of all inputs but the selected one, to be brought back to time."""
+    return _part(others_spectrum, others_felt, n_fft)
+
+
+def pivot_part(
+    pivot_spectrum: Complexes | None, pivot_felt: Booleans, n_fft: int | None
+) -> Part | None:
+    """Field of the selected input at amplitude 1, to be brought back to time."""
+    return _part(pivot_spectrum, pivot_felt, n_fft)
+
+
+def others_moments(
+    others_spectrum: Complexes | None, n_fft: int | None, products_needed: bool
+) -> Moments | None:
+    """Moments of all inputs but the selected one."""
+    return _moments(others_spectrum, others_spectrum, n_fft, products_needed)
+
+
+def pivot_moments(
+    pivot_spectrum: Complexes | None, n_fft: int | None, products_needed: bool
+) -> Moments | None:
+    """Moments of the selected input at amplitude 1, before any gain."""
+    return _moments(pivot_spectrum, pivot_spectrum, n_fft, products_needed)
+
+
+def cross_moments(
+    others_spectrum: Complexes | None,
+    pivot_spectrum: Complexes | None,
+    n_fft: int | None,
+    products_needed: bool,
+) -> Moments | None:
+    """Moments between the selected input and all others."""
+    return _moments(others_spectrum, pivot_spectrum, n_fft, products_needed)
+
+
+def moments(
+    others_moments: Moments | None,
+    cross_moments: Moments | None,
+    pivot_moments: Moments | None,
+    pivot_weight: float,
+    others_spectrum: Complexes | None,
+    pivot_spectrum: Complexes | None,
+    n_fft: int | None,
+    products_needed: bool,
+    streamed_field: StreamedField | None,
+) -> Moments:
+    """Moments of the whole field.
+
+    Where the terms cancel to below 1e-4 of their size, the moments are computed again from the
+    sum of the fields, so that no digits are lost.
+    """
+    if streamed_field is not None:
+        return streamed_field.moments()
+    if pivot_moments is None or pivot_weight == 0.0:
+        return others_moments or _silence()
+    if others_moments is None or cross_moments is None:
+        return Moments(pivot_weight**2 * pivot_moments.second, pivot_weight * pivot_moments.first)
+    total, cancelled = combined(others_moments, cross_moments, pivot_moments, pivot_weight)
+    if others_spectrum is not None and pivot_spectrum is not None and cancelled.any():
+        field = others_spectrum[cancelled] + pivot_weight * pivot_spectrum[cancelled]
+        again = _moments(field, field, n_fft, products_needed)
+        if again is not None:
+            total.second[cancelled], total.first[cancelled] = again.second, again.first
+    return total
+
+
+def directions(
+    moments: Moments, axes: Axes, method: Method, response_samples: int
+) -> Floats | None:
+    """Vector that each output is projected on, (72 outputs, n_axes); None: magnitude."""
+    return directions_of(moments, axes, method, response_samples)
+
+
+def output_rms(
+    moments: Moments, directions: Floats | None, axes: Axes, response_samples: int
+) -> Floats:
+    """RMS over the whole response of the projected signals, (72 outputs,), in m/s²."""
+    return np.sqrt(energies(moments, directions, axes) / response_samples)
+
+
+def output_levels_db(output_rms: Floats) -> Floats:
+    """RMS level of each output, (72,), in dB re 1 m/s²; silence is -200 dB."""
+    return decibels(output_rms)
+
+
+def axis_traces(
+    others_part: Part | None,
+    pivot_part: Part | None,
+    pivot_weight: float,
+    streamed_field: StreamedField | None,
+    outputs: tuple[int, ...],
+    axes: Axes,
+    response_samples: int,
+) -> Floats:
+    """Acceleration of the selected outputs, (n_selected, n_axes, n_times), in m/s²."""
+    chosen = _numbers(axes)
+    if streamed_field is not None:
+        return streamed_field.traces(outputs, chosen)
+    total = np.zeros((len(outputs), len(chosen), response_samples))
+    if others_part is not None:
+        total += others_part.traces(outputs, chosen)
+    if pivot_part is not None and pivot_weight != 0.0:
+        total += pivot_weight * pivot_part.traces(outputs, chosen)
+    return total
+
+
+def selected_directions(directions: Floats | None, outputs: tuple[int, ...]) -> Floats | None:
+    """Vector that each selected output is projected on, (n_selected, n_axes); None: magnitude."""
+    return None if directions is None else directions[[output - 1 for output in outputs]]
+
+
+def selected_traces(axis_traces: Floats, selected_directions: Floats | None) -> Floats:
+    """Projected acceleration of the selected outputs, (n_selected, n_times), in m/s²."""
+    if selected_directions is None:
+        return magnitude(axis_traces)
+    return np.einsum("oa,oat->ot", selected_directions, axis_traces)
+
+
+def axis_spectra(
+    others_part: Part | None,
+    pivot_part: Part | None,
+    pivot_weight: float,
+    streamed_field: StreamedField | None,
+    outputs: tuple[int, ...],
+    axes: Axes,
+    response_samples: int,
+) -> Complexes:
+    """Transforms of `axis_traces` over exactly their samples, (n_selected, n_axes, n_bins)."""
+    chosen = _numbers(axes)
+    if streamed_field is not None:
+        return forward(streamed_field.traces(outputs, chosen), response_samples)
+    total = np.zeros((len(outputs), len(chosen), response_samples // 2 + 1), np.complex128)
+    if others_part is not None:
+        total += others_part.trace_spectra(outputs, chosen)
+    if pivot_part is not None and pivot_weight != 0.0:
+        total += pivot_weight * pivot_part.trace_spectra(outputs, chosen)
+    return total
+
+
+def selected_spectra(
+    others_part: Part | None,
+    pivot_part: Part | None,
+    pivot_weight: float,
+    streamed_field: StreamedField | None,
+    outputs: tuple[int, ...],
+    axes: Axes,
+    response_samples: int,
+    selected_directions: Floats | None,
+    selected_traces: Floats,
+    sample_rate_hz: float,
+) -> tuple[Floats, Floats]:
+    """Frequencies, (n_bins,), in Hz, and magnitudes, (n_selected, n_bins), in m/s².
+
+    A projection is linear in its axes, so their transforms serve it, whatever its direction; a
+    magnitude is not, and the traces of a long scene are at hand: those are transformed.
+    """
+    if selected_directions is None or streamed_field is not None:
+        transforms = forward(selected_traces, response_samples)
+    else:
+        transforms = np.einsum(
+            "oa,oaf->of",
+            selected_directions,
+            axis_spectra(
+                others_part,
+                pivot_part,
+                pivot_weight,
+                streamed_field,
+                outputs,
+                axes,
+                response_samples,
+            ),
+        )
+    return one_sided_magnitude(transforms, response_samples, sample_rate_hz)
+
+
+RULES = (
+    audible,
+    pivot,
+    others,
+    pivot_source,
+    pivot_weight,
+    response_samples,
+    n_fft,
+    products_needed,
+    others_part,
+    pivot_part,
+    others_moments,
+    pivot_moments,
+    cross_moments,
+    moments,
+    directions,
+    output_rms,
+    output_levels_db,
+    axis_traces,
+    selected_directions,
+    selected_traces,
+    axis_spectra,
+    selected_spectra,
+)
+
+
+def _part(spectrum: Complexes | None, felt: Booleans, n_fft: int | None) -> Part | None:
+    return None if spectrum is None or n_fft is None else Part(spectrum, n_fft, felt)
+
+
+def _moments(
+    left: Complexes | None, right: Complexes | None, n_fft: int | None, products: bool
+) -> Moments | None:
+    if left is None or right is None or n_fft is None:
+        return None
+    return moments_of(left, right, n_fft, products=products)
+
+
+def _numbers(axes: Axes) -> tuple[int, ...]:
+    return tuple("xyz".index(axis) for axis in axes)
+
+
+def _silence() -> Moments:
+    return Moments(np.zeros((N_OUTPUTS, N_AXES, N_AXES)), np.zeros((N_OUTPUTS, N_AXES)))

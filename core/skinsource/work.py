@@ -1,0 +1,62 @@
+"""Counts the work that an evaluation does, so that what is left out can be asserted."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
+
+
+@dataclass(slots=True)
+class Work:
+    """What was done.
+
+    Attributes
+    ----------
+    forward_transforms, inverse_transforms
+        Fourier transforms of one signal each.
+    samples_drawn
+        Samples of waveforms that were computed.
+    bytes_read
+        Bytes of impulse responses that were read, or computed for synthetic limbs.
+    rules_run
+        Rules of the graph that ran.
+    """
+
+    forward_transforms: int = 0
+    inverse_transforms: int = 0
+    samples_drawn: int = 0
+    bytes_read: int = 0
+    rules_run: int = 0
+
+
+# What is being counted belongs to the running evaluation, not to the functions that do the work.
+_counted: ContextVar[Work | None] = ContextVar("counted", default=None)
+
+
+@contextmanager
+def counting() -> Iterator[Work]:
+    """Count the work done in this block, by this thread."""
+    work = Work()
+    token = _counted.set(work)
+    try:
+        yield work
+    finally:
+        _counted.reset(token)
+
+
+def tally(
+    *,
+    forward_transforms: int = 0,
+    inverse_transforms: int = 0,
+    samples_drawn: int = 0,
+    bytes_read: int = 0,
+    rules_run: int = 0,
+) -> None:
+    """Add to what is being counted; nothing where nobody counts."""
+    work = _counted.get()
+    if work is not None:
+        work.forward_transforms += forward_transforms
+        work.inverse_transforms += inverse_transforms
+        work.samples_drawn += samples_drawn
+        work.bytes_read += bytes_read
+        work.rules_run += rules_run

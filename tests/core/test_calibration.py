@@ -1,0 +1,78 @@
+"""The calibration undoes the measuring pulse: a known system, struck by the pulse, comes back."""
+
+import numpy as np
+import pytest
+
+from skinsource.calibration import per_probe_acceleration
+
+RATE_HZ = 1300.0
+PEAK_M_PER_S2, WIDTH_S = 22.9, 1e-3
+
+
+def system(n_taps: int = 522) -> np.ndarray:
+    """Ringing of a band-limited system, well inside the taps."""
+    time = (np.arange(n_taps) - 120) / RATE_HZ
+    envelope = np.exp(-((time / 0.012) ** 2))
+    return np.array([envelope * np.cos(2 * np.pi * f * time) for f in (60.0, 200.0, 480.0)])
+
+
+def struck_by_the_pulse(impulse_responses: np.ndarray) -> np.ndarray:
+    """Convolve with the pulse in continuous time, by summation at a rate far above 1300 Hz.
+
+    The pulse is a rectangle around time 0.  Between its samples the response is band-limited.
+    """
+    n_taps = impulse_responses.shape[-1]
+    n_steps = 200
+    offsets_s = (np.arange(n_steps) + 0.5) / n_steps * WIDTH_S - WIDTH_S / 2
+    sample = np.arange(n_taps)
+    result = np.zeros_like(impulse_responses)
+    for offset_s in offsets_s:
+        late = np.sinc(sample[:, None] - sample[None, :] - offset_s * RATE_HZ)
+        result += impulse_responses @ late.T
+    return result * PEAK_M_PER_S2 * RATE_HZ * WIDTH_S / n_steps
+
+
+def test_a_system_struck_by_the_measuring_pulse_is_recovered():
+    expected = system()
+    found = per_probe_acceleration(struck_by_the_pulse(expected), RATE_HZ)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-5)
+
+
+def test_the_gain_at_0_hz_is_one_over_the_area_of_the_pulse():
+    constant = np.zeros(522)
+    constant[100:400] = np.hanning(300)
+    found = per_probe_acceleration(constant, RATE_HZ)
+    ratio = found.sum() / constant.sum()
+    assert ratio == pytest.approx(1 / (PEAK_M_PER_S2 * WIDTH_S * RATE_HZ), rel=1e-5)
+
+
+def test_a_longer_record_gives_the_same_response():
+    pulse_response = struck_by_the_pulse(system())
+    longer = np.pad(pulse_response, ((0, 0), (0, 300)))
+    found = per_probe_acceleration(longer, RATE_HZ)[:, :522]
+    np.testing.assert_allclose(per_probe_acceleration(pulse_response, RATE_HZ), found, atol=1e-6)
+
+
+def test_what_comes_before_the_start_does_not_come_round_to_the_end():
+    early = np.zeros(522)
+    early[1] = 1.0
+    found = np.abs(per_probe_acceleration(early, RATE_HZ))
+    assert found[-100:].max() < 1e-5 * found.max()
+
+
+def test_calibration_is_linear_and_keeps_the_shape():
+    random = np.random.default_rng(2)
+    first, second = random.standard_normal((2, 4, 3, 522))
+    found = per_probe_acceleration(3 * first - second, RATE_HZ)
+    assert found.shape == (4, 3, 522)
+    parts = 3 * per_probe_acceleration(first, RATE_HZ) - per_probe_acceleration(second, RATE_HZ)
+    np.testing.assert_allclose(found, parts, rtol=0, atol=1e-14)
+    assert not per_probe_acceleration(np.zeros((4, 522)), RATE_HZ).any()
+
+
+def test_no_frequency_is_raised_by_more_than_8_db_over_0_hz():
+    impulse = np.zeros(522)
+    impulse[261] = 1.0
+    gain = np.abs(np.fft.rfft(per_probe_acceleration(impulse, RATE_HZ)))
+    assert gain.max() / gain[0] < 10 ** (8 / 20)
+    assert gain.min() > 0.9 * gain[0]

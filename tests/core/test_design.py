@@ -1,0 +1,153 @@
+from dataclasses import FrozenInstanceError, replace
+
+import numpy as np
+import pytest
+
+from skinsource.design import (
+    MAX_INPUTS,
+    Design,
+    Input,
+    amplitude_unit,
+    audible_inputs,
+    start_design,
+)
+from skinsource.errors import InvalidInputError
+from skinsource.response import SCALINGS
+from skinsource.waveforms import Noise, Tap, Tone
+
+THREE = Design(limb="synthetic-1", inputs=tuple(Input(location=k, colour=k) for k in (1, 2, 3)))
+
+
+def places(design: Design) -> list[int]:
+    return [one.location for one in design.inputs]
+
+
+def test_a_change_of_one_input_leaves_the_others_the_very_same():
+    changed = THREE.with_input(1, amplitude=-2, waveform=Tap())
+    assert changed.inputs[1] == Input(location=2, colour=2, amplitude=-2.0, waveform=Tap())
+    assert changed.inputs[0] is THREE.inputs[0]
+    assert changed.inputs[2] is THREE.inputs[2]
+    assert THREE.inputs[1].amplitude == 1.0
+
+
+def test_inputs_are_counted_from_the_end_as_everywhere_in_python():
+    assert places(THREE.with_input(-1, location=9)) == [1, 2, 9]
+    assert places(THREE.without_input(-1)) == [1, 2]
+
+
+@pytest.mark.parametrize("index", [3, -4])
+def test_an_input_that_is_not_there_is_an_error(index):
+    with pytest.raises(IndexError):
+        THREE.with_input(index, amplitude=2.0)
+    with pytest.raises(IndexError):
+        THREE.without_input(index)
+
+
+def test_removing_an_input_keeps_the_order_and_the_colours_of_the_rest():
+    rest = THREE.without_input(1)
+    assert places(rest) == [1, 3]
+    assert [one.colour for one in rest.inputs] == [1, 3]
+
+
+def test_a_new_input_goes_to_the_end_in_the_first_colour_that_is_free():
+    design = THREE.adding(Input(location=9, colour=1)).adding(Input(location=9))
+    assert places(design) == [1, 2, 3, 9, 9]
+    assert [one.colour for one in design.inputs] == [1, 2, 3, 0, 4]
+
+
+def test_a_hundred_inputs_are_allowed_and_no_more():
+    full = Design(limb="synthetic-1", inputs=(Input(location=1),) * MAX_INPUTS)
+    with pytest.raises(InvalidInputError, match="has 101 inputs, expected at most 100"):
+        full.adding(Input(location=2))
+
+
+def test_values_cannot_be_changed_in_place():
+    with pytest.raises(FrozenInstanceError):
+        THREE.limb = "synthetic-2"
+    with pytest.raises(FrozenInstanceError):
+        THREE.inputs[0].amplitude = 2.0
+
+
+def test_equal_designs_are_equal_and_can_be_keys():
+    again = Design(limb="synthetic-1", inputs=tuple(Input(location=k, colour=k) for k in (1, 2, 3)))
+    assert again == THREE
+    assert hash(again) == hash(THREE)
+    assert Input(location=1, waveform=Tone()) != Input(location=1, waveform=Noise())
+
+
+@pytest.mark.parametrize(
+    ("muted", "solo", "heard"),
+    [
+        ((0, 0, 0), (0, 0, 0), [1, 2, 3]),
+        ((0, 1, 0), (0, 0, 0), [1, 3]),
+        ((0, 0, 0), (0, 1, 0), [2]),
+        ((0, 0, 0), (1, 0, 1), [1, 3]),
+        ((0, 1, 0), (0, 1, 0), []),
+        ((1, 0, 0), (1, 1, 0), [2]),
+        ((1, 1, 1), (0, 0, 0), []),
+    ],
+)
+def test_solo_inputs_are_heard_alone_and_muted_ones_never(muted, solo, heard):
+    inputs = tuple(
+        replace(one, muted=bool(is_muted), solo=bool(is_solo))
+        for one, is_muted, is_solo in zip(THREE.inputs, muted, solo, strict=True)
+    )
+    assert [one.location for one in audible_inputs(inputs)] == heard
+
+
+def test_amplitudes_have_the_unit_of_their_scaling():
+    assert [amplitude_unit(scaling) for scaling in SCALINGS] == ["m/s²", "×", "m/s²"]
+
+
+def test_the_first_window_plays_a_tone_on_the_pad_of_digit_ii():
+    design = start_design("synthetic-3")
+    assert design.limb == "synthetic-3"
+    assert places(design) == [7]
+    assert design.inputs[0].waveform == Tone(frequency_hz=100.0)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"location": 0},
+        {"location": 21},
+        {"location": True},
+        {"location": 2.0},
+        {"amplitude": float("nan")},
+        {"amplitude": 1000.5},
+        {"amplitude": "1"},
+        {"onset_s": -0.001},
+        {"onset_s": 601.0},
+        {"muted": 1},
+        {"solo": None},
+        {"solo": np.True_},
+        {"colour": -1},
+        {"colour": 0.5},
+        {"colour": 2**31},
+        {"waveform": None},
+        {"waveform": "Tone"},
+        {"waveform": Tone},
+    ],
+)
+def test_an_impossible_input_is_refused_by_name(wrong):
+    (name,) = wrong
+    with pytest.raises(InvalidInputError, match=name):
+        Input(**{"location": 1, **wrong})
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"limb": 1},
+        {"limb": None},
+        {"scaling": "Upstream"},
+        {"scaling": None},
+        {"inputs": [Input(location=1)]},
+        {"inputs": ("tone",)},
+        {"inputs": None},
+    ],
+)
+def test_an_impossible_design_is_refused_by_name(wrong):
+    (name,) = wrong
+    with pytest.raises(InvalidInputError, match=name):
+        Design(**{"limb": "synthetic-1", **wrong})

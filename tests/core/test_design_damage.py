@@ -1,0 +1,98 @@
+"""Damaged design files: whatever happens to the bytes, no other design is ever opened.
+
+The attempts run in a process of their own, because a damaged file can end HDF5 or keep it busy.
+"""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from skinsource.design import Design, Input
+from skinsource.design_file import DesignFile, open_design, save_design
+from skinsource.errors import DesignFileError
+from skinsource.view import View
+from skinsource.waveforms import KINDS
+
+SEED = 20261
+ATTEMPTS = """
+import collections
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from skinsource.design_file import open_design
+from skinsource.errors import DesignFileError
+
+path, way, seed, count = Path(sys.argv[1]), sys.argv[2], int(sys.argv[3]), int(sys.argv[4])
+expected, image = open_design(path), path.read_bytes()
+random = np.random.default_rng(seed)
+outcome = collections.Counter()
+for attempt in range(count):
+    damaged = bytearray(image)
+    place = int(random.integers(len(image)))
+    if way == "flip":
+        damaged[place] ^= 1 << int(random.integers(8))
+    elif way == "cut":
+        del damaged[place:]
+    elif way == "hole":
+        damaged[place : place + 64] = bytes(len(damaged[place : place + 64]))
+    elif way == "shift":
+        damaged.insert(place, int(random.integers(256)))
+    path.write_bytes(damaged)
+    try:
+        found = open_design(path)
+    except DesignFileError:
+        outcome["refused"] += 1
+    else:
+        outcome["the same" if found == expected else f"another, attempt {attempt}"] += 1
+print(json.dumps(outcome))
+"""
+
+
+def attempts(path: Path, way: str, count: int) -> dict[str, int]:
+    command = [sys.executable, "-c", ATTEMPTS, str(path), way, str(SEED), str(count)]
+    result = subprocess.run(command, check=False, capture_output=True, text=True, timeout=60)
+    assert result.returncode == 0, f"{SEED=}: {result.stderr[-2000:]}"
+    return json.loads(result.stdout)
+
+
+@pytest.fixture(params=[2, 30], ids=["2 inputs", "30 inputs"])
+def saved(request, tmp_path) -> Path:
+    inputs = tuple(
+        Input(location=1 + k % 20, waveform=KINDS[k % len(KINDS)](), colour=k)
+        for k in range(request.param)
+    )
+    view = View(map_range_db=(-50.0, 0.0), time_range_s=(0.0, 0.1))
+    content = DesignFile(
+        design=Design(limb="measured-1", inputs=inputs), view=view, layout=bytes(range(256)) * 4
+    )
+    save_design(tmp_path / "design.skinsource", content)
+    return tmp_path / "design.skinsource"
+
+
+@pytest.mark.parametrize(("way", "count"), [("flip", 250), ("hole", 60), ("shift", 40)])
+def test_damaged_bytes_are_refused_or_make_no_difference(saved, way, count):
+    outcome = attempts(saved, way, count)
+    assert set(outcome) <= {"refused", "the same"}, f"{SEED=}"
+    assert outcome["refused"] > count // 3
+
+
+def test_a_file_cut_off_anywhere_is_refused(saved):
+    assert attempts(saved, "cut", 60) == {"refused": 60}
+
+
+def test_every_bit_of_every_text_is_watched_over(saved):
+    image = saved.read_bytes()
+    for text in (b"measured-1", b"skinsource design", b"Tone", b"upstream", b"interpolated"):
+        start = image.index(text)
+        for place in range(start, start + len(text)):
+            damaged = bytearray(image)
+            damaged[place] ^= 2
+            saved.write_bytes(damaged)
+            with pytest.raises(DesignFileError):
+                open_design(saved)

@@ -1,0 +1,154 @@
+import csv
+import io
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from skinsource import quantities
+from skinsource.design import Design, Input
+from skinsource.errors import StorageError
+from skinsource.export import export_levels, export_traces
+from skinsource.limb import Limb, LimbMap
+from skinsource.projection import project_axes
+from skinsource.response import predict
+from skinsource.spectra import rms
+from skinsource.view import View
+from skinsource.waveforms import Noise, Tap
+
+INPUTS = (
+    Input(location=7, waveform=Noise(seed=3, duration_s=0.1), amplitude=0.1),
+    Input(location=13, waveform=Tap(), amplitude=-1 / 3, muted=True),
+)
+VIEW = View(axes="xz", method="soc", outputs=(72, 1, 30))
+
+
+def made_up_response(place: int) -> np.ndarray:
+    return np.random.default_rng(place).standard_normal((72, 3, 522))
+
+
+@pytest.fixture(autouse=True)
+def made_up_limbs(monkeypatch):
+    """Let every name stand for a made-up limb, measured ones included."""
+
+    def load(name: str) -> Limb:
+        nowhere = LimbMap(
+            outline=np.zeros((3, 2)),
+            output_positions=np.zeros((72, 2)),
+            input_positions=np.zeros((20, 2)),
+            hand_length_px=1.0,
+        )
+        return Limb(
+            name=name,
+            hand_length_mm=175.0,
+            synthetic=name.startswith("synthetic"),
+            map=nowhere,
+            read_response=made_up_response,
+        )
+
+    monkeypatch.setattr(quantities, "load_limb", load)
+    return load
+
+
+def read(path: Path) -> tuple[list[str], list[str], np.ndarray]:
+    """Comment lines, names of the columns, and the numbers."""
+    lines = path.read_text(encoding="utf-8").splitlines()
+    about = [line for line in lines if line.startswith("#")]
+    names, *rows = csv.reader(io.StringIO("\n".join(lines[len(about) :])))
+    return about, names, np.array([[float(cell) for cell in row] for row in rows])
+
+
+def signal(limb) -> np.ndarray:
+    drive = INPUTS[0].waveform.samples(1300.0)
+    return project_axes(predict(limb, [drive], [7], [0.1]), "xz", "soc")
+
+
+def test_traces_read_back_exactly(tmp_path, made_up_limbs):
+    path = tmp_path / "traces.csv"
+    export_traces(path, Design(limb="measured-2", inputs=INPUTS), VIEW)
+    _, names, table = read(path)
+    assert names == ["time_s", "output_72_m_per_s2", "output_1_m_per_s2", "output_30_m_per_s2"]
+    np.testing.assert_array_equal(table[:, 0], np.arange(130 + 521) / 1300.0)
+    np.testing.assert_array_equal(table[:, 1:].T, signal(made_up_limbs("x"))[[71, 0, 29]])
+
+
+def test_levels_read_back_exactly(tmp_path, made_up_limbs):
+    path = tmp_path / "levels.csv"
+    export_levels(path, Design(limb="measured-2", inputs=INPUTS), VIEW)
+    _, names, table = read(path)
+    assert names == ["output", "rms_m_per_s2", "level_db_re_1_m_per_s2"]
+    expected = rms(signal(made_up_limbs("x")))
+    np.testing.assert_array_equal(table[:, 0], np.arange(1, 73))
+    np.testing.assert_array_equal(table[:, 1], expected)
+    np.testing.assert_allclose(table[:, 2], 20 * np.log10(expected), rtol=0, atol=1e-12)
+
+
+def test_pandas_reads_the_tables_without_help(tmp_path):
+    pandas = pytest.importorskip("pandas", reason="pandas is not installed")
+    path = tmp_path / "levels.csv"
+    export_levels(path, Design(limb="measured-2", inputs=INPUTS), VIEW)
+    table = pandas.read_csv(path, comment="#")
+    np.testing.assert_array_equal(table["output"], np.arange(1, 73))
+    np.testing.assert_allclose(table["rms_m_per_s2"], read(path)[2][:, 1], rtol=1e-14)
+
+
+def test_silence_is_minus_200_db_and_no_infinity(tmp_path):
+    path = tmp_path / "levels.csv"
+    export_levels(path, Design(limb="measured-1"), View())
+    _, _, table = read(path)
+    assert not table[:, 1].any()
+    assert (table[:, 2] == -200.0).all()
+
+
+@pytest.mark.parametrize("export", [export_traces, export_levels])
+def test_a_synthetic_limb_is_called_synthetic_in_capitals_and_a_measured_one_is_not(
+    tmp_path, export
+):
+    for limb in ("synthetic-1", "synthetic-4", "measured-1"):
+        export(tmp_path / "table.csv", Design(limb=limb, inputs=INPUTS), VIEW)
+        about, _, _ = read(tmp_path / "table.csv")
+        assert any(limb in line for line in about)
+        assert any("SYNTHETIC" in line for line in about) == limb.startswith("synthetic")
+
+
+def test_the_table_says_how_it_was_made(tmp_path):
+    path = tmp_path / "traces.csv"
+    export_traces(path, Design(limb="measured-2", inputs=INPUTS, scaling="relative"), VIEW)
+    about = "\n".join(read(path)[0])
+    for fact in ("measured-2", "scaling: relative", "axes: xz; method: soc", "place 7", "seed=3"):
+        assert fact in about
+    assert "place 13" in about
+    assert "muted" in about
+    assert f"amplitude {-1 / 3!r}" in about
+
+
+@pytest.mark.parametrize(("removed", "start"), [(True, -0.052), (False, 0.0)])
+def test_the_table_says_whether_the_delay_is_in_its_times(tmp_path, removed, start):
+    path = tmp_path / "traces.csv"
+    view = View(outputs=(1,), delay_removed=removed)
+    export_traces(path, Design(limb="measured-2", inputs=INPUTS), view)
+    about, _, table = read(path)
+    assert any(f"52 ms: {'removed' if removed else 'contained'}" in line for line in about)
+    assert table[0, 0] == start
+
+
+def test_a_single_axis_has_no_method(tmp_path):
+    path = tmp_path / "traces.csv"
+    export_traces(path, Design(limb="measured-2", inputs=INPUTS), View(axes="z", method="pca"))
+    assert not any("pca" in line for line in read(path)[0])
+
+
+def test_no_outputs_give_the_times_alone(tmp_path):
+    path = tmp_path / "traces.csv"
+    export_traces(path, Design(limb="measured-2"), View(outputs=()))
+    _, names, table = read(path)
+    assert names == ["time_s"]
+    assert table.shape == (522, 1)
+
+
+def test_a_failing_export_leaves_the_old_table(tmp_path):
+    path = tmp_path / "table.csv"
+    path.write_text("old")
+    with pytest.raises(StorageError):
+        export_levels(tmp_path / "nowhere" / "table.csv", Design(limb="measured-1"), View())
+    assert path.read_text() == "old"

@@ -1,0 +1,180 @@
+import numpy as np
+import pytest
+
+from skinsource.graph import Graph, Stopped, UnknownQuantity
+
+
+def doubled(number):
+    return 2 * number
+
+
+def squared(number):
+    return number**2
+
+
+def total(doubled, squared):
+    return doubled + squared
+
+
+def vector(number):
+    return np.arange(float(number))
+
+
+def length(vector):
+    return len(vector)
+
+
+def pair(number):
+    return np.arange(3.0), np.full(2, float(number))
+
+
+def pair_total(pair):
+    return sum(part.sum() for part in pair)
+
+
+def test_what_is_wanted_comes_out():
+    graph = Graph(total, squared, doubled)
+    assert graph.evaluate(["total"], {"number": 3}) == {"total": 15}
+    assert graph.evaluate([], {"number": 3}) == {}
+    assert graph.evaluate(iter(["doubled", "number"]), {"number": 4}) == {"doubled": 8, "number": 4}
+
+
+def test_only_what_is_wanted_runs():
+    graph = Graph(total, doubled, squared)
+    graph.evaluate(["doubled"], {"number": 3})
+    assert graph.runs == {"doubled": 1}
+    graph.evaluate(["total"], {"number": 3})
+    assert graph.runs == {"doubled": 1, "squared": 1, "total": 1}
+
+
+def test_unchanged_inputs_compute_nothing_again():
+    graph = Graph(total, doubled, squared)
+    for number in (3, 3, -3, -3):
+        graph.evaluate(["total"], {"number": number})
+    assert graph.runs == {"doubled": 2, "squared": 2, "total": 2}
+
+
+def test_a_rule_whose_inputs_come_out_equal_does_not_run():
+    def odd(number):
+        return number % 2 == 1
+
+    def label(odd):
+        return "odd" if odd else "even"
+
+    graph = Graph(odd, label)
+    graph.evaluate(["label"], {"number": 3})
+    assert graph.evaluate(["label"], {"number": 5}) == {"label": "odd"}
+    assert graph.runs == {"odd": 2, "label": 1}
+
+
+def test_a_given_quantity_replaces_its_rule():
+    graph = Graph(total, doubled, squared)
+    assert graph.evaluate(["total"], {"number": 3, "doubled": 100}) == {"total": 109}
+    assert "doubled" not in graph.runs
+
+
+def test_arrays_are_compared_by_identity():
+    graph = Graph(length)
+    first = np.arange(4.0)
+    for given in (first, first, first.copy(), first.copy()):
+        assert graph.evaluate(["length"], {"vector": given}) == {"length": 4}
+    assert graph.runs["length"] == 3
+
+
+def test_tuples_of_arrays_are_compared_part_by_part():
+    graph = Graph(pair_total)
+    one, other = np.arange(3.0), np.ones(2)
+    graph.evaluate(["pair_total"], {"pair": (one, other)})
+    graph.evaluate(["pair_total"], {"pair": (one, other)})
+    assert graph.runs["pair_total"] == 1
+    graph.evaluate(["pair_total"], {"pair": (one, other.copy())})
+    graph.evaluate(["pair_total"], {"pair": (one,)})
+    assert graph.runs["pair_total"] == 3
+
+
+@pytest.mark.parametrize(("old", "new"), [(1, 1.0), (1, True), (0, False), ((1, 2), (1, 2.0))])
+def test_equal_values_of_different_types_are_different(old, new):
+    graph = Graph(text)
+    assert graph.evaluate(["text"], {"value": old}) == {"text": repr(old)}
+    assert graph.evaluate(["text"], {"value": new}) == {"text": repr(new)}
+
+
+def text(value):
+    return repr(value)
+
+
+def test_results_cannot_be_written_to():
+    result = Graph(vector, pair).evaluate(["vector", "pair"], {"number": 4})
+    for array in (result["vector"], *result["pair"]):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 1.0
+
+
+def test_rules_in_a_circle_are_refused():
+    def hen(egg):
+        return egg
+
+    def egg(hen):
+        return hen
+
+    def ego(ego):
+        return ego
+
+    with pytest.raises(ValueError, match="hen -> egg -> hen"):
+        Graph(doubled, hen, egg)
+    with pytest.raises(ValueError, match="ego -> ego"):
+        Graph(ego)
+
+
+def test_two_rules_of_one_name_are_refused():
+    with pytest.raises(ValueError, match="two rules compute 'doubled'"):
+        Graph(doubled, squared, doubled)
+
+
+def test_an_unknown_quantity_is_named_with_the_nearest_known_one():
+    graph = Graph(total, doubled, squared)
+    with pytest.raises(UnknownQuantity, match="no rule computes 'totl'; did you mean 'total'"):
+        graph.evaluate(["totl"], {"number": 3})
+    with pytest.raises(UnknownQuantity, match="no rule computes 'number'"):
+        graph.evaluate(["total"], {})
+
+
+def test_evaluation_stops_before_the_next_rule_and_keeps_what_is_done():
+    graph = Graph(total, doubled, squared)
+    answers = iter([False, True])
+    with pytest.raises(Stopped):
+        graph.evaluate(["total"], {"number": 3}, stop=lambda: next(answers))
+    assert graph.runs == {"doubled": 1}
+    assert graph.evaluate(["total"], {"number": 3}) == {"total": 15}
+    assert graph.runs == {"doubled": 1, "squared": 1, "total": 1}
+
+
+def test_what_is_remembered_is_returned_even_when_asked_to_stop():
+    graph = Graph(doubled)
+    graph.evaluate(["doubled"], {"number": 3})
+    assert graph.evaluate(["doubled"], {"number": 3}, stop=lambda: True) == {"doubled": 6}
+
+
+def test_a_rule_that_fails_leaves_the_graph_usable():
+    def inverse(number):
+        return 1 / number
+
+    graph = Graph(inverse)
+    with pytest.raises(ZeroDivisionError):
+        graph.evaluate(["inverse"], {"number": 0})
+    assert graph.evaluate(["inverse"], {"number": 4}) == {"inverse": 0.25}
+
+
+def test_methods_are_rules_too():
+    class Counter:
+        def __init__(self):
+            self.calls = 0
+
+        def counted(self, number):
+            self.calls += 1
+            return number + 1
+
+    counter = Counter()
+    graph = Graph(counter.counted)
+    assert graph.evaluate(["counted"], {"number": 1}) == {"counted": 2}
+    assert counter.calls == 1

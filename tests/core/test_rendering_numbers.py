@@ -1,0 +1,206 @@
+"""The engine's numbers, against plain convolution with numpy."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from skinsource.design import Design, Input, audible_inputs
+from skinsource.limb import Limb
+from skinsource.projection import AXES, METHODS, project_axes
+from skinsource.quantities import new_graph, sources
+from skinsource.rendering.drives import drive_of
+from skinsource.rendering.gains import largest_sample
+from skinsource.rendering.response_spectra import ResponseSpectrum
+from skinsource.rendering.streaming import BLOCK_SAMPLES, largest_sample_streamed
+from skinsource.rendering.transforms import forward, inverse, transform_length
+from skinsource.synthetic import load_synthetic_limb
+from skinsource.view import View
+from skinsource.waveforms import Impulse, Noise, Tap, Tone
+
+RATE_HZ = 1300.0
+DESIGN = Design(
+    limb="synthetic-1",
+    inputs=(
+        Input(location=7, waveform=Tone(frequency_hz=100.0)),
+        Input(location=3, waveform=Noise(seed=2), amplitude=-0.5, onset_s=0.05, colour=1),
+        Input(location=7, waveform=Tap(), amplitude=2.0, onset_s=0.1, colour=2),
+        Input(location=16, waveform=Impulse(), amplitude=0.25, onset_s=0.3, colour=3),
+    ),
+)
+ALL = ("output_rms", "selected_traces", "selected_spectra")
+OUTPUTS = (1, 29, 52, 61)
+
+
+@pytest.fixture(scope="module")
+def limb() -> Limb:
+    return load_synthetic_limb(1)
+
+
+def plainly(limb: Limb, design: Design) -> np.ndarray:
+    """Field (72, 3, n_times) by direct convolution, channel by channel."""
+    heard = audible_inputs(design.inputs)
+    played = [(round(one.onset_s * RATE_HZ), one.waveform.samples(RATE_HZ)) for one in heard]
+    n_times = max(start + samples.size for start, samples in played) + 521
+    total = np.zeros((72, 3, n_times))
+    for one, (start, samples) in zip(heard, played, strict=True):
+        field = np.zeros_like(total)
+        for channel in np.ndindex(72, 3):
+            answer = np.convolve(samples, limb.response_to(one.location)[channel])
+            field[channel][start : start + answer.size] = answer
+        largest = field.max() if design.scaling == "upstream" else 1.0
+        total += field * (one.amplitude / largest)
+    return total
+
+
+def shown(design: Design, view: View, wanted=ALL, graph=None) -> dict:
+    return (graph or new_graph()).evaluate(wanted, sources(design, view))
+
+
+@pytest.mark.parametrize("scaling", ["upstream", "relative"])
+@pytest.mark.parametrize("selected", [None, 0, 3])
+def test_levels_traces_and_spectra_are_those_of_plain_convolution(limb, scaling, selected):
+    design = replace(DESIGN, scaling=scaling)
+    field = plainly(limb, design)
+    for axes in AXES:
+        for method in METHODS:
+            view = View(axes=axes, method=method, outputs=OUTPUTS, selected_input=selected)
+            found = shown(design, view)
+            signals = project_axes(field, axes, method)
+            peak = np.abs(signals).max()
+            expected_rms = np.sqrt(np.mean(signals**2, axis=1))
+            np.testing.assert_allclose(found["output_rms"], expected_rms, rtol=1e-11)
+            chosen = signals[[output - 1 for output in OUTPUTS]]
+            np.testing.assert_allclose(found["selected_traces"], chosen, atol=1e-13 * peak)
+            magnitude = np.abs(np.fft.rfft(chosen)) / chosen.shape[-1]
+            magnitude[:, 1 : (chosen.shape[-1] + 1) // 2] *= 2
+            np.testing.assert_allclose(
+                found["selected_spectra"][1], magnitude, atol=1e-13 * peak, rtol=0
+            )
+
+
+def test_results_do_not_depend_on_what_was_asked_before():
+    graph, rng = new_graph(), np.random.default_rng(5)
+    view = View(axes="xyz", method="pca", outputs=OUTPUTS, selected_input=1)
+    design = DESIGN
+    for _ in range(30):
+        index = int(rng.integers(4))
+        design = design.with_input(
+            index,
+            amplitude=float(rng.uniform(-2, 2)),
+            onset_s=float(rng.integers(0, 200)) / RATE_HZ,
+            muted=bool(rng.integers(4) == 0),
+        )
+        view = replace(
+            view,
+            selected_input=int(rng.integers(4)),
+            outputs=tuple(int(k) for k in rng.permutation(72)[:3] + 1),
+            method=str(rng.choice(METHODS)),
+        )
+        found, anew = shown(design, view, graph=graph), shown(design, view)
+        for name in ALL:
+            np.testing.assert_array_equal(found[name], anew[name], err_msg=f"seed 5, {name}")
+
+
+def test_two_inputs_that_cancel_keep_their_digits(limb):
+    tone = Tone(frequency_hz=100.0)
+    design = Design(
+        limb="synthetic-1",
+        scaling="relative",
+        inputs=(
+            Input(location=7, waveform=tone),
+            Input(location=7, waveform=tone, amplitude=-(1 - 1e-6), colour=1),
+        ),
+    )
+    alone = shown(replace(design, inputs=design.inputs[:1]), View(selected_input=None))
+    both = shown(design, View(selected_input=1))
+    np.testing.assert_allclose(both["output_rms"], 1e-6 * alone["output_rms"], rtol=1e-9)
+
+
+def test_nothing_is_felt_before_a_drive_nor_522_samples_after_it():
+    design = Design(
+        limb="synthetic-1",
+        inputs=(
+            Input(location=7, waveform=Tone(duration_s=0.1), onset_s=0.5),
+            Input(location=8, waveform=Tone(duration_s=0.1), onset_s=1.5, colour=1),
+        ),
+    )
+    traces = shown(design, View(outputs=OUTPUTS, selected_input=0))["selected_traces"]
+    assert not traces[:, :650].any()
+    assert traces[:, 650 : 650 + 130 + 521].any()
+    assert not traces[:, 650 + 130 + 521 : 1950].any()
+
+
+def test_onset_and_amplitude_by_powers_of_two_are_exact():
+    view = View(outputs=OUTPUTS, selected_input=0, axes="z")
+    once = shown(DESIGN.with_input(0, amplitude=1.0), view, ("axis_traces",))["axis_traces"]
+    scaled = replace(
+        DESIGN, inputs=tuple(replace(one, amplitude=one.amplitude * 8) for one in DESIGN.inputs)
+    )
+    eight = shown(scaled, view, ("axis_traces",))["axis_traces"]
+    np.testing.assert_array_equal(eight, 8 * once)
+
+
+@pytest.mark.parametrize("waveform", [Tone(), Tap(), Impulse(), Noise(seed=1), Noise(seed=9)])
+@pytest.mark.parametrize("place", [1, 7, 20])
+def test_the_pruned_search_finds_the_maximum_of_the_full_one(limb, waveform, place):
+    drive = drive_of(waveform.samples(RATE_HZ))
+    n_fft = transform_length(drive.samples.size + 521)
+    taps = limb.response_to(place)
+    response = ResponseSpectrum(taps, forward(taps, n_fft), n_fft)
+    spectrum = forward(drive.samples, n_fft)
+    full = float(inverse(response.values * spectrum, n_fft).max())
+    assert largest_sample(drive.samples, spectrum, response) == full
+
+
+def test_transforms_give_the_same_bits_alone_and_together():
+    rng = np.random.default_rng(3)
+    for n in (1821, 1822, 1000):
+        signals = rng.standard_normal((7, n))
+        together = forward(signals, n)
+        for k, signal in enumerate(signals):
+            np.testing.assert_array_equal(forward(signal[None], n)[0], together[k])
+    spectra = forward(rng.standard_normal((7, 1920)), 1920)
+    for k, spectrum in enumerate(spectra):
+        np.testing.assert_array_equal(inverse(spectrum[None], 1920)[0], inverse(spectra, 1920)[k])
+
+
+@pytest.mark.parametrize("length", [1, 521, 522, 523, 575, 576, 577, 6144, 100_000])
+def test_the_ladder_holds_the_length_and_wastes_at_most_a_third(length):
+    n_fft = transform_length(length)
+    assert n_fft >= length
+    assert n_fft % 64 == 0
+    assert length < 577 or n_fft < length * 4 / 3 + 64
+
+
+@pytest.mark.parametrize("scaling", ["upstream", "relative"])
+def test_a_long_scene_is_streamed_to_the_same_numbers(limb, scaling):
+    design = Design(
+        limb="synthetic-1",
+        scaling=scaling,
+        inputs=(
+            Input(location=7, waveform=Tone(frequency_hz=90.0, duration_s=0.3)),
+            Input(location=4, waveform=Noise(seed=2, duration_s=3.0), onset_s=4.5, colour=1),
+        ),
+    )
+    field = plainly(limb, design)
+    view = View(outputs=OUTPUTS, axes="xyz", method="soc", selected_input=0)
+    found = shown(design, view)
+    signals = field.sum(axis=1)
+    np.testing.assert_allclose(
+        found["output_rms"], np.sqrt(np.mean(signals**2, axis=1)), rtol=1e-11
+    )
+    chosen = signals[[output - 1 for output in OUTPUTS]]
+    peak = np.abs(chosen).max()
+    np.testing.assert_allclose(found["selected_traces"], chosen, atol=1e-13 * peak)
+    assert not found["selected_traces"][:, 390 + 521 : 5850].any()
+
+
+def test_the_maximum_of_a_long_drive_is_found_block_by_block(limb):
+    drive = drive_of(Noise(seed=4, duration_s=8.0).samples(RATE_HZ)).samples
+    taps = limb.response_to(9)
+    response = ResponseSpectrum(taps, forward(taps, 4096), 4096)
+    n_fft = transform_length(drive.size + 521)
+    full = inverse(forward(taps, n_fft) * forward(drive[None], n_fft), n_fft).max()
+    assert drive.size > 2 * BLOCK_SAMPLES
+    assert largest_sample_streamed(drive, response) == pytest.approx(full, rel=1e-13)
