@@ -7,7 +7,7 @@ from skinsource import fields
 from skinsource.errors import InvalidInputError
 from skinsource.fields import NumberSpec
 from skinsource.limb import check_input_location
-from skinsource.response import Scaling, check_scaling
+from skinsource.response_scaling import Scaling, check_scaling
 from skinsource.waveforms import Tone, Waveform
 
 #: More inputs than places are allowed; a hundred of them are a mistake.

@@ -1,19 +1,21 @@
 """How the skin answers: superposition of convolutions (eq. 1 of the SkinSource paper)."""
 
 from collections.abc import Iterable, Sequence
-from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy import fft
 
-from skinsource.calibration import per_probe_acceleration
 from skinsource.errors import InvalidInputError
-from skinsource.limb import Limb, check_input_location
+from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS, Limb, check_input_location
+from skinsource.rendering.drives import drive_of, reach
+from skinsource.rendering.gains import unit_gain
+from skinsource.rendering.response_spectra import ResponseSpectra
+from skinsource.rendering.segments import BLOCK_FFT, LONGEST_AT_ONCE, Played
+from skinsource.rendering.streaming import StreamedField
+from skinsource.rendering.transforms import forward, inverse, transform_length
+from skinsource.response_scaling import Scaling, check_scaling
 
 Floats = NDArray[np.float64]
-Scaling = Literal["upstream", "relative", "probe"]
-SCALINGS: tuple[Scaling, ...] = get_args(Scaling)
 
 # Beyond it the transforms overflow, and NaN would come out.
 _LARGEST = 1e30
@@ -57,48 +59,32 @@ def predict(
     samples = _checked_drives(drives)
     places = _checked_locations(locations, len(samples))
     factors = _checked_amplitudes(amplitudes, len(samples))
-    total: Floats | None = None
-    for drive, place, amplitude in zip(samples, places, factors, strict=True):
-        field = input_field(limb, place, drive, scaling)
-        field *= amplitude * unit_gain(field, scaling)
-        total = field if total is None else np.add(total, field, out=total)
-    if total is None:
-        raise InvalidInputError("drives has no rows: expected at least one input")
-    return total
+    response_samples = samples.shape[-1] + N_TAPS - 1
+    streamed = response_samples > LONGEST_AT_ONCE
+    n_fft = BLOCK_FFT if streamed else transform_length(response_samples)
+    spectra = ResponseSpectra()
+    played = []
+    for row, place, amplitude in zip(samples, places, factors, strict=True):
+        drive = drive_of(row)
+        if drive.silent or amplitude == 0.0:
+            continue
+        response = spectra.of(limb, place, scaling, n_fft)
+        spectrum = None if streamed else forward(drive.samples, n_fft)
+        weight = amplitude * unit_gain(drive, spectrum, response, scaling)
+        played.append(Played(samples=drive.samples, start=0, weight=weight, response=response))
+    if streamed:
+        return StreamedField(played, response_samples).everything()
+    return _at_once(played, n_fft, response_samples)
 
 
-def input_field(limb: Limb, location: int, drive: Floats, scaling: Scaling) -> Floats:
-    """Field of one input at amplitude 1, before any gain, (72 outputs, 3 axes, n_times + 521)."""
-    response = limb.response_to(location)
-    if scaling == "probe":
-        response = per_probe_acceleration(response, limb.sample_rate_hz)
-    n_times = drive.size + response.shape[-1] - 1
-    if not drive.any():
-        return np.zeros((*response.shape[:-1], n_times))
-    n_fft = fft.next_fast_len(n_times, real=True)
-    spectrum = fft.rfft(response, n_fft)
-    spectrum *= fft.rfft(drive, n_fft)
-    return fft.irfft(spectrum, n_fft, overwrite_x=True)[..., :n_times]
-
-
-def unit_gain(field: Floats, scaling: Scaling) -> float:
-    """What a unit field is multiplied with under a scaling.
-
-    For ``"upstream"`` one over its signed maximum; 1 where there is no positive sample, or none
-    whose reciprocal is a number.
-    """
-    if scaling != "upstream":
-        return 1.0
-    largest = float(field.max())
-    return 1.0 / largest if largest >= np.finfo(np.float64).tiny else 1.0
-
-
-def check_scaling(scaling: str) -> None:
-    """Raise `InvalidInputError` unless ``scaling`` is one of `SCALINGS`."""
-    if scaling not in SCALINGS:
-        raise InvalidInputError(
-            f"scaling {scaling!r} is not known; choose from {', '.join(SCALINGS)}"
-        )
+def _at_once(played: Sequence[Played], n_fft: int, response_samples: int) -> Floats:
+    total = np.zeros((N_OUTPUTS, N_AXES, n_fft // 2 + 1), np.complex128)
+    felt = np.zeros(response_samples, bool)
+    for one in played:
+        total += one.response.values * (forward(one.samples, n_fft) * one.weight)
+        felt |= reach(one.samples, 0, N_TAPS, response_samples)
+    # Where nothing can be felt there is nothing, not the rounding of the transforms.
+    return np.where(felt, inverse(total, n_fft)[..., :response_samples], 0.0)
 
 
 def _checked_drives(drives: ArrayLike) -> Floats:

@@ -19,7 +19,7 @@ from skinsource.errors import DesignFileError, StorageError
 from skinsource.fields import ChoiceSpec, specs_of
 from skinsource.limb import LIMB_NAMES
 from skinsource.projection import AXES, METHODS
-from skinsource.response import SCALINGS
+from skinsource.response_scaling import SCALINGS
 from skinsource.view import LAYOUTS, MAP_STYLES, View
 from skinsource.waveforms import KINDS, Noise, Tap, Tone
 

@@ -7,12 +7,13 @@ import pytest
 
 from skinsource.decibels import decibels
 from skinsource.design import Design, Input
-from skinsource.field_memory import FieldMemory
 from skinsource.graph import Graph
 from skinsource.limb import Limb, LimbMap
 from skinsource.projection import AXES, METHODS, project_axes
 from skinsource.quantities import RULES, new_graph, sources
-from skinsource.response import SCALINGS, predict
+from skinsource.rendering.renderer import Renderer
+from skinsource.response import predict
+from skinsource.response_scaling import SCALINGS
 from skinsource.signals import sinusoid
 from skinsource.spectra import magnitude_spectrum, rms
 from skinsource.view import View
@@ -50,8 +51,7 @@ class Studio:
             map=nowhere,
             read_response=made_up_response,
         )
-        self.memory = FieldMemory()
-        self.graph = Graph(*RULES, self.memory.unit_fields)
+        self.graph = Graph(*RULES, *Renderer().rules())
 
     def show(self, design: Design, *wanted: str, view: View | None = None) -> list:
         given = sources(design, view or View()) | {"limb_data": self.limb}
@@ -78,7 +78,7 @@ def predicted(studio: Studio, design: Design, heard: list[int]) -> np.ndarray:
 
 
 @pytest.mark.parametrize("scaling", SCALINGS)
-def test_skin_acceleration_is_the_prediction_bit_for_bit_through_all_edits(studio, scaling):
+def test_traces_are_those_of_the_prediction_through_all_edits(studio, scaling):
     design = replace(FOUR, scaling=scaling)
     edits = [
         (design, [0, 1, 2, 3]),
@@ -89,75 +89,28 @@ def test_skin_acceleration_is_the_prediction_bit_for_bit_through_all_edits(studi
         (design, [0, 1, 2, 3]),
     ]
     for edited, heard in edits:
-        (found,) = studio.show(edited, "skin_acceleration")
-        np.testing.assert_array_equal(found, predicted(studio, edited, heard))
-
-
-def test_dragging_an_amplitude_computes_no_field(studio):
-    studio.show(FOUR, "output_levels_db")
-    assert studio.memory.fields_computed == 4
-    for amplitude in (0.5, 0.25, -1.0):
-        studio.show(FOUR.with_input(0, amplitude=amplitude), "output_levels_db")
-    assert studio.memory.fields_computed == 4
-    assert studio.graph.runs["output_levels_db"] == 4
-
-
-def test_a_change_of_one_frequency_of_four_computes_one_field(studio):
-    studio.show(FOUR, "output_levels_db")
-    studio.show(FOUR.with_input(0, waveform=Tone(frequency_hz=101.0)), "output_levels_db")
-    assert studio.memory.fields_computed == 5
-
-
-@pytest.mark.parametrize("change", [{"muted": True}, {"solo": True}, {"colour": 7}])
-def test_muting_and_soloing_computes_no_field(studio, change):
-    design = Design(limb="synthetic-1", inputs=(Input(location=3), *FOUR.inputs[:2]))
-    studio.show(design, "output_levels_db")
-    studio.show(design.with_input(1, **change), "output_levels_db")
-    studio.show(design, "output_levels_db")
-    assert studio.memory.fields_computed == 3
-
-
-def test_muting_a_shorter_input_computes_no_field(studio):
-    studio.show(FOUR, "output_levels_db")
-    for k in (2, 3):
-        studio.show(FOUR.with_input(k, muted=True), "output_levels_db")
-    assert studio.memory.fields_computed == 4
+        (found,) = studio.show(edited, "axis_traces")
+        expected = predicted(studio, edited, heard)[[28, 51]]
+        np.testing.assert_allclose(found, expected, atol=1e-14 * np.abs(expected).max())
 
 
 def test_only_the_places_that_are_heard_are_read(studio):
-    studio.show(FOUR.with_input(3, muted=True), "skin_acceleration")
+    studio.show(FOUR.with_input(3, muted=True), "output_levels_db")
     assert studio.limb.bytes_read == 2 * 72 * 3 * 522 * 8
-    studio.show(FOUR, "input_waveforms", "drives", "drive_time_s", "response_time_s")
+    studio.show(FOUR, "output_levels_db")
     assert studio.limb.bytes_read == 3 * 72 * 3 * 522 * 8
 
 
-def test_drives_alone_need_no_response(studio):
-    studio.show(FOUR, "input_waveforms", "drives", "drive_time_s")
+def test_waveforms_alone_need_no_response(studio):
+    studio.show(FOUR, "input_waveforms", "response_time_s")
     assert studio.limb.bytes_read == 0
-    assert studio.memory.fields_computed == 0
-    unneeded = {"unit_fields", "skin_acceleration", "projected", "surface", "selected_spectra"}
-    assert not unneeded & set(studio.graph.runs)
+    assert not {"others_spectrum", "pivot_spectrum", "surface"} & set(studio.graph.runs)
 
 
 def test_what_is_hidden_does_not_run(studio):
     studio.show(FOUR, "selected_traces")
     unneeded = {"selected_spectra", "output_rms", "output_levels_db", "surface", "limb_map"}
     assert not unneeded & set(studio.graph.runs)
-
-
-def test_selecting_outputs_projects_nothing_again(studio):
-    studio.show(FOUR, "selected_traces", "output_levels_db")
-    studio.show(FOUR, "selected_traces", "output_levels_db", view=View(outputs=(3, 1)))
-    assert studio.graph.runs["projected"] == 1
-    assert studio.graph.runs["output_levels_db"] == 1
-    assert studio.graph.runs["selected_traces"] == 2
-
-
-def test_changing_axes_predicts_nothing_again(studio):
-    studio.show(FOUR, "output_levels_db")
-    studio.show(FOUR, "output_levels_db", view=View(axes="z"))
-    assert studio.graph.runs["skin_acceleration"] == 1
-    assert studio.graph.runs["projected"] == 2
 
 
 @pytest.mark.parametrize("axes", AXES)
@@ -167,32 +120,26 @@ def test_quantities_follow_from_the_prediction(studio, axes):
         names = ("output_rms", "output_levels_db", "selected_traces", "selected_spectra")
         found_rms, levels, traces, spectra = studio.show(FOUR, *names, view=view)
         signal = project_axes(predicted(studio, FOUR, [0, 1, 2, 3]), axes, method)
-        np.testing.assert_array_equal(found_rms, rms(signal))
-        np.testing.assert_array_equal(levels, decibels(rms(signal)))
-        np.testing.assert_array_equal(traces, signal[[51, 28, 0]])
-        for part, expected in zip(
-            spectra, magnitude_spectrum(signal[[51, 28, 0]], 1300.0), strict=True
-        ):
-            np.testing.assert_array_equal(part, expected)
+        peak = np.abs(signal).max()
+        np.testing.assert_allclose(found_rms, rms(signal), rtol=1e-12)
+        np.testing.assert_allclose(levels, decibels(rms(signal)), atol=1e-10)
+        np.testing.assert_allclose(traces, signal[[51, 28, 0]], atol=1e-13 * peak)
+        frequency_hz, magnitudes = magnitude_spectrum(signal[[51, 28, 0]], 1300.0)
+        np.testing.assert_array_equal(spectra[0], frequency_hz)
+        np.testing.assert_allclose(spectra[1], magnitudes, atol=1e-13 * peak)
 
 
-def test_drives_lie_on_one_time_axis_and_responses_on_a_longer_one(studio):
-    drives, time_s, response_time_s = studio.show(FOUR, "drives", "drive_time_s", "response_time_s")
-    assert drives.shape == (4, 260)
-    np.testing.assert_allclose(time_s, np.arange(260) / 1300.0, rtol=1e-15)
-    np.testing.assert_allclose(response_time_s, np.arange(781) / 1300.0, rtol=1e-15)
-    np.testing.assert_array_equal(drives[0], sinusoid(100.0, 0.2, window_name="tukey"))
-    assert np.flatnonzero(drives[2]).tolist() == list(range(65, 86))
-    assert np.flatnonzero(drives[3]).tolist() == [130]
+def test_the_response_is_longer_than_the_stimulus_by_one_response(studio):
+    (time_s,) = studio.show(FOUR, "response_time_s")
+    np.testing.assert_allclose(time_s, np.arange(781) / 1300.0, rtol=1e-15)
     (shifted_s,) = studio.show(FOUR, "response_time_s", view=View(delay_removed=True))
-    np.testing.assert_allclose(shifted_s, response_time_s - 0.052, rtol=0, atol=1e-15)
+    np.testing.assert_allclose(shifted_s, time_s - 0.052, rtol=0, atol=1e-15)
 
 
 def test_what_each_input_plays_is_there_even_when_it_is_muted(studio):
-    design = FOUR.with_input(0, muted=True)
-    played, drives = studio.show(design, "input_waveforms", "drives")
+    (played,) = studio.show(FOUR.with_input(0, muted=True), "input_waveforms")
     assert [samples.size for samples in played] == [260, 260, 21, 1]
-    assert drives.shape == (3, 260)
+    np.testing.assert_array_equal(played[0], sinusoid(100.0, 0.2, window_name="tukey"))
 
 
 @pytest.mark.parametrize("inputs", [(), (Input(location=7, muted=True),)])
@@ -218,12 +165,13 @@ def test_selecting_no_output_gives_no_trace(studio):
 def test_the_graph_of_the_studio_knows_every_field_of_design_and_view():
     given = sources(FOUR, View())
     assert {"limb", "inputs", "scaling", "axes", "method", "outputs"} <= set(given)
-    results = new_graph().evaluate(["audible", "amplitudes"], given)
-    assert results["amplitudes"] == (1.0, -0.5, 2.0, 0.25)
+    results = new_graph().evaluate(["audible", "others"], given)
+    assert results["audible"] == FOUR.inputs
+    assert results["others"] == FOUR.inputs[1:]
 
 
 def test_results_cannot_be_written_to(studio):
-    wanted = ("drives", "skin_acceleration", "projected", "output_rms", "selected_traces")
+    wanted = ("others_spectrum", "axis_traces", "output_rms", "selected_traces")
     for array in studio.show(FOUR, *wanted):
         with pytest.raises(ValueError, match="read-only"):
             array[...] = 0.0

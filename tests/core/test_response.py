@@ -8,7 +8,8 @@ import pytest
 
 from skinsource.errors import InvalidInputError
 from skinsource.limb import Limb, LimbMap
-from skinsource.response import SCALINGS, predict
+from skinsource.response import predict
+from skinsource.response_scaling import SCALINGS
 
 SEED = 1300
 BYTES_PER_PLACE = 72 * 3 * 522 * 8

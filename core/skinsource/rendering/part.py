@@ -25,8 +25,8 @@ class Part:
         self._spectrum = spectrum
         self._n_fft = n_fft
         self._felt = felt
-        self._traces = _Channels(self._to_time)
-        self._trace_spectra = _Channels(self._to_frequency)
+        self._traces = _Channels(felt.size, self._to_time)
+        self._trace_spectra = _Channels(felt.size // 2 + 1, self._to_frequency)
 
     def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Floats:
         """Acceleration of some outputs, (n_outputs, n_axes, n_times)."""
@@ -53,7 +53,8 @@ class _Channels:
     does not depend on what was asked for before.
     """
 
-    def __init__(self, compute: Callable[[list[_Channel]], np.ndarray]) -> None:
+    def __init__(self, length: int, compute: Callable[[list[_Channel]], np.ndarray]) -> None:
+        self._length = length
         self._compute = compute
         self._known: dict[_Channel, np.ndarray] = {}
         self._latest: tuple[object, np.ndarray] | None = None
@@ -66,5 +67,5 @@ class _Channels:
             if missing:
                 self._known.update(zip(missing, self._compute(missing), strict=True))
             rows = np.array([self._known[channel] for channel in channels])
-            self._latest = asked, rows.reshape(len(outputs), len(axes), *rows.shape[1:])
+            self._latest = asked, rows.reshape(len(outputs), len(axes), self._length)
         return self._latest[1]

@@ -8,24 +8,20 @@ waveform or onset leaves the others alone.  What comes out is a function of desi
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 import numpy as np
 
 from skinsource.design import Input
 from skinsource.limb import N_TAPS, Limb
 from skinsource.rendering.drives import Booleans, Drives, delayed, reach
-from skinsource.rendering.gains import largest_sample
+from skinsource.rendering.gains import unit_gain
 from skinsource.rendering.memory import Memory
 from skinsource.rendering.parallel import in_parallel
 from skinsource.rendering.response_spectra import ResponseSpectra
-from skinsource.rendering.streaming import (
-    BLOCK_FFT,
-    LONGEST_AT_ONCE,
-    Played,
-    StreamedField,
-    largest_sample_streamed,
-)
-from skinsource.rendering.transforms import Complexes
+from skinsource.rendering.segments import BLOCK_FFT, LONGEST_AT_ONCE, Played
+from skinsource.rendering.streaming import StreamedField
+from skinsource.rendering.transforms import Complexes, Floats
 from skinsource.response_scaling import Scaling
 from skinsource.signals import sample_count
 from skinsource.waveforms import Waveform
@@ -60,6 +56,26 @@ class Renderer:
         self._drives = Drives()
         # A key and a number: about a hundred bytes.
         self._gains = Memory[float](_GAINS_BUDGET_BYTES, lambda _: 100)
+
+    def rules(self) -> tuple[Callable[..., Any], ...]:
+        """The methods that are rules."""
+        return (
+            self.input_waveforms,
+            self.stimulus_samples,
+            self.others_spectrum,
+            self.pivot_spectrum,
+            self.others_felt,
+            self.pivot_felt,
+            self.pivot_gain,
+            self.streamed_field,
+        )
+
+    def input_waveforms(
+        self, inputs: tuple[Input, ...], sample_rate_hz: float
+    ) -> tuple[Floats, ...]:
+        """What each input plays, muted or not: one (n_times,) each, of peak 1."""
+        drawn = [self._drives.drawn(one.waveform, sample_rate_hz) for one in inputs]
+        return tuple(drive.samples * drive.factor for drive in drawn)
 
     def stimulus_samples(self, audible: tuple[Input, ...], sample_rate_hz: float) -> int:
         """Samples from time 0 to the end of the last input; 1 where nothing is heard."""
@@ -214,17 +230,12 @@ class Renderer:
         rate = limb.sample_rate_hz
         drive = self._drives.drawn(source.waveform, rate)
         if drive.silent or scaling != "upstream":
-            # Drives are kept divided by a power of two.
             return drive.factor
 
         def compute() -> float:
             response = self._responses.of(limb, source.location, scaling, n_fft)
-            if drive.samples.size + N_TAPS - 1 > n_fft:
-                largest = largest_sample_streamed(drive.samples, response, stop)
-            else:
-                spectrum = self._drives.spectrum(source.waveform, rate, n_fft)
-                largest = largest_sample(drive.samples, spectrum, response)
-            # The factor of the drive cancels: the field reaches the amplitude whatever it was.
-            return 1.0 / largest if largest > 0 else drive.factor
+            fits = drive.samples.size + N_TAPS - 1 <= n_fft
+            spectrum = self._drives.spectrum(source.waveform, rate, n_fft) if fits else None
+            return unit_gain(drive, spectrum, response, scaling, stop)
 
         return self._gains.get((limb, source.location, source.waveform, n_fft), compute)

@@ -21,7 +21,8 @@ from skinsource.rendering.moments import (
 )
 from skinsource.rendering.part import Part
 from skinsource.rendering.renderer import Source, source_of
-from skinsource.rendering.streaming import LONGEST_AT_ONCE, StreamedField
+from skinsource.rendering.segments import LONGEST_AT_ONCE
+from skinsource.rendering.streaming import StreamedField
 from skinsource.rendering.transforms import Complexes, Floats, forward, transform_length
 from skinsource.spectra import one_sided_magnitude
 

@@ -5,58 +5,15 @@ response; blocks in which an input is silent cost nothing for that input.
 """
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from skinsource.graph import Stopped
 from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS
 from skinsource.rendering.drives import Booleans, reach
-from skinsource.rendering.gains import channel_bounds
 from skinsource.rendering.moments import Moments
-from skinsource.rendering.response_spectra import ResponseSpectrum
+from skinsource.rendering.segments import BLOCK_FFT, BLOCK_SAMPLES, Played
 from skinsource.rendering.transforms import Complexes, Floats, forward, inverse
-
-BLOCK_FFT = 4096
-BLOCK_SAMPLES = BLOCK_FFT - (N_TAPS - 1)
-#: Responses longer than this are streamed.
-LONGEST_AT_ONCE = 6144
-
-_BATCH = 12
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Played:
-    """An input of a long scene.
-
-    Attributes
-    ----------
-    samples : (n,)
-        Its drive.
-    start
-        Sample at which the drive starts.
-    weight
-        What its field is multiplied with.
-    response
-        Responses to its place, transformed at ``BLOCK_FFT``.
-    """
-
-    samples: Floats
-    start: int
-    weight: float
-    response: ResponseSpectrum
-
-    def segment(self, first: int) -> Floats | None:
-        """Drive that the block from sample ``first`` on needs, (BLOCK_FFT,); None if silent."""
-        begin = first - (N_TAPS - 1) - self.start
-        end = begin + BLOCK_FFT
-        piece = self.samples[max(begin, 0) : max(end, 0)]
-        if not piece.any():
-            return None
-        segment = np.zeros(BLOCK_FFT)
-        offset = max(-begin, 0)
-        segment[offset : offset + piece.size] = piece
-        return segment
 
 
 class StreamedField:
@@ -99,6 +56,13 @@ class StreamedField:
             result[..., first : first + block.shape[-1]] = block
         return result
 
+    def everything(self) -> Floats:
+        """All outputs and axes, (72 outputs, 3 axes, n_times): as long as the scene."""
+        result = np.zeros((N_OUTPUTS, N_AXES, self.n_times))
+        for first, block in self.blocks():
+            result[..., first : first + block.shape[-1]] = block
+        return result
+
     def blocks(self, rows: tuple[np.ndarray, ...] | None = None) -> Iterator[tuple[int, Floats]]:
         """Yield first sample and samples, (n_outputs, n_axes, n), of each block that is felt."""
         for first in range(0, self.n_times, BLOCK_SAMPLES):
@@ -135,29 +99,3 @@ class StreamedField:
             if segment is not None:
                 felt |= reach(segment, 0, N_TAPS, BLOCK_FFT)[N_TAPS - 1 : N_TAPS - 1 + n]
         return felt
-
-
-def largest_sample_streamed(
-    samples: Floats, response: ResponseSpectrum, stop: Callable[[], bool] = lambda: False
-) -> float:
-    """Signed maximum of a long drive convolved with all responses, as `gains.largest_sample`."""
-    one = Played(samples=samples, start=0, weight=1.0, response=response)
-    values = response.values.reshape(-1, response.values.shape[-1])
-    largest = -np.inf
-    for first in range(0, samples.size + N_TAPS - 1, BLOCK_SAMPLES):
-        if stop():
-            raise Stopped
-        segment = one.segment(first)
-        if segment is None:
-            largest = max(largest, 0.0)
-            continue
-        spectrum = forward(segment, BLOCK_FFT)
-        bounds = channel_bounds(segment, spectrum, response)
-        order = np.argsort(-bounds, kind="stable")
-        for start in range(0, order.size, _BATCH):
-            if bounds[order[start]] <= largest:
-                break
-            chosen = np.sort(order[start : start + _BATCH])
-            block = inverse(values[chosen] * spectrum, BLOCK_FFT)[:, N_TAPS - 1 :]
-            largest = max(largest, float(block.max()))
-    return largest
