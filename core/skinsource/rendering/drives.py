@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from skinsource.rendering.memory import Memory
 from skinsource.rendering.transforms import Complexes, Floats, forward
+from skinsource.signals import sample_count
 from skinsource.waveforms import Waveform
 from skinsource.work import tally
 
@@ -57,6 +58,12 @@ class Drives:
 
         def compute() -> Drive:
             drive = drive_of(waveform.samples(sample_rate_hz))
+            expected = sample_count(waveform.duration_s, sample_rate_hz)
+            if drive.samples.size != expected:
+                raise ValueError(
+                    f"{waveform} has {drive.samples.size} samples, expected {expected}: those of "
+                    "its duration_s"
+                )
             tally(samples_drawn=drive.samples.size)
             return drive
 

@@ -13,8 +13,8 @@ from skinsource.rendering.transforms import Complexes, Floats, forward, inverse
 from skinsource.response_scaling import Scaling
 
 _FIRST_BATCH, _BATCH = 4, 12
-#: Bounds are computed with rounding errors; this keeps them above the samples.
-_MARGIN = 1.0 + 1e-9
+#: Bounds are computed in single precision; this keeps them above the samples.
+_MARGIN = 1.0 + 1e-4
 # Below it a reciprocal overflows.
 _SMALLEST = float(np.finfo(np.float64).tiny)
 
@@ -75,10 +75,12 @@ def largest_sample(samples: Floats, spectrum: Complexes, response: ResponseSpect
 def channel_bounds(samples: Floats, spectrum: Complexes, response: ResponseSpectrum) -> Floats:
     """What no sample of each channel exceeds, (216,)."""
     magnitudes = np.sqrt(np.square(spectrum.real) + np.square(spectrum.imag))
-    by_frequency = response.weighted_magnitudes @ magnitudes
+    # The scale keeps the squares of single precision from over- and underflow.
+    scale = magnitudes.max(initial=0.0) or 1.0
+    by_frequency = response.weighted_magnitudes @ (magnitudes / scale).astype(np.float32)
     by_energy = response.energies * np.linalg.norm(samples)
     by_peak = response.absolute_sums * np.abs(samples).max(initial=0.0)
-    return np.minimum(np.minimum(by_frequency, by_energy), by_peak) * _MARGIN
+    return np.minimum(np.minimum(by_frequency * scale, by_energy), by_peak) * _MARGIN
 
 
 def largest_sample_by_blocks(

@@ -2,14 +2,13 @@
 
 from collections import OrderedDict
 from collections.abc import Callable, Hashable
-from threading import Lock
 from typing import Generic, TypeVar
 
 V = TypeVar("V")
 
 
 class Memory(Generic[V]):
-    """Values by key, for one or several threads.
+    """Values by key; it belongs to one thread.
 
     Parameters
     ----------
@@ -24,22 +23,16 @@ class Memory(Generic[V]):
         self._size_of = size_of
         self._values: OrderedDict[Hashable, V] = OrderedDict()
         self.held_bytes = 0
-        self._lock = Lock()
 
     def get(self, key: Hashable, compute: Callable[[], V]) -> V:
         """Return the value of ``key``; ``compute`` it where it is not remembered."""
-        with self._lock:
-            if key in self._values:
-                self._values.move_to_end(key)
-                return self._values[key]
+        if key in self._values:
+            self._values.move_to_end(key)
+            return self._values[key]
         value = compute()
-        with self._lock:
-            replaced = self._values.pop(key, None)
-            if replaced is not None:
-                self.held_bytes -= self._size_of(replaced)
-            self._values[key] = value
-            self.held_bytes += self._size_of(value)
-            while self.held_bytes > self._budget_bytes and self._values:
-                _, oldest = self._values.popitem(last=False)
-                self.held_bytes -= self._size_of(oldest)
+        self._values[key] = value
+        self.held_bytes += self._size_of(value)
+        while self.held_bytes > self._budget_bytes and self._values:
+            _, oldest = self._values.popitem(last=False)
+            self.held_bytes -= self._size_of(oldest)
         return value

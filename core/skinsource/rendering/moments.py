@@ -47,10 +47,11 @@ def moments_of(left: Complexes, right: Complexes, n_fft: int, *, products: bool)
         Whether products of different axes are wanted.
     """
     second = np.zeros((*left.shape[:2], 3))
-    pairs = [(a, b) for a in range(3) for b in range(a, 3) if products or a == b]
-    for a, b in pairs:
+    for a in range(3):
+        second[:, a, a] = _product_sum(left[:, a], right[:, a])
+    for a, b in ((0, 1), (0, 2), (1, 2)) if products else ():
         value = _product_sum(left[:, a], right[:, b])
-        if left is not right and a != b:
+        if left is not right:
             value = 0.5 * (value + _product_sum(left[:, b], right[:, a]))
         second[:, a, b] = second[:, b, a] = value
     return Moments(second / n_fft, left[:, :, 0].real.copy())

@@ -7,7 +7,6 @@ waveform or onset leaves the others alone.  What comes out is a function of desi
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -17,7 +16,6 @@ from skinsource.limb import N_TAPS, Limb
 from skinsource.rendering.drives import Booleans, Drives, delayed, reach
 from skinsource.rendering.gains import unit_gain
 from skinsource.rendering.memory import Memory
-from skinsource.rendering.parallel import in_parallel
 from skinsource.rendering.response_spectra import ResponseSpectra
 from skinsource.rendering.segments import BLOCK_FFT, LONGEST_AT_ONCE, Played
 from skinsource.rendering.streaming import StreamedField
@@ -27,8 +25,6 @@ from skinsource.signals import sample_count
 from skinsource.waveforms import Waveform
 
 _GAINS_BUDGET_BYTES = 2**20
-# Starting a thread takes as long as the field of one input.
-_WORTH_A_THREAD = 8
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -89,22 +85,7 @@ class Renderer:
         n_fft: int | None,
     ) -> Complexes | None:
         """Field of all audible inputs but the selected one, (72, 3, n_bins); None: silence."""
-        if n_fft is None or not others:
-            return None
-        # Two halves, always the same two, so that the sum does not depend on how it was made.
-        middle = len(others) // 2
-        halves = [half for half in (others[:middle], others[middle:]) if half]
-        sums = [
-            total
-            for total in in_parallel(
-                [partial(self._sum, limb_data, half, scaling, n_fft) for half in halves],
-                worthwhile=len(others) >= _WORTH_A_THREAD,
-            )
-            if total is not None
-        ]
-        if not sums:
-            return None
-        return sums[0] if len(sums) == 1 else np.add(sums[0], sums[1], out=sums[0])
+        return None if n_fft is None else self._sum(limb_data, others, scaling, n_fft)
 
     def pivot_spectrum(
         self,
@@ -196,8 +177,8 @@ class Renderer:
         return total
 
     def _end(self, source: Source, sample_rate_hz: float) -> int:
-        drawn = self._drives.drawn(source.waveform, sample_rate_hz)
-        return sample_count(source.onset_s, sample_rate_hz) + drawn.samples.size
+        onset = sample_count(source.onset_s, sample_rate_hz)
+        return onset + sample_count(source.waveform.duration_s, sample_rate_hz)
 
     def _felt(self, source: Source, sample_rate_hz: float, n_times: int) -> Booleans:
         drawn = self._drives.drawn(source.waveform, sample_rate_hz)

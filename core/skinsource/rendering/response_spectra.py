@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from skinsource.calibration import per_probe_acceleration
 from skinsource.limb import Limb
@@ -12,7 +13,7 @@ from skinsource.rendering.transforms import Complexes, Floats, forward
 from skinsource.response_scaling import Scaling
 
 #: Responses of twenty places for stimuli of one to two seconds.
-BUDGET_BYTES = 256 * 2**20
+BUDGET_BYTES = 192 * 2**20
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,13 +33,16 @@ class ResponseSpectrum:
     n_fft: int
 
     @cached_property
-    def weighted_magnitudes(self) -> Floats:
-        """Magnitudes over n_fft, doubled but for the ends, (216, n_bins): sums bound samples."""
+    def weighted_magnitudes(self) -> NDArray[np.float32]:
+        """Magnitudes over n_fft, doubled but for the ends, (216, n_bins): sums bound samples.
+
+        Half the precision is enough for a bound, and twice as fast to read.
+        """
         flat = self.values.reshape(-1, self.values.shape[-1])
         magnitudes = np.sqrt(np.square(flat.real) + np.square(flat.imag))
         magnitudes *= 2.0 / self.n_fft
         magnitudes[:, [0, -1]] *= 0.5
-        return magnitudes
+        return magnitudes.astype(np.float32)
 
     @cached_property
     def energies(self) -> Floats:
@@ -55,9 +59,9 @@ class ResponseSpectra:
     """Spectra by limb, place, scaling and length."""
 
     def __init__(self, budget_bytes: int = BUDGET_BYTES) -> None:
-        # The magnitudes, made when first needed, are half as large as the values.
+        # The magnitudes, made when first needed, are a quarter as large as the values.
         self._memory = Memory[ResponseSpectrum](
-            budget_bytes, lambda one: one.values.nbytes * 3 // 2
+            budget_bytes, lambda one: one.values.nbytes * 5 // 4
         )
 
     @property

@@ -12,6 +12,9 @@ Complexes = NDArray[np.complex128]
 #: Lengths are 9, 12 or 15 times a power of two: fast, and few, so that spectra of responses are
 #: used again when a duration changes a little.
 _SHORTEST_OCTAVE = 64
+# Two threads pay from about a tenth of a millisecond of work on; more help no further.  Very long
+# transforms take so much memory each that one after the other is better.
+_WORTH_A_THREAD, _LONG = 2**14, 2**17
 
 
 def transform_length(n_samples: int) -> int:
@@ -24,13 +27,19 @@ def transform_length(n_samples: int) -> int:
 
 def forward(signals: Floats, n_fft: int) -> Complexes:
     """One-sided spectra, (..., n_fft // 2 + 1), of signals padded with zeros to ``n_fft``."""
-    tally(forward_transforms=signals.size // max(signals.shape[-1], 1))
-    spectra: Complexes = fft.rfft(signals, n_fft)
+    count = signals.size // max(signals.shape[-1], 1)
+    tally(forward_transforms=count)
+    spectra: Complexes = fft.rfft(signals, n_fft, workers=_workers(count, n_fft))
     return spectra
 
 
 def inverse(spectra: Complexes, n_fft: int) -> Floats:
     """Signals, (..., n_fft), of one-sided spectra."""
-    tally(inverse_transforms=spectra.size // spectra.shape[-1])
-    signals: Floats = fft.irfft(spectra, n_fft)
+    count = spectra.size // spectra.shape[-1]
+    tally(inverse_transforms=count)
+    signals: Floats = fft.irfft(spectra, n_fft, workers=_workers(count, n_fft))
     return signals
+
+
+def _workers(count: int, n_fft: int) -> int:
+    return 2 if count > 1 and count * n_fft >= _WORTH_A_THREAD and n_fft < _LONG else 1
