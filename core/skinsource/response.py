@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from skinsource.errors import InvalidInputError
 from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS, Limb, check_input_location
-from skinsource.rendering.drives import drive_of, reach
+from skinsource.rendering.drives import LARGEST, drive_of, first_unusable, reach
 from skinsource.rendering.gains import unit_gain
 from skinsource.rendering.response_spectra import ResponseSpectra
 from skinsource.rendering.segments import BLOCK_FFT, LONGEST_AT_ONCE, Played
@@ -16,9 +16,6 @@ from skinsource.rendering.transforms import forward, inverse, transform_length
 from skinsource.response_scaling import Scaling, check_scaling
 
 Floats = NDArray[np.float64]
-
-# Beyond it the transforms overflow, and NaN would come out.
-_LARGEST = 1e30
 
 
 def predict(
@@ -102,12 +99,12 @@ def _checked_drives(drives: ArrayLike) -> Floats:
             f"drives has shape {samples.shape}, expected (n_inputs, n_times) with at least one "
             "input and one sample"
         )
-    usable = np.abs(samples) <= _LARGEST
-    if not usable.all():
-        row, sample = np.argwhere(~usable)[0]
+    bad = first_unusable(samples)
+    if bad is not None:
+        row, sample = bad
         raise InvalidInputError(
             f"drive {row + 1}, sample {sample} is {samples[row, sample]}, expected a finite number "
-            f"of at most {_LARGEST:g}"
+            f"of at most {LARGEST:g}"
         )
     return samples
 
@@ -138,9 +135,9 @@ def _checked_amplitudes(amplitudes: ArrayLike | None, n_inputs: int) -> Floats:
         raise InvalidInputError(
             f"amplitudes has shape {factors.shape}, expected ({n_inputs},): one for each drive"
         )
-    if not (np.abs(factors) <= _LARGEST).all():
+    if not (np.abs(factors) <= LARGEST).all():
         raise InvalidInputError(
-            f"amplitudes are {factors.tolist()}, expected finite numbers of at most {_LARGEST:g}"
+            f"amplitudes are {factors.tolist()}, expected finite numbers of at most {LARGEST:g}"
         )
     return factors
 

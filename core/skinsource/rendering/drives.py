@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from skinsource.errors import InvalidInputError
 from skinsource.rendering.memory import Memory
 from skinsource.rendering.transforms import Complexes, Floats, forward
 from skinsource.signals import sample_count
@@ -14,6 +15,9 @@ from skinsource.work import tally
 Booleans = NDArray[np.bool_]
 
 _BUDGET_BYTES = 32 * 2**20
+
+#: Largest sample of a drive or a response.  Far beyond it levels overflow, and NaN would come out.
+LARGEST = 1e30
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -46,6 +50,14 @@ def drive_of(samples: Floats) -> Drive:
     return Drive(np.ldexp(samples, -exponent), float(np.ldexp(1.0, exponent)))
 
 
+def first_unusable(samples: Floats) -> tuple[int, ...] | None:
+    """Index of the first sample that is not finite or beyond `LARGEST`; None if all are sound."""
+    # NaN is the maximum of whatever holds it, and not less than anything.
+    if samples.size == 0 or np.abs(samples).max() <= LARGEST:
+        return None
+    return tuple(int(index) for index in np.argwhere(~(np.abs(samples) <= LARGEST))[0])
+
+
 class Drives:
     """Drawn waveforms and their spectra, in bounded memory."""
 
@@ -54,10 +66,17 @@ class Drives:
         self._spectra = Memory[Complexes](budget_bytes, lambda spectrum: spectrum.nbytes)
 
     def drawn(self, waveform: Waveform, sample_rate_hz: float) -> Drive:
-        """Samples of ``waveform``."""
+        """Samples of ``waveform``; refused where one of them is not a usable number."""
 
         def compute() -> Drive:
-            drive = drive_of(waveform.samples(sample_rate_hz))
+            samples = waveform.samples(sample_rate_hz)
+            bad = first_unusable(samples)
+            if bad is not None:
+                raise InvalidInputError(
+                    f"{waveform.title}: sample {bad[0]} is {samples[bad]}, expected a finite number "
+                    f"of at most {LARGEST:g}. Correct what the input plays."
+                )
+            drive = drive_of(samples)
             expected = sample_count(waveform.duration_s, sample_rate_hz)
             if drive.samples.size != expected:
                 raise ValueError(

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skinsource.projection import Axes, Method, principal_axis_of
+from skinsource.projection import Axes, Method, no_main_axis, principal_axis_of
+from skinsource.rendering.drives import Booleans
 from skinsource.rendering.transforms import Complexes, Floats
 
 #: Below this share of its terms a sum has lost too many digits, and is computed another way.
@@ -94,12 +95,28 @@ def directions_of(moments: Moments, axes: Axes, method: Method, n_times: int) ->
         return None
     if len(axes) == 1 or method == "soc":
         return np.ones((len(moments.second), len(axes)))
-    second, first = _chosen(moments, axes)
     if method == "rms":
+        second, _ = _chosen(moments, axes)
         power = np.maximum(np.einsum("oaa->oa", second), 0.0)
         length = np.sqrt(power.sum(axis=1, keepdims=True))
         return np.sqrt(power) / np.where(length > 0, length, 1.0)
-    return principal_axis_of(second - first[:, :, None] * first[:, None, :] / n_times)
+    return principal_axis_of(covariance_of(moments, axes, n_times))
+
+
+def covariance_of(moments: Moments, axes: Axes, n_times: int) -> Floats:
+    """Sums of products of the chosen axes' centred samples, (n_outputs, n_axes, n_axes)."""
+    second, first = _chosen(moments, axes)
+    return second - first[:, :, None] * first[:, None, :] / n_times
+
+
+def without_main_axis(moments: Moments, axes: Axes, method: Method, n_times: int) -> Booleans:
+    """Outputs that are projected on a main axis they do not have, (n_outputs,).
+
+    See `skinsource.projection.no_main_axis`; False for all where no main axis is looked for.
+    """
+    if method != "pca" or len(axes) == 1:
+        return np.zeros(len(moments.second), bool)
+    return no_main_axis(covariance_of(moments, axes, n_times))
 
 
 def energies(moments: Moments, directions: Floats | None, axes: Axes) -> Floats:

@@ -29,16 +29,15 @@ _GAINS_BUDGET_BYTES = 2**20
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Source:
-    """An input without its amplitude: what its unit field depends on."""
+    """An input without its amplitude and onset: what its unit field depends on."""
 
     waveform: Waveform
     location: int
-    onset_s: float
 
 
 def source_of(one: Input) -> Source:
-    """Return ``one`` without its amplitude."""
-    return Source(waveform=one.waveform, location=one.location, onset_s=one.onset_s)
+    """Return ``one`` without its amplitude and onset."""
+    return Source(waveform=one.waveform, location=one.location)
 
 
 class Renderer:
@@ -59,7 +58,7 @@ class Renderer:
             self.input_waveforms,
             self.stimulus_samples,
             self.others_spectrum,
-            self.pivot_spectrum,
+            self.pivot_unit_spectrum,
             self.others_felt,
             self.pivot_felt,
             self.pivot_gain,
@@ -75,7 +74,14 @@ class Renderer:
 
     def stimulus_samples(self, audible: tuple[Input, ...], sample_rate_hz: float) -> int:
         """Samples from time 0 to the end of the last input; 1 where nothing is heard."""
-        return max((self._end(source_of(one), sample_rate_hz) for one in audible), default=1)
+        return max(
+            (
+                sample_count(one.onset_s, sample_rate_hz)
+                + sample_count(one.waveform.duration_s, sample_rate_hz)
+                for one in audible
+            ),
+            default=1,
+        )
 
     def others_spectrum(
         self,
@@ -87,19 +93,20 @@ class Renderer:
         """Field of all audible inputs but the selected one, (72, 3, n_bins); None: silence."""
         return None if n_fft is None else self._sum(limb_data, others, scaling, n_fft)
 
-    def pivot_spectrum(
+    def pivot_unit_spectrum(
         self,
         limb_data: Limb,
         pivot_source: Source | None,
         scaling: Scaling,
         n_fft: int | None,
     ) -> Complexes | None:
-        """Field of the selected input at amplitude 1, before any gain, (72, 3, n_bins)."""
+        """Field of the selected input at amplitude 1 and onset 0, before any gain."""
         if pivot_source is None or n_fft is None:
             return None
         if self._drives.drawn(pivot_source.waveform, limb_data.sample_rate_hz).silent:
             return None
-        return self._unit_field(limb_data, pivot_source, scaling, n_fft, 1.0)
+        drive = self._drives.spectrum(pivot_source.waveform, limb_data.sample_rate_hz, n_fft)
+        return self._field(limb_data, pivot_source, scaling, n_fft, drive)
 
     def others_felt(
         self, others: tuple[Input, ...], response_samples: int, sample_rate_hz: float
@@ -107,16 +114,17 @@ class Renderer:
         """When any of the other inputs can be felt, (response_samples,)."""
         felt = np.zeros(response_samples, bool)
         for one in others:
-            felt |= self._felt(source_of(one), sample_rate_hz, response_samples)
+            onset = sample_count(one.onset_s, sample_rate_hz)
+            felt |= self._felt(one.waveform, onset, sample_rate_hz, response_samples)
         return felt
 
     def pivot_felt(
         self, pivot_source: Source | None, response_samples: int, sample_rate_hz: float
     ) -> Booleans:
-        """When the selected input can be felt, (response_samples,)."""
+        """When the selected input could be felt if it started at time 0, (response_samples,)."""
         if pivot_source is None:
             return np.zeros(response_samples, bool)
-        return self._felt(pivot_source, sample_rate_hz, response_samples)
+        return self._felt(pivot_source.waveform, 0, sample_rate_hz, response_samples)
 
     def pivot_gain(
         self,
@@ -162,6 +170,7 @@ class Renderer:
         self, limb: Limb, inputs: tuple[Input, ...], scaling: Scaling, n_fft: int
     ) -> Complexes | None:
         total: Complexes | None = None
+        rate = limb.sample_rate_hz
         # One buffer for all: new memory of this size costs more than what is written to it.
         field: Complexes | None = None
         for one in inputs:
@@ -169,34 +178,30 @@ class Renderer:
             weight = one.amplitude * self._gain(limb, source, scaling, n_fft)
             if weight == 0.0:
                 continue
-            field = self._unit_field(limb, source, scaling, n_fft, weight, field)
+            drive = self._drives.spectrum(one.waveform, rate, n_fft)
+            drive = delayed(drive, sample_count(one.onset_s, rate), n_fft) * weight
+            field = self._field(limb, source, scaling, n_fft, drive, field)
             if total is None:
                 total, field = field, None
             else:
                 total += field
         return total
 
-    def _end(self, source: Source, sample_rate_hz: float) -> int:
-        onset = sample_count(source.onset_s, sample_rate_hz)
-        return onset + sample_count(source.waveform.duration_s, sample_rate_hz)
+    def _felt(
+        self, waveform: Waveform, delay_samples: int, sample_rate_hz: float, n_times: int
+    ) -> Booleans:
+        drawn = self._drives.drawn(waveform, sample_rate_hz)
+        return reach(drawn.samples, delay_samples, N_TAPS, n_times)
 
-    def _felt(self, source: Source, sample_rate_hz: float, n_times: int) -> Booleans:
-        drawn = self._drives.drawn(source.waveform, sample_rate_hz)
-        onset = sample_count(source.onset_s, sample_rate_hz)
-        return reach(drawn.samples, onset, N_TAPS, n_times)
-
-    def _unit_field(
+    def _field(
         self,
         limb: Limb,
         source: Source,
         scaling: Scaling,
         n_fft: int,
-        weight: float,
+        drive: Complexes,
         buffer: Complexes | None = None,
     ) -> Complexes:
-        rate = limb.sample_rate_hz
-        drive = self._drives.spectrum(source.waveform, rate, n_fft)
-        drive = delayed(drive, sample_count(source.onset_s, rate), n_fft) * weight
         response = self._responses.of(limb, source.location, scaling, n_fft)
         return np.multiply(response.values, drive, out=buffer)
 

@@ -7,7 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.calibration import per_probe_acceleration
+from skinsource.errors import InvalidInputError
 from skinsource.limb import Limb
+from skinsource.rendering.drives import LARGEST, first_unusable
 from skinsource.rendering.memory import Memory
 from skinsource.rendering.transforms import Complexes, Floats, forward
 from skinsource.response_scaling import Scaling
@@ -73,10 +75,24 @@ class ResponseSpectra:
         """Responses to ``location``; under ``"probe"`` scaling the calibrated ones."""
 
         def compute() -> ResponseSpectrum:
-            taps = limb.response_to(location)
+            taps = _usable(limb, location)
             if scaling == "probe":
                 taps = per_probe_acceleration(taps, limb.sample_rate_hz)
             return ResponseSpectrum(taps, forward(taps, n_fft), n_fft)
 
         # A limb is the object, not the name: after a reinstall the name means other data.
         return self._memory.get((limb, location, scaling == "probe", n_fft), compute)
+
+
+def _usable(limb: Limb, location: int) -> Floats:
+    """Responses to ``location``, refused where a tap is not a usable number."""
+    taps = limb.response_to(location)
+    bad = first_unusable(taps)
+    if bad is not None:
+        output, axis, tap = bad
+        raise InvalidInputError(
+            f"{limb.name}: in the response to input location {location}, output {output + 1}, axis "
+            f"{'xyz'[axis]}, tap {tap} is {taps[bad]}, expected a finite number of at most "
+            f"{LARGEST:g}. Install or load the limb again."
+        )
+    return taps

@@ -10,7 +10,7 @@ from skinsource.decibels import decibels
 from skinsource.design import Input, audible_indices, audible_inputs
 from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS
 from skinsource.projection import Axes, Method, magnitude
-from skinsource.rendering.drives import Booleans
+from skinsource.rendering.drives import Booleans, delayed
 from skinsource.rendering.moments import (
     Moments,
     combined,
@@ -24,6 +24,7 @@ from skinsource.rendering.renderer import Source, source_of
 from skinsource.rendering.segments import LONGEST_AT_ONCE
 from skinsource.rendering.streaming import StreamedField
 from skinsource.rendering.transforms import Complexes, Floats, forward, transform_length
+from skinsource.signals import sample_count
 from skinsource.spectra import one_sided_magnitude
 
 
@@ -44,8 +45,22 @@ def others(inputs: tuple[Input, ...], selected_input: int | None) -> tuple[Input
 
 
 def pivot_source(pivot: Input | None) -> Source | None:
-    """The selected input without its amplitude."""
+    """The selected input without its amplitude and onset."""
     return None if pivot is None else source_of(pivot)
+
+
+def pivot_delay(pivot: Input | None, sample_rate_hz: float) -> int:
+    """Samples before the selected input starts."""
+    return 0 if pivot is None else sample_count(pivot.onset_s, sample_rate_hz)
+
+
+def pivot_spectrum(
+    pivot_unit_spectrum: Complexes | None, pivot_delay: int, n_fft: int | None
+) -> Complexes | None:
+    """Field of the selected input at amplitude 1, before any gain, (72, 3, n_bins)."""
+    if pivot_unit_spectrum is None or n_fft is None:
+        return None
+    return delayed(pivot_unit_spectrum, pivot_delay, n_fft)
 
 
 def pivot_weight(pivot: Input | None, pivot_gain: float) -> float:
@@ -77,10 +92,10 @@ def others_part(
 
 
 def pivot_part(
-    pivot_spectrum: Complexes | None, pivot_felt: Booleans, n_fft: int | None
+    pivot_unit_spectrum: Complexes | None, pivot_felt: Booleans, n_fft: int | None
 ) -> Part | None:
-    """Field of the selected input at amplitude 1, to be brought back to time."""
-    return _part(pivot_spectrum, pivot_felt, n_fft)
+    """Field of the selected input at amplitude 1 and onset 0, to be brought back to time."""
+    return _part(pivot_unit_spectrum, pivot_felt, n_fft)
 
 
 def others_moments(
@@ -91,10 +106,10 @@ def others_moments(
 
 
 def pivot_moments(
-    pivot_spectrum: Complexes | None, n_fft: int | None, products_needed: bool
+    pivot_unit_spectrum: Complexes | None, n_fft: int | None, products_needed: bool
 ) -> Moments | None:
-    """Moments of the selected input at amplitude 1, before any gain."""
-    return _moments(pivot_spectrum, pivot_spectrum, n_fft, products_needed)
+    """Moments of the selected input at amplitude 1, before any gain; its onset has no part."""
+    return _moments(pivot_unit_spectrum, pivot_unit_spectrum, n_fft, products_needed)
 
 
 def cross_moments(
@@ -161,6 +176,7 @@ def axis_traces(
     others_part: Part | None,
     pivot_part: Part | None,
     pivot_weight: float,
+    pivot_delay: int,
     streamed_field: StreamedField | None,
     outputs: tuple[int, ...],
     axes: Axes,
@@ -174,7 +190,9 @@ def axis_traces(
     if others_part is not None:
         total += others_part.traces(outputs, chosen)
     if pivot_part is not None and pivot_weight != 0.0:
-        total += pivot_weight * pivot_part.traces(outputs, chosen)
+        started = response_samples - pivot_delay
+        unit = pivot_part.traces(outputs, chosen)
+        total[..., pivot_delay:] += pivot_weight * unit[..., :started]
     return total
 
 
@@ -194,6 +212,7 @@ def axis_spectra(
     others_part: Part | None,
     pivot_part: Part | None,
     pivot_weight: float,
+    pivot_delay: int,
     streamed_field: StreamedField | None,
     outputs: tuple[int, ...],
     axes: Axes,
@@ -207,7 +226,8 @@ def axis_spectra(
     if others_part is not None:
         total += others_part.trace_spectra(outputs, chosen)
     if pivot_part is not None and pivot_weight != 0.0:
-        total += pivot_weight * pivot_part.trace_spectra(outputs, chosen)
+        unit = pivot_part.trace_spectra(outputs, chosen)
+        total += pivot_weight * delayed(unit, pivot_delay, response_samples)
     return total
 
 
@@ -215,6 +235,7 @@ def selected_spectra(
     others_part: Part | None,
     pivot_part: Part | None,
     pivot_weight: float,
+    pivot_delay: int,
     streamed_field: StreamedField | None,
     outputs: tuple[int, ...],
     axes: Axes,
@@ -238,6 +259,7 @@ def selected_spectra(
                 others_part,
                 pivot_part,
                 pivot_weight,
+                pivot_delay,
                 streamed_field,
                 outputs,
                 axes,
@@ -252,6 +274,8 @@ RULES = (
     pivot,
     others,
     pivot_source,
+    pivot_delay,
+    pivot_spectrum,
     pivot_weight,
     response_samples,
     n_fft,
