@@ -22,6 +22,7 @@ os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 
 from PySide6.QtWidgets import QApplication
 
+from skinsource.allocation import keep_freed_memory
 from skinsource.catalogue import available_limbs, default_limb
 from skinsource.design import Design, Input
 from skinsource.view import View
@@ -82,15 +83,20 @@ def main() -> int:
     parser.add_argument("--size", default="1440x900")
     options = parser.parse_args()
     application = make_application()
+    keep_freed_memory()
     width, height = map(int, options.size.split("x"))
     inputs = tuple(
-        Input(location=5 + k, waveform=Tone(frequency_hz=80.0 + 5 * k, duration_s=1.0), colour=k)
+        Input(
+            location=1 + (4 + k) % 20,
+            waveform=Tone(frequency_hz=80.0 + 5 * k, duration_s=1.0),
+            colour=k,
+        )
         for k in range(options.inputs)
     )
     with tempfile.TemporaryDirectory() as folder:
         window = MainWindow(
             Design(limb=default_limb(), inputs=inputs),
-            view=View(outputs=(29, 30, 33, 35, 38, 52)),
+            view=View(outputs=(29, 30, 33, 35, 38, 52), selected_input=1),
             preferences=Preferences(Path(folder) / "studio.ini"),
             available_limbs=available_limbs(),
         )

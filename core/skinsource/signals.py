@@ -137,7 +137,8 @@ def white_noise(
 ) -> Floats:
     """Gaussian noise, flat within a band and nothing outside it, of peak 1, (n,).
 
-    The same seed gives the same noise everywhere; it is not MATLAB's noise of that seed.
+    The same seed gives the same noise everywhere; it is not MATLAB's noise of that seed.  A
+    window other than ``"none"`` widens the spectrum: some of the noise then lies outside the band.
 
     Raises
     ------

@@ -54,9 +54,9 @@ def one_sided_magnitude(
     spectra: NDArray[np.complex128], n_times: int, sample_rate_hz: float
 ) -> tuple[Floats, Floats]:
     """Frequencies and magnitudes as in `magnitude_spectrum`, from transforms of real signals."""
-    magnitude: Floats = np.asarray(np.abs(spectra) / n_times, np.float64)
+    magnitude = np.abs(spectra) / n_times
     magnitude[..., 1 : (n_times + 1) // 2] *= 2.0
-    frequency_hz: Floats = np.arange(n_times // 2 + 1) * (sample_rate_hz / n_times)
+    frequency_hz = np.arange(n_times // 2 + 1, dtype=np.float64) * (sample_rate_hz / n_times)
     return frequency_hz, magnitude
 
 

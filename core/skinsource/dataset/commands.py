@@ -5,13 +5,13 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from skinsource.dataset.contents import REINSTALL
 from skinsource.dataset.fetch import fetch
 from skinsource.dataset.install import install
 from skinsource.dataset.progress_bar import ProgressBar
 from skinsource.dataset.published import DATASET_URL, MAP_URL, published_files
 from skinsource.dataset.store import (
     HOW_TO_GET,
-    REINSTALL,
     StoreInfo,
     describe,
     is_installed,

@@ -101,11 +101,13 @@ def _origin(responses: Path) -> dict[str, str | int]:
 def _image(responses: Responses, maps: MapFiles, origin: dict[str, str | int]) -> bytes:
     # Made in memory and written by plain file calls: HDF5 itself does not fail cleanly when
     # the disk is full.
-    with h5py.File(layout.FILE_NAME, "w", driver="core", backing_store=False) as store:
-        store.attrs["format"] = layout.FORMAT
-        store.attrs["format_version"] = layout.FORMAT_VERSION
+    with h5py.File(
+        layout.FILE_NAME, "w", driver="core", backing_store=False, libver=("v110", "v110")
+    ) as store:
+        _note(store, "format", layout.FORMAT)
+        _note(store, "format_version", layout.FORMAT_VERSION)
         for name, value in origin.items():
-            store.attrs[name] = value
+            _note(store, name, value)
         for limb in layout.LIMBS:
             _add_responses(store, limb, responses)
             _add(store, layout.mask_name(limb), maps.masks[limb - 1])
@@ -122,7 +124,7 @@ def _add_responses(store: Any, limb: int, responses: Responses) -> None:
         layout.responses_name(limb),
         shape=layout.RESPONSES_SHAPE,
         chunks=layout.CHUNK,
-        dtype="<f8",
+        dtype=layout.FLOATS,
     )
     checksums = []
     for k in range(layout.RESPONSES_SHAPE[0]):
@@ -133,8 +135,17 @@ def _add_responses(store: Any, limb: int, responses: Responses) -> None:
 
 
 def _add(store: Any, name: str, array: NDArray[Any]) -> None:
-    part = store.create_dataset(name, data=array)
-    part.attrs["sha256"] = layout.checksum(array)
+    part = store.create_dataset(name, data=array, dtype=layout.whole_type(name))
+    _note(part, "sha256", layout.checksum(array))
+
+
+def _note(part: Any, name: str, value: str | int) -> None:
+    if isinstance(value, int):
+        part.attrs[name] = np.int64(value)
+        return
+    # Names of files need not be texts; what HDF5 calls UTF-8 has to be.
+    text = value.encode(errors="backslashreplace")
+    part.attrs.create(name, text, dtype=h5py.string_dtype("utf-8", max(1, len(text))))
 
 
 def _pieces(image: bytes) -> Iterator[tuple[int, memoryview]]:

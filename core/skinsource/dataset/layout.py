@@ -1,5 +1,7 @@
 """What the store ``measured.h5`` looks like inside: names, version, checksums.
 
+The file is in the format of HDF5 1.10, which checks sums of all that is not an array; each array
+has a SHA-256 of its own.  All texts are of fixed length: HDF5 leaves others unchecked.
 ::
 
     /                        format, format_version, installed_at, source_name,
@@ -24,7 +26,23 @@ FORMAT_VERSION = 1
 LIMBS = (1, 2, 3, 4)
 RESPONSES_SHAPE = (N_INPUTS, N_OUTPUTS, N_AXES, N_TAPS)
 CHUNK = (1, N_OUTPUTS, N_AXES, N_TAPS)
-MAP_PARTS = ("outline", "output_positions", "input_positions", "visibility")
+N_VERTICES = 1505
+#: (rows, columns) of 1 mm each, for the hand lengths of limbs 1 to 4.
+MASK_SHAPES = ((464, 174), (437, 164), (490, 184), (437, 164))
+MAP_SHAPES = {
+    "outline": (N_VERTICES, 2),
+    "output_positions": (N_OUTPUTS, 2),
+    "input_positions": (N_INPUTS, 2),
+    "visibility": (N_VERTICES, N_OUTPUTS),
+}
+#: All that is stored in one piece: name in the store, shape.
+WHOLE_SHAPES = {f"map/{part}": shape for part, shape in MAP_SHAPES.items()} | {
+    f"masks/limb-{limb}": shape for limb, shape in zip(LIMBS, MASK_SHAPES, strict=True)
+}
+_LIMB_NAMES = tuple(f"limb-{limb}" for limb in LIMBS)
+#: Groups of the store, and what is in each.
+GROUPS = {"responses": _LIMB_NAMES, "map": tuple(MAP_SHAPES), "masks": _LIMB_NAMES}
+FLOATS, BYTES = "<f8", "u1"
 
 
 def responses_name(limb: int) -> str:
@@ -35,6 +53,11 @@ def responses_name(limb: int) -> str:
 def mask_name(limb: int) -> str:
     """Name of the mask of one limb in the store."""
     return f"masks/limb-{limb}"
+
+
+def whole_type(name: str) -> str:
+    """Type of the values of what is stored in one piece."""
+    return BYTES if name.startswith("masks/") else FLOATS
 
 
 def checksum(array: NDArray[Any]) -> str:

@@ -7,14 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from skinsource.dataset.layout import MASK_SHAPES, N_VERTICES
 from skinsource.dataset.matfile import WHAT_TO_DO, read_variable
 from skinsource.dataset.source import MASK_FILES
 from skinsource.errors import DatasetError
 from skinsource.limb import N_INPUTS, N_OUTPUTS, VOLAR_OUTPUTS, Floats
-
-N_VERTICES = 1505
-#: (rows, columns) of 1 mm each, for the hand lengths of limbs 1 to 4.
-MASK_SHAPES = ((464, 174), (437, 164), (490, 184), (437, 164))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

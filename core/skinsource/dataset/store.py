@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from skinsource.assets import user_folder
 from skinsource.dataset import layout
+from skinsource.dataset.contents import REINSTALL, Contents
 from skinsource.errors import (
     DatasetError,
     DatasetMissingError,
@@ -25,14 +26,12 @@ from skinsource.errors import (
 )
 from skinsource.limb import HAND_LENGTHS_MM, Floats, Limb, LimbMap
 
-#: Hand lengths of limbs 1 to 4: tip of digit III to the middle of the wrist.
-
+#: Tip of digit III to the middle of the wrist, on the published map.
 HAND_LENGTH_PX = 398.1017
 HOW_TO_GET = (
     "Get it with 'skinsource dataset fetch' (downloads 70 MB), or, from files you already have, "
     "with 'skinsource dataset install PATH'."
 )
-REINSTALL = "Install it again with 'skinsource dataset fetch' or 'skinsource dataset install PATH'."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -85,11 +84,11 @@ def describe(path: Path | None = None) -> StoreInfo:
         return StoreInfo(
             path=path,
             size_bytes=path.stat().st_size,
-            limbs=tuple(n for n in layout.LIMBS if layout.responses_name(n) in store),
-            installed_at=str(store.attrs["installed_at"]),
-            source_name=str(store.attrs["source_name"]),
-            source_sha256=str(store.attrs["source_sha256"]),
-            source_bytes=int(store.attrs["source_bytes"]),
+            limbs=store.limbs(),
+            installed_at=store.text("installed_at"),
+            source_name=store.text("source_name"),
+            source_sha256=store.text("source_sha256"),
+            source_bytes=store.number("source_bytes"),
         )
 
 
@@ -109,9 +108,9 @@ def load_measured_limb(number: int) -> Limb:
     path = store_path()
     with open_store(path) as store:
         outline, outputs, inputs, visibility = (
-            read_checked(store, f"map/{part}", path) for part in layout.MAP_PARTS
+            _read_checked(store, f"map/{part}", path) for part in layout.MAP_SHAPES
         )
-        checksums = stored_checksums(store, number)
+        checksums = store.checksums(number)
 
     def read_response(location: int) -> Floats:
         return _read_response(path, number, location, checksums[location - 1])
@@ -140,17 +139,16 @@ def load_mask(number: int) -> NDArray[np.bool_]:
     _check_number(number)
     path = store_path()
     with open_store(path) as store:
-        mask = read_checked(store, layout.mask_name(number), path)
+        mask = _read_checked(store, layout.mask_name(number), path)
     return np.asarray(mask, dtype=np.bool_)
 
 
 @contextmanager
-def open_store(path: Path) -> Iterator[Any]:
+def open_store(path: Path) -> Iterator[Contents]:
     """Open the store for reading; explain in our own words why that is not possible."""
     try:
-        with h5py.File(path, "r", locking="best-effort") as store:
-            _check_format(store, path)
-            yield store
+        with h5py.File(path, "r", locking="best-effort") as file:
+            yield Contents(file, path)
     except SkinSourceError:
         raise
     except FileNotFoundError as error:
@@ -159,33 +157,25 @@ def open_store(path: Path) -> Iterator[Any]:
         ) from error
     except PermissionError as error:
         raise StorageError(f"{path}: may not be read. Change its permissions.") from error
-    except (OSError, RuntimeError, LookupError, TypeError, ValueError) as error:
+    except (OSError, RuntimeError, LookupError, TypeError, ValueError, OverflowError) as error:
         raise DatasetError(f"{path}: the store is damaged ({error}). {REINSTALL}") from error
 
 
-def stored_checksums(store: Any, limb: int) -> tuple[str, ...]:
-    """SHA-256 of the responses to each input place of one limb, as noted at installation."""
-    return tuple(
-        digest.decode("ascii") for digest in store[layout.responses_name(limb)].attrs["sha256"]
-    )
-
-
-def read_checked(store: Any, name: str, path: Path) -> NDArray[Any]:
-    """Read a whole array that has its checksum beside it."""
-    array = np.asarray(store[name][()])
-    _compare(layout.checksum(array), str(store[name].attrs["sha256"]), name, path)
+def _read_checked(store: Contents, name: str, path: Path) -> NDArray[Any]:
+    array, expected = store.whole(name)
+    _compare(layout.checksum(array), expected, name, path)
     array.flags.writeable = False
     return array
 
 
 def _read_response(path: Path, limb: int, location: int, expected: str) -> Floats:
     with open_store(path) as store:
-        if stored_checksums(store, limb)[location - 1] != expected:
+        if store.checksums(limb)[location - 1] != expected:
             raise DatasetError(
                 f"{path}: was replaced by other data since limb measured-{limb} was opened. "
                 "Open the limb again."
             )
-        response = np.asarray(store[layout.responses_name(limb)][location - 1], dtype=np.float64)
+        response = store.response(limb, location)
     _compare(layout.checksum(response), expected, f"limb {limb}, input {location}", path)
     return response
 
@@ -195,21 +185,6 @@ def _compare(found: str, expected: str, what: str, path: Path) -> None:
         raise DatasetError(
             f"{path}: {what} is damaged: its checksum is {found[:12]}…, expected {expected[:12]}…. "
             f"{REINSTALL}"
-        )
-
-
-def _check_format(store: Any, path: Path) -> None:
-    found = store.attrs.get("format")
-    if found != layout.FORMAT:
-        raise DatasetError(
-            f"{path}: is no store of the measured dataset (format {found!r}, expected "
-            f"{layout.FORMAT!r}). Move it away. {REINSTALL}"
-        )
-    version = int(store.attrs["format_version"])
-    if version != layout.FORMAT_VERSION:
-        raise DatasetError(
-            f"{path}: has format version {version}, this program reads version "
-            f"{layout.FORMAT_VERSION}. Use the program that made it, or: {REINSTALL}"
         )
 
 

@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
 
 from skinsource.dataset import layout
+from skinsource.dataset.contents import Contents
 from skinsource.dataset.job import Progress, Stop, never, silent, stop_if
 from skinsource.dataset.source import MAP_FILES, MAP_FOLDER, RESPONSES_FILE, download_folder
 from skinsource.dataset.store import open_store, store_path
@@ -26,17 +26,15 @@ def verify(*, progress: Progress = silent, cancelled: Stop = never) -> tuple[str
     DatasetMissingError
         Nothing is installed.
     DatasetError
-        The store cannot be opened at all.
+        The store cannot be opened, or a part of it cannot be found.
     Cancelled
         ``cancelled`` said so.
     """
-    whole = [f"map/{part}" for part in layout.MAP_PARTS]
-    whole += [layout.mask_name(limb) for limb in layout.LIMBS]
-    total = len(layout.LIMBS) * N_INPUTS + len(whole)
+    total = len(layout.LIMBS) * N_INPUTS + len(layout.WHOLE_SHAPES)
     problems = []
     path = store_path()
     with open_store(path) as store:
-        for done, (what, found, expected) in enumerate(_checksums(store, whole), start=1):
+        for done, (what, found, expected) in enumerate(_checksums(store), start=1):
             stop_if(cancelled, "Verifying was stopped.")
             if found != expected:
                 problems.append(f"{path}: {what}: checksum {found}, expected {expected}")
@@ -44,14 +42,14 @@ def verify(*, progress: Progress = silent, cancelled: Stop = never) -> tuple[str
     return tuple(problems)
 
 
-def _checksums(store: Any, whole: list[str]) -> Iterator[tuple[str, str, str]]:
-    for name in whole:
-        part = store[name]
-        yield name, layout.checksum(part[()]), str(part.attrs["sha256"])
+def _checksums(store: Contents) -> Iterator[tuple[str, str, str]]:
+    for name in layout.WHOLE_SHAPES:
+        array, expected = store.whole(name)
+        yield name, layout.checksum(array), expected
     for limb in layout.LIMBS:
-        responses = store[layout.responses_name(limb)]
-        for k, digest in enumerate(responses.attrs["sha256"]):
-            yield f"limb {limb}, input {k + 1}", layout.checksum(responses[k]), digest.decode()
+        for place, expected in enumerate(store.checksums(limb), start=1):
+            found = layout.checksum(store.response(limb, place))
+            yield f"limb {limb}, input {place}", found, expected
 
 
 def installed_files() -> tuple[Path, ...]:

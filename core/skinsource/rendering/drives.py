@@ -73,8 +73,8 @@ class Drives:
             bad = first_unusable(samples)
             if bad is not None:
                 raise InvalidInputError(
-                    f"{waveform.title}: sample {bad[0]} is {samples[bad]}, expected a finite number "
-                    f"of at most {LARGEST:g}. Correct what the input plays."
+                    f"{waveform.title}: sample {bad[0]} is {samples[bad]}, expected a finite "
+                    f"number of at most {LARGEST:g}. Correct what the input plays."
                 )
             drive = drive_of(samples)
             expected = sample_count(waveform.duration_s, sample_rate_hz)
