@@ -23,7 +23,6 @@ os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 from PySide6.QtCore import QEventLoop, QTimer
 from PySide6.QtWidgets import QApplication
 
-from skinsource.allocation import keep_freed_memory
 from skinsource.catalogue import available_limbs, default_limb
 from skinsource.design import Design, Input
 from skinsource.view import View
@@ -97,7 +96,6 @@ def main() -> int:
     parser.add_argument("--size", default="1440x900")
     options = parser.parse_args()
     application = make_application()
-    keep_freed_memory()
     width, height = map(int, options.size.split("x"))
     inputs = tuple(
         Input(

@@ -21,6 +21,8 @@ class ActionSpec:
         Whether it switches something on and off.
     separated
         Whether a line stands before it.
+    group
+        Of the checkable actions with the same group, one is on.
     """
 
     name: str
@@ -30,9 +32,12 @@ class ActionSpec:
     keys: tuple[str, ...] = ()
     checkable: bool = False
     separated: bool = False
+    group: str = ""
 
 
-def _action(name: str, menu: str, text: str, hint: str, *keys: str, **more: bool) -> ActionSpec:
+def _action(
+    name: str, menu: str, text: str, hint: str, *keys: str, **more: bool | str
+) -> ActionSpec:
     return ActionSpec(name=name, menu=menu, text=text, hint=hint, keys=keys, **more)
 
 
@@ -69,7 +74,29 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "Ctrl+D",
         separated=True,
     ),
-    _action("remove_input", "Edit", "Remove input", "Remove the selected input", "Ctrl+Backspace"),
+    _action(
+        "remove_input",
+        "Edit",
+        "Remove input",
+        "Remove the selected input (Delete, on the hand and in the list)",
+        "Ctrl+Backspace",
+    ),
+    _action(
+        "mute_input",
+        "Edit",
+        "Mute input",
+        "Silence the selected input",
+        "Ctrl+M",
+        checkable=True,
+    ),
+    _action(
+        "solo_input",
+        "Edit",
+        "Solo input",
+        "Hear only the solo inputs",
+        "Ctrl+Shift+M",
+        checkable=True,
+    ),
     _action("clear_inputs", "Edit", "Remove all inputs", "Empty the hand"),
     _action(
         "select_no_outputs",
@@ -110,10 +137,36 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "Ctrl+3",
     ),
     _action(
-        "use_light_theme", "View", "Light theme", "Dark words on a light ground", separated=True
+        "next_panel", "View", "Go to next panel", "Give the keyboard to it", "F6", separated=True
     ),
-    _action("use_dark_theme", "View", "Dark theme", "Light words on a dark ground"),
-    _action("use_system_theme", "View", "System theme", "As the desktop has it"),
+    _action(
+        "previous_panel", "View", "Go to previous panel", "Give the keyboard to it", "Shift+F6"
+    ),
+    _action(
+        "use_light_theme",
+        "View",
+        "Light theme",
+        "Dark words on a light ground",
+        checkable=True,
+        group="theme",
+        separated=True,
+    ),
+    _action(
+        "use_dark_theme",
+        "View",
+        "Dark theme",
+        "Light words on a dark ground",
+        checkable=True,
+        group="theme",
+    ),
+    _action(
+        "use_system_theme",
+        "View",
+        "System theme",
+        "As the desktop has it",
+        checkable=True,
+        group="theme",
+    ),
     _action(
         "toggle_full_screen",
         "View",

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QApplication
 
+from skinsource.allocation import keep_freed_memory
 from skinsource.assets import user_folder
 from skinsource.catalogue import available_limbs, default_limb
 from skinsource.design import start_design
@@ -22,6 +23,7 @@ def make_application() -> QApplication:
     application.setApplicationName("SkinSource studio")
     application.setDesktopFileName("skinsource-studio")
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
+    keep_freed_memory()
     return application
 
 

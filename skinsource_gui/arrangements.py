@@ -18,7 +18,7 @@ def arrange_design(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> Non
         [int(width * 0.23), int(width * 0.27), int(width * 0.50)],
         _ACROSS,
     )
-    window.resizeDocks([docks["hand"], docks["inspector"]], [height * 47, height * 53], _DOWN)
+    window.resizeDocks([docks["hand"], docks["inspector"]], [height * 42, height * 58], _DOWN)
     window.resizeDocks(
         [docks["inputs"], docks["traces"], docks["spectra"]],
         [int(height * 0.26), int(height * 0.37), int(height * 0.37)],

@@ -1,13 +1,14 @@
 """What each action of the table does."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QFileDialog
+from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow
 
 from skinsource.errors import SkinSourceError
 from skinsource.export import export_traces
@@ -84,6 +85,12 @@ class Commands(QObject):
             place = document.design.inputs[index].location
             document.edit(f"Remove input {place}", document.design.without_input(index))
 
+    def mute_input(self, on: bool) -> None:
+        self._change_input("Mute" if on else "Unmute", muted=on)
+
+    def solo_input(self, on: bool) -> None:
+        self._change_input("Solo" if on else "End solo of", solo=on)
+
     def clear_inputs(self) -> None:
         document = self._window.document
         document.edit("Remove all inputs", replace(document.design, inputs=()))
@@ -93,17 +100,22 @@ class Commands(QObject):
         document.look(replace(document.view, outputs=()))
 
     def remove_delay(self, on: bool) -> None:
-        document = self._window.document
-        document.look(replace(document.view, delay_removed=on, time_range_s=None))
+        self._window.traces.remove_delay(on)
 
     def arrange_design(self) -> None:
-        arrange_design(self._window, self._window.docks)
+        self._arrange(arrange_design)
 
     def arrange_analysis(self) -> None:
-        arrange_analysis(self._window, self._window.docks)
+        self._arrange(arrange_analysis)
 
     def arrange_presentation(self) -> None:
-        arrange_presentation(self._window, self._window.docks)
+        self._arrange(arrange_presentation)
+
+    def next_panel(self) -> None:
+        self._go_to_panel(1)
+
+    def previous_panel(self) -> None:
+        self._go_to_panel(-1)
 
     def use_light_theme(self) -> None:
         self._window.use_theme("light")
@@ -115,19 +127,18 @@ class Commands(QObject):
         self._window.use_theme("system")
 
     def toggle_full_screen(self) -> None:
-        if self._window.isFullScreen():
-            self._window.showNormal()
-        else:
-            self._window.showFullScreen()
+        # Not showNormal: a maximised window shall be one afterwards.
+        self._window.setWindowState(self._window.windowState() ^ Qt.WindowState.WindowFullScreen)
 
     def find_action(self) -> None:
-        others = [
-            action
-            for action in self._window.actions_by_name.values()
-            if action.objectName() != "find_action"
-        ]
-        others += [dock.toggleViewAction() for dock in self._window.docks.values()]
-        Palette(others, self._window).open()
+        window = self._window
+        found = [action for name, action in window.actions_by_name.items() if name != "find_action"]
+        for dock in window.docks.values():
+            verb = "Show" if dock.isHidden() else "Hide"
+            action = QAction(f"{verb} panel: {dock.windowTitle()}", window)
+            action.triggered.connect(partial(dock.setVisible, dock.isHidden()))
+            found.append(action)
+        Palette([*found, *window.setup_bar.choices(window)], window).open()
 
     def show_keys(self) -> None:
         pages.keys_page(ACTIONS, self._window).open()
@@ -138,10 +149,32 @@ class Commands(QObject):
     def show_about(self) -> None:
         pages.about_page(self._window).open()
 
+    def _arrange(self, arrange: Callable[[QMainWindow, Mapping[str, QDockWidget]], None]) -> None:
+        arrange(self._window, self._window.docks)
+        # A panel that was a window of its own may have had the keyboard.
+        if QApplication.activeWindow() is not self._window:
+            self._window.activateWindow()
+
     def _ask_where(self, title: str, name: str, kind: str) -> Path | None:
-        folder = self._window.document.path.parent if self._window.document.path else Path.home()
-        chosen, _ = QFileDialog.getSaveFileName(self._window, title, str(folder / name), kind)
-        return Path(chosen) if chosen else None
+        return self._window.files.ask_where(title, self._window.preferences.folder / name, kind)
+
+    def _change_input(self, verb: str, **changes: bool) -> None:
+        document = self._window.document
+        index = document.view.selected_input
+        if index is not None:
+            place = document.design.inputs[index].location
+            changed = document.design.with_input(index, **changes)
+            document.edit(f"{verb} input {place}", changed)
+
+    def _go_to_panel(self, step: int) -> None:
+        visible = [panel for panel in self._window.panels if panel.isVisible()]
+        focused = QApplication.focusWidget()
+        here = [k for k, panel in enumerate(visible) if focused and panel.isAncestorOf(focused)]
+        if visible:
+            start = here[0] if here else -min(step, 0) - 1
+            panel = visible[(start + step) % len(visible)]
+            panel.activateWindow()
+            panel.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def _exported(self, path: Path, save: Callable[[], None]) -> None:
         try:
@@ -149,4 +182,4 @@ class Commands(QObject):
         except SkinSourceError as error:
             self._window.complain(str(error))
         else:
-            self._window.notice.say(f"Saved {path}", "info")
+            self._window.files.note_written(path)

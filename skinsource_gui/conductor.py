@@ -1,10 +1,12 @@
 """Keeps the visible panels in step with the document."""
 
 from collections.abc import Mapping, Sequence
+from time import perf_counter
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
+from skinsource.errors import SkinSourceError
 from skinsource.quantities import sources
 from skinsource_gui.document import Document
 from skinsource_gui.engine import Engine, Outcome, Request
@@ -33,11 +35,12 @@ class Conductor(QObject):
             panel.show_state(document.design, document.view)
 
     def _follow(self) -> None:
+        since_s = perf_counter()
         for panel in self._panels:
             panel.show_state(self._document.design, self._document.view)
-        self._ask()
+        self._ask(since_s)
 
-    def _ask(self) -> None:
+    def _ask(self, since_s: float | None = None) -> None:
         visible = [panel for panel in self._panels if panel.isVisible()]
         for panel in self._panels:
             if panel not in visible:
@@ -45,7 +48,8 @@ class Conductor(QObject):
         wanted = frozenset().union(*(panel.needs for panel in visible))
         if not wanted:
             return
-        request = Request(wanted, sources(self._document.design, self._document.view))
+        given = sources(self._document.design, self._document.view)
+        request = Request(wanted, given, perf_counter() if since_s is None else since_s)
         if self._asked == request and not self._behind(visible):
             return
         self._asked = request
@@ -60,7 +64,7 @@ class Conductor(QObject):
     def _deliver(self, outcome: Outcome) -> None:
         visible = [panel for panel in self._panels if panel.isVisible() and panel.needs]
         if outcome.values is None:
-            self._explain(visible, str(outcome.error))
+            self._explain(visible, _reason(outcome.error))
             return
         for panel in visible:
             if panel.needs <= outcome.values.keys():
@@ -81,3 +85,12 @@ class Conductor(QObject):
         for panel in visible:
             panel.show_problem(reason)
         self.failed.emit(reason)
+
+
+def _reason(error: Exception | None) -> str:
+    if isinstance(error, SkinSourceError):
+        return str(error)
+    return (
+        f"The studio made a mistake: {type(error).__name__}: {error}. Undo the last edit, or "
+        "choose something else; please report this."
+    )

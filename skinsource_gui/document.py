@@ -77,10 +77,14 @@ class Document(QObject):
         self.undo_stack.setClean()
         self.title_changed.emit()
 
-    def show_design(self, design: Design) -> None:
-        """Put ``design`` in place of the present one; for undo steps only."""
+    def show_design(self, design: Design, *, again: bool) -> None:
+        """Put ``design`` in place of the present one; for undo steps only.
+
+        ``again``: an undo or redo, which selects the input that it changes.
+        """
+        view = _pointing_at_change(self._view, self._design, design) if again else self._view
         self._design = design
-        self._view = _fitted(self._view, design)
+        self._view = _fitted(view, design)
         self.changed.emit()
 
 
@@ -92,12 +96,14 @@ class _Swap(QUndoCommand):
         self._document = document
         self._before, self._after = document.design, after
         self._gesture = -1 if gesture is None else gesture
+        self._done_before = False
 
     def redo(self) -> None:
-        self._document.show_design(self._after)
+        self._document.show_design(self._after, again=self._done_before)
+        self._done_before = True
 
     def undo(self) -> None:
-        self._document.show_design(self._before)
+        self._document.show_design(self._before, again=True)
 
     def id(self) -> int:
         return self._gesture
@@ -108,6 +114,21 @@ class _Swap(QUndoCommand):
         self._after = newer._after
         self.setObsolete(self._after == self._before)
         return True
+
+
+def _pointing_at_change(view: View, before: Design, after: Design) -> View:
+    """Return ``view`` with the input selected that differs, or else the same one as before."""
+    known = {one.colour: one for one in before.inputs}
+    came = [k for k, one in enumerate(after.inputs) if one.colour not in known]
+    other = [k for k, one in enumerate(after.inputs) if known.get(one.colour, one) != one]
+    if came or other:
+        return replace(view, selected_input=(came or other)[0])
+    if view.selected_input is None:
+        return view
+    # Inputs went: the same one stays selected, or else its successor.
+    colour = before.inputs[view.selected_input].colour
+    same = [k for k, one in enumerate(after.inputs) if one.colour == colour]
+    return replace(view, selected_input=same[0] if same else view.selected_input)
 
 
 def _fitted(view: View, design: Design) -> View:

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from threading import Event
 from time import perf_counter
 from typing import Any
@@ -11,13 +11,20 @@ from PySide6.QtCore import QObject, Qt, Signal
 
 from skinsource.graph import Graph, Stopped
 
+#: An evaluation of this length is not part of a drag that wants to see each step.
+_PATIENCE_S = 0.5
+
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """The quantities that are wanted, and the values to start from."""
+    """The quantities that are wanted, and the values to start from.
+
+    ``since_s`` is when the user wanted something else than before, by `time.perf_counter`.
+    """
 
     wanted: frozenset[str]
     given: Mapping[str, Any]
+    since_s: float = field(default_factory=perf_counter, compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,16 +44,19 @@ class Engine(QObject):
     """Evaluates one request at a time; of those that wait, only the newest is kept.
 
     A running evaluation is allowed to finish, so that a long drag shows a steady stream of
-    results instead of none until the mouse stops.
+    results instead of none until the mouse stops; only one that has taken long already is
+    abandoned for a newer request.
     """
 
     finished = Signal(object)  # Outcome, in the GUI thread
-    _landed = Signal(object)  # Outcome, from the worker thread
+    _landed = Signal(object)  # Outcome or None, from the worker thread
 
     def __init__(self, graph: Graph, parent: QObject | None = None):
         super().__init__(parent)
         self._graph = graph
         self._closing = Event()
+        self._superseded = Event()
+        self._started_s = 0.0
         self._busy = False
         self._waiting: Request | None = None
         self._worker = ThreadPoolExecutor(max_workers=1, thread_name_prefix="skinsource-engine")
@@ -63,8 +73,10 @@ class Engine(QObject):
             return
         if self._busy:
             self._waiting = request
+            self._superseded.set()
         else:
             self._busy = True
+            self._superseded.clear()
             self._worker.submit(self._work, request)
 
     def close(self) -> None:
@@ -74,20 +86,26 @@ class Engine(QObject):
         self._worker.shutdown(wait=True)
 
     def _work(self, request: Request) -> None:
-        start = perf_counter()
+        self._started_s = start = perf_counter()
         try:
-            values = self._graph.evaluate(request.wanted, request.given, self._closing.is_set)
+            values = self._graph.evaluate(request.wanted, request.given, self._should_stop)
         except Stopped:
-            return
+            outcome = None
         except Exception as error:  # noqa: BLE001  shown to the user by whoever listens
             outcome = Outcome(request, error=error, compute_s=perf_counter() - start)
         else:
             outcome = Outcome(request, values, compute_s=perf_counter() - start)
         self._landed.emit(outcome)
 
-    def _on_landed(self, outcome: Outcome) -> None:
+    def _should_stop(self) -> bool:
+        if self._closing.is_set():
+            return True
+        return self._superseded.is_set() and perf_counter() - self._started_s > _PATIENCE_S
+
+    def _on_landed(self, outcome: Outcome | None) -> None:
         self._busy = False
         waiting, self._waiting = self._waiting, None
         if waiting is not None:
             self.request(waiting)
-        self.finished.emit(outcome)
+        if outcome is not None:
+            self.finished.emit(outcome)

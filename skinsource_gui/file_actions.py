@@ -21,6 +21,8 @@ class FileActions(QObject):
     """Moves designs between the document and files."""
 
     failed = Signal(str)
+    #: What went well, in a few words.
+    done = Signal(str)
     #: A file was opened; the bytes are the window's arrangement that it holds.
     opened = Signal(bytes)
     recent_changed = Signal()
@@ -44,8 +46,8 @@ class FileActions(QObject):
 
     def ask_and_open(self) -> None:
         """Ask for a file and open it."""
-        folder = str(self._document.path.parent) if self._document.path else ""
-        name, _ = QFileDialog.getOpenFileName(self._window, "Open a design", folder, _FILTER)
+        folder = self._document.path.parent if self._document.path else self._preferences.folder
+        name, _ = QFileDialog.getOpenFileName(self._window, "Open a design", str(folder), _FILTER)
         if name:
             self.open(Path(name))
 
@@ -62,8 +64,10 @@ class FileActions(QObject):
             return
         self._document.start_over(content.design, content.view, path)
         self._preferences.remember_file(path)
+        self._preferences.folder = path.absolute().parent
         self.recent_changed.emit()
         self.opened.emit(content.layout)
+        self.done.emit(f"Opened {path.name}")
 
     def save(self) -> bool:
         """Save where it was saved before, or ask; whether it is saved now."""
@@ -73,12 +77,27 @@ class FileActions(QObject):
 
     def ask_and_save(self) -> bool:
         """Ask for a name and save there; whether it is saved now."""
-        start = str(self._document.path or Path.home() / f"design{SUFFIX}")
-        name, _ = QFileDialog.getSaveFileName(self._window, "Save the design", start, _FILTER)
+        start = self._document.path or self._preferences.folder / f"design{SUFFIX}"
+        path = self.ask_where("Save the design", start, _FILTER)
+        return path is not None and self._save_to(path)
+
+    def ask_where(self, title: str, start: Path, kinds: str) -> Path | None:
+        """Ask for a file to write, with the ending of ``start``; None if there shall be none."""
+        name, _ = QFileDialog.getSaveFileName(self._window, title, str(start), kinds)
         if not name:
-            return False
+            return None
         path = Path(name)
-        return self._save_to(path if path.suffix else path.with_suffix(SUFFIX))
+        if path.suffix.lower() != start.suffix.lower():
+            # The dialog asked about the name as it was typed.
+            path = path.with_name(path.name + start.suffix)
+            if path.exists() and not self._may_replace(path):
+                return None
+        return path
+
+    def note_written(self, path: Path) -> None:
+        """Remember the folder of a file that was written, and tell that all went well."""
+        self._preferences.folder = path.absolute().parent
+        self.done.emit(f"Saved {path}")
 
     def may_lose_changes(self) -> bool:
         """Whether unsaved edits may go: there are none, they are saved now, or the user agrees."""
@@ -95,6 +114,16 @@ class FileActions(QObject):
             return self.save()
         return answer == _Answer.Discard
 
+    def _may_replace(self, path: Path) -> bool:
+        answer = QMessageBox.question(
+            self._window,
+            "Replace the file?",
+            f"{path.name} exists already. Replace it?",
+            _Answer.Yes | _Answer.Cancel,
+            _Answer.Cancel,
+        )
+        return answer == _Answer.Yes
+
     def _save_to(self, path: Path) -> bool:
         content = DesignFile(
             design=self._document.design, view=self._document.view, layout=self._arrangement()
@@ -107,4 +136,5 @@ class FileActions(QObject):
         self._document.mark_saved(path)
         self._preferences.remember_file(path)
         self.recent_changed.emit()
+        self.note_written(path)
         return True

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMenu
 
 from skinsource_gui.actions import ACTIONS, MENUS, ActionSpec
@@ -17,6 +17,11 @@ def build_menus(window: "MainWindow", commands: Commands) -> dict[str, QAction]:
     bar = window.menuBar()
     menus = {title: bar.addMenu(title) for title in MENUS}
     actions = {spec.name: _action(spec, window, commands) for spec in ACTIONS}
+    for name in sorted({spec.group for spec in ACTIONS if spec.group}):
+        group = QActionGroup(window)
+        for spec in ACTIONS:
+            if spec.group == name:
+                group.addAction(actions[spec.name])
     for spec in ACTIONS:
         if spec.separated:
             menus[spec.menu].addSeparator()

@@ -1,9 +1,14 @@
 """The one way to tell the user that something went wrong, or went well."""
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QToolButton, QWidget
+from PySide6.QtCore import QRect, QSize, Qt, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
 from skinsource_gui.theme import Theme
+
+_NARROWEST_PX = 300
+# The button, and the edges of the toolbar.
+_BESIDE_TEXT_PX = 64
 
 
 class NoticeBar(QFrame):
@@ -27,10 +32,13 @@ class NoticeBar(QFrame):
         close.setToolTip("Close this notice")
         close.setAccessibleName("Close this notice")
         close.clicked.connect(self.be_quiet)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(12, 4, 8, 4)
-        row.addWidget(self._text, 1)
-        row.addWidget(close)
+        self._close = close
+        self._row = QHBoxLayout(self)
+        self._row.setContentsMargins(12, 4, 8, 4)
+        self._row.addWidget(self._text, 1)
+        self._row.addWidget(close)
+        self._text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self._speaks = False
 
     @property
@@ -38,10 +46,29 @@ class NoticeBar(QFrame):
         """What it says; empty while hidden."""
         return self._text.text() if self._speaks else ""
 
+    def sizeHint(self) -> QSize:
+        # A toolbar knows nothing of text that needs more lines where there is less room.
+        margins = self._row.contentsMargins()
+        used = margins.left() + margins.right() + self._row.spacing() + _BESIDE_TEXT_PX
+        # It lies across the window; its own width is not known before it is shown.
+        room = QRect(0, 0, max(self.window().width() - used, _NARROWEST_PX), 1000)
+        text = self.fontMetrics().boundingRect(room, Qt.TextFlag.TextWordWrap, self._text.text())
+        height = max(text.height() + 4, self._close.sizeHint().height())
+        return QSize(_NARROWEST_PX, height + margins.top() + margins.bottom())
+
+    def minimumSizeHint(self) -> QSize:
+        return self.sizeHint()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            self.updateGeometry()
+
     def say(self, text: str, kind: str = "info") -> None:
         """Show ``text``; ``kind`` is ``"error"``, ``"warning"`` or ``"info"``."""
         self._kind = kind
         self._text.setText(text)
+        self.updateGeometry()
         self._paint()
         self._speaks = True
         self.shown.emit(True)

@@ -25,12 +25,15 @@ _KEYS = (
     ("Shift and arrow keys on the hand", "move the selected input"),
     ("Delete", "remove the selected input"),
     ("M, S in the list of inputs", "mute, solo"),
-    ("Left and right in a plot", "move the crosshair"),
+    ("Left and right in a plot", "move the crosshair; + and − zoom, Esc takes it away"),
+    ("Space or Enter on the skin", "select the output; Shift adds, Ctrl+A selects all, Esc none"),
+    ("Up and Down in a number", "change it; Ctrl fine, Shift coarse, Esc takes typing back"),
 )
 _DATASET = """
 <h3>Get the measured limbs</h3>
 <p>The impulse responses of four measured limbs are published by their authors
-(doi&nbsp;10.5281/zenodo.10547601). They are not ours to pass on, so the studio starts on a
+(<a href="https://doi.org/10.5281/zenodo.10547601">doi&nbsp;10.5281/zenodo.10547601</a>).
+They are not ours to pass on, so the studio starts on a
 synthetic limb until you install them. In a terminal:</p>
 <p><b>skinsource dataset fetch</b><br>downloads 70 MB, checks and installs them;</p>
 <p><b>skinsource dataset install FOLDER</b><br>installs them from a folder that holds
@@ -43,15 +46,18 @@ _ABOUT = f"""
 <p>Design vibrotactile stimuli and see how they travel across hand and arm. BSD-3-Clause.</p>
 <p>Please cite the work it rests on: Tummala, Reardon, Fani, Goetz, Bianchi, Visell, <i>SkinSource:
 A Data-Driven Toolbox for Predicting Touch-Elicited Vibrations in the Upper Limb</i>, IEEE Haptics
-Symposium 2024, doi&nbsp;10.1109/HAPTICS59260.2024.10520852, and its dataset,
-doi&nbsp;10.5281/zenodo.10547601.</p>
+Symposium 2024, <a href="https://doi.org/10.1109/HAPTICS59260.2024.10520852">doi&nbsp;10.1109/HAPTICS59260.2024.10520852</a>,
+and its dataset,
+<a href="https://doi.org/10.5281/zenodo.10547601">doi&nbsp;10.5281/zenodo.10547601</a>.</p>
 """
 
 
 def keys_page(actions: Iterable[ActionSpec], parent: QWidget) -> QDialog:
     """Every shortcut and what the mouse does, on one page."""
     rows = [("Mouse", None), *_MOUSE, ("Keyboard", None), *_KEYS, ("Actions", None)]
-    rows += [(_shown(action.keys), f"{action.text} – {action.hint}") for action in actions]
+    rows += [
+        (_shown(action.keys), f"{action.text} – {action.hint}") for action in actions if action.keys
+    ]
     cells = "".join(
         f"<tr><td colspan=2><h3>{escape(left)}</h3></td></tr>"
         if right is None
@@ -81,8 +87,9 @@ def _page(title: str, html: str, parent: QWidget) -> QDialog:
     dialog.setWindowTitle(title)
     dialog.resize(640, 480)
     browser = QTextBrowser()
+    browser.setObjectName("page_text")
     browser.setHtml(html)
-    browser.setOpenExternalLinks(False)
+    browser.setOpenExternalLinks(True)
     buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
     buttons.rejected.connect(dialog.reject)
     layout = QVBoxLayout(dialog)

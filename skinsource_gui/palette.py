@@ -2,9 +2,19 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QAction, QKeyEvent
-from PySide6.QtWidgets import QDialog, QLineEdit, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt
+from PySide6.QtGui import QAction, QKeyEvent, QKeySequence, QPainter, QPalette
+from PySide6.QtWidgets import (
+    QDialog,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QVBoxLayout,
+    QWidget,
+)
 
 
 class Palette(QDialog):
@@ -22,6 +32,7 @@ class Palette(QDialog):
         self.list = QListWidget()
         self.list.setAccessibleName("Matching actions")
         self.list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.list.setItemDelegate(_KeysAtTheRight(self.list))
         layout = QVBoxLayout(self)
         layout.addWidget(self.line)
         layout.addWidget(self.list)
@@ -44,12 +55,8 @@ class Palette(QDialog):
 
     def _narrow(self, letters: str) -> None:
         self.list.clear()
-        matching = [(score(letters, action.text()), action) for action in self._actions]
-        for rank, action in sorted(matching, key=lambda pair: pair[0] or 0):
-            if rank is None or not action.isEnabled():
-                continue
-            keys = action.shortcut().toString()
-            item = QListWidgetItem(f"{action.text()}    {keys}" if keys else action.text())
+        for action in matching([one for one in self._actions if one.isEnabled()], letters):
+            item = QListWidgetItem(action.text())
             item.setToolTip(action.toolTip())
             item.setData(Qt.ItemDataRole.UserRole, action)
             self.list.addItem(item)
@@ -60,6 +67,38 @@ class Palette(QDialog):
         if item is not None:
             self.accept()
             item.data(Qt.ItemDataRole.UserRole).trigger()
+
+
+class _KeysAtTheRight(QStyledItemDelegate):
+    """Draws an action with its shortcut at the right, and whether it is on."""
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex) -> QSize:
+        return super().sizeHint(option, index) + QSize(0, 10)
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex) -> None:
+        super().paint(painter, option, index)
+        action = index.data(Qt.ItemDataRole.UserRole)
+        state = "on   " if action.isCheckable() and action.isChecked() else ""
+        keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+        chosen = option.state & QStyle.StateFlag.State_Selected
+        role = QPalette.ColorRole.HighlightedText if chosen else QPalette.ColorRole.PlaceholderText
+        painter.save()
+        painter.setPen(option.palette.color(role))
+        place = option.rect.adjusted(0, 0, -8, 0)
+        flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        painter.drawText(place, flags, state + keys)
+        painter.restore()
+
+
+def matching(actions: Sequence[QAction], letters: str) -> list[QAction]:
+    """Return the actions that are meant by ``letters``, the likeliest first.
+
+    Where some have the letters in one piece, those that have them scattered are left out.
+    """
+    whole = [one for one in actions if letters.strip().lower() in one.text().lower()]
+    scores = {action: score(letters, action.text()) for action in whole or actions}
+    found = [action for action, gaps in scores.items() if gaps is not None]
+    return sorted(found, key=lambda action: scores[action])
 
 
 def score(letters: str, text: str) -> int | None:

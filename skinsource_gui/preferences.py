@@ -62,6 +62,16 @@ class Preferences:
         """Take ``path`` out of the recent files."""
         self._settings.setValue("recent", [str(p) for p in self.recent_files if p != path])
 
+    @property
+    def folder(self) -> Path:
+        """Where a file was last opened or written; the home folder at first."""
+        known = Path(str(self._settings.value("folder", "")))
+        return known if known.is_absolute() and known.is_dir() else Path.home()
+
+    @folder.setter
+    def folder(self, folder: Path) -> None:
+        self._settings.setValue("folder", str(folder))
+
     def flush(self) -> None:
         """Write what is remembered to disk."""
         self._settings.sync()

@@ -1,19 +1,21 @@
 """The row above the panels: limb, scaling, axes, method."""
 
 from dataclasses import replace
+from functools import partial
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QStandardItemModel
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtGui import QAction, QStandardItemModel
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from skinsource.design import Design
 from skinsource.fields import ChoiceSpec
 from skinsource.limb import HAND_LENGTHS_MM, LIMB_NAMES
 from skinsource.projection import AXES, METHODS, Axes, Method
-from skinsource.response import SCALINGS, Scaling
+from skinsource.response_scaling import SCALINGS, Scaling
 from skinsource.view import View
 from skinsource_gui.widgets.choice_field import ChoiceField
 
+_ENABLED = Qt.ItemFlag.ItemIsEnabled
 _SCALING_WORDS = {
     "upstream": (
         "Peak of each input",
@@ -82,6 +84,21 @@ class SetupBar(QWidget):
         self._method.setToolTip(
             "A single axis needs no method" if single else "How several axes become one signal"
         )
+
+    def choices(self, parent: QObject) -> list[QAction]:
+        """One action for each choice that can be made, owned by ``parent``."""
+        actions = []
+        for field in (self._limb, self._scaling, self._axes, self._method):
+            model = field.model()
+            for index in range(field.count()):
+                action = QAction(f"{field.accessibleName()}: {field.itemText(index)}", parent)
+                action.setToolTip(field.itemData(index, Qt.ItemDataRole.ToolTipRole) or "")
+                action.setEnabled(
+                    field.isEnabled() and bool(model.flags(model.index(index, 0)) & _ENABLED)
+                )
+                action.triggered.connect(partial(field.choose, field.itemData(index)))
+                actions.append(action)
+        return actions
 
     def _choice(self, label: str, options: list[tuple[str, str, str]]) -> ChoiceField:
         spec = ChoiceSpec(label=label, options=tuple((value, words) for value, words, _ in options))

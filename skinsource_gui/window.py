@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QEventLoop, Qt
 from PySide6.QtGui import QAction, QGuiApplication
-from PySide6.QtWidgets import QApplication, QDockWidget, QLabel, QMainWindow, QToolBar
+from PySide6.QtWidgets import QAbstractButton, QApplication, QDockWidget, QMainWindow, QToolBar
 
 from skinsource.design import Design
 from skinsource.errors import SkinSourceError
@@ -19,6 +19,7 @@ from skinsource_gui.conductor import Conductor
 from skinsource_gui.document import Document
 from skinsource_gui.engine import Engine, Outcome
 from skinsource_gui.file_actions import FileActions
+from skinsource_gui.limb_note import LimbNote
 from skinsource_gui.menus import build_menus
 from skinsource_gui.notice_bar import NoticeBar
 from skinsource_gui.panel import Panel
@@ -31,8 +32,14 @@ from skinsource_gui.panels.traces import TracesPanel
 from skinsource_gui.preferences import Preferences
 from skinsource_gui.setup_bar import SetupBar
 from skinsource_gui.theme import THEMES, Theme, apply_theme
+from skinsource_gui.timing_label import TimingLabel
 
 _log = logging.getLogger(__name__)
+_REPORT_MS = 5000
+_DOCK_BUTTONS = {
+    "qt_dockwidget_closebutton": "Hide this panel; View > Panels brings it back",
+    "qt_dockwidget_floatbutton": "Take this panel out of the window, or back into it",
+}
 
 
 class MainWindow(QMainWindow):
@@ -70,8 +77,12 @@ class MainWindow(QMainWindow):
         self.commands = Commands(self)
         self.actions_by_name: dict[str, QAction] = build_menus(self, self.commands)
         self.notice = NoticeBar()
-        self._impossible = False
+        self._impossible = ""
+        self._heights: dict[QDockWidget, int] = {}
         self.setup_bar = SetupBar(tuple(available_limbs))
+        self._timing = TimingLabel(self)
+        self._limb_note = LimbNote(measured=any(n.startswith("measured") for n in available_limbs))
+        self._notices = self._bar("Notices")
         self._build_bars()
         self.conductor = Conductor(self.document, self.engine, self.panels)
         self._connect()
@@ -94,6 +105,8 @@ class MainWindow(QMainWindow):
         if isinstance(application, QApplication):
             apply_theme(application, self._theme)
         self.notice.show_theme(self._theme)
+        self._limb_note.show_theme(self._theme)
+        self.actions_by_name[f"use_{name if name in THEMES else 'system'}_theme"].setChecked(True)
         for panel in self.panels:
             panel.show_theme(self._theme)
         self._show_state()
@@ -102,6 +115,8 @@ class MainWindow(QMainWindow):
         """Put the docks where ``layout`` (from `saveState`) has them."""
         if layout:
             self.restoreState(QByteArray(layout))
+        # What was saved may have been said then.
+        self._notices.setVisible(bool(self.notice.text))
 
     def catch_up(self) -> None:
         """Wait until the panels show the present design."""
@@ -114,13 +129,15 @@ class MainWindow(QMainWindow):
         dock = QDockWidget(panel.title, self)
         dock.setObjectName(panel.name)
         dock.setWidget(panel)
+        for name, hint in _DOCK_BUTTONS.items():
+            button = dock.findChild(QAbstractButton, name)
+            button.setToolTip(hint)
         return dock
 
     def _build_bars(self) -> None:
-        notices = self._bar("Notices")
-        notices.addWidget(self.notice)
-        notices.hide()
-        self.notice.shown.connect(notices.setVisible)
+        self._notices.addWidget(self.notice)
+        self._notices.hide()
+        self.notice.shown.connect(self._make_room_for_notice)
         self.addToolBarBreak()
         bar = self._bar("Setup")
         bar.addWidget(self.setup_bar)
@@ -129,9 +146,6 @@ class MainWindow(QMainWindow):
             bar.addAction(self.actions_by_name[name])
         bar.addSeparator()
         bar.addAction(self.actions_by_name["find_action"])
-        self._timing, self._limb_note = QLabel(), QLabel()
-        self._timing.setObjectName("timing")
-        self._limb_note.setObjectName("limb_note")
         self.statusBar().addWidget(self._timing)
         self.statusBar().addPermanentWidget(self._limb_note)
 
@@ -159,31 +173,56 @@ class MainWindow(QMainWindow):
         self.setup_bar.design_edited.connect(self.document.edit)
         self.setup_bar.view_changed.connect(self.document.look)
         self.files.failed.connect(self.complain)
+        self.files.done.connect(self._report)
         self.files.opened.connect(self.restore_arrangement)
+        self._limb_note.help_wanted.connect(self.commands.show_dataset_help)
+        QGuiApplication.styleHints().colorSchemeChanged.connect(self._follow_desktop)
         self.conductor.failed.connect(self._show_impossible)
         self.conductor.delivered.connect(self._show_outcome)
         self.engine.finished.connect(self._log_fault)
 
     def complain(self, reason: str) -> None:
         """Show what went wrong, where the user looks."""
+        self.statusBar().clearMessage()
         self.notice.say(reason, "error")
 
+    def _make_room_for_notice(self, shown: bool) -> None:
+        docks = [one for one in self.docks.values() if one.isVisible() and not one.isFloating()]
+        if shown and not self._notices.isVisible():
+            self._heights = {dock: dock.height() for dock in docks}
+        self._notices.setVisible(shown)
+        if not shown:
+            # Without this, docks would share the room anew.
+            same = [dock for dock in docks if dock in self._heights]
+            heights = [self._heights[dock] for dock in same]
+            self.resizeDocks(same, heights, Qt.Orientation.Vertical)
+
+    def _report(self, words: str) -> None:
+        self.notice.be_quiet()
+        self.statusBar().showMessage(words, _REPORT_MS)
+
     def _show_impossible(self, reason: str) -> None:
-        self._impossible = True
+        self._impossible = reason
+        self._timing.show_no_outcome()
         self.complain(reason)
 
+    def _follow_desktop(self) -> None:
+        if self.preferences.theme_name == "system":
+            self.use_theme("system")
+
     def _show_state(self) -> None:
-        design = self.document.design
-        self.setup_bar.show_state(design, self.document.view)
-        self.actions_by_name["remove_delay"].setChecked(self.document.view.delay_removed)
-        for name in ("duplicate_input", "remove_input"):
-            self.actions_by_name[name].setEnabled(self.document.view.selected_input is not None)
-        self.actions_by_name["clear_inputs"].setEnabled(bool(design.inputs))
-        synthetic = design.limb.startswith("synthetic")
-        self._limb_note.setText(
-            "SYNTHETIC LIMB · measured ones: Help > Get the measured limbs…" if synthetic else ""
-        )
-        self._limb_note.setStyleSheet(f"color: {self._theme.warning}; font-weight: 600;")
+        design, view, actions = self.document.design, self.document.view, self.actions_by_name
+        self.setup_bar.show_state(design, view)
+        self._timing.show_design(design)
+        self._limb_note.show_limb(design.limb)
+        actions["remove_delay"].setChecked(view.delay_removed)
+        selected = None if view.selected_input is None else design.inputs[view.selected_input]
+        for name in ("duplicate_input", "remove_input", "mute_input", "solo_input"):
+            actions[name].setEnabled(selected is not None)
+        actions["mute_input"].setChecked(selected is not None and selected.muted)
+        actions["solo_input"].setChecked(selected is not None and selected.solo)
+        actions["clear_inputs"].setEnabled(bool(design.inputs))
+        actions["select_no_outputs"].setEnabled(bool(view.outputs))
 
     def _show_title(self) -> None:
         path = self.document.path
@@ -191,12 +230,10 @@ class MainWindow(QMainWindow):
         self.setWindowModified(self.document.modified)
 
     def _show_outcome(self, outcome: Outcome) -> None:
-        if self._impossible:
-            self._impossible = False
+        if self._impossible and self.notice.text == self._impossible:
             self.notice.be_quiet()
-        inputs = self.document.design.inputs
-        heard = f"{len(inputs)} input{'' if len(inputs) == 1 else 's'}"
-        self._timing.setText(f"{heard} · computed in {outcome.compute_s * 1e3:.1f} ms · float64")
+        self._impossible = ""
+        self._timing.show_outcome(outcome)
 
     def _log_fault(self, outcome: Outcome) -> None:
         if outcome.error is not None and not isinstance(outcome.error, SkinSourceError):
@@ -207,8 +244,7 @@ class MainWindow(QMainWindow):
             screen = self.screen().availableSize()
             self.resize(min(1600, screen.width()), min(940, screen.height()))
         arrange_design(self, self.docks)
-        if not layout.isEmpty():
-            self.restoreState(layout)
+        self.restore_arrangement(layout.data())
 
     def dragEnterEvent(self, event) -> None:
         if any(url.isLocalFile() for url in event.mimeData().urls()):

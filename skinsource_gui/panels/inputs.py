@@ -47,6 +47,7 @@ class InputsPanel(Panel):
         layout.addLayout(self._stack, 1)
         layout.addWidget(self._foot)
         self.setMinimumSize(300, 150)
+        self.setFocusProxy(self._rows)
         self._stale = QTimer(self)
         self._stale.setSingleShot(True)
         self._stale.setInterval(_STALE_AFTER_MS)

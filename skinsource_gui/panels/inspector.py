@@ -63,7 +63,7 @@ class InspectorPanel(Panel):
         self._heading.mute_toggled.connect(self._toggle_mute)
         self._heading.solo_toggled.connect(self._toggle_solo)
         self._preview = WaveformPreview(axis=True)
-        self._preview.setMinimumHeight(72)
+        self._preview.setMinimumHeight(64)
         self._preview.setMaximumHeight(160)
         self._grid = FieldGrid()
         self._lay_out()
@@ -164,7 +164,8 @@ class InspectorPanel(Panel):
         self._stack = QStackedLayout(self)
         self._stack.addWidget(self._empty)
         self._stack.addWidget(self._editor)
-        self.setMinimumSize(300, 260)
+        self.setMinimumSize(300, 224)
+        self.setFocusProxy(self._kind)
 
     def _cells(self) -> tuple[LabelledCell, ...]:
         return (self._kind, *self._own_cells, self._amplitude, self._onset, self._place)

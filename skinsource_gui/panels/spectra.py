@@ -68,6 +68,7 @@ class SpectraPanel(Panel):
         )
         self._log_magnitude.setAccessibleName("Log magnitude")
         self._plot = SignalPlot("spectra-plot", "Spectra of the selected outputs", self)
+        self.setFocusProxy(self._plot)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)

@@ -72,6 +72,7 @@ class SurfacePanel(Panel):
         grid.setRowStretch(1, 1)
         grid.setColumnStretch(0, 1)
         self.setMinimumSize(300, 330)
+        self.setFocusProxy(self.map)
         self._connect()
         self.toolbar.show_view(self._view)
         self.show_theme(LIGHT)

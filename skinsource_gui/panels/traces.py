@@ -55,9 +55,10 @@ class TracesPanel(Panel):
             f"Remove {_DELAY} delay",
             f"Responses start about {_DELAY} late: they carry the pre-trigger time of the "
             "measurement. Shift it away",
-            self._remove_delay,
+            self.remove_delay,
         )
         self._plot = SignalPlot("traces-plot", "Traces of the selected outputs", self)
+        self.setFocusProxy(self._plot)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
@@ -113,7 +114,8 @@ class TracesPanel(Panel):
     def _choose_layout(self, layout: str) -> None:
         self._change(traces_layout=layout)
 
-    def _remove_delay(self, removed: bool) -> None:
+    def remove_delay(self, removed: bool) -> None:
+        """Ask for time axes with or without the pre-trigger delay."""
         shown = self._view.time_range_s
         if shown is not None:
             # The same piece of the curves stays in sight.

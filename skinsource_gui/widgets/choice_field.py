@@ -41,6 +41,12 @@ class ChoiceField(QComboBox):
             self._burst.end()
             self.setCurrentIndex(self.findData(option))
 
+    def choose(self, option: str) -> None:
+        """Choose an option, as a user does."""
+        index = self.findData(option)
+        self.setCurrentIndex(index)
+        self._choose(index)
+
     def showPopup(self) -> None:
         # The list may be wider than the field, so that no name is cut off.
         self.view().setMinimumWidth(self.view().sizeHintForColumn(0) + 24)

@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
-from skinsource_gui.theme import UNIT_PX, Theme, tabular
+from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.colour_strip import ColourStrip
 from skinsource_gui.widgets.level_field import LevelField
 from skinsource_gui.widgets.level_range import AutomaticRange, Range, with_high, with_low
@@ -44,7 +44,6 @@ class ColourBar(QWidget):
         layout.addWidget(self.low_field)
         layout.addWidget(self.auto_button)
         for field in (self.high_field, self.low_field):
-            field.setFont(tabular(field.font()))
             field.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         order = (
             self.high_field,
@@ -82,7 +81,8 @@ class ColourBar(QWidget):
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
-        self.strip.show_theme(theme)
+        for part in (self.strip, self.low_field, self.high_field):
+            part.show_theme(theme)
 
     def _show(self, range_db: Range) -> None:
         self.range_db = range_db

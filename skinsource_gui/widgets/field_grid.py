@@ -25,7 +25,7 @@ class FieldGrid(QWidget):
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setHorizontalSpacing(UNIT_PX)
-        self._grid.setVerticalSpacing(UNIT_PX // 2)
+        self._grid.setVerticalSpacing(UNIT_PX // 4)
 
     @property
     def pairs(self) -> int:

@@ -71,7 +71,7 @@ class HandCanvas(QWidget):
             self.setAccessibleDescription(words)
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(260, 330)
+        return QSize(260, 300)
 
     def sizeHint(self) -> QSize:
         return QSize(320, 400)

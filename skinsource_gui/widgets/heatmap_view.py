@@ -1,7 +1,7 @@
 """The dorsal heat map, on which outputs are selected."""
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPen
+from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QKeySequence, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from skinsource_gui.widgets.map_canvas import FIT_ALL, MapCanvas
@@ -161,7 +161,7 @@ class HeatmapView(MapCanvas):
             self._move_cursor(*_ARROWS[key])
         elif key in _SELECT_KEYS:
             self._choose_one(self._cursor_start(), adds)
-        elif key == Qt.Key.Key_A and event.modifiers() & Qt.KeyboardModifier.ControlModifier:
+        elif _is_select_all(event):
             self._choose(DORSAL_OUTPUTS)
         elif key == Qt.Key.Key_Escape:
             self._step_back()
@@ -179,8 +179,8 @@ class HeatmapView(MapCanvas):
 
     def _is_own_key(self, event: QKeyEvent) -> bool:
         """Whether a shortcut of the window must not take this key."""
-        if event.key() == Qt.Key.Key_A:
-            return bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier)
+        if _is_select_all(event):
+            return True
         plain = not event.modifiers() & Qt.KeyboardModifier.ControlModifier
         own = (*_ARROWS, *_SELECT_KEYS, Qt.Key.Key_Escape, Qt.Key.Key_0, Qt.Key.Key_H)
         return plain and event.key() in own
@@ -240,3 +240,9 @@ class HeatmapView(MapCanvas):
             QToolTip.hideText()
             return
         QToolTip.showText(event.globalPos(), output_readout(self.content, number), self)
+
+
+def _is_select_all(event: QKeyEvent) -> bool:
+    # With Shift it is a shortcut of the window, and means the opposite.
+    shift = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+    return event.matches(QKeySequence.StandardKey.SelectAll) and not shift

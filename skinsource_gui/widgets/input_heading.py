@@ -1,11 +1,11 @@
 """Which input is being edited."""
 
-from PySide6.QtCore import Signal
-from PySide6.QtGui import QFont
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QFont, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from skinsource.design import Input
-from skinsource.locations import input_place
+from skinsource.locations import InputPlace, input_place
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.letter_button import mute_button, solo_button
 from skinsource_gui.widgets.swatch import Swatch
@@ -19,6 +19,7 @@ class InputHeading(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._place: InputPlace | None = None
         self._swatch = Swatch()
         self._words = QLabel()
         self._words.setObjectName("inspector_heading")
@@ -43,12 +44,30 @@ class InputHeading(QWidget):
     def show_input(self, shown: Input, *, silent: bool) -> None:
         """Show an input; ``silent`` unless it is heard."""
         place = input_place(shown.location)
+        self._place = place
         self._swatch.show_input(shown.location, shown.colour, silent=silent)
-        self._words.setText(place.name)
         self._words.setToolTip(f"Input place {place.number}: {place.name} ({place.contact})")
         self._state.setText("silent" if silent else "")
         self._mute.setChecked(shown.muted)
         self._solo.setChecked(shown.solo)
+        self._fit_words()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit_words()
+
+    def _fit_words(self) -> None:
+        if self._place is None:
+            return
+        self.layout().activate()
+        metrics, room = self._words.fontMetrics(), self._words.width()
+        name = self._place.name
+        if metrics.horizontalAdvance(name) > room:
+            short = self._place.short_name
+            name = metrics.elidedText(
+                short[0].upper() + short[1:], Qt.TextElideMode.ElideRight, room
+            )
+        self._words.setText(name)
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""

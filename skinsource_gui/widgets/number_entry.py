@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QLineEdit, QStyle, QStyleOptionFrame, QToolTip, QW
 from skinsource.errors import InvalidInputError
 from skinsource.fields import NumberSpec
 from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.widgets.level_text import minus
 from skinsource_gui.widgets.number_steps import clamped
 from skinsource_gui.widgets.units import (
     EDITED_DIGITS,
@@ -18,8 +19,8 @@ from skinsource_gui.widgets.units import (
 )
 
 _UNIT_GAP_PX = 4
-# Fields that stand below each other leave the same room for units, so that digits align.
-_WIDEST_UNIT = "m/s²"
+#: Fields that stand below each other leave the same room for units, so that digits align.
+WIDEST_UNIT = "m/s²"
 _STARTERS = frozenset("0123456789.,+-−")
 _FINISHERS = frozenset({Qt.Key.Key_Return, Qt.Key.Key_Enter})
 _EMPTIERS = frozenset({Qt.Key.Key_Backspace, Qt.Key.Key_Delete})
@@ -33,6 +34,13 @@ class NumberEntry(QLineEdit):
 
     Enter commits, Esc restores.  What is not allowed is outlined in red, with the reason, and
     never becomes the value.
+
+    Parameters
+    ----------
+    spec
+        What is allowed.
+    widest_unit
+        Unit for which there is room, so that digits align with those of other fields.
     """
 
     #: The new value in SI units; number of its gesture, or None for a step of its own.
@@ -40,14 +48,18 @@ class NumberEntry(QLineEdit):
     #: Why what is typed is not allowed, or "".
     problem_changed = Signal(str)
 
-    def __init__(self, spec: NumberSpec, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, spec: NumberSpec, parent: QWidget | None = None, *, widest_unit: str = WIDEST_UNIT
+    ) -> None:
         super().__init__(parent)
         self._spec = spec
+        self._widest_unit = widest_unit
         self._value_si = clamped(0.0, spec)
         self._problem = ""
         self._theme = LIGHT
         self.setReadOnly(True)
         self.setMaxLength(40)
+        self.setAcceptDrops(False)  # files are dropped on the window
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self.setFont(tabular(self.font()))
         self.textEdited.connect(self._check_again)
@@ -184,7 +196,9 @@ class NumberEntry(QLineEdit):
 
     def _unit_px(self) -> int:
         symbol = display_unit(self._spec.unit).symbol
-        return max(self.fontMetrics().horizontalAdvance(text) for text in (symbol, _WIDEST_UNIT))
+        return max(
+            self.fontMetrics().horizontalAdvance(text) for text in (symbol, self._widest_unit)
+        )
 
     def _begins_editing(self, event: QKeyEvent) -> bool:
         plain = not event.modifiers() & (
@@ -214,7 +228,7 @@ class NumberEntry(QLineEdit):
 
     def _show_value(self) -> None:
         if not self.editing:
-            self.setText(self._short_text())
+            self.setText(minus(self._short_text()))
             self.update()
 
     def _short_text(self) -> str:

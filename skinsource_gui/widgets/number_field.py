@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 from skinsource.fields import NumberSpec
 from skinsource_gui.gesture import new_gesture
 from skinsource_gui.widgets.burst import Burst
-from skinsource_gui.widgets.number_entry import NumberEntry
+from skinsource_gui.widgets.number_entry import WIDEST_UNIT, NumberEntry
 from skinsource_gui.widgets.number_steps import COARSE, FINE, PLAIN, stepped
 from skinsource_gui.widgets.units import display_unit
 
@@ -58,8 +58,10 @@ class NumberField(NumberEntry):
     that scrolling a panel changes nothing.
     """
 
-    def __init__(self, spec: NumberSpec, parent: QWidget | None = None) -> None:
-        super().__init__(spec, parent)
+    def __init__(
+        self, spec: NumberSpec, parent: QWidget | None = None, *, widest_unit: str = WIDEST_UNIT
+    ) -> None:
+        super().__init__(spec, parent, widest_unit=widest_unit)
         self._drag: _Drag | None = None
         self._burst = Burst(self)
         self._wheel_travel = 0

@@ -47,6 +47,7 @@ class PlotCanvas(pg.GraphicsView):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent, useOpenGL=False)
         self.setMinimumSize(160, 90)
+        self.setAcceptDrops(False)  # files are dropped on the window
         self.theme = LIGHT
         self.curves: Curves | None = None
         self.message = ""

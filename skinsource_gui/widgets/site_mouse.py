@@ -63,6 +63,7 @@ class SiteMouse(QObject):
 
     def press(self, event: QMouseEvent) -> None:
         """The left button goes down."""
+        self.cancel()  # a release that never came
         site = self._canvas.hand.site_at(event.position())
         if site is None:
             return

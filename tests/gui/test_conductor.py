@@ -3,6 +3,7 @@ import pytest
 from PySide6.QtWidgets import QWidget
 
 from skinsource.design import Design, Input
+from skinsource.errors import InvalidInputError
 from skinsource.graph import Graph
 from skinsource.view import View
 from skinsource_gui.conductor import Conductor
@@ -13,7 +14,9 @@ from skinsource_gui.panel import Panel
 
 def loudness(inputs):
     if any(one.amplitude == 13 for one in inputs):
-        raise ValueError("thirteen is refused")
+        raise InvalidInputError("thirteen is refused")
+    if any(one.amplitude == 14 for one in inputs):
+        raise ValueError("shapes (3,) (4,)")
     return np.array([one.amplitude for one in inputs])
 
 
@@ -104,6 +107,12 @@ def test_an_impossible_request_shows_its_reason_and_the_next_one_recovers(qtbot,
     stage.amplitude(1.0)
     assert stage.loud.results[-1]["loudness"].tolist() == [1.0]
     assert len(stage.colourful.results) == drawn + 1  # its picture was emptied
+
+
+def test_a_fault_of_the_studio_is_told_as_one(qtbot, stage):
+    with qtbot.waitSignal(stage.conductor.failed) as failed:
+        stage.amplitude(14)
+    assert failed.args[0].startswith("The studio made a mistake: ValueError")
 
 
 def test_a_look_elsewhere_reaches_the_panels(stage):

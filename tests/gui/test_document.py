@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import pytest
 
 from skinsource.design import Design, Input
@@ -84,3 +86,37 @@ def test_another_design_starts_with_an_empty_history(document):
     assert document.design == Design(limb="synthetic-2")
     assert not document.undo_stack.canUndo()
     assert not document.modified
+
+
+def test_undo_and_redo_select_the_input_that_they_change(document):
+    document.edit("add", document.design.adding(Input(location=3)))
+    document.edit("add", document.design.adding(Input(location=9)))
+    document.look(View(selected_input=2))
+    document.edit("delete", document.design.without_input(2))
+    assert document.view.selected_input == 1
+    document.undo_stack.undo()
+    assert document.view.selected_input == 2  # the one that came back
+    document.edit("mute", document.design.with_input(0, muted=True))
+    assert document.view.selected_input == 2  # an edit selects nothing by itself
+    document.undo_stack.undo()
+    assert document.view.selected_input == 0
+    document.undo_stack.redo()
+    assert document.view.selected_input == 0
+
+
+def test_undoing_an_input_keeps_the_same_other_input_selected(document):
+    document.edit("add", document.design.adding(Input(location=3)))
+    document.edit("delete", document.design.without_input(0))
+    assert document.design.inputs[document.view.selected_input].location == 3
+    document.undo_stack.undo()
+    document.look(View(selected_input=1))
+    document.undo_stack.redo()
+    assert document.design.inputs[document.view.selected_input].location == 3
+
+
+def test_undo_of_a_limb_keeps_the_selection(document):
+    document.edit("add", document.design.adding(Input(location=3)))
+    document.look(View(selected_input=1))
+    document.edit("limb", replace(document.design, limb="synthetic-3"))
+    document.undo_stack.undo()
+    assert document.view.selected_input == 1

@@ -2,7 +2,7 @@ from threading import Event
 
 import pytest
 
-from skinsource.graph import Graph
+from skinsource.graph import Graph, Stopped
 from skinsource_gui.engine import Engine, Request
 
 
@@ -68,3 +68,27 @@ def test_closing_while_something_runs_waits_for_it_and_drops_what_waits(engine, 
     gate.set()
     engine.close()
     assert seen in ([], [1])
+
+
+def test_a_long_evaluation_is_abandoned_for_a_newer_request(qtbot, qapp):
+    started, asked = Event(), []
+
+    def slow(x, stop):
+        started.set()
+        while x == 1:
+            asked.append(stop())
+            if asked[-1]:
+                raise Stopped
+        return x
+
+    engine = Engine(Graph(slow))
+    outcomes = []
+    engine.finished.connect(outcomes.append)
+    engine.request(request(1, "slow"))
+    assert started.wait(5)
+    engine.request(request(2, "slow"))
+    qtbot.waitUntil(lambda: not engine.busy)
+    assert [outcome.values for outcome in outcomes] == [{"slow": 2}]
+    assert asked[-1]
+    assert not asked[0]
+    engine.close()

@@ -1,10 +1,14 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtWidgets import QFileDialog, QMessageBox
+from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 
 from skinsource.design import Input
 from skinsource.design_file import open_design
+
+NO_KEYS = Qt.KeyboardModifier.NoModifier
 
 
 @pytest.fixture
@@ -121,3 +125,62 @@ def test_traces_of_no_outputs_cannot_be_exported(window, answers):
     window.commands.export_traces()
     assert "No output is selected" in window.notice.text
     assert answers["asked"] == []
+
+
+def test_a_name_with_a_point_keeps_it_and_gets_the_ending(window, answers, tmp_path):
+    place(window)
+    answers["save"] = str(tmp_path / "my.first")
+    window.commands.save_design()
+    assert window.document.path == tmp_path / "my.first.skinsource"
+
+
+def test_an_existing_file_is_not_replaced_behind_the_dialog(window, answers, tmp_path):
+    (tmp_path / "old.skinsource").write_bytes(b"precious")
+    place(window)
+    answers["save"] = str(tmp_path / "old")
+    window.commands.save_design()
+    assert answers["asked"] == ["save", "question"]
+    assert (tmp_path / "old.skinsource").read_bytes() == b"precious"
+    assert window.document.modified
+
+
+def test_dialogs_begin_in_the_folder_of_the_last_file(window, answers, tmp_path, preferences):
+    answers["save"] = str(tmp_path / "traces.csv")
+    window.commands.export_traces()
+    assert preferences.folder == tmp_path
+    (tmp_path / "traces.csv").unlink()
+
+
+def test_what_went_well_is_told_in_the_status_bar(window, answers, tmp_path):
+    window.complain("something old")
+    answers["save"] = str(tmp_path / "a.skinsource")
+    window.commands.save_design()
+    assert "a.skinsource" in window.statusBar().currentMessage()
+    assert window.notice.text == ""
+
+
+def test_a_notice_that_was_open_while_saving_does_not_come_back(window, answers, tmp_path):
+    path = tmp_path / "a.skinsource"
+    window.complain("something old")
+    layout = window.saveState().data()
+    window.notice.be_quiet()
+    window.restore_arrangement(layout)
+    assert not window.notice.isVisible()
+    answers["save"] = str(path)
+
+
+def test_a_file_dropped_on_the_window_is_opened(window, settle, answers, tmp_path):
+    place(window)
+    answers["save"] = str(tmp_path / "a.skinsource")
+    window.commands.save_design()
+    design = window.document.design
+    window.commands.new_design()
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(tmp_path / "a.skinsource"))])
+    middle = window.traces.mapTo(window, window.traces.rect().center())
+    arguments = (Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton, NO_KEYS)
+    entering = QDragEnterEvent(middle, *arguments)
+    QApplication.sendEvent(window, entering)
+    assert entering.isAccepted()
+    QApplication.sendEvent(window, QDropEvent(QPointF(middle), *arguments))
+    assert window.document.design == design

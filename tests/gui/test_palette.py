@@ -6,7 +6,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDialog
 
 from skinsource_gui.actions import ACTIONS
-from skinsource_gui.palette import Palette, score
+from skinsource_gui.palette import Palette, matching, score
 
 
 @pytest.mark.parametrize(
@@ -19,6 +19,13 @@ def test_letters_are_found_in_their_order(letters, text, found):
 
 def test_letters_side_by_side_come_before_letters_far_apart():
     assert score("save", "Save") < score("save", "Select all visible entries")
+
+
+def test_letters_in_one_piece_hide_those_that_are_scattered(qapp):
+    names = ("Dark theme", "Get the measured limbs…", "Light theme")
+    actions = [QAction(name) for name in names]
+    assert [one.text() for one in matching(actions, "theme")] == ["Dark theme", "Light theme"]
+    assert [one.text() for one in matching(actions, "gml")] == ["Get the measured limbs…"]
 
 
 def _note(ran, name, _checked=False):

@@ -2,87 +2,11 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QFontMetricsF, QWheelEvent
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
 
-from skinsource_gui.theme import DARK, LIGHT
 from skinsource_gui.widgets.curves import Curves, output_names
-from skinsource_gui.widgets.plot_axis import (
-    XAxis,
-)
-from skinsource_gui.widgets.signal_plot import SignalPlot
-
-TIME = XAxis(titles=("Time (ms) and much more to say about it", "Time (ms)"), unit="ms", factor=1e3)
-FREQUENCY = XAxis(titles=("Frequency (Hz)",), unit="Hz", extent=(10.0, 650.0), log=True)
-
-
-def waves(n_curves=2, n_points=651, amplitude=0.3):
-    x = np.arange(n_points) / 1300
-    y = [amplitude / (1 + k) * np.sin(2 * np.pi * 20 * x + k) for k in range(n_curves)]
-    return Curves(x=x, y=np.array(y), names=output_names(tuple(range(1, n_curves + 1))))
-
-
-@pytest.fixture
-def plot(qtbot):
-    widget = SignalPlot("plot", "Plot")
-    qtbot.addWidget(widget)
-    widget.resize(420, 172)
-    widget.set_view(TIME, None, stacked=False)
-    widget.show()
-    qtbot.waitExposed(widget)
-    return widget
-
-
-def test_curve_items_live_on_while_data_change(plot):
-    plot.show_curves(waves(3), synthetic=False)
-    items = list(plot.canvas.layer.items)
-    plot.show_curves(waves(3, n_points=900, amplitude=2.0), synthetic=False)
-    assert plot.canvas.layer.items == items
-    plot.show_curves(waves(2), synthetic=False)
-    assert plot.canvas.layer.items == items[:2]
-
-
-def test_labels_lie_inside_the_canvas_and_do_not_touch(plot):
-    metrics = QFontMetricsF(plot.canvas.font())
-    for amplitude in (1e-7, 0.05, 123456.0):
-        plot.show_curves(waves(4, amplitude=amplitude), synthetic=True)
-        for stacked in (False, True):
-            plot.set_view(TIME, None, stacked=stacked)
-            frame = plot.canvas.frame
-            widest = max(metrics.horizontalAdvance(mark.text) for mark in frame.y_marks)
-            assert widest * 0.9 <= frame.plot[0]
-            labelled = sorted(mark.at for mark in frame.y_marks if mark.text)
-            assert np.all(np.diff(labelled) >= 0.7 * metrics.height())
-
-
-def test_stacked_rows_have_equal_heights_and_one_scale(plot):
-    plot.resize(500, 500)
-    plot.show_curves(waves(4), synthetic=False)
-    plot.set_view(TIME, None, stacked=True)
-    frame = plot.canvas.frame
-    edges = [frame.plot[1], *frame.row_edges, frame.plot[1] + frame.plot[3]]
-    assert np.ptp(np.diff(edges)) < 1e-6
-    assert [mark.text for mark in frame.row_numbers] == ["1", "2", "3", "4"]
-    labels = [mark.text for mark in frame.y_marks]
-    assert labels == labels[: len(labels) // 4] * 4
-
-
-def test_more_than_twelve_rows_are_counted_instead_of_drawn(plot):
-    plot.show_curves(waves(15), synthetic=False)
-    plot.set_view(TIME, None, stacked=True)
-    assert plot.canvas.rows.count == 12
-    assert plot.canvas.frame.mark == "+3 more"
-    assert [item.isVisible() for item in plot.canvas.layer.items] == [True] * 12 + [False] * 3
-    plot.set_view(TIME, None, stacked=False)
-    assert all(item.isVisible() for item in plot.canvas.layer.items)
-
-
-def test_thin_rows_say_their_range_in_words(plot):
-    plot.show_curves(waves(12), synthetic=False)
-    plot.set_view(TIME, None, stacked=True)
-    assert plot.canvas.frame.unit == "m/s², each row ±0.32"
+from tests.gui.signal_plot.bench import FREQUENCY, TIME, turn_wheel, waves
 
 
 def test_the_crosshair_reads_exact_samples_and_leaves_with_the_mouse(plot):
@@ -162,21 +86,6 @@ def test_a_click_or_an_escaped_drag_zooms_nowhere(plot, qtbot):
         QTest.mouseRelease(canvas.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(250, 60))
 
 
-def turn_wheel(canvas, x, modifiers, turned=120):
-    at = QPointF(x, 60)
-    event = QWheelEvent(
-        at,
-        canvas.viewport().mapToGlobal(at),
-        QPoint(),
-        QPoint(0, turned),
-        Qt.MouseButton.NoButton,
-        modifiers,
-        Qt.ScrollPhase.NoScrollPhase,
-        False,
-    )
-    QApplication.sendEvent(canvas.viewport(), event)
-
-
 def test_ctrl_and_the_wheel_zoom_at_the_pointer_and_the_wheel_alone_does_not(plot, qtbot):
     plot.show_curves(waves(2), synthetic=False)
     canvas = plot.canvas
@@ -242,59 +151,3 @@ def test_a_zoom_that_holds_no_data_says_how_to_leave_it(plot):
     assert "Press 0" in plot.canvas.frame.hint
     plot.set_view(TIME, None, stacked=False)
     assert plot.canvas.frame.hint == ""
-
-
-def test_ranges_do_not_change_while_data_change_a_little(plot):
-    plot.show_curves(waves(2, amplitude=0.3), synthetic=False)
-    before = plot.canvas.frame
-    for amplitude in (0.31, 0.25, 0.2, 0.31):
-        plot.show_curves(waves(2, amplitude=amplitude), synthetic=False)
-        assert plot.canvas.frame is before
-
-
-def test_values_that_are_not_finite_empty_the_picture(plot):
-    curves = waves(1)
-    curves.y[0, 3] = np.nan
-    plot.show_curves(curves, synthetic=False)
-    assert plot.canvas.curves is None
-    assert "not finite" in plot.canvas.message
-
-
-def test_late_results_are_marked_and_quick_ones_are_not(plot, qtbot):
-    plot.show_curves(waves(2), synthetic=False)
-    plot.set_stale(True)
-    assert plot.canvas.frame.mark == ""
-    plot.show_curves(waves(2), synthetic=False)
-    plot.set_stale(True)
-    qtbot.waitUntil(lambda: plot.canvas.frame.mark == "updating…")
-    plot.set_stale(False)
-    assert plot.canvas.frame.mark == ""
-
-
-def test_each_theme_has_its_own_background_and_colours(plot):
-    plot.show_curves(waves(2), synthetic=False)
-    for theme in (LIGHT, DARK):
-        plot.set_theme(theme)
-        picture = plot.canvas.grab().toImage()
-        assert picture.pixelColor(1, picture.height() // 2).name() == theme.base
-        pens = [item.opts["pen"].color().name() for item in plot.canvas.layer.items]
-        assert tuple(pens) == theme.outputs[:2]
-
-
-def test_what_is_drawn_follows_the_data(plot):
-    plot.show_curves(waves(1), synthetic=False)
-    before = plot.canvas.grab().toImage()
-    curves = waves(1)
-    plot.show_curves(Curves(x=curves.x, y=-curves.y, names=curves.names), synthetic=False)
-    assert plot.canvas.grab().toImage() != before
-    plot.show_curves(curves, synthetic=False)
-    assert plot.canvas.grab().toImage() == before
-
-
-def test_a_narrow_legend_leaves_out_words_but_its_tooltip_has_them_all(plot):
-    plot.show_curves(waves(9), synthetic=False)
-    plot.canvas.set_cursor(10)
-    lines = plot.legend.text.lines().splitlines()
-    assert len(lines) == 10
-    assert lines[1].startswith("1  Digit V, beside the nail, ulnar: ")
-    assert all(line.endswith("m/s²") for line in lines[1:])

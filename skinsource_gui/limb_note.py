@@ -1,0 +1,56 @@
+"""The line that says that a limb is not a measured one."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QLabel, QWidget
+
+from skinsource_gui.theme import LIGHT, Theme
+
+
+class LimbNote(QLabel):
+    """Says SYNTHETIC LIMB where it is one, and the way to the measured ones if they are missing.
+
+    Parameters
+    ----------
+    measured
+        Whether measured limbs are installed.
+    """
+
+    help_wanted = Signal()
+
+    def __init__(self, *, measured: bool, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("limb_note")
+        self._measured = measured
+        self._theme = LIGHT
+        self._synthetic = False
+        self.setTextFormat(Qt.TextFormat.RichText)
+        self.setTextInteractionFlags(
+            Qt.TextInteractionFlag.LinksAccessibleByMouse
+            | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
+        )
+        self.setToolTip("Computed from a model of the arm, not measured on a person")
+        self.setAccessibleName("Kind of limb")
+        self.linkActivated.connect(self.help_wanted)
+
+    def show_limb(self, name: str) -> None:
+        """Show what there is to say about the limb ``name``."""
+        self._synthetic = name.startswith("synthetic")
+        self._say()
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self._theme = theme
+        self._say()
+
+    def _say(self) -> None:
+        self.setVisible(self._synthetic)
+        colour = self._theme.warning
+        link = (
+            ""
+            if self._measured
+            else (
+                f" · measured limbs are not installed: "
+                f"<a href='#get' style='color:{colour}'>how to get them</a>"
+            )
+        )
+        self.setText(f"<span style='color:{colour}'><b>SYNTHETIC LIMB</b>{link}</span>")

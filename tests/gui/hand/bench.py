@@ -1,0 +1,88 @@
+"""The hand panel, driven by real mouse and key events."""
+
+from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtGui import QAction, QContextMenuEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu
+
+from skinsource.design import Design, Input
+from skinsource.locations import input_place
+from skinsource.view import View
+from skinsource_gui.panels.hand import HandPanel
+
+KEY, LEFT = Qt.Key, Qt.MouseButton.LeftButton
+
+
+NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
+
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+
+
+class Studio:
+    """A panel whose wishes come true, and what it wished."""
+
+    def __init__(self, panel: HandPanel) -> None:
+        self.panel = panel
+        self.diagram = panel.diagram
+        self.design = Design(limb="synthetic-1")
+        self.view = View(selected_input=None)
+        self.edits: list[tuple[str, Design, int | None]] = []
+        self.order: list[str] = []
+        panel.design_edited.connect(self._edit)
+        panel.view_changed.connect(self._look)
+
+    def show(self, *inputs: Input, selected: int | None = None) -> None:
+        self.design = Design(limb="synthetic-1")
+        for one in inputs:
+            self.design = self.design.adding(one)
+        self.view = View(selected_input=selected)
+        self.panel.show_state(self.design, self.view)
+
+    def _edit(self, label: str, design: Design, gesture: int | None) -> None:
+        self.edits.append((label, design, gesture))
+        self.order.append("design")
+        self.design = design
+        self.panel.show_state(design, self.view)
+
+    def _look(self, view: View) -> None:
+        self.order.append("view")
+        self.view = view
+        self.panel.show_state(self.design, view)
+
+    @property
+    def sites(self) -> list[int]:
+        return [one.location for one in self.design.inputs]
+
+    def click(self, site: int, modifier: Qt.KeyboardModifier = NONE) -> None:
+        QTest.mouseClick(self.diagram, LEFT, modifier, self.diagram.site_centre(site))
+
+    def press(self, site: int) -> None:
+        QTest.mousePress(self.diagram, LEFT, NONE, self.diagram.site_centre(site))
+
+    def drag_to(self, point: QPoint) -> None:
+        QTest.mouseMove(self.diagram, point)
+
+    def release(self, point: QPoint) -> None:
+        QTest.mouseRelease(self.diagram, LEFT, NONE, point)
+
+    def keys(self, *keys: Qt.Key, modifier: Qt.KeyboardModifier = NONE) -> None:
+        for key in keys:
+            QTest.keyClick(self.diagram, key, modifier)
+
+    def menu(self, site: int, reason: QContextMenuEvent.Reason) -> dict[str, QAction]:
+        point = self.diagram.site_centre(site)
+        event = QContextMenuEvent(reason, point, self.diagram.mapToGlobal(point))
+        QApplication.sendEvent(self.diagram, event)
+        menus = self.panel.findChildren(QMenu, "hand_menu")
+        assert len(menus) == 1
+        return {a.text().split("\t")[0]: a for a in menus[0].actions() if a.text()}
+
+    def close_menu(self) -> None:
+        for menu in self.panel.findChildren(QMenu, "hand_menu"):
+            menu.close()
+        QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+def short(site: int) -> str:
+    return input_place(site).short_name

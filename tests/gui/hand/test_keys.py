@@ -1,0 +1,144 @@
+"""The hand panel, driven by real mouse and key events."""
+
+import pytest
+from PySide6.QtCore import QEvent, Qt, QTimer
+from PySide6.QtGui import QKeyEvent, QShortcut
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
+
+from skinsource.design import Design, Input
+from skinsource.view import View
+from skinsource_gui.panels.hand import HandPanel
+from tests.gui.hand.bench import CONTROL, KEY, NONE, SHIFT
+
+# Keyboard
+
+
+def test_tab_reaches_the_diagram_and_shows_the_cursor_on_the_selected_input(qtbot):
+    window = QWidget()
+    qtbot.addWidget(window)
+    field, panel = QLineEdit(), HandPanel()
+    layout = QVBoxLayout(window)
+    layout.addWidget(field)
+    layout.addWidget(panel)
+    panel.show_state(
+        Design(limb="synthetic-1", inputs=(Input(location=13),)), View(selected_input=0)
+    )
+    with qtbot.waitActive(window):
+        window.show()
+        window.activateWindow()
+    field.setFocus()
+    assert panel.diagram.state.cursor is None
+    QTest.keyClick(field, KEY.Key_Tab)
+    assert panel.diagram.hasFocus()
+    assert panel.diagram.state.cursor == 13
+    QTest.keyClick(panel.diagram, KEY.Key_Backtab)
+    assert field.hasFocus()
+    assert panel.diagram.state.cursor is None
+
+
+def test_arrow_keys_reach_every_site_from_every_site(studio):
+    hand = studio.diagram.hand
+    for start in range(1, 21):
+        reached, waiting = {start}, [start]
+        while waiting:
+            site = waiting.pop()
+            for way in ((1, 0), (-1, 0), (0, 1), (0, -1)):
+                beside = hand.neighbour(site, way)
+                if beside not in reached:
+                    reached.add(beside)
+                    waiting.append(beside)
+        assert reached == set(range(1, 21)), f"from {start}"
+
+
+def test_arrow_keys_go_the_way_they_point(studio):
+    studio.keys(KEY.Key_8)
+    for key, expected in (
+        (KEY.Key_Up, 3),
+        (KEY.Key_Right, 2),
+        (KEY.Key_Down, 7),
+        (KEY.Key_Left, 8),
+        (KEY.Key_Down, 13),
+        (KEY.Key_Down, 16),
+    ):
+        studio.keys(key)
+        assert studio.diagram.cursor_site == expected
+    assert studio.diagram.state.cursor == 16
+    assert studio.edits == []
+
+
+def test_home_end_and_typed_numbers_move_the_cursor(studio):
+    studio.keys(KEY.Key_End)
+    assert studio.diagram.cursor_site == 20
+    studio.keys(KEY.Key_Home)
+    assert studio.diagram.cursor_site == 1
+    studio.keys(KEY.Key_1, KEY.Key_7)
+    assert studio.diagram.cursor_site == 17
+    studio.keys(KEY.Key_4)
+    assert studio.diagram.cursor_site == 4
+    pause = studio.diagram.findChild(QTimer, "typing")
+    assert pause.interval() == 800
+    studio.keys(KEY.Key_1)
+    pause.timeout.emit()
+    studio.keys(KEY.Key_5)
+    assert studio.diagram.cursor_site == 5
+
+
+@pytest.mark.parametrize("key", [KEY.Key_Return, KEY.Key_Enter, KEY.Key_Space])
+def test_enter_and_space_place_and_then_select(studio, key):
+    studio.show(Input(location=7), selected=0)
+    studio.keys(KEY.Key_1, KEY.Key_2, key)
+    assert studio.sites == [7, 12]
+    assert studio.view.selected_input == 1
+    studio.keys(KEY.Key_7, key)
+    assert studio.view.selected_input == 0
+    assert studio.sites == [7, 12]
+
+
+@pytest.mark.parametrize(
+    ("key", "modifier"),
+    [(KEY.Key_Insert, NONE), (KEY.Key_Plus, NONE), (KEY.Key_Plus, SHIFT), (KEY.Key_Return, SHIFT)],
+)
+def test_a_further_input_can_be_added_by_keyboard(studio, key, modifier):
+    studio.show(Input(location=7), selected=0)
+    studio.keys(KEY.Key_7)
+    studio.keys(key, modifier=modifier)
+    assert studio.sites == [7, 7]
+
+
+def test_shift_and_arrows_move_the_selected_input_in_one_gesture_per_hold(studio):
+    studio.show(Input(location=18), Input(location=8), selected=1)
+    QTest.keyPress(studio.diagram, KEY.Key_Shift)
+    for _ in range(2):
+        event = QKeyEvent(QEvent.Type.KeyPress, KEY.Key_Down, SHIFT)
+        QApplication.sendEvent(studio.diagram, event)
+    QTest.keyRelease(studio.diagram, KEY.Key_Shift)
+    assert studio.sites == [18, 16]
+    assert studio.diagram.cursor_site == 16
+    studio.keys(KEY.Key_Up, modifier=SHIFT)
+    assert studio.sites == [18, 13]
+    first, second, third = (gesture for _, _, gesture in studio.edits)
+    assert first == second != third
+
+
+def test_keys_with_control_are_left_to_the_window(studio):
+    for key in (KEY.Key_1, KEY.Key_Delete, KEY.Key_Left, KEY.Key_Plus):
+        event = QKeyEvent(QEvent.Type.KeyPress, key, CONTROL)
+        QApplication.sendEvent(studio.diagram, event)
+        assert not event.isAccepted()
+    assert studio.edits == []
+
+
+def test_space_is_left_to_the_window_until_keys_are_used_here(studio, qtbot):
+    played = []
+    shortcut = QShortcut(Qt.Key.Key_Space, studio.panel)
+    shortcut.activated.connect(lambda: played.append(True))
+    with qtbot.waitActive(studio.panel):
+        studio.panel.activateWindow()
+    studio.click(18)
+    QTest.keyClick(studio.panel.windowHandle(), KEY.Key_Space)
+    assert played == [True]
+    studio.keys(KEY.Key_8)
+    QTest.keyClick(studio.panel.windowHandle(), KEY.Key_Space)
+    assert played == [True]
+    assert studio.sites == [18, 8]

@@ -1,0 +1,80 @@
+"""The hand panel, driven by real mouse and key events."""
+
+import pytest
+from PySide6.QtCore import QEvent, QPoint
+from PySide6.QtGui import QHelpEvent
+from PySide6.QtWidgets import QApplication, QToolTip
+
+from skinsource.design import Input
+from skinsource_gui.theme import DARK, LIGHT, Theme
+from skinsource_gui.widgets.site_marker import contrast, readable_on
+from tests.gui.hand.bench import KEY
+
+# Showing
+
+
+def test_an_input_has_its_own_colour_on_the_hand_in_both_themes(studio):
+    studio.show(Input(location=20), Input(location=16), selected=1)
+    for theme in (LIGHT, DARK):
+        studio.panel.show_theme(theme)
+        image = studio.diagram.grab().toImage()
+        for index, site in enumerate((20, 16)):
+            point = studio.diagram.site_centre(site) + QPoint(0, 8)
+            assert image.pixelColor(point).name() == theme.inputs[index]
+
+
+def test_a_silent_input_is_hollow(studio):
+    studio.show(Input(location=20, muted=True))
+    image = studio.diagram.grab().toImage()
+    point = studio.diagram.site_centre(20)
+    assert image.pixelColor(point + QPoint(0, 7)).name() != LIGHT.inputs[0]
+
+
+def test_sites_of_both_contacts_differ_in_shape(studio):
+    hand = studio.diagram.hand
+    assert [site for site in range(1, 21) if hand.push(site) is not None] == [1, 2, 3, 4, 5]
+
+
+@pytest.mark.parametrize("theme", [LIGHT, DARK], ids=lambda theme: theme.name)
+def test_numbers_are_readable_on_every_input_colour(theme: Theme):
+    for number in range(len(theme.inputs)):
+        colour = theme.input_colour(number)
+        assert contrast(readable_on(colour), colour) >= 4.5
+
+
+def test_the_tooltip_names_place_contact_and_inputs(studio):
+    studio.show(Input(location=2, muted=True), selected=0)
+    point = studio.diagram.site_centre(2)
+    event = QHelpEvent(QEvent.Type.ToolTip, point, studio.diagram.mapToGlobal(point))
+    QApplication.sendEvent(studio.diagram, event)
+    words = QToolTip.text()
+    for expected in ("2 ·", "Digit II, tip", "in-axis", "Tone, muted, selected"):
+        assert expected in words
+    QToolTip.hideText()
+
+
+def test_the_cursor_is_announced(studio):
+    studio.show(Input(location=7))
+    studio.keys(KEY.Key_7)
+    words = studio.diagram.accessibleDescription()
+    assert words.startswith("Place 7 · Digit II, pad. perpendicular")
+    assert "Input 1: Tone" in words
+    assert studio.diagram.accessibleName()
+
+
+def test_a_selection_that_the_design_has_lost_is_not_shown(studio):
+    studio.show(Input(location=7), selected=4)
+    assert studio.diagram.state.selected is None
+
+
+def test_the_panel_needs_nothing_computed(studio):
+    assert studio.panel.needs == frozenset()
+
+
+@pytest.mark.parametrize("size", [(260, 330), (260, 900), (900, 330), (700, 1200)])
+def test_all_sites_stay_inside_at_every_size(studio, size):
+    studio.panel.resize(*size)
+    radius = round(studio.diagram.hand.radius_px)
+    for site in range(1, 21):
+        area = studio.diagram.hand.marker_area(site).toAlignedRect()
+        assert studio.diagram.rect().contains(area.adjusted(-radius // 4, 0, radius // 4, 0))

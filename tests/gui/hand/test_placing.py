@@ -1,0 +1,87 @@
+"""The hand panel, driven by real mouse and key events."""
+
+from itertools import combinations
+
+import pytest
+from PySide6.QtCore import QPoint, QPointF
+from PySide6.QtTest import QTest
+
+from skinsource.design import MAX_INPUTS, Input
+from skinsource.waveforms import Noise, Tone
+from tests.gui.hand.bench import CONTROL, LEFT, NONE, SHIFT
+
+# Placing and selecting
+
+
+@pytest.mark.parametrize("site", range(1, 21))
+def test_a_click_on_an_empty_site_places_an_input_there_and_selects_it(studio, site):
+    studio.click(site)
+    assert studio.sites == [site]
+    assert studio.view.selected_input == 0
+    assert studio.order == ["design", "view"]
+    assert studio.edits[0][0].startswith(f"Place input at {site} (")
+
+
+def test_sites_are_far_enough_apart_to_be_hit_at_the_smallest_size(studio):
+    points = [studio.diagram.site_centre(site) for site in range(1, 21)]
+    for one, other in combinations(points, 2):
+        apart = one - other
+        assert apart.x() ** 2 + apart.y() ** 2 >= 22**2
+    for site, point in enumerate(points, start=1):
+        for off in (QPoint(0, 11), QPoint(0, -11), QPoint(11, 0), QPoint(-11, 0)):
+            assert studio.diagram.hand.site_at(QPointF(point + off)) == site
+            assert studio.diagram.rect().contains(point + off)
+
+
+def test_a_click_beside_the_sites_does_nothing(studio):
+    QTest.mouseClick(studio.diagram, LEFT, NONE, QPoint(2, 2))
+    assert studio.edits == []
+
+
+def test_a_new_input_copies_waveform_and_amplitude_of_the_selected_one(studio):
+    first = Input(location=7, waveform=Tone(frequency_hz=60.0))
+    second = Input(location=8, waveform=Noise(), amplitude=0.25, onset_s=0.5, muted=True)
+    studio.show(first, second, selected=1)
+    studio.click(18)
+    new = studio.design.inputs[2]
+    assert (new.waveform, new.amplitude) == (second.waveform, 0.25)
+    assert (new.onset_s, new.muted, new.colour) == (0.0, False, 2)
+
+
+def test_a_new_input_is_plain_where_none_is_selected(studio):
+    studio.show(Input(location=8, waveform=Noise(), amplitude=0.25))
+    studio.click(18)
+    assert studio.design.inputs[1].waveform == Input(location=18).waveform
+    assert studio.design.inputs[1].amplitude == Input(location=18).amplitude
+
+
+def test_a_click_on_an_input_selects_it_and_edits_nothing(studio):
+    studio.show(Input(location=7), Input(location=3), selected=0)
+    studio.click(3)
+    assert studio.view.selected_input == 1
+    assert studio.edits == []
+
+
+def test_repeated_clicks_cycle_through_the_inputs_of_a_site(studio):
+    studio.show(Input(location=7), Input(location=3), Input(location=3), Input(location=3))
+    seen = []
+    for _ in range(5):
+        studio.click(3)
+        seen.append(studio.view.selected_input)
+    assert seen == [3, 1, 2, 3, 1]
+    assert studio.edits == []
+
+
+@pytest.mark.parametrize("modifier", [SHIFT, CONTROL])
+def test_a_click_with_shift_or_control_adds_a_further_input(studio, modifier):
+    studio.show(Input(location=3), selected=0)
+    studio.click(3, modifier)
+    assert studio.sites == [3, 3]
+    assert studio.view.selected_input == 1
+
+
+def test_a_full_design_says_so_and_takes_no_more(studio):
+    studio.show(*[Input(location=3)] * MAX_INPUTS)
+    studio.click(7)
+    assert studio.edits == []
+    assert str(MAX_INPUTS) in studio.diagram.state.note

@@ -1,0 +1,76 @@
+"""The hand panel, driven by real mouse and key events."""
+
+import pytest
+from PySide6.QtGui import QContextMenuEvent
+
+from skinsource.design import Input
+from tests.gui.hand.bench import KEY
+
+# Removing, muting
+
+
+@pytest.mark.parametrize("key", [KEY.Key_Delete, KEY.Key_Backspace])
+@pytest.mark.parametrize(
+    ("selected", "left", "then"), [(0, [8, 9], 0), (1, [7, 9], 1), (2, [7, 8], 1)]
+)
+def test_delete_removes_the_selected_input_and_selects_a_neighbour(
+    studio, key, selected, left, then
+):
+    studio.show(*(Input(location=site) for site in (7, 8, 9)), selected=selected)
+    studio.keys(key)
+    assert studio.sites == left
+    assert studio.view.selected_input == then
+    assert len(studio.edits) == 1
+
+
+def test_removing_the_last_input_selects_none(studio):
+    studio.show(Input(location=7), selected=0)
+    studio.keys(KEY.Key_Delete)
+    assert studio.sites == []
+    assert studio.view.selected_input is None
+
+
+def test_the_selection_names_an_existing_input_at_every_moment(studio):
+    def check(*_):
+        index = studio.view.selected_input
+        assert index is None or index < len(studio.design.inputs)
+
+    studio.panel.design_edited.connect(check)
+    studio.panel.view_changed.connect(check)
+    studio.show(Input(location=7), Input(location=8), selected=1)
+    studio.keys(KEY.Key_Delete, KEY.Key_Delete)
+    assert studio.order == ["view", "design", "view", "design"]
+
+
+@pytest.mark.parametrize(
+    "reason", [QContextMenuEvent.Reason.Mouse, QContextMenuEvent.Reason.Keyboard]
+)
+def test_the_menu_of_a_site_selects_mutes_solos_removes_and_adds(studio, reason):
+    studio.show(Input(location=7), Input(location=3), selected=0)
+    studio.keys(KEY.Key_3)
+    actions = studio.menu(3, reason)
+    assert studio.view.selected_input == 1
+    actions["Mute"].trigger()
+    assert studio.design.inputs[1].muted
+    assert studio.diagram.state.marks[1].silent
+    studio.close_menu()
+    actions = studio.menu(3, reason)
+    assert actions["Mute"].isChecked()
+    actions["Mute"].trigger()
+    actions["Solo"].trigger()
+    assert (studio.design.inputs[1].muted, studio.design.inputs[1].solo) == (False, True)
+    assert studio.diagram.state.marks[0].silent
+    actions["Add input here"].trigger()
+    assert studio.sites == [7, 3, 3]
+    studio.close_menu()
+    studio.menu(3, reason)["Remove"].trigger()
+    assert studio.sites == [7, 3]
+    studio.close_menu()
+
+
+def test_the_menu_of_an_empty_site_only_adds(studio):
+    actions = studio.menu(12, QContextMenuEvent.Reason.Mouse)
+    assert [words for words, action in actions.items() if action.isEnabled()] == ["Add input here"]
+    actions["Add input here"].trigger()
+    assert studio.sites == [12]
+    studio.close_menu()

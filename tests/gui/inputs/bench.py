@@ -1,0 +1,79 @@
+"""What the tests of this folder share."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from skinsource.design import Design, Input
+from skinsource.view import View
+from skinsource_gui.panels.inputs import InputsPanel
+from skinsource_gui.widgets.input_list import InputRows
+
+PLACES = (7, 2, 15)
+
+
+class Bench:
+    """A panel and the little of a document and a window that it needs."""
+
+    def __init__(self, qtbot, design, selected=0):
+        self.panel = InputsPanel()
+        qtbot.addWidget(self.panel)
+        self.design, self.view = design, View(selected_input=selected)
+        self.edits = []
+        self.told = []
+        self.panel.design_edited.connect(self._edit)
+        self.panel.view_changed.connect(self._look)
+        self.panel.resize(460, 300)
+        self.panel.show_state(self.design, self.view)
+        self.panel.show()
+        qtbot.waitExposed(self.panel)
+        self.panel.activateWindow()
+        self.rows.setFocus()
+        qtbot.waitUntil(self.rows.hasFocus)
+
+    @property
+    def rows(self):
+        return self.panel.findChild(InputRows, "input_rows")
+
+    def row(self, index):
+        return self.rows.rows[index]
+
+    @property
+    def labels(self):
+        return [label for label, _, _ in self.edits]
+
+    @property
+    def places(self):
+        return [one.location for one in self.design.inputs]
+
+    def show(self, design):
+        self.design = design
+        self.panel.show_state(self.design, self.view)
+
+    def key(self, key, modifiers=Qt.KeyboardModifier.NoModifier):
+        QTest.keyClick(QApplication.focusWidget(), key, modifiers)
+
+    def _edit(self, label, design, gesture):
+        self.edits.append((label, design, gesture))
+        self.told.append("design")
+        self.show(design)
+
+    def _look(self, view):
+        self.told.append("view")
+        self.view = view
+        self.panel.show_state(self.design, self.view)
+
+
+def design_of(*places, **changes):
+    design = Design(limb="any")
+    for place in places:
+        design = design.adding(Input(location=place, **changes))
+    return design
+
+
+def click(widget, at=None):
+    QTest.mouseClick(widget, Qt.MouseButton.LeftButton, pos=at or widget.rect().center())
+
+
+def waveforms_of(design):
+    return {"input_waveforms": tuple(one.waveform.samples(1300.0) for one in design.inputs)}

@@ -1,0 +1,83 @@
+"""What the tests of this folder share."""
+
+from dataclasses import replace
+
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
+
+from skinsource.design import Design, Input
+from skinsource.view import View
+from skinsource_gui.panels.inspector import InspectorPanel
+from skinsource_gui.widgets.choice_field import ChoiceField
+from skinsource_gui.widgets.number_field import NumberField
+from skinsource_gui.widgets.waveform_preview import WaveformPreview
+
+
+class Bench:
+    """A panel and the little of a document that it needs."""
+
+    def __init__(self, qtbot, design, selected=0):
+        self.panel = InspectorPanel()
+        qtbot.addWidget(self.panel)
+        self.design, self.view = design, View(selected_input=selected)
+        self.edits = []
+        self.panel.design_edited.connect(self._edit)
+        self.panel.resize(320, 460)
+        self.panel.show_state(self.design, self.view)
+        self.panel.show()
+        qtbot.waitExposed(self.panel)
+        self.panel.activateWindow()
+        qtbot.waitUntil(self.panel.isActiveWindow)
+
+    @property
+    def one(self):
+        return self.design.inputs[self.view.selected_input]
+
+    @property
+    def labels(self):
+        return [label for label, _, _ in self.edits]
+
+    def number(self, name):
+        return self.panel.findChild(NumberField, f"{name}_field")
+
+    def choice(self, name):
+        return self.panel.findChild(ChoiceField, f"{name}_field")
+
+    def words(self, name):
+        return self.panel.findChild(QLabel, name)
+
+    @property
+    def preview(self):
+        return self.panel.findChild(WaveformPreview, "waveform_preview")
+
+    def show(self, design=None, **looking):
+        self.design = design or self.design
+        self.view = replace(self.view, **looking)
+        self.panel.show_state(self.design, self.view)
+
+    def type(self, name, text):
+        field = self.number(name)
+        field.setFocus()
+        QTest.keyClicks(field, text)
+        QTest.keyClick(field, Qt.Key.Key_Return)
+
+    def choose(self, name, words):
+        box = self.choice(name)
+        box.setFocus()
+        QTest.keyClicks(box, words)
+
+    def results(self):
+        waveforms = tuple(one.waveform.samples(1300.0) for one in self.design.inputs)
+        return {"input_waveforms": waveforms, "sample_rate_hz": 1300.0}
+
+    def _edit(self, label, design, gesture):
+        self.edits.append((label, design, gesture))
+        self.show(design)
+
+
+def design_of(*waveforms):
+    design = Design(limb="any")
+    for place, waveform in enumerate(waveforms, start=7):
+        design = design.adding(Input(location=place, waveform=waveform))
+    return design

@@ -1,0 +1,97 @@
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from skinsource.waveforms import Noise
+from skinsource_gui.theme import DARK
+from skinsource_gui.widgets.field_grid import FieldGrid
+from skinsource_gui.widgets.letter_button import LetterButton
+
+
+def test_mute_and_solo_are_buttons(bench):
+    for name, field in (("mute_button", "muted"), ("solo_button", "solo")):
+        button = bench.panel.findChild(LetterButton, name)
+        QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+        assert getattr(bench.one, field)
+        assert button.isChecked()
+        button.setFocus()
+        QTest.keyClick(button, Qt.Key.Key_Space)
+        assert not getattr(bench.one, field)
+    assert bench.labels == [
+        "Mute input 7",
+        "Unmute input 7",
+        "Solo input 7",
+        "End solo of input 7",
+    ]
+
+
+def test_the_preview_shows_the_selected_input_and_its_length(bench):
+    bench.show(selected_input=2)
+    bench.panel.show_results(bench.results())
+    assert bench.preview.duration_s == pytest.approx(21 / 1300)
+    bench.show(selected_input=0)
+    assert bench.preview.duration_s is None
+    bench.panel.show_results(bench.results())
+    assert bench.preview.duration_s == pytest.approx(0.2)
+
+
+def test_results_of_another_number_of_inputs_are_not_shown(bench):
+    bench.panel.show_results({"input_waveforms": (np.ones(5),), "sample_rate_hz": 1300.0})
+    assert bench.preview.duration_s is None
+
+
+def test_a_problem_stands_in_place_of_the_preview(bench):
+    bench.panel.show_results(bench.results())
+    bench.panel.show_problem("No limb of that name")
+    assert bench.preview.words == "No limb of that name"
+    assert bench.preview.duration_s is None
+
+
+def test_an_old_preview_turns_pale_only_after_a_while(bench, qtbot):
+    bench.panel.show_results(bench.results())
+    fresh = bench.preview.grab().toImage()
+    bench.panel.show_stale(True)
+    assert bench.preview.grab().toImage() == fresh
+    qtbot.waitUntil(lambda: bench.preview.grab().toImage() != fresh)
+    bench.panel.show_results(bench.results())
+    assert bench.preview.grab().toImage() == fresh
+
+
+def test_undoing_a_change_of_kind_leaves_the_keys_in_the_panel(bench):
+    before = bench.design
+    bench.show(bench.design.with_input(0, waveform=Noise()))
+    bench.number("seed").setFocus()
+    bench.show(before)
+    assert bench.choice("kind").hasFocus()
+
+
+def test_tab_leads_through_the_fields_in_reading_order(bench):
+    bench.show(bench.design.with_input(0, waveform=Noise()))
+    bench.choice("kind").setFocus()
+    visited = []
+    for _ in range(6):
+        QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Tab)
+        visited.append(QApplication.focusWidget().objectName())
+    assert visited == [
+        f"{name}_field"
+        for name in ("seed", "duration_s", "window", "amplitude", "onset_s", "location")
+    ]
+
+
+def test_two_fields_stand_side_by_side_where_there_is_room(bench, qtbot):
+    grid = bench.panel.findChild(FieldGrid)
+    assert grid.pairs == 1
+    bench.panel.resize(620, 300)
+    qtbot.waitUntil(lambda: grid.pairs == 2)
+    bench.panel.resize(320, 300)
+    qtbot.waitUntil(lambda: grid.pairs == 1)
+
+
+def test_the_panel_takes_over_a_theme_and_fits_its_smallest_dock(bench):
+    light = bench.panel.grab().toImage()
+    bench.panel.show_theme(DARK)
+    assert bench.panel.grab().toImage() != light
+    assert bench.panel.minimumSizeHint().width() <= 300
+    assert bench.panel.minimumSizeHint().height() <= 260

@@ -1,0 +1,168 @@
+import math
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from skinsource.errors import InvalidInputError
+from skinsource_gui.widgets.units import number_text, parse_number, value_text
+from tests.gui.number_field.bench import (
+    AMPLITUDE,
+    DURATION,
+    FREQUENCY,
+    PHASE,
+    SEED,
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "seconds"),
+    [
+        ("250", 0.25),
+        ("200 ms", 0.2),
+        ("0.2 s", 0.2),
+        ("0,2s", 0.2),
+        ("  35  MS ", 0.035),
+        ("1e2", 0.1),
+        ("2 min", 120.0),
+        ("1500 µs", 0.0015),
+    ],
+)
+def test_times_are_understood_with_unit_without_and_with_a_decimal_comma(text, seconds):
+    assert parse_number(text, DURATION) == seconds
+
+
+@pytest.mark.parametrize(
+    ("text", "spec", "value"),
+    [
+        ("0.1 kHz", FREQUENCY, 100.0),
+        ("360", PHASE, 2 * math.pi),
+        ("−180°", PHASE, -math.pi),
+        ("0.5 pi", PHASE, math.pi / 2),
+        ("300 mm/s²", AMPLITUDE, 0.3),
+        ("-1.5 m/s^2", AMPLITUDE, -1.5),
+        ("7", SEED, 7.0),
+    ],
+)
+def test_other_units_are_understood(text, spec, value):
+    assert parse_number(text, spec) == value
+
+
+@pytest.mark.parametrize(
+    ("text", "spec", "words"),
+    [
+        ("abc", FREQUENCY, "Frequency: “abc” is not a number. Allowed: 1 to 649 Hz."),
+        ("", FREQUENCY, "nothing typed"),
+        ("1.000,5", FREQUENCY, "is not one of its units"),
+        ("nan", FREQUENCY, "is not a number"),
+        ("700", FREQUENCY, "Frequency: 700 Hz is too high. Allowed: 1 to 649 Hz."),
+        ("0", DURATION, "Duration: 0 ms is too low. Allowed: 1 to 600000 ms."),
+        ("20 ms", FREQUENCY, "“ms” is not one of its units. Units: Hz, kHz."),
+        ("1.5", SEED, "is not a whole number. Allowed: whole numbers 0 to 2147483647."),
+        ("1e99", FREQUENCY, "too high"),
+    ],
+)
+def test_what_is_not_allowed_is_refused_with_what_is(text, spec, words):
+    with pytest.raises(InvalidInputError) as error:
+        parse_number(text, spec)
+    assert words in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "text"),
+    [
+        (0.2, "s", "200 ms"),
+        (21 / 1300, "s", "16.1538 ms"),
+        (600.0, "s", "600000 ms"),
+        (math.pi / 2, "rad", "90°"),
+        (100.0, "Hz", "100 Hz"),
+        (-0.25, "m/s²", "-0.25 m/s²"),
+        (-1e-17, "", "-1e-17"),
+        (2147483647.0, "", "2147483647"),
+    ],
+)
+def test_values_are_shown_with_sensible_digits(value, unit, text):
+    assert value_text(value, unit) == text
+
+
+def test_any_shown_number_is_read_back_to_the_value_it_shows():
+    for milliseconds in range(1, 2000):
+        value = milliseconds / 1000
+        assert parse_number(number_text(value, "s"), DURATION) == value
+
+
+def test_enter_commits_what_was_typed_as_a_step_of_its_own(bench):
+    one = bench(DURATION, 0.1)
+    one.type("0,2 s")
+    assert one.edits == [(0.2, None)]
+    assert one.field.text() == "200"
+    assert not one.field.editing
+
+
+def test_escape_restores_the_number(bench):
+    one = bench(DURATION, 0.1)
+    one.field.setFocus()
+    QTest.keyClicks(one.field, "77")
+    assert one.field.text() == "77"
+    QTest.keyClick(one.field, Qt.Key.Key_Escape)
+    assert (one.field.text(), one.edits) == ("100", [])
+
+
+def test_a_double_click_types_over_the_number(bench):
+    one = bench(FREQUENCY, 100.0)
+    QTest.mouseClick(one.field, Qt.MouseButton.LeftButton)
+    assert not one.field.editing
+    QTest.mouseDClick(one.field, Qt.MouseButton.LeftButton)
+    assert one.field.editing
+    QTest.keyClicks(one.field, "250")
+    QTest.keyClick(one.field, Qt.Key.Key_Enter)
+    assert one.edits == [(250.0, None)]
+
+
+def test_what_is_not_allowed_is_not_committed_and_says_why(bench, qtbot):
+    one = bench(FREQUENCY, 100.0)
+    with qtbot.waitSignal(one.field.problem_changed):
+        one.type("700")
+    assert one.edits == []
+    assert "1 to 649 Hz" in one.field.problem
+    assert one.field.toolTip() == one.field.problem
+    one.other.setFocus()
+    qtbot.waitUntil(lambda: not one.field.editing)
+    assert (one.field.text(), one.field.problem, one.edits) == ("100", "", [])
+
+
+def test_the_reason_goes_as_soon_as_the_text_is_allowed(bench):
+    one = bench(FREQUENCY, 100.0)
+    one.type("700")
+    assert one.field.problem
+    QTest.keyClick(one.field, Qt.Key.Key_Backspace)
+    assert not one.field.problem
+    QTest.keyClick(one.field, Qt.Key.Key_Return)
+    assert one.edits == [(70.0, None)]
+
+
+def test_leaving_the_field_commits_what_is_allowed(bench, qtbot):
+    one = bench(FREQUENCY, 100.0)
+    one.field.setFocus()
+    QTest.keyClicks(one.field, "120")
+    one.other.setFocus()
+    qtbot.waitUntil(lambda: one.edits == [(120.0, None)])
+
+
+def test_typing_what_is_shown_does_not_change_the_value(bench):
+    one = bench(DURATION, 1 / 3)
+    one.type(one.field.text())
+    assert one.edits == []
+    QTest.keyClick(one.field, Qt.Key.Key_Return)
+    QTest.keyClick(one.field, Qt.Key.Key_Return)
+    assert (one.edits, one.field.value_si) == ([], 1 / 3)
+
+
+def test_setting_the_value_tells_nobody_and_leaves_an_open_editor_alone(bench):
+    one = bench(DURATION, 0.1)
+    one.field.setFocus()
+    QTest.keyClicks(one.field, "7")
+    one.field.set_value(0.3)
+    assert (one.field.text(), one.edits) == ("7", [])
+    QTest.keyClick(one.field, Qt.Key.Key_Escape)
+    assert one.field.text() == "300"

@@ -1,0 +1,83 @@
+"""What the tests of this folder share."""
+
+from dataclasses import replace
+
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QColor, QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from skinsource.design import start_design
+from skinsource.view import View
+
+LEFT, MIDDLE = Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton
+
+
+PLAIN, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
+
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+
+
+SEED = 7
+
+
+class Window:
+    """Gives a panel's wishes back to it, as the application does."""
+
+    def __init__(self, panel, results):
+        self.panel, self.results = panel, results
+        self.design, self.view = start_design("synthetic-1"), View()
+        self.views = []
+        panel.view_changed.connect(self.take)
+
+    def take(self, view):
+        self.views.append(view)
+        self.view = view
+        self.panel.show_state(self.design, view)
+
+    def show(self, **changes):
+        self.view = replace(self.view, **changes)
+        self.panel.show_state(self.design, self.view)
+
+    def deliver(self, **changes):
+        wanted = {name: self.results[name] for name in self.panel.needs}
+        self.panel.show_results({**wanted, **changes})
+
+
+def place(window, number):
+    return window.panel.map.place_of(number).toPoint()
+
+
+def click(window, number, modifiers=PLAIN):
+    QTest.mouseClick(window.panel.map, LEFT, modifiers, place(window, number))
+
+
+def drag(widget, start, end, button=LEFT, modifiers=PLAIN):
+    QTest.mousePress(widget, button, modifiers, start)
+    for part in (0.5, 1.0):
+        # QTest.mouseMove names no button or modifier; none is needed while one is held.
+        QTest.mouseMove(widget, start + (end - start) * part)
+    QTest.mouseRelease(widget, button, modifiers, end)
+
+
+def wheel(widget, at, notches, modifiers=PLAIN):
+    event = QWheelEvent(
+        QPointF(at),
+        QPointF(widget.mapToGlobal(at)),
+        QPoint(),
+        QPoint(0, 120 * notches),
+        Qt.MouseButton.NoButton,
+        modifiers,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    QApplication.sendEvent(widget, event)
+
+
+def pixel(picture, at):
+    return QColor(picture.pixel(at)).getRgb()[:3]
+
+
+def empty_place(window):
+    return QPoint(8, window.panel.map.height() - 120)
