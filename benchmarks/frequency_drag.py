@@ -27,7 +27,7 @@ from skinsource.catalogue import available_limbs, default_limb
 from skinsource.design import Design, Input
 from skinsource.view import View
 from skinsource.waveforms import Tone
-from skinsource_gui.app import make_application
+from skinsource_gui.app import exempt_from_collection, make_application
 from skinsource_gui.gesture import new_gesture
 from skinsource_gui.preferences import Preferences
 from skinsource_gui.window import MainWindow
@@ -116,6 +116,7 @@ def main() -> int:
         window.show()
         window.commands.arrange_design()
         window.catch_up()
+        exempt_from_collection()
         drag = Drag(window)
         gesture = new_gesture()
         for k in range(10):

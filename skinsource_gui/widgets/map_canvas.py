@@ -49,6 +49,8 @@ class MapCanvas(QWidget):
 
     def show_content(self, content: MapContent) -> None:
         """Draw ``content``; another limb is fitted anew."""
+        if content.same_as(self.content):
+            return
         other_limb = content.limb_map is not self.content.limb_map
         self.content = content
         if other_limb:

@@ -1,6 +1,6 @@
 """What the map shows."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import NDArray
@@ -53,6 +53,16 @@ class MapContent:
     message: str = ""
     note: str = ""
     outdated: bool = False
+
+    def same_as(self, other: "MapContent") -> bool:
+        """Whether ``other`` looks the same; arrays are compared by identity."""
+        return all(
+            mine is theirs
+            or (type(mine) in (tuple, bool, str) and type(mine) is type(theirs) and mine == theirs)
+            for mine, theirs in (
+                (getattr(self, field.name), getattr(other, field.name)) for field in fields(self)
+            )
+        )
 
     @property
     def coloured_levels_db(self) -> Floats | None:

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 from numpy.typing import NDArray
+from pyqtgraph.functions import arrayToQPath
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
@@ -119,7 +120,7 @@ class WaveformPreview(QWidget):
         if self._pale:
             painter.setOpacity(_PALE)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(QPen(self._colour, 1.25))
+        painter.setPen(QPen(self._colour, 1))
         middle, reach = plot.center().y(), plot.height() / 2 * (-1 if self._flipped else 1)
         shown_px = plot.width() * self._samples.size / self._sample_rate_hz / self._span_s()
         columns = max(int(shown_px * self.devicePixelRatioF()), 1)
@@ -136,7 +137,7 @@ class WaveformPreview(QWidget):
             painter.setBrush(self._colour)
             painter.drawEllipse(top + QPointF(0, 2 if y[0] < middle else -2), 2, 2)
             return
-        painter.drawPolyline([QPointF(*at) for at in zip(x.tolist(), y.tolist(), strict=True)])
+        painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
 
     def _paint_axis(self, painter: QPainter, plot: QRectF) -> None:
         span_ms = self._span_s() * 1000
