@@ -1,7 +1,9 @@
 """Files are written whole or not at all."""
 
+import errno
 import os
-import tempfile
+import secrets
+import stat
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -14,7 +16,9 @@ def replacing(path: Path) -> Iterator[Path]:
     """Give a temporary path beside ``path`` to write to; move it into place at the end.
 
     The temporary file is flushed to disk before the move.  On any error it is deleted, and
-    what stood at ``path`` stands there still.
+    what stood at ``path`` stands there still.  Where ``path`` is a link, what it leads to is
+    replaced and the link stays.  A file that is replaced hands down its permissions; a new one
+    has those that new files usually have.
 
     Raises
     ------
@@ -22,18 +26,20 @@ def replacing(path: Path) -> Iterator[Path]:
         The folder cannot be written, or the disk is full.
     """
     with _explained(path):
-        handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
-        os.close(handle)
-    temporary = Path(name)
+        target = _link_followed(path)
+        mode = _mode_of(target)
+        temporary = target.parent / f".{target.name}.{secrets.token_hex(4)}.part"
+        _create(temporary, private=mode is not None)
     try:
         with _explained(path):
             yield temporary
             _flush(temporary)
-            temporary.chmod(_usual_mode())
-            temporary.replace(path)
-            _flush_folder(path.parent)
+            if mode is not None:
+                temporary.chmod(mode)
+            temporary.replace(target)
+            _flush_folder(target.parent)
     finally:
-        temporary.unlink(missing_ok=True)
+        _discard(temporary)
 
 
 def write_bytes(path: Path, content: bytes) -> None:
@@ -60,6 +66,37 @@ def _explained(path: Path) -> Iterator[None]:
         ) from error
 
 
+def _link_followed(path: Path) -> Path:
+    if not path.is_symlink():
+        return path
+    target = Path(os.path.realpath(path))
+    if target.is_symlink():
+        raise OSError(errno.ELOOP, os.strerror(errno.ELOOP))
+    return target
+
+
+def _mode_of(path: Path) -> int | None:
+    try:
+        return stat.S_IMODE(path.stat().st_mode)
+    except FileNotFoundError:
+        return None
+
+
+def _create(path: Path, *, private: bool) -> None:
+    # Of 0o666 the operating system takes away what the user wants taken away.  What replaces
+    # another file is for the user's eyes alone until it has that file's permissions.
+    mode = 0o600 if private else 0o666
+    os.close(os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL, mode))
+
+
+def _discard(temporary: Path) -> None:
+    if temporary.exists():
+        # Windows deletes no file that is read-only.
+        with suppress(OSError):
+            temporary.chmod(0o600)
+        temporary.unlink(missing_ok=True)
+
+
 def _flush(path: Path) -> None:
     handle = os.open(path, os.O_RDWR)
     try:
@@ -76,9 +113,3 @@ def _flush_folder(path: Path) -> None:
             os.fsync(handle)
         finally:
             os.close(handle)
-
-
-def _usual_mode() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return 0o666 & ~mask

@@ -4,7 +4,6 @@ import errno
 import os
 import shutil
 import sys
-import tempfile
 
 import h5py
 import numpy as np
@@ -158,7 +157,7 @@ def test_a_folder_that_may_not_be_written_is_one_clear_error(
     def refuse(*_, **__):
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
 
-    monkeypatch.setattr(tempfile, "mkstemp", refuse)
+    monkeypatch.setattr(os, "open", refuse)
     with pytest.raises(StorageError, match=r"Permission denied.*choose a folder you may write"):
         install(made_up_download)
     assert list(user_data.iterdir()) == []
@@ -206,6 +205,33 @@ def test_the_store_tells_what_it_was_made_from(made_up_download, user_data):
     assert len(info.source_sha256) == 64
     assert info.installed_at.endswith("+00:00")
     assert info.size_bytes == info.path.stat().st_size
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows refuses such names")
+@pytest.mark.parametrize("name", ["ä 触覚.mat", os.fsdecode(b"\xff.mat")])
+def test_the_source_may_have_any_name(made_up_download, user_data, tmp_path, name):
+    folder = tmp_path / "download"
+    shutil.copytree(made_up_download, folder)
+    try:
+        (folder / "impulseResponses.mat").rename(folder / name)
+    except OSError as error:
+        pytest.skip(f"the file system refuses the name: {error}")
+    install(folder / name)
+    assert describe().source_name == name.encode(errors="backslashreplace").decode()
+
+
+def test_a_store_that_is_a_link_is_replaced_behind_the_link(
+    made_up_download, made_up_store, user_data, tmp_path
+):
+    elsewhere = tmp_path / "elsewhere.h5"
+    elsewhere.write_bytes(b"an old store")
+    try:
+        (user_data / "measured.h5").symlink_to(elsewhere)
+    except OSError as error:
+        pytest.skip(f"links cannot be made here: {error}")
+    install(made_up_download)
+    assert (user_data / "measured.h5").is_symlink()
+    _assert_same_content(elsewhere, made_up_store)
 
 
 def test_the_measured_values_are_those_of_the_published_dataset(measured):

@@ -163,7 +163,15 @@ def test_another_format_version_is_refused(made_up_installed):
 
 
 def test_a_file_of_another_kind_is_refused(made_up_installed):
-    _set_attribute(made_up_installed, "format", "something else")
+    _set_attribute(made_up_installed, "format", np.bytes_("something else"))
+    with pytest.raises(DatasetError, match="is no store of the measured dataset"):
+        store.describe()
+
+
+@pytest.mark.parametrize("name", ["format", "format_version"])
+def test_an_hdf5_file_that_names_no_format_is_refused(made_up_installed, name):
+    with h5py.File(made_up_installed, "r+") as opened:
+        del opened.attrs[name]
     with pytest.raises(DatasetError, match="is no store of the measured dataset"):
         store.describe()
 

@@ -1,7 +1,7 @@
 import errno
 import os
 import stat
-import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -10,6 +10,9 @@ from skinsource.errors import StorageError
 from skinsource.files import make_folder, replacing, write_bytes
 
 OLD, NEW = b"what stood there", b"what is to stand there" * 1000
+posix_rights = pytest.mark.skipif(
+    os.name != "posix", reason="rights of this kind exist on POSIX only"
+)
 CODES = [errno.ENOSPC, errno.EIO, errno.EACCES, errno.EROFS, errno.EDQUOT]
 
 
@@ -68,7 +71,7 @@ def test_until_the_end_the_old_content_stands_there(target):
 @pytest.mark.parametrize(
     ("place", "name", "call"),
     [
-        (tempfile, "mkstemp", 1),
+        (os, "open", 1),
         (Path, "write_bytes", 1),
         (os, "open", 2),
         (os, "fsync", 1),
@@ -153,15 +156,113 @@ def test_a_folder_is_not_replaced_by_a_file(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["folder"]
 
 
-@pytest.mark.skipif(os.name != "posix", reason="rights of this kind exist on POSIX only")
-def test_the_file_has_the_usual_rights(tmp_path):
-    mask = os.umask(0o027)
-    try:
+@pytest.fixture
+def mask_027():
+    before = os.umask(0o027)
+    yield
+    os.umask(before)
+
+
+def mode_of(path: Path) -> int:
+    return stat.S_IMODE(path.stat().st_mode)
+
+
+@posix_rights
+@pytest.mark.usefixtures("mask_027")
+def test_a_new_file_has_the_usual_rights(tmp_path, monkeypatch):
+    def refuse(_mask):
+        raise AssertionError("the mask belongs to the whole process")
+
+    with monkeypatch.context() as patched:
+        patched.setattr(os, "umask", refuse)
         write_bytes(tmp_path / "file", NEW)
-        assert os.umask(0o027) == 0o027
-    finally:
-        os.umask(mask)
-    assert stat.S_IMODE((tmp_path / "file").stat().st_mode) == 0o640
+    assert mode_of(tmp_path / "file") == 0o640
+
+
+@posix_rights
+@pytest.mark.usefixtures("mask_027")
+@pytest.mark.parametrize("mode", [0o600, 0o644, 0o666, 0o755, 0o444])
+def test_a_file_that_is_replaced_hands_down_its_rights(target, mode):
+    target.chmod(mode)
+    write_bytes(target, NEW)
+    assert target.read_bytes() == NEW
+    assert mode_of(target) == mode
+
+
+@posix_rights
+@pytest.mark.parametrize("mode", [0o600, 0o444])
+def test_until_the_end_nobody_else_can_read_what_replaces_a_file(target, mode):
+    target.chmod(mode)
+    with replacing(target) as temporary:
+        assert mode_of(temporary) == 0o600
+        temporary.write_bytes(NEW)
+
+
+@pytest.fixture
+def link(target) -> Path:
+    place = target.parent / "links" / "link.skinsource"
+    place.parent.mkdir()
+    try:
+        place.symlink_to(Path("..") / target.name)
+    except OSError as error:
+        pytest.skip(f"links cannot be made here: {error}")
+    return place
+
+
+def test_a_link_stays_and_what_it_leads_to_is_replaced(target, link):
+    second = link.with_name("link to the link")
+    second.symlink_to(link)
+    with replacing(second) as temporary:
+        assert temporary.parent.samefile(target.parent)
+        temporary.write_bytes(NEW)
+        assert target.read_bytes() == OLD
+    assert target.read_bytes() == NEW
+    assert link.is_symlink()
+    assert second.is_symlink()
+    assert {path.name for path in link.parent.iterdir()} == {link.name, second.name}
+    assert {path.name for path in target.parent.iterdir()} == {target.name, "links"}
+
+
+def test_a_failure_behind_a_link_leaves_everything_and_names_the_link(target, link, fail):
+    fail(os, "replace", errno.EIO)
+    with pytest.raises(StorageError) as caught:
+        write_bytes(link, NEW)
+    assert str(caught.value).startswith(f"{link}: cannot be written")
+    assert link.is_symlink()
+    assert target.read_bytes() == OLD
+    assert {path.name for path in target.parent.iterdir()} == {target.name, "links"}
+
+
+def test_a_link_to_nothing_makes_the_file_it_leads_to(target, link):
+    target.unlink()
+    write_bytes(link, NEW)
+    assert link.is_symlink()
+    assert target.read_bytes() == NEW
+
+
+def test_links_in_a_circle_are_explained(link):
+    one, other = link.with_name("one"), link.with_name("other")
+    one.symlink_to(other)
+    other.symlink_to(one)
+    with pytest.raises(StorageError, match="cannot be written"):
+        write_bytes(one, NEW)
+    assert one.is_symlink()
+    assert other.is_symlink()
+
+
+def test_two_threads_may_write_the_same_file_at_once(target):
+    contents = [bytes([k]) * 100_000 for k in range(8)]
+    with ThreadPoolExecutor(8) as pool:
+        list(pool.map(lambda content: write_bytes(target, content), contents))
+    assert target.read_bytes() in contents
+    assert list(target.parent.iterdir()) == [target]
+
+
+def test_a_path_without_a_name_is_explained(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(StorageError, match="cannot be written"):
+        write_bytes(Path(), NEW)
+    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.parametrize("name", ["ä ö ü.skinsource", "触覚 🖐.csv", "-rf", "a" * 200])

@@ -82,6 +82,10 @@ class Contents:
             )
         self._refuse_unknown("/", self._file.attrs, {*_ROOT_TEXTS, *_ROOT_NUMBERS})
         self._refuse_unknown("/", self._file, set(layout.GROUPS))
+        for name in _ROOT_TEXTS:
+            self.text(name)
+        for name in _ROOT_NUMBERS:
+            self.number(name)
 
     def _responses(self, limb: int) -> h5py.Dataset:
         name = layout.responses_name(limb)
