@@ -3,6 +3,8 @@
 import sys
 from pathlib import Path
 
+from PySide6.QtCore import QMessageLogContext, QtMsgType, qInstallMessageHandler
+
 from skinsource.errors import SkinSourceError
 from skinsource.export import export_levels, export_traces
 from skinsource.files import make_folder
@@ -16,6 +18,7 @@ _SIZE_PX = (1600, 940)
 
 def run(folder: Path, design: Path | None) -> int:
     """Write pictures and tables of ``design`` (or of the start design) to ``folder``."""
+    qInstallMessageHandler(_tell)
     application = make_application()
     try:
         make_folder(folder)
@@ -36,6 +39,12 @@ def run(folder: Path, design: Path | None) -> int:
     for name in names:
         sys.stdout.write(f"  {folder / name}\n")
     return 0
+
+
+def _tell(_kind: QtMsgType, _context: QMessageLogContext, text: str) -> None:
+    # What a platform without a screen cannot do is no news here.
+    if not text.startswith("This plugin does not support"):
+        sys.stderr.write(f"{text}\n")
 
 
 def _write(window: MainWindow, folder: Path) -> list[str]:
