@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from threading import Event
 from time import perf_counter
 from typing import Any
@@ -10,6 +10,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Qt, Signal
 
 from skinsource.graph import Graph, Stopped
+from skinsource.work import Work
 
 #: An evaluation of this length is not part of a drag that wants to see each step.
 _PATIENCE_S = 0.5
@@ -31,13 +32,14 @@ class Request:
 class Outcome:
     """What became of a request: its values, or the error that prevented them.
 
-    ``compute_s`` is the time the evaluation took.
+    ``compute_s`` is the time the evaluation took, ``work`` what it did.
     """
 
     request: Request
     values: Mapping[str, Any] | None = None
     error: Exception | None = None
     compute_s: float = 0.0
+    work: Work = field(default_factory=Work)
 
 
 class Engine(QObject):
@@ -94,7 +96,8 @@ class Engine(QObject):
         except Exception as error:  # noqa: BLE001  shown to the user by whoever listens
             outcome = Outcome(request, error=error, compute_s=perf_counter() - start)
         else:
-            outcome = Outcome(request, values, compute_s=perf_counter() - start)
+            took_s = perf_counter() - start
+            outcome = Outcome(request, values, compute_s=took_s, work=replace(self._graph.work))
         self._landed.emit(outcome)
 
     def _should_stop(self) -> bool:

@@ -6,11 +6,18 @@ from PySide6.QtCore import QEvent, QObject, QTimer
 from PySide6.QtWidgets import QLabel, QWidget
 
 from skinsource.design import Design, audible_inputs
+from skinsource.work import Work
 from skinsource_gui.engine import Outcome
 from skinsource_gui.theme import tabular
 
 # Numbers that change faster cannot be read.
 _PAUSE_MS = 250
+
+
+_ABOUT = (
+    "From the last edit until the window shows it, and the part of it spent on computing.\n"
+    "All numbers are computed in double precision (float64)."
+)
 
 
 class TimingLabel(QLabel):
@@ -27,10 +34,7 @@ class TimingLabel(QLabel):
         self.setObjectName("timing")
         self.setFont(tabular(self.font()))
         self.setContentsMargins(8, 0, 0, 0)
-        self.setToolTip(
-            "From the last edit until the window shows it, and the part of it spent on computing.\n"
-            "All numbers are computed in double precision (float64)."
-        )
+        self.setToolTip(_ABOUT)
         self._inputs = ""
         self._speed = ""
         self._delivered: Outcome | None = None
@@ -65,6 +69,7 @@ class TimingLabel(QLabel):
         if outcome is not None:
             total_ms = (perf_counter() - outcome.request.since_s) * 1e3
             compute_ms = outcome.compute_s * 1e3
+            self.setToolTip(f"{_ABOUT}\n{_work_words(outcome.work)}")
             self._speed = f" · on screen in {total_ms:.0f} ms ({compute_ms:.1f} ms computing)"
             self._say_soon()
 
@@ -77,3 +82,10 @@ class TimingLabel(QLabel):
         words = self._inputs + self._speed
         if words != self.text():
             self.setText(words)
+
+
+def _work_words(work: Work) -> str:
+    return (
+        f"Work for it: {work.forward_transforms} forward and {work.inverse_transforms} inverse "
+        f"transforms, {work.samples_drawn} samples drawn, {work.bytes_read / 1e6:.1f} MB read."
+    )

@@ -1,0 +1,89 @@
+"""A thousand slider changes at 200 Hz against an evaluation of 40 ms.
+
+Printed: how long after the last change its result arrives, the longest queue, whether results ever
+came in the wrong order, and the gaps in which the GUI thread answered nothing.
+
+    QT_QPA_PLATFORM=offscreen python benchmarks/slider_storm.py
+"""
+
+import os
+import sys
+from time import perf_counter, sleep
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
+
+from PySide6.QtCore import QEventLoop, Qt, QTimer
+
+from skinsource.graph import Graph
+from skinsource_gui.app import make_application
+from skinsource_gui.engine import Engine, Outcome, Request
+
+CHANGES, PERIOD_MS, EVALUATION_S = 1000, 5, 0.04
+
+
+class Storm:
+    """Sends changes on a timer and notes what comes back."""
+
+    def __init__(self) -> None:
+        self.seen: list[int] = []
+        self.seen_at_s = self.last_sent_s = 0.0
+        self.beats_s: list[float] = []
+        self._sent = 0
+        self.engine = Engine(Graph(self._evaluate))
+        self.engine.finished.connect(self._note)
+        self.loop = QEventLoop()
+        self._timer = QTimer(timerType=Qt.TimerType.PreciseTimer, interval=PERIOD_MS)
+        self._timer.timeout.connect(self._send)
+        self._beat = QTimer(timerType=Qt.TimerType.PreciseTimer, interval=1)
+        self._beat.timeout.connect(self._note_beat)
+
+    def run(self) -> None:
+        """Send all changes and wait for the last result."""
+        self._timer.start()
+        self._beat.start()
+        self.loop.exec()
+        self.engine.close()
+
+    @staticmethod
+    def _evaluate(value: int) -> int:
+        end = perf_counter() + EVALUATION_S
+        while perf_counter() < end:
+            sleep(0.001)
+        return value
+
+    def _send(self) -> None:
+        self._sent += 1
+        self.last_sent_s = perf_counter()
+        self.engine.request(Request(frozenset({"_evaluate"}), {"value": self._sent}))
+        if self._sent == CHANGES:
+            self._timer.stop()
+
+    def _note(self, outcome: Outcome) -> None:
+        self.seen.append(outcome.values["_evaluate"])
+        self.seen_at_s = perf_counter()
+        if self.seen[-1] == CHANGES:
+            self.loop.quit()
+
+    def _note_beat(self) -> None:
+        self.beats_s.append(perf_counter())
+
+
+def main() -> int:
+    """Print the figures; 1 if a promise is broken."""
+    make_application()
+    storm = Storm()
+    storm.run()
+    gaps_ms = sorted((b - a) * 1e3 for a, b in zip(storm.beats_s, storm.beats_s[1:], strict=False))
+    late_ms = (storm.seen_at_s - storm.last_sent_s) * 1e3
+    p99_ms = gaps_ms[int(0.99 * (len(gaps_ms) - 1))]
+    ordered = storm.seen == sorted(storm.seen)
+    print(f"{CHANGES} changes at {1000 // PERIOD_MS} Hz, {len(storm.seen)} evaluations")
+    print(f"last value {late_ms:.0f} ms after release (promised: 150)")
+    print(f"order never reversed: {ordered}")
+    print(f"GUI gap p99 {p99_ms:.1f} ms (promised: 50), longest {gaps_ms[-1]:.1f} ms")
+    return int(late_ms > 150 or not ordered or p99_ms > 50)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
