@@ -75,9 +75,8 @@ def test_levels_traces_and_spectra_are_those_of_plain_convolution(limb, scaling,
             signals = project_axes(field, axes, method)
             peak = np.abs(signals).max()
             expected_rms = np.sqrt(np.mean(signals**2, axis=1))
-            np.testing.assert_allclose(
-                found["output_rms"], expected_rms, rtol=1e-13, atol=1e-12 * expected_rms.max()
-            )
+            # Each output against itself, however quiet, and however its axes cancel.
+            np.testing.assert_allclose(found["output_rms"], expected_rms, rtol=1e-12)
             chosen = signals[[output - 1 for output in OUTPUTS]]
             np.testing.assert_allclose(found["selected_traces"], chosen, atol=1e-13 * peak)
             magnitude = np.abs(np.fft.rfft(chosen)) / chosen.shape[-1]

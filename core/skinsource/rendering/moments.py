@@ -12,8 +12,9 @@ from skinsource.projection import Axes, Method, no_main_axis, principal_axis_of
 from skinsource.rendering.drives import Booleans
 from skinsource.rendering.transforms import Complexes, Floats
 
-#: Below this share of its terms a sum has lost too many digits, and is computed another way.
-_CANCELLED = 1e-4
+#: Below this share of its terms a sum has lost too many digits, and is computed another way.  Above
+#: it the rounding of the terms, about 4e-16 of their size, keeps a level right to 1e-14.
+_CANCELLED = 0.05
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -71,19 +72,21 @@ def combined(
 ) -> tuple[Moments, np.ndarray]:
     """Moments of ``others + weight * pivot``, and the outputs where digits cancelled.
 
+    Each axis counts by itself: it may be the only one that is looked at.
+
     Returns
     -------
     moments
         The exact three terms.
     cancelled : (72,) of bool
-        Outputs whose energy is below 1e-4 of the sum of the terms' magnitudes: compute those from
-        the sum of the fields instead.
+        Outputs with an axis whose energy is below 0.05 of the sum of the terms' magnitudes: compute
+        those from the sum of the fields instead.
     """
     second = others.second + 2.0 * weight * cross.second + weight**2 * pivot.second
     first = others.first + weight * pivot.first
-    size = np.einsum("oaa->o", others.second) + weight**2 * np.einsum("oaa->o", pivot.second)
-    energy = np.einsum("oaa->o", second)
-    return Moments(second, first), (energy < _CANCELLED * size)
+    size = np.einsum("oaa->oa", others.second) + weight**2 * np.einsum("oaa->oa", pivot.second)
+    energy = np.einsum("oaa->oa", second)
+    return Moments(second, first), (energy < _CANCELLED * size).any(axis=1)
 
 
 def directions_of(moments: Moments, axes: Axes, method: Method, n_times: int) -> Floats | None:
@@ -119,12 +122,22 @@ def without_main_axis(moments: Moments, axes: Axes, method: Method, n_times: int
     return no_main_axis(covariance_of(moments, axes, n_times))
 
 
-def energies(moments: Moments, directions: Floats | None, axes: Axes) -> Floats:
-    """Sum of squares of the projected signal of each output, (n_outputs,)."""
+def energies(moments: Moments, directions: Floats | None, axes: Axes) -> tuple[Floats, Booleans]:
+    """Sum of squares of the projected signal of each output, (n_outputs,).
+
+    Also where the axes cancelled in the projection, (n_outputs,): compute those another way.
+    """
     second, _ = _chosen(moments, axes)
     if directions is None or len(axes) == 1:
-        return np.einsum("oaa->o", second)
-    return np.maximum(np.einsum("oa,oab,ob->o", directions, second, directions), 0.0)
+        return np.einsum("oaa->o", second), np.zeros(len(second), bool)
+    terms = directions[:, :, None] * second * directions[:, None, :]
+    energy = np.maximum(terms.sum(axis=(1, 2)), 0.0)
+    return energy, energy < _CANCELLED * np.abs(terms).sum(axis=(1, 2))
+
+
+def energies_of(spectra: Complexes, n_fft: int) -> Floats:
+    """Sum of squares of signals from their spectra, (n_signals,)."""
+    return _product_sum(spectra, spectra) / n_fft
 
 
 def _chosen(moments: Moments, axes: Axes) -> tuple[Floats, Floats]:

@@ -16,6 +16,7 @@ from skinsource.rendering.moments import (
     combined,
     directions_of,
     energies,
+    energies_of,
     moments_of,
     needs_products,
 )
@@ -135,8 +136,8 @@ def moments(
 ) -> Moments:
     """Moments of the whole field.
 
-    Where the terms cancel to below 1e-4 of their size, the moments are computed again from the
-    sum of the fields, so that no digits are lost.
+    Where the terms of an axis cancel, the moments are computed again from the sum of the fields, so
+    that no digits are lost.
     """
     if streamed_field is not None:
         return streamed_field.moments()
@@ -161,10 +162,26 @@ def directions(
 
 
 def output_rms(
-    moments: Moments, directions: Floats | None, axes: Axes, response_samples: int
+    moments: Moments,
+    directions: Floats | None,
+    axes: Axes,
+    response_samples: int,
+    others_spectrum: Complexes | None,
+    pivot_spectrum: Complexes | None,
+    pivot_weight: float,
+    n_fft: int | None,
 ) -> Floats:
-    """RMS over the whole response of the projected signals, (72 outputs,), in m/s²."""
-    return np.sqrt(energies(moments, directions, axes) / response_samples)
+    """RMS over the whole response of the projected signals, (72 outputs,), in m/s².
+
+    Where the axes of an output cancel in its projection, its energy is taken from the projected
+    spectrum instead.
+    """
+    energy, cancelled = energies(moments, directions, axes)
+    if directions is not None and n_fft is not None and cancelled.any():
+        field = _sum_of(others_spectrum, pivot_spectrum, pivot_weight, cancelled, _numbers(axes))
+        projected = np.einsum("oa,oaf->of", directions[cancelled], field)
+        energy[cancelled] = energies_of(projected, n_fft)
+    return np.sqrt(energy / response_samples)
 
 
 def output_levels_db(output_rms: Floats) -> Floats:
@@ -307,6 +324,21 @@ def _moments(
     if left is None or right is None or n_fft is None:
         return None
     return moments_of(left, right, n_fft, products=products)
+
+
+def _sum_of(
+    others: Complexes | None,
+    pivot: Complexes | None,
+    weight: float,
+    outputs: Booleans,
+    axes: tuple[int, ...],
+) -> Complexes:
+    parts = [
+        factor * spectrum[outputs][:, list(axes)]
+        for factor, spectrum in ((1.0, others), (weight, pivot))
+        if spectrum is not None
+    ]
+    return sum(parts[1:], parts[0])
 
 
 def _numbers(axes: Axes) -> tuple[int, ...]:

@@ -1,0 +1,264 @@
+"""What the tests of stability share: a table of promises, made-up limbs, both ways to predict.
+
+A test module states its promises in a dictionary ``PROMISES``: by case what is measured, in words,
+and the largest number that keeps the promise.  The tests hand their numbers to ``noted``.
+
+    python -m pytest tests/core -k stability --stability-table docs/stability.md
+"""
+
+import ast
+import platform
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from math import inf
+from pathlib import Path
+
+import numpy as np
+import pytest
+import scipy
+
+from skinsource.design import Design, Input
+from skinsource.limb import Limb, LimbMap
+from skinsource.quantities import new_graph, sources
+from skinsource.response import predict
+from skinsource.view import View
+from skinsource.waveforms import Impulse
+
+NUMBERS = pytest.StashKey[dict[str, float]]()
+INTRODUCTION = """\
+# Stability: promises and measurements
+
+Made by the tests; do not edit. To make it again:
+
+    {command}
+
+Every number is the largest of its case, in float64. *Error* is the largest difference to the exact
+samples, relative to the peak of the same channel, or of the same window where windows of 100 ms
+are named; it is never relative to another engine. *Exact* samples are sums of whole numbers that
+fit a float, rational arithmetic, or vectors that mpmath made with 50 digits
+(`tests/references`). *Both ways* are `skinsource.predict` and the quantities of the studio's
+engine. A *ratio* is the largest error over eps log2(N) Σ‖drive‖ ‖response‖, N the length of the
+transforms.
+
+{machine}
+
+| case | what is measured | promise | measured | margin |
+|---|---|---|---|---|
+"""
+COMMAND = "python -m pytest tests/core -k stability --stability-table docs/stability.md"
+
+
+def pytest_addoption(parser) -> None:
+    """Add the option that names the table."""
+    parser.addoption("--stability-table", metavar="FILE", help="write the table of promises there")
+
+
+def pytest_configure(config) -> None:
+    """Start without any number."""
+    config.stash[NUMBERS] = {}
+
+
+def pytest_sessionfinish(session) -> None:
+    """Write the table if it is wanted."""
+    path = session.config.getoption("--stability-table", default=None)
+    if path is None:
+        return
+    numbers, stated = session.config.stash[NUMBERS], stated_promises()
+    missing = [key for key in stated if key not in numbers]
+    if missing:
+        words = f"\nno table was written: not measured were {', '.join(missing)}"
+        session.config.get_terminal_writer().line(words)
+        session.exitstatus = pytest.ExitCode.TESTS_FAILED
+        return
+    machine = (
+        f"{platform.system()} {platform.machine()}, Python {platform.python_version()}, "
+        f"numpy {np.__version__}, scipy {scipy.__version__}."
+    )
+    rows = [row(key, *promise, numbers[key]) for key, promise in stated.items()]
+    text = INTRODUCTION.format(command=COMMAND, machine=machine) + "\n".join(rows) + "\n"
+    Path(path).write_text(text, encoding="utf-8")
+
+
+def stated_promises() -> dict[str, tuple[str, float]]:
+    """What is measured and the promise, by case, as the test modules state them."""
+    promises: dict[str, tuple[str, float]] = {}
+    for path in sorted(Path(__file__).parent.glob("test_stability_*.py")):
+        for node in ast.parse(path.read_text(encoding="utf-8")).body:
+            if isinstance(node, ast.Assign) and node.targets[0].id == "PROMISES":
+                stated = ast.literal_eval(node.value)
+                assert not promises.keys() & stated.keys(), f"{path.name} repeats a case"
+                promises.update(stated)
+    return dict(sorted(promises.items(), key=lambda item: item[0].split()[0]))
+
+
+def row(key: str, what: str, promise: float, value: float) -> str:
+    """One line of the table."""
+    if value > promise:
+        margin = "BROKEN"
+    elif value == 0:
+        margin = "exact"
+    else:
+        times = promise / value
+        margin = f"{times:.3g} ×" if times < 10 else f"{times:,.0f} ×".replace(",", " ")
+    return f"| {key} | {what} | {promise:g} | {value:.2g} | {margin} |"
+
+
+@pytest.fixture(scope="session")
+def promises() -> dict[str, tuple[str, float]]:
+    """Give what all modules promise."""
+    return stated_promises()
+
+
+@pytest.fixture
+def noted(request) -> Callable[[str, float], None]:
+    """Give a function that notes a number for the table, and sees that its promise is kept."""
+    numbers = request.config.stash[NUMBERS]
+
+    def note(key: str, value: float) -> None:
+        what, promise = request.module.PROMISES[key]
+        known = float(value) if value == value else inf
+        numbers[key] = max(known, numbers.get(key, 0.0))
+        assert known <= promise, f"{key}, {what}: {known:.3g} is more than {promise:g}"
+
+    return note
+
+
+@pytest.fixture(scope="session")
+def references() -> Path:
+    """Give the folder of vectors made with high precision."""
+    return Path(__file__).parents[1] / "references"
+
+
+@pytest.fixture(scope="session")
+def limb_of() -> Callable[[Callable[[int], np.ndarray]], Limb]:
+    """Give a function that makes a limb of any responses, by place."""
+
+    def make(read_response: Callable[[int], np.ndarray]) -> Limb:
+        nowhere = LimbMap(
+            outline=np.zeros((3, 2)),
+            output_positions=np.zeros((72, 2)),
+            input_positions=np.zeros((20, 2)),
+            hand_length_px=1.0,
+        )
+        return Limb(
+            name="made-up",
+            hand_length_mm=175.0,
+            synthetic=True,
+            map=nowhere,
+            read_response=read_response,
+        )
+
+    return make
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sampled(Impulse):
+    """A waveform that plays given samples."""
+
+    given: np.ndarray
+
+    # Two of them differ, though what an impulse compares is the same.
+    __eq__ = object.__eq__
+    __hash__ = object.__hash__
+
+    @property
+    def duration_s(self) -> float:
+        """Length."""
+        return self.given.size / 1300
+
+    def samples(self, sample_rate_hz: float) -> np.ndarray:
+        """Return what was given."""
+        return self.given
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scene:
+    """Drives on a limb, to be predicted both ways.
+
+    Attributes
+    ----------
+    drives, places, amplitudes, onsets
+        By input; onsets in samples.
+    """
+
+    limb: Limb
+    drives: tuple[np.ndarray, ...]
+    places: tuple[int, ...]
+    amplitudes: tuple[float, ...] = ()
+    onsets: tuple[int, ...] = ()
+    scaling: str = "relative"
+
+    def starts(self) -> tuple[int, ...]:
+        """Onset of each input."""
+        return self.onsets or (0,) * len(self.drives)
+
+    def factors(self) -> tuple[float, ...]:
+        """Amplitude of each input."""
+        return self.amplitudes or (1.0,) * len(self.drives)
+
+    def padded(self) -> np.ndarray:
+        """Drives with silence before and after them, (n_inputs, n_times)."""
+        starts = self.starts()
+        n_times = max(k + one.size for k, one in zip(starts, self.drives, strict=True))
+        padded = np.zeros((len(self.drives), n_times))
+        for row, start, one in zip(padded, starts, self.drives, strict=True):
+            row[start : start + one.size] = one
+        return padded
+
+    def predicted(self) -> np.ndarray:
+        """Field by `predict`, (72, 3, n_times)."""
+        return predict(self.limb, self.padded(), self.places, self.factors(), scaling=self.scaling)
+
+    def by_engine(
+        self,
+        outputs: tuple[int, ...] = tuple(range(1, 73)),
+        selected: int | None = 0,
+        axes: str = "xyz",
+        method: str = "pca",
+    ) -> dict:
+        """`axis_traces`, (n_outputs, n_axes, n_times), and `output_rms`, (72,), of the engine."""
+        inputs = tuple(
+            Input(location=place, waveform=Sampled(drive), amplitude=a, onset_s=k / 1300)
+            for drive, place, a, k in zip(
+                self.drives, self.places, self.factors(), self.starts(), strict=True
+            )
+        )
+        design = Design(limb="synthetic-1", inputs=inputs, scaling=self.scaling)
+        looked = View(outputs=outputs, selected_input=selected, axes=axes, method=method)
+        given = {**sources(design, looked), "limb_data": self.limb}
+        return new_graph().evaluate(("axis_traces", "output_rms"), given)
+
+    def both_ways(self) -> list[np.ndarray]:
+        """Field by `predict` and by the engine, the latter with and without a selected input."""
+        engine = [self.by_engine(selected=selected)["axis_traces"] for selected in (0, None)]
+        return [self.predicted(), *engine]
+
+    def exact_sample(self, output: int, axis: int, time: int) -> Fraction:
+        """One sample of the field (relative scaling), rounded nowhere."""
+        total = Fraction(0)
+        for drive, place, amplitude in zip(self.padded(), self.places, self.factors(), strict=True):
+            taps = self.limb.response_to(place)[output - 1, axis]
+            first = max(0, time - drive.size + 1)
+            last = min(time, taps.size - 1)
+            reached = taps[first : last + 1]
+            played = drive[time - last : time - first + 1][::-1]
+            products = sum(a * b for a, b in zip(whole(reached), whole(played), strict=True))
+            total += Fraction(amplitude) * Fraction(products, 2 ** (2 * FINEST))
+        return total
+
+
+#: Every float is a whole multiple of 2**-FINEST.
+FINEST = 1074
+
+
+def whole(samples: np.ndarray) -> list[int]:
+    """Samples as whole multiples of 2**-FINEST."""
+    ratios = (float(one).as_integer_ratio() for one in samples)
+    return [numerator * (2**FINEST // denominator) for numerator, denominator in ratios]
+
+
+@pytest.fixture(scope="session")
+def scene() -> type[Scene]:
+    """Give the class of scenes."""
+    return Scene

@@ -1,0 +1,290 @@
+"""Accuracy of convolution, against exact numbers."""
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from skinsource.rendering.segments import BLOCK_FFT, LONGEST_AT_ONCE
+from skinsource.rendering.transforms import transform_length
+from skinsource.synthetic import load_synthetic_limb
+from skinsource.waveforms import Noise, Tap, Tone
+
+PROMISES = {
+    "a1 error": (
+        "1, 4 and 20 inputs of 0.5, 2 and 10 s, both ways: error of each of 12 channels",
+        1e-14,
+    ),
+    "a1 ratio": ("The same: ratio", 0.1),
+    "a1 levels": ("The same: RMS of each output, relative to itself", 1e-14),
+    "a1 mpmath": ("Tone, noise, bursts on ringing responses, 1 s, both ways: error", 1e-14),
+    "a1 synthetic": ("Synthetic limb, its own waveforms, short and streamed: error", 1e-14),
+    "a1 upstream": ("The same with upstream's scaling: error", 1e-14),
+    "a1 cancelled": ("Two inputs that leave 1 … 1e-8 of one: RMS, relative to one alone", 1e-14),
+    "a1 one axis": ("The same where they cancel along one axis only: RMS along it", 1e-14),
+    "a2 predict": ("Drives of 1, 2, 521, 522, 523, 650, 13 000 and 130 000 samples: error", 1e-14),
+    "a2 engine": ("Drives of 1 … 780 000 samples: error of traces", 1e-14),
+    "a2 levels": ("The same: RMS of each output, relative to itself", 1e-14),
+    "a3 window": (
+        "A burst 40 to 120 dB below another, both ways: error of a 100 ms window down to -126 dB",
+        1e-9,
+    ),
+    "a3 mpmath": ("A burst 120 dB below another on ringing responses: error of a window", 1e-9),
+    "a3 tails": ("Synthetic limb, quantised: error of a window of any tail down to -126 dB", 1e-9),
+}
+SEED = 20240607
+EPS = float(np.finfo(np.float64).eps)
+WINDOW_SAMPLES = 130
+#: Below it, relative to the peak of the channel, a window is not looked at: -126 dB.
+FAINTEST = 5e-7
+#: Three outputs, all axes, and what stands for all of them: traces take long to compute exactly.
+OUTPUTS = (1, 29, 52, 72)
+LENGTHS = (1, 2, 521, 522, 523, 650, 13_000, 130_000)
+
+
+def whole_numbers(n: int, seed: int) -> np.ndarray:
+    """A drive of whole numbers: with those of a limb, float64 sums them exactly in any order."""
+    drive = np.random.default_rng((SEED, seed)).integers(-(2**18), 2**18, n).astype(float)
+    drive[0] = drive[-1] = 3.0
+    return drive
+
+
+@pytest.fixture(scope="module")
+def limb(limb_of):
+    """Responses of whole numbers that decay, some 60 dB weaker than others."""
+
+    def respond(place: int) -> np.ndarray:
+        random = np.random.default_rng((SEED, 99, place))
+        decay = 0.5 ** (np.arange(522) / random.uniform(20, 80, (72, 3, 1)))
+        level = 2.0 ** random.integers(10, 21, (72, 1, 1))
+        return np.round(level * decay * random.uniform(-1, 1, (72, 3, 522)))
+
+    return limb_of(respond)
+
+
+def exact_traces(scene, outputs=OUTPUTS) -> np.ndarray:
+    """Traces by sums of whole numbers below 2**53, (n_outputs, 3, n_times)."""
+    padded = scene.padded()
+    total = np.zeros((len(outputs), 3, padded.shape[1] + 521))
+    largest = 0.0
+    for drive, place, amplitude in zip(padded, scene.places, scene.factors(), strict=True):
+        taps = scene.limb.response_to(place)
+        for index in np.ndindex(len(outputs), 3):
+            total[index] += amplitude * np.convolve(drive, taps[outputs[index[0]] - 1, index[1]])
+        largest += abs(amplitude) * np.abs(drive).max() * np.abs(taps).sum(axis=-1).max()
+    assert largest < 2**53
+    return total
+
+
+def error(found: np.ndarray, exact: np.ndarray) -> float:
+    """Largest difference, relative to the peak of the channel."""
+    difference = np.abs(found - exact).max(axis=-1)
+    return float((difference / np.abs(exact).max(axis=-1)).max())
+
+
+def window_error(found: np.ndarray, exact: np.ndarray) -> float:
+    """Largest difference, relative to the peak of the window of 100 ms that it lies in."""
+    n = exact.shape[-1] // WINDOW_SAMPLES * WINDOW_SAMPLES
+    shape = (*exact.shape[:-1], -1, WINDOW_SAMPLES)
+    peaks = np.abs(exact[..., :n]).reshape(shape).max(axis=-1)
+    differences = np.abs(found - exact)[..., :n].reshape(shape).max(axis=-1)
+    heard = peaks > FAINTEST * np.abs(exact).max(axis=-1, keepdims=True)
+    return float((differences[heard] / peaks[heard]).max())
+
+
+def ratio(found: np.ndarray, exact: np.ndarray, scene) -> float:
+    """Largest error over eps log2(N) Σ‖drive‖ ‖response‖."""
+    n = exact.shape[-1]
+    n_fft = transform_length(n) if n <= LONGEST_AT_ONCE else BLOCK_FFT
+    bound = np.zeros(exact.shape[:2])
+    rows = [output - 1 for output in OUTPUTS]
+    for drive, place in zip(scene.drives, scene.places, strict=True):
+        taps = scene.limb.response_to(place)[rows]
+        bound += np.linalg.norm(drive) * np.linalg.norm(taps, axis=-1)
+    return float((np.abs(found - exact).max(axis=-1) / (EPS * np.log2(n_fft) * bound)).max())
+
+
+def level_error(rms: np.ndarray, exact: np.ndarray, share: float = 1.0) -> float:
+    """Largest error of the RMS of `OUTPUTS`, a ``share`` of the exact one and relative to that."""
+    expected = np.sqrt(np.square(exact / 2**20).sum(axis=(1, 2)) / exact.shape[-1]) * 2**20
+    return float(np.abs(chosen(rms) / expected - share).max())
+
+
+def chosen(field: np.ndarray) -> np.ndarray:
+    """The rows of `OUTPUTS`."""
+    return field[[output - 1 for output in OUTPUTS]]
+
+
+@pytest.mark.parametrize("n_inputs", [1, 4, 20])
+@pytest.mark.parametrize("n_times", [650, 2600, 13_000])
+def test_many_inputs_of_any_length_are_summed_to_the_last_digits(
+    scene, limb, noted, n_inputs, n_times
+):
+    shown = scene(
+        limb=limb,
+        drives=tuple(whole_numbers(n_times - 13 * k, k) for k in range(n_inputs)),
+        places=tuple(range(1, n_inputs + 1)),
+        onsets=tuple(13 * k for k in range(n_inputs)),
+    )
+    exact = exact_traces(shown)
+    for selected in (0, None):
+        found = shown.by_engine(OUTPUTS, selected, method="mag")
+        noted("a1 error", error(found["axis_traces"], exact))
+        noted("a1 ratio", ratio(found["axis_traces"], exact, shown))
+        noted("a1 levels", level_error(found["output_rms"], exact))
+    traces = chosen(shown.predicted())
+    noted("a1 error", error(traces, exact))
+    noted("a1 ratio", ratio(traces, exact, shown))
+
+
+@pytest.mark.parametrize("left", 0.5 ** np.array([0, 1, 2, 2.5, 3, 4, 7, 14, 27]))
+@pytest.mark.parametrize("n_times", [1300, 9000])
+def test_levels_of_inputs_that_cancel_keep_all_digits(scene, limb, limb_of, noted, left, n_times):
+    def partly(place: int) -> np.ndarray:
+        return np.concatenate([limb.response_to(5)[:, :1], limb.response_to(place)[:, 1:]], axis=1)
+
+    drive = whole_numbers(n_times, 1)
+    same = scene(limb=limb, drives=(drive, drive), places=(5, 5), amplitudes=(1.0, left - 1.0))
+    other = scene(
+        limb=limb_of(partly), drives=(drive, drive), places=(5, 6), amplitudes=(1.0, left - 1.0)
+    )
+    alone = exact_traces(scene(limb=limb, drives=(drive,), places=(5,)))
+    for selected in (0, 1, None):
+        found = same.by_engine(OUTPUTS, selected, method="mag")["output_rms"]
+        noted("a1 cancelled", level_error(found, alone, left))
+        found = other.by_engine(OUTPUTS, selected, axes="x")["output_rms"]
+        noted("a1 one axis", level_error(found, alone[:, :1], left))
+
+
+@pytest.fixture(scope="module")
+def ringing(references, limb_of):
+    """Stored drives, fields and a limb whose outputs get the stored responses, each weaker."""
+    stored = dict(np.load(references / "convolution.npz"))
+    weaker = 2.0 ** -np.arange(72)[:, None, None]
+
+    def respond(place: int) -> np.ndarray:
+        return stored["responses"][[0, 1, 0]] * weaker
+
+    stored["limb"] = limb_of(respond)
+    stored["weaker"] = weaker
+    return stored
+
+
+@pytest.mark.parametrize("number", [0, 1, 2])
+def test_vectors_of_fifty_digits_are_met(scene, ringing, noted, number):
+    shown = scene(limb=ringing["limb"], drives=(ringing["drives"][number],), places=(3,))
+    exact = ringing["fields"][number][[0, 1, 0]] * ringing["weaker"]
+    for found in shown.both_ways():
+        noted("a1 mpmath", error(found, exact))
+        if number == 2:
+            quiet = np.abs(exact[..., 900:1030]).max(axis=-1) / np.abs(exact).max(axis=-1)
+            assert (quiet > FAINTEST).all()
+            assert (quiet < 1e-5).all()
+            noted("a3 mpmath", window_error(found, exact))
+
+
+def test_the_stored_vectors_are_those_of_rational_arithmetic(scene, ringing):
+    random = np.random.default_rng(SEED)
+    for number, fields in enumerate(ringing["fields"]):
+        shown = scene(limb=ringing["limb"], drives=(ringing["drives"][number],), places=(3,))
+        for time in random.integers(0, fields.shape[-1], 20):
+            axis = int(random.integers(2))
+            assert float(shown.exact_sample(1, axis, int(time))) == fields[axis, time], f"{SEED=}"
+
+
+@pytest.mark.parametrize("streamed", [False, True])
+def test_the_synthetic_limb_s_own_scenes_are_met(scene, noted, streamed):
+    limb = load_synthetic_limb(1)
+    recipes = (Tone(frequency_hz=100.0), Noise(seed=4, duration_s=1.0), Tap())
+    shown = scene(
+        limb=limb,
+        drives=tuple(one.samples(1300.0) for one in recipes),
+        places=(7, 3, 16),
+        amplitudes=(1.0, -0.3, 2.5),
+        onsets=(0, 6000 if streamed else 40, 260),
+    )
+    random = np.random.default_rng(SEED)
+    for found in shown.both_ways():
+        for _ in range(60):
+            output, axis = int(random.choice(OUTPUTS)), int(random.integers(3))
+            trace = found[output - 1, axis]
+            time = int(random.choice(np.flatnonzero(trace)))
+            exact = float(shown.exact_sample(output, axis, time))
+            noted("a1 synthetic", abs(trace[time] - exact) / np.abs(trace).max())
+
+
+@pytest.mark.parametrize("n_times", [1300, 13_000])
+def test_upstream_s_scaling_divides_by_the_exact_maximum(scene, noted, n_times):
+    limb, random = load_synthetic_limb(1), np.random.default_rng(SEED)
+    drive = Noise(seed=5, duration_s=n_times / 1300).samples(1300.0)
+    plain = scene(limb=limb, drives=(drive,), places=(7,))
+    shown = scene(limb=limb, drives=(drive,), places=(7,), amplitudes=(1.7,), scaling="upstream")
+    for found in shown.both_ways():
+        output, axis, time = (int(k) for k in np.unravel_index(found.argmax(), found.shape))
+        largest = plain.exact_sample(output + 1, axis, time)
+        for _ in range(40):
+            time = int(random.integers(found.shape[-1]))
+            exact = 1.7 * float(plain.exact_sample(output + 1, axis, time) / largest)
+            noted("a1 upstream", abs(found[output, axis, time] - exact) / 1.7)
+
+
+@pytest.mark.parametrize("n_times", LENGTHS)
+def test_any_length_is_met(scene, limb, noted, n_times):
+    shown = scene(limb=limb, drives=(whole_numbers(n_times, 1),), places=(11,))
+    exact = exact_traces(shown)
+    noted("a2 predict", error(chosen(shown.predicted()), exact))
+    found = shown.by_engine(OUTPUTS, method="mag")
+    noted("a2 engine", error(found["axis_traces"], exact))
+    noted("a2 levels", level_error(found["output_rms"], exact))
+
+
+def test_ten_minutes_are_met(scene, limb, noted):
+    shown = scene(limb=limb, drives=(whole_numbers(780_000, 2),), places=(11,))
+    exact = exact_traces(shown)
+    found = shown.by_engine(OUTPUTS, method="mag")
+    noted("a2 engine", error(found["axis_traces"], exact))
+    noted("a2 levels", level_error(found["output_rms"], exact))
+
+
+@pytest.fixture(scope="module")
+def quantised(limb_of):
+    """Responses of the synthetic limb, rounded to whole numbers."""
+    synthetic = load_synthetic_limb(1)
+
+    def respond(place: int) -> np.ndarray:
+        taps = synthetic.response_to(place)
+        return np.round(taps * (2**20 / np.abs(taps).max(axis=-1, keepdims=True)))
+
+    return limb_of(respond)
+
+
+@pytest.fixture(params=["limb", "quantised"])
+def responding(request) -> Callable:
+    """Give each of the two limbs of whole numbers."""
+    return request.getfixturevalue(request.param)
+
+
+@pytest.mark.parametrize("below_db", [40, 80, 114, 120])
+@pytest.mark.parametrize("later", [700, 4000, 9000])
+@pytest.mark.parametrize("place", [7, 16])
+def test_a_quiet_burst_after_a_loud_one_keeps_its_digits(
+    scene, responding, noted, below_db, later, place
+):
+    quieter = 2.0 ** -round(below_db / 6.0206)
+    shown = scene(
+        limb=responding,
+        drives=(whole_numbers(130, 1), whole_numbers(130, 2) * quieter),
+        places=(7, place),
+        onsets=(0, later),
+    )
+    exact = exact_traces(shown, tuple(range(1, 73)))
+    for found in shown.both_ways():
+        noted("a3 window", window_error(found, exact))
+
+
+@pytest.mark.parametrize("n_times", [30, 1300, 9000])
+def test_the_tails_of_responses_keep_their_digits(scene, quantised, noted, n_times):
+    shown = scene(limb=quantised, drives=(whole_numbers(n_times, 3),), places=(15,))
+    exact = exact_traces(shown)
+    for found in shown.both_ways():
+        noted("a3 tails", window_error(chosen(found), exact))

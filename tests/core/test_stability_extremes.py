@@ -1,0 +1,228 @@
+"""Silence, numbers that are none, and numbers of extreme sizes."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from skinsource.design import Input
+from skinsource.errors import InvalidInputError
+from skinsource.rendering.transforms import transform_length
+
+PROMISES = {
+    "a4 silence": (
+        "Samples before, between and after drives, both ways, short and streamed: not exactly 0",
+        0,
+    ),
+    "a4 still": ("Outputs without a response, and scenes without a sound: not exactly 0", 0),
+    "a4 muted": ("Bits changed by inputs of amplitude 0 or silent ones, both ways", 0),
+    "a5 drive": ("NaN, ±inf, ±1e31 in a drive: not refused by input and sample", 0),
+    "a5 engine": ("The same in what an input of a design plays: not refused by sample", 0),
+    "a5 response": (
+        "The same in a response, both ways: not refused by place, output, axis and tap",
+        0,
+    ),
+    "a5 number": ("NaN, ±inf as amplitude or onset: not refused by name", 0),
+    "a6 error": ("Drives and responses with peaks 1e-30 … 1e30, both ways: error", 1e-14),
+    "a6 levels": ("The same: RMS of each output, by every method, relative to itself", 1e-14),
+    "a7 tails": ("Drives and responses that fade into subnormal numbers: error", 1e-14),
+    "a7 peaks": ("Drives that are all subnormal, peak 1e-310: error of predict", 1e-12),
+    "a8 offset": (
+        "1e8 under a sine of 1, responses without offset, both ways: error of the steady part",
+        1e-6,
+    ),
+    "a8 ratio": ("The same: ratio", 0.1),
+}
+SEED = 1300
+BAD = (np.nan, np.inf, -np.inf, 1e31, -1e31)
+# Twelve channels are as good as 216, and quicker.
+OUTPUTS = (1, 20, 40, 72)
+LENGTHS = [900, 7000]
+
+
+def noise(n: int, *seed: int) -> np.ndarray:
+    return np.random.default_rng((SEED, *seed)).uniform(-1, 1, n)
+
+
+def made_up_response(place: int) -> np.ndarray:
+    decay = 0.5 ** (np.arange(522) / 60)
+    return np.random.default_rng((SEED, place)).uniform(-1, 1, (72, 3, 522)) * decay
+
+
+@pytest.fixture(scope="module")
+def limb(limb_of):
+    return limb_of(made_up_response)
+
+
+@pytest.mark.parametrize("gap", [700, 6000])
+def test_where_nothing_can_arrive_there_is_exactly_nothing(scene, limb, noted, gap):
+    hesitant = np.concatenate([np.zeros(40), noise(60, 1), np.zeros(gap), noise(60, 2)])
+    shown = scene(
+        limb=limb, drives=(hesitant, noise(100, 3)), places=(2, 9), onsets=(300, gap + 2000)
+    )
+    spans = [(340, 400), (400 + gap, 460 + gap), (gap + 2000, gap + 2100)]
+    felt = np.zeros(gap + 2100 + 521, bool)
+    for start, end in spans:
+        felt[start : end + 521] = True
+    for found in shown.both_ways():
+        noted("a4 silence", np.count_nonzero(found[..., ~felt]))
+        assert found[..., felt].any(axis=(0, 1)).all()
+
+
+@pytest.mark.parametrize("n_times", LENGTHS)
+def test_outputs_without_a_response_and_silent_scenes_are_exactly_still(
+    scene, limb_of, noted, n_times
+):
+    def deaf(place: int) -> np.ndarray:
+        response = made_up_response(place)
+        response[10:20] = 0.0
+        response[30, 1] = 0.0
+        return response
+
+    shown = scene(limb=limb_of(deaf), drives=(noise(n_times, 1), noise(n_times, 2)), places=(4, 5))
+    for found in shown.both_ways():
+        noted("a4 still", np.count_nonzero(found[10:20]) + np.count_nonzero(found[30, 1]))
+    levels = shown.by_engine(OUTPUTS)["output_rms"]
+    noted("a4 still", np.count_nonzero(levels[10:20]))
+    silent = replace(shown, drives=(np.zeros(n_times), noise(n_times, 2)), amplitudes=(1.0, 0.0))
+    for found in silent.both_ways():
+        noted("a4 still", np.count_nonzero(found))
+    noted("a4 still", np.count_nonzero(silent.by_engine(OUTPUTS)["output_rms"]))
+
+
+@pytest.mark.parametrize("n_times", LENGTHS)
+def test_inputs_that_are_not_heard_change_no_bit(scene, limb, noted, n_times):
+    drives = noise(n_times, 1), noise(n_times, 2)
+    alone = scene(limb=limb, drives=drives, places=(4, 5))
+    beside = scene(
+        limb=limb,
+        drives=(*drives, noise(n_times, 3), np.zeros(n_times)),
+        places=(4, 5, 6, 7),
+        amplitudes=(1.0, 1.0, 0.0, 3.0),
+    )
+    for found, expected in zip(beside.both_ways(), alone.both_ways(), strict=True):
+        noted("a4 muted", np.count_nonzero(found != expected))
+
+
+def refused(action, *words: str) -> int:
+    """0 if ``action`` is refused with all ``words``, else 1."""
+    try:
+        action()
+    except InvalidInputError as error:
+        return int(not all(word in str(error) for word in words))
+    return 1
+
+
+@pytest.mark.parametrize("n_times", LENGTHS)
+@pytest.mark.parametrize("value", BAD)
+def test_a_sample_that_is_no_usable_number_is_refused_at_the_door(
+    scene, limb, noted, value, n_times
+):
+    bad = noise(n_times, 2)
+    bad[777] = value
+    shown = scene(limb=limb, drives=(noise(n_times, 1), bad), places=(4, 5))
+    noted("a5 drive", refused(shown.predicted, "drive 2, sample 777 ", str(value)))
+    silent = replace(shown, amplitudes=(1.0, 0.0))
+    noted("a5 drive", refused(silent.predicted, "drive 2, sample 777 ", str(value)))
+    for selected in (0, 1, None):
+        action = lambda chosen=selected: shown.by_engine(OUTPUTS, chosen)  # noqa: E731
+        noted("a5 engine", refused(action, "sample 777 ", str(value)))
+
+
+@pytest.mark.parametrize("n_times", LENGTHS)
+@pytest.mark.parametrize("value", BAD)
+def test_a_tap_that_is_no_usable_number_is_refused_at_the_door(
+    scene, limb_of, noted, value, n_times
+):
+    def broken(place: int) -> np.ndarray:
+        response = made_up_response(place)
+        response[11, 2, 345] = value
+        return response
+
+    shown = scene(limb=limb_of(broken), drives=(noise(n_times, 1),), places=(4,))
+    words = "made-up", "location 4", "output 12", "axis z", "tap 345 ", str(value)
+    noted("a5 response", refused(shown.predicted, *words))
+    noted("a5 response", refused(lambda: shown.by_engine(OUTPUTS), *words))
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+def test_amplitudes_and_onsets_that_are_no_numbers_are_refused(scene, limb, noted, value):
+    shown = scene(limb=limb, drives=(noise(9, 1),), places=(4,), amplitudes=(value,))
+    noted("a5 number", refused(shown.predicted, "amplitudes", str(value)))
+    noted("a5 number", refused(lambda: Input(location=4, amplitude=value), "amplitude"))
+    noted("a5 number", refused(lambda: Input(location=4, onset_s=value), "onset_s"))
+
+
+@pytest.mark.parametrize("n_times", LENGTHS)
+@pytest.mark.parametrize("of_drive", [1e-30, 1e-15, 1e30])
+@pytest.mark.parametrize("of_response", [1e-30, 1.0, 1e30])
+def test_peaks_of_any_size_keep_all_digits(
+    scene, limb, limb_of, noted, n_times, of_drive, of_response
+):
+    def sized(place: int) -> np.ndarray:
+        response = made_up_response(place)
+        return response * (of_response / np.abs(response).max())
+
+    drive = noise(n_times, 1)
+    drive /= np.abs(drive).max()
+    shown = scene(limb=limb_of(sized), drives=(drive * of_drive,), places=(4,))
+    random = np.random.default_rng(SEED)
+    for found in shown.both_ways():
+        for _ in range(6):
+            output, axis = int(random.choice(OUTPUTS)), int(random.integers(3))
+            time = int(random.integers(n_times + 521))
+            exact = float(shown.exact_sample(output, axis, time))
+            trace = found[output - 1, axis]
+            noted("a6 error", abs(trace[time] - exact) / np.abs(trace).max())
+    plain = scene(limb=limb, drives=(drive,), places=(4,))
+    size = of_drive * of_response / np.abs(made_up_response(4)).max()
+    for method in ("mag", "pca", "rms", "soc"):
+        found, expected = (
+            one.by_engine(OUTPUTS, method=method)["output_rms"] for one in (shown, plain)
+        )
+        noted("a6 levels", np.abs(found / size / expected - 1).max())
+
+
+@pytest.mark.parametrize("n_times", LENGTHS)
+def test_subnormal_numbers_are_numbers_like_others(scene, limb, limb_of, noted, n_times):
+    def fading(place: int) -> np.ndarray:
+        return made_up_response(place) * 0.5 ** (np.arange(522) * 2.2)
+
+    drive = noise(n_times, 1) * np.maximum(0.5 ** np.minimum(np.arange(n_times) * 2.0, 1070.0), 0)
+    tails = scene(limb=limb_of(fading), drives=(drive,), places=(4,))
+    small = scene(limb=limb, drives=(noise(n_times, 2) * 1e-310,), places=(4,))
+    assert (np.abs(drive[600:]) < 1e-308).all()
+    assert (np.abs(tails.limb.response_to(4)[..., 500:]) < 1e-308).all()
+    for time in (0, 1, 60, 200, 521):
+        exact = float(tails.exact_sample(20, 1, time))
+        for found in tails.both_ways():
+            trace = found[19, 1]
+            noted("a7 tails", abs(trace[time] - exact) / np.abs(trace).max())
+        exact = float(small.exact_sample(20, 1, time))
+        trace = small.predicted()[19, 1]
+        noted("a7 peaks", abs(trace[time] - exact) / np.abs(trace).max())
+
+
+@pytest.mark.parametrize("n_times", [2600, 7000])
+def test_a_huge_offset_costs_no_more_than_its_own_digits(scene, limb_of, noted, n_times):
+    def without_offset(place: int) -> np.ndarray:
+        response = np.round(made_up_response(place) * 2**20)
+        response[..., 0] -= response.sum(axis=-1)
+        return response
+
+    drive = 1e8 + np.sin(2 * np.pi * 100 * np.arange(n_times) / 1300)
+    shown = scene(limb=limb_of(without_offset), drives=(drive,), places=(4,))
+    random = np.random.default_rng(SEED)
+    n_fft = transform_length(n_times + 521) if n_times < 5000 else 4096
+    for found in shown.both_ways():
+        for _ in range(20):
+            output, axis = int(random.choice(OUTPUTS)), int(random.integers(3))
+            time = int(random.integers(521, n_times))
+            exact = float(shown.exact_sample(output, axis, time))
+            steady = np.abs(found[output - 1, axis, 521:n_times]).max()
+            norms = np.linalg.norm(drive) * np.linalg.norm(
+                shown.limb.response_to(4)[output - 1, axis]
+            )
+            wrong = abs(found[output - 1, axis, time] - exact)
+            noted("a8 offset", wrong / steady)
+            noted("a8 ratio", wrong / (np.finfo(float).eps * np.log2(n_fft) * norms))

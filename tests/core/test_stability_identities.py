@@ -1,0 +1,102 @@
+"""What must hold whatever the numbers are: no reference is needed."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+PROMISES = {
+    "a9 impulse": ("A single sample gives the response: error", 1e-14),
+    "a9 shift": ("A later onset gives the same later: error", 1e-14),
+    "a9 powers": (
+        "Drives, responses and amplitudes times powers of two, both ways, short and streamed: "
+        "samples and levels that are not exactly scaled",
+        0,
+    ),
+    "a9 sum": ("a x + b y against a times x and b times y, short and streamed: error", 1e-14),
+    "a9 order": ("Inputs in another order, or another one selected: difference", 1e-14),
+}
+SEED = 1300
+OUTPUTS = (1, 20, 40, 72)
+LENGTHS = [900, 7000]
+
+
+def noise(n: int, *seed: int) -> np.ndarray:
+    return np.random.default_rng((SEED, *seed)).uniform(-1, 1, n)
+
+
+def made_up_response(place: int) -> np.ndarray:
+    decay = 0.5 ** (np.arange(522) / 60)
+    return np.random.default_rng((SEED, place)).uniform(-1, 1, (72, 3, 522)) * decay
+
+
+@pytest.fixture(scope="module")
+def limb(limb_of):
+    return limb_of(made_up_response)
+
+
+def difference(found: np.ndarray, expected: np.ndarray) -> float:
+    """Largest difference, relative to the peak of the channel."""
+    peak = np.abs(expected).max(axis=-1)
+    return float((np.abs(found - expected).max(axis=-1) / peak).max())
+
+
+@pytest.mark.parametrize("onset", [0, 1, 137, 8000])
+def test_a_single_sample_gives_the_response_and_a_later_one_the_same_later(
+    scene, limb, noted, onset
+):
+    single = scene(limb=limb, drives=(np.ones(1),), places=(4,), onsets=(onset,))
+    for found in single.both_ways():
+        noted("a9 impulse", difference(found[..., onset:], limb.response_to(4)))
+    drive = noise(300, 1)
+    once = scene(limb=limb, drives=(drive,), places=(4,)).both_ways()
+    later = scene(limb=limb, drives=(drive,), places=(4,), onsets=(onset,)).both_ways()
+    for found, expected in zip(later, once, strict=True):
+        noted("a9 shift", difference(found[..., onset:], expected))
+
+
+@pytest.mark.parametrize("n_times", LENGTHS)
+@pytest.mark.parametrize("power", [-90, -7, 1, 90])
+def test_powers_of_two_scale_every_bit(scene, limb, limb_of, noted, n_times, power):
+    drives, size = (noise(n_times, 1), noise(n_times, 2)), 2.0**power
+    once = scene(limb=limb, drives=drives, places=(4, 5), amplitudes=(0.7, -0.3))
+    louder = limb_of(lambda place: made_up_response(place) * size)
+    scaled = [
+        replace(once, drives=(drives[0] * size, drives[1] * size)),
+        replace(once, limb=louder),
+    ]
+    if abs(power) < 10:
+        scaled.append(replace(once, amplitudes=(0.7 * size, -0.3 * size)))
+    for one in scaled:
+        for found, expected in zip(one.both_ways(), once.both_ways(), strict=True):
+            noted("a9 powers", np.count_nonzero(found != expected * size))
+        for method in ("mag", "pca", "rms", "soc"):
+            found, expected = (
+                each.by_engine(OUTPUTS, method=method)["output_rms"] for each in (one, once)
+            )
+            noted("a9 powers", np.count_nonzero(found != expected * size))
+
+
+@pytest.mark.parametrize("n_times", LENGTHS)
+def test_prediction_is_linear(scene, limb, noted, n_times):
+    x, y = noise(n_times, 1), noise(n_times, 2)
+    together = scene(limb=limb, drives=(2.5 * x - 0.75 * y,), places=(4,)).both_ways()
+    apart = scene(limb=limb, drives=(x, y), places=(4, 4), amplitudes=(2.5, -0.75)).both_ways()
+    for found, expected in zip(together, apart, strict=True):
+        noted("a9 sum", difference(found, expected))
+
+
+@pytest.mark.parametrize("n_times", LENGTHS)
+def test_neither_the_order_of_inputs_nor_the_selection_matters(scene, limb, noted, n_times):
+    random = np.random.default_rng(SEED)
+    drives = [noise(n_times, k) for k in range(6)]
+    places, amplitudes = [3, 3, 20, 1, 8, 13], [float(one) for one in random.uniform(-2, 2, 6)]
+    inputs = list(zip(drives, places, amplitudes, strict=True))
+    scenes = []
+    for order in (range(6), random.permutation(6), random.permutation(6)):
+        columns = tuple(zip(*(inputs[k] for k in order), strict=True))
+        scenes.append(scene(limb=limb, drives=columns[0], places=columns[1], amplitudes=columns[2]))
+    expected = scenes[0].predicted()
+    for one in scenes:
+        for found in (*one.both_ways(), one.by_engine(selected=3)["axis_traces"]):
+            noted("a9 order", difference(found, expected))

@@ -1,0 +1,223 @@
+"""Decibels of extreme amplitudes, and the map between sites in awkward places."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from skinsource.decibels import FLOOR_DB, decibels
+from skinsource.design import Design, Input
+from skinsource.errors import InvalidInputError
+from skinsource.quantities import new_graph, sources
+from skinsource.surface import surface_operator, surface_operator_from_map
+from skinsource.surface.natural_neighbour import natural_neighbour_weights
+from skinsource.surface.triangulation import triangulate
+from skinsource.synthetic import load_synthetic_limb
+from skinsource.view import View
+
+PROMISES = {
+    "g accuracy": (
+        "Levels of 5e-324 … 1.8e308 against 50 digits: relative, or in dB below 1",
+        1e-14,
+    ),
+    "g back": ("Amplitudes of levels -190 … 600 dB, and back: dB", 1e-12),
+    "g floor": ("Zeros and what lies below -200 dB: not exactly the floor", 0),
+    "g bad": ("NaN, ±inf, negative amplitudes and references: not refused by index", 0),
+    "g silence": ("Levels of a silent design: outputs not at -200 dB, pixels 1e-9 dB off it", 0),
+    "h exact": ("Weights against rational arithmetic, 20 cases: error", 1e-12),
+    "h sites": ("Weights at a site: differing from 1 and 0", 0),
+    "h linear": ("10 000 random points: a linear function, relative to the extent", 1e-12),
+    "h sum": ("The same: sum of weights less 1", 1e-12),
+    "h negative": ("The same: weights that are negative, NaN or by the way out", 0),
+    "h step": (
+        "Across circumcircles and edges, 1e-12 of the smaller extent apart: change of weights",
+        1e-9,
+    ),
+    "h moved": ("Turned; shifted by 1e8; scaled by 1e-3, 1e6: change of weights", 1e-10),
+    "h collinear": ("Sites on a line, or hardly off it: neither refused nor sound", 0),
+    "h twice": ("Two outputs at one place: value that is not their mean, relative", 1e-12),
+    "h map": ("Synthetic maps: sum of a pixel's weights less 1", 1e-12),
+    "h map negative": ("The same: negative weights and pixels by the way out", 0),
+}
+SEED = 20240607
+GRID = np.stack(np.meshgrid(np.arange(6.0), np.arange(12.0)), axis=-1).reshape(-1, 2) * 64
+SITES = {
+    "random": np.random.default_rng(SEED).integers(0, 2**16, (72, 2)) / 64,
+    "grid": GRID,
+    "flat": np.random.default_rng(SEED).integers(0, 2**16, (72, 2)) / np.array([64, 64 * 2**10]),
+}
+
+
+def weights_at(sites: np.ndarray, points: np.ndarray) -> tuple[np.ndarray, int]:
+    """Weights, (n_points, n_sites), and how many points went by the way out."""
+    weights, fallback = natural_neighbour_weights(triangulate(sites), points)
+    return weights.toarray(), int(fallback.sum())
+
+
+def points_within(sites: np.ndarray, count: int) -> np.ndarray:
+    shares = np.random.default_rng(SEED).dirichlet(np.full(len(sites), 0.2), count)
+    return shares @ sites
+
+
+def test_levels_of_fifty_digits_are_met(references, noted):
+    rows = json.loads((references / "levels.json").read_text(encoding="utf-8"))
+    for row in rows:
+        amplitude, reference, level_db = map(float.fromhex, row.values())
+        found = float(decibels(amplitude, reference, floor_db=-1e4))
+        noted("g accuracy", abs(found - level_db) / max(1.0, abs(level_db)))
+
+
+def test_a_level_turned_into_an_amplitude_comes_back(noted):
+    level_db = np.linspace(-190, 600, 100_001)
+    noted("g back", np.abs(decibels(10 ** (level_db / 20)) - level_db).max())
+
+
+@pytest.mark.parametrize("reference", [1e-6, 1.0, 9.81])
+@pytest.mark.parametrize("floor_db", [FLOOR_DB, -120.0])
+def test_nothing_lies_below_the_floor(noted, reference, floor_db):
+    low = 10 ** (floor_db / 20) * reference
+    faint = np.array([0.0, -0.0, 5e-324, 1e-320, 1e-308, 1e-30, low / 2, low * 0.9999])
+    found = decibels(faint, reference, floor_db=floor_db)
+    noted("g floor", np.count_nonzero(found != floor_db))
+    assert decibels(np.zeros((3, 0)), reference).shape == (3, 0)
+    assert decibels(low * 1.001, reference, floor_db=floor_db) > floor_db
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf, -1.0, -5e-324])
+def test_what_has_no_level_is_refused_by_index(noted, value):
+    amplitude = np.ones((3, 4))
+    amplitude[1, 2] = value
+    for action, word in (
+        (lambda: decibels(amplitude), "index (1, 2)"),
+        (lambda: decibels(1.0, value), "reference"),
+        (lambda: decibels(0.0, 0.0), "reference"),
+    ):
+        try:
+            action()
+        except InvalidInputError as error:
+            noted("g bad", int(word not in str(error)))
+        else:
+            noted("g bad", 1)
+
+
+@pytest.mark.parametrize("inputs", [(), (Input(location=7, muted=True),)])
+def test_a_silent_design_has_levels_and_a_map_at_the_floor(noted, inputs):
+    design = Design(limb="synthetic-1", inputs=inputs)
+    wanted = {"output_levels_db", "surface_levels_db"}
+    found = new_graph().evaluate(wanted, sources(design, View()))
+    inside = ~np.isnan(found["surface_levels_db"])
+    noted("g silence", np.count_nonzero(found["output_levels_db"] != FLOOR_DB))
+    off = np.abs(found["surface_levels_db"][inside] - FLOOR_DB) > 1e-9
+    noted("g silence", np.count_nonzero(off))
+    assert inside.any()
+
+
+def test_weights_of_rational_arithmetic_are_met(references, noted):
+    cases = json.loads((references / "natural_neighbours.json").read_text(encoding="utf-8"))
+    assert len(cases) == 20
+    for case in cases:
+        found, astray = weights_at(np.array(case["sites"], float), np.array(case["points"]))
+        noted("h exact", np.abs(found - case["weights"]).max())
+        noted("h negative", astray)
+
+
+@pytest.mark.parametrize("kind", SITES)
+def test_ten_thousand_points_are_interpolated_soundly(noted, kind):
+    sites = SITES[kind]
+    points = points_within(sites, 10_000)
+    found, astray = weights_at(sites, points)
+    noted("h negative", np.count_nonzero(~(found >= 0)) + astray)
+    noted("h sum", np.abs(found.sum(axis=1) - 1).max())
+    noted("h linear", (np.abs(found @ sites - points) / np.ptp(sites, axis=0).max()).max())
+    at_sites, astray = weights_at(sites, sites)
+    noted("h sites", np.count_nonzero(at_sites != np.eye(len(sites))) + astray)
+
+
+@pytest.mark.parametrize("kind", SITES)
+def test_weights_do_not_jump_where_neighbours_change(noted, kind):
+    sites = SITES[kind]
+    extent = np.ptp(sites, axis=0).min()
+    found = triangulate(sites)
+    a, b = (sites[found.corners[~found.flat, k]] for k in range(2))
+    random = np.random.default_rng(SEED)
+    share = random.uniform(0.1, 0.9, (len(a), 1))
+    on_edges, across_edges = a + share * (b - a), (b - a)[:, ::-1] * [1, -1]
+    k, x, y, constant = np.tile(found.circles[~found.flat], (8, 1)).T
+    centre = np.column_stack([-x, -y]) / (2 * k[:, None])
+    radius = np.sqrt(np.square(centre).sum(axis=1) - constant / k)
+    angle = random.uniform(0, 2 * np.pi, len(radius))
+    outward = np.column_stack([np.cos(angle), np.sin(angle)])
+    on_circles = centre + found.centre + radius[:, None] * outward
+    inside = (np.abs(on_circles - sites.mean(axis=0)) < np.ptp(sites, axis=0) * 0.4).all(axis=1)
+    assert inside.sum() > 10, f"{SEED=}"
+    places = np.concatenate([on_edges, on_circles[inside]])
+    across = np.concatenate([across_edges, outward[inside]])
+    across *= 0.5e-12 * extent / np.linalg.norm(across, axis=1, keepdims=True)
+    before, _ = weights_at(sites, places - across)
+    after, _ = weights_at(sites, places + across)
+    noted("h step", np.abs(after - before).max())
+
+
+@pytest.mark.parametrize("kind", SITES)
+@pytest.mark.parametrize("change", ["turn", "shift", "shrink", "grow"])
+def test_weights_depend_on_nothing_but_the_shape(noted, kind, change):
+    sites = SITES[kind]
+    # On a lattice, so that the shift rounds nothing.
+    points = np.round(points_within(sites, 1000) * 2**20) / 2**20
+    points = points if change != "shift" else np.round(points * 2**12) / 2**12
+    plain, _ = weights_at(sites, points)
+    cosine, sine = np.cos(0.7), np.sin(0.7)
+    turn = np.array([[cosine, sine], [-sine, cosine]])
+    moved = {
+        "turn": lambda xy: xy @ turn,
+        "shift": lambda xy: xy + np.array([1e8, -1e8]),
+        "shrink": lambda xy: xy * 1e-3,
+        "grow": lambda xy: xy * 1e6,
+    }[change]
+    found, _ = weights_at(moved(sites), moved(points))
+    noted("h moved", np.abs(found - plain).max())
+
+
+@pytest.mark.parametrize("off", [0.0, 1e-12, 1e-9])
+@pytest.mark.parametrize("count", [1, 2, 12])
+def test_outputs_on_a_line_are_interpolated_within_any_outline(noted, off, count):
+    along = np.linspace(100, 300, count)
+    positions = np.full((72, 2), np.nan)
+    positions[:count] = np.column_stack([along, 50 + off * (np.arange(count) % 2)])
+    square = np.array([[0.0, 0.0], [400.0, 0.0], [400.0, 100.0], [0.0, 100.0]])
+    limb_map = replace(load_synthetic_limb(1).map, outline=square, output_positions=positions)
+    operator = surface_operator_from_map(limb_map, 175.0, 5.0)
+    inside = operator.interpolate(np.where(np.arange(72) < count, 7.0, 0.0))[operator.mask]
+    noted("h collinear", np.count_nonzero(~(np.abs(inside - 7.0) < 1e-9)))
+    thin = replace(limb_map, outline=square * [1.0, off])
+    try:
+        surface_operator_from_map(thin, 175.0, 5.0)
+    except InvalidInputError:
+        return
+    noted("h collinear", 1)
+
+
+@pytest.mark.parametrize("apart", [0.0, 1e-9, 1e-6])
+def test_two_outputs_at_one_place_share_their_mean(noted, apart):
+    positions = np.full((72, 2), np.nan)
+    positions[:4] = [[100, 50], [100 + apart, 50], [200, 50], [300, 25]]
+    square = np.array([[0.0, 0.0], [400.0, 0.0], [400.0, 100.0], [0.0, 100.0]])
+    limb_map = replace(
+        load_synthetic_limb(1).map, outline=square, output_positions=positions, hand_length_px=400.0
+    )
+    operator = surface_operator_from_map(limb_map, 400.0, 5.0)
+    row, column = np.argmin(np.abs(operator.y_mm - 50)), np.argmin(np.abs(operator.x_mm - 100))
+    assert (operator.x_mm[column], operator.y_mm[row]) == (100.0, 50.0)
+    values = np.zeros(72)
+    values[:4] = -30.0, -50.0, -10.0, -20.0
+    noted("h twice", abs(operator.interpolate(values)[row, column] + 40) / 40)
+
+
+@pytest.mark.parametrize("number", [1, 2, 3, 4])
+def test_the_maps_of_the_synthetic_limbs_are_sound(noted, number):
+    operator = surface_operator(load_synthetic_limb(number), 2.0)
+    total = operator.weights.sum(axis=1)[operator.mask.ravel()]
+    noted("h map", np.abs(total - 1).max())
+    negative = np.count_nonzero(~(operator.weights.data >= 0))
+    noted("h map negative", negative + operator.fallback_count)
