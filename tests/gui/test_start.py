@@ -72,3 +72,13 @@ def test_a_display_is_recognised(monkeypatch, environment, expected):
         monkeypatch.setenv(name, value)
     monkeypatch.setattr(system_libraries.sys, "platform", "linux")
     assert system_libraries.has_display() == expected
+
+
+@pytest.mark.parametrize("module", ["skinsource", "skinsource_gui.app"])
+def test_starting_imports_nothing_that_takes_long_and_is_not_needed(module):
+    unneeded = ("scipy.signal", "matplotlib", "pandas", "matio", "pooch", "requests")
+    probe = f"import sys, {module}; print([m for m in {unneeded} if m in sys.modules])"
+    done = subprocess.run(
+        [sys.executable, "-c", probe], capture_output=True, text=True, check=True, timeout=60
+    )
+    assert done.stdout.strip() == "[]"
