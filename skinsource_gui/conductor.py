@@ -62,6 +62,8 @@ class Conductor(QObject):
         return any(panel.needs and panel not in self._shown for panel in visible)
 
     def _deliver(self, outcome: Outcome) -> None:
+        if outcome.request.purpose != "show":
+            return
         visible = [panel for panel in self._panels if panel.isVisible() and panel.needs]
         if outcome.values is None:
             self._explain(visible, _reason(outcome.error))

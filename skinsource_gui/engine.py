@@ -20,12 +20,14 @@ _PATIENCE_S = 0.5
 class Request:
     """The quantities that are wanted, and the values to start from.
 
-    ``since_s`` is when the user wanted something else than before, by `time.perf_counter`.
+    ``since_s`` is when the user wanted something else than before, by `time.perf_counter`;
+    ``purpose`` tells whose request it is.
     """
 
     wanted: frozenset[str]
     given: Mapping[str, Any]
     since_s: float = field(default_factory=perf_counter, compare=False)
+    purpose: str = "show"
 
 
 @dataclass(frozen=True, slots=True)

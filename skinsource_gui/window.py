@@ -13,11 +13,13 @@ from skinsource.design import Design
 from skinsource.errors import SkinSourceError
 from skinsource.quantities import new_graph
 from skinsource.view import View
+from skinsource_gui.accuracy import Accuracy
 from skinsource_gui.arrangements import arrange_design
 from skinsource_gui.commands import Commands
 from skinsource_gui.conductor import Conductor
 from skinsource_gui.document import Document
 from skinsource_gui.engine import Engine, Outcome
+from skinsource_gui.error_label import ErrorLabel
 from skinsource_gui.file_actions import FileActions
 from skinsource_gui.limb_note import LimbNote
 from skinsource_gui.menus import build_menus
@@ -81,6 +83,8 @@ class MainWindow(QMainWindow):
         self._heights: dict[QDockWidget, int] = {}
         self.setup_bar = SetupBar(tuple(available_limbs))
         self._timing = TimingLabel(self)
+        self._error = ErrorLabel()
+        self.accuracy = Accuracy(self.engine, self)
         self._limb_note = LimbNote(measured=any(n.startswith("measured") for n in available_limbs))
         self._notices = self._bar("Notices")
         self._build_bars()
@@ -106,6 +110,7 @@ class MainWindow(QMainWindow):
             apply_theme(application, self._theme)
         self.notice.show_theme(self._theme)
         self._limb_note.show_theme(self._theme)
+        self._error.show_theme(self._theme)
         self.actions_by_name[f"use_{name if name in THEMES else 'system'}_theme"].setChecked(True)
         for panel in self.panels:
             panel.show_theme(self._theme)
@@ -147,6 +152,7 @@ class MainWindow(QMainWindow):
         bar.addSeparator()
         bar.addAction(self.actions_by_name["find_action"])
         self.statusBar().addWidget(self._timing)
+        self.statusBar().addWidget(self._error)
         self.statusBar().addPermanentWidget(self._limb_note)
 
     def _bar(self, title: str) -> QToolBar:
@@ -179,6 +185,7 @@ class MainWindow(QMainWindow):
         QGuiApplication.styleHints().colorSchemeChanged.connect(self._follow_desktop)
         self.conductor.failed.connect(self._show_impossible)
         self.conductor.delivered.connect(self._show_outcome)
+        self.accuracy.checked.connect(self._error.show_error)
         self.engine.finished.connect(self._log_fault)
 
     def complain(self, reason: str) -> None:
@@ -204,6 +211,7 @@ class MainWindow(QMainWindow):
     def _show_impossible(self, reason: str) -> None:
         self._impossible = reason
         self._timing.show_no_outcome()
+        self._error.show_error(None)
         self.complain(reason)
 
     def _follow_desktop(self) -> None:
@@ -234,6 +242,7 @@ class MainWindow(QMainWindow):
             self.notice.be_quiet()
         self._impossible = ""
         self._timing.show_outcome(outcome)
+        self.accuracy.show_outcome(outcome)
 
     def _log_fault(self, outcome: Outcome) -> None:
         if outcome.error is not None and not isinstance(outcome.error, SkinSourceError):

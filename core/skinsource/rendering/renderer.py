@@ -13,6 +13,8 @@ import numpy as np
 
 from skinsource.design import Input
 from skinsource.limb import N_TAPS, Limb
+from skinsource.projection import Axes
+from skinsource.rendering.check import Heard, TraceError, exact_maximum, trace_error_of
 from skinsource.rendering.drives import Booleans, Drives, delayed, reach
 from skinsource.rendering.gains import unit_gain
 from skinsource.rendering.memory import Memory
@@ -63,6 +65,7 @@ class Renderer:
             self.pivot_felt,
             self.pivot_gain,
             self.streamed_field,
+            self.trace_error,
         )
 
     def input_waveforms(
@@ -165,6 +168,42 @@ class Renderer:
                     )
                 )
         return StreamedField(played, response_samples, stop)
+
+    def trace_error(
+        self,
+        limb_data: Limb,
+        audible: tuple[Input, ...],
+        scaling: Scaling,
+        outputs: tuple[int, ...],
+        axes: Axes,
+        axis_traces: Floats,
+        n_fft: int | None,
+    ) -> TraceError | None:
+        """Error of the selected traces; None where there is nothing, or too much, to check."""
+        if n_fft is None:
+            return None
+        rate = limb_data.sample_rate_hz
+        heard = []
+        for one in audible:
+            drive = self._drives.drawn(one.waveform, rate)
+            if drive.silent or one.amplitude == 0.0:
+                continue
+            response = self._responses.of(limb_data, one.location, scaling, n_fft)
+            gain = drive.factor
+            if scaling == "upstream":
+                spectrum = self._drives.spectrum(one.waveform, rate, n_fft)
+                largest = exact_maximum(drive, spectrum, response)
+                gain = 1.0 / largest if largest > 0 else gain
+            heard.append(
+                Heard(
+                    drive=drive,
+                    delay_samples=sample_count(one.onset_s, rate),
+                    weight=one.amplitude * gain,
+                    response=response,
+                )
+            )
+        numbers = tuple("xyz".index(axis) for axis in axes)
+        return trace_error_of(axis_traces, outputs, numbers, heard)
 
     def _sum(
         self, limb: Limb, inputs: tuple[Input, ...], scaling: Scaling, n_fft: int

@@ -1,0 +1,90 @@
+"""How wrong the traces are: some samples computed again, exactly; and how wrong they can be."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from skinsource.rendering.drives import Drive
+from skinsource.rendering.response_spectra import ResponseSpectrum
+from skinsource.rendering.transforms import Complexes, Floats, inverse
+
+#: Samples that are computed again, and the factor from their largest error to the estimate.
+N_SAMPLES, ESTIMATE_FACTOR = 64, 4.0
+# Three transforms, each wrong by at most a few units in the last place per butterfly.
+_BOUND_FACTOR = 8.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TraceError:
+    """Error of the traces, relative to their largest sample.
+
+    Attributes
+    ----------
+    estimate
+        Four times the largest error among 64 samples that were computed again, as sums of products
+        in extended precision.
+    bound
+        What no sample exceeds.
+    """
+
+    estimate: float
+    bound: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Heard:
+    """An input as the check sees it.
+
+    ``weight`` is what the field of the scaled samples is multiplied with.
+    """
+
+    drive: Drive
+    delay_samples: int
+    weight: float
+    response: ResponseSpectrum
+
+    def exact(self, output: int, axis: int, time: int) -> np.longdouble:
+        """One sample of the field, by its definition."""
+        taps = self.response.taps[output - 1, axis]
+        last = time - self.delay_samples
+        first = max(last - taps.size + 1, 0)
+        piece = self.drive.samples[first : max(last + 1, 0)].astype(np.longdouble)
+        products = piece * taps[last - first - piece.size + 1 : last - first + 1][::-1]
+        return np.longdouble(self.weight) * products.sum()
+
+    def rounding(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> float:
+        """Size of the products whose rounding adds up, in the strongest of some channels."""
+        energies = self.response.energies.reshape(self.response.taps.shape[:2])
+        strongest = energies[[output - 1 for output in outputs]][:, list(axes)].max()
+        return float(abs(self.weight) * np.linalg.norm(self.drive.samples) * strongest)
+
+
+def exact_maximum(drive: Drive, spectrum: Complexes, response: ResponseSpectrum) -> float:
+    """Largest sample of a unit field: found by transforms, its value computed by definition."""
+    field = inverse(response.values * spectrum, response.n_fft)
+    output, axis, time = np.unravel_index(int(field.argmax()), field.shape)
+    one = Heard(drive=drive, delay_samples=0, weight=1.0, response=response)
+    return float(one.exact(int(output) + 1, int(axis), int(time)))
+
+
+def trace_error_of(
+    traces: Floats, outputs: tuple[int, ...], axes: tuple[int, ...], heard: list[Heard]
+) -> TraceError | None:
+    """Check ``traces``, (n_outputs, n_axes, n_times); None where there is nothing to check."""
+    peak = float(np.abs(traces).max(initial=0.0))
+    if peak == 0.0 or not heard:
+        return None
+    rng = np.random.default_rng(0)
+    worst = np.longdouble(0.0)
+    for place in rng.integers(0, traces.size, N_SAMPLES):
+        row, column, time = np.unravel_index(int(place), traces.shape)
+        exact = sum(
+            (one.exact(outputs[row], axes[column], int(time)) for one in heard), np.longdouble(0.0)
+        )
+        worst = max(worst, abs(exact - np.longdouble(traces[row, column, time])))
+    n_fft = max(one.response.n_fft for one in heard)
+    rounding = _BOUND_FACTOR * np.finfo(np.float64).eps * np.log2(n_fft)
+    return TraceError(
+        estimate=float(ESTIMATE_FACTOR * worst / peak),
+        bound=float(rounding * sum(one.rounding(outputs, axes) for one in heard) / peak),
+    )

@@ -1,0 +1,61 @@
+"""The check of traces notices a wrong sample, and passes right ones."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from skinsource.design import Design, Input
+from skinsource.quantities import new_graph, sources
+from skinsource.rendering.check import Heard, trace_error_of
+from skinsource.rendering.drives import drive_of
+from skinsource.rendering.response_spectra import ResponseSpectrum
+from skinsource.rendering.transforms import forward
+from skinsource.synthetic import load_synthetic_limb
+from skinsource.view import View
+from skinsource.waveforms import Noise, Tap, Tone
+
+DESIGN = Design(
+    limb="synthetic-1",
+    inputs=(
+        Input(location=7, waveform=Tone(), onset_s=0.1),
+        Input(location=3, waveform=Noise(seed=2), amplitude=-0.5, colour=1),
+        Input(location=18, waveform=Tap(), amplitude=3.0, colour=2),
+    ),
+)
+VIEW = View(outputs=(29, 52, 61), axes="xyz")
+
+
+@pytest.mark.parametrize("scaling", ["upstream", "relative", "probe"])
+@pytest.mark.parametrize("selected", [None, 0, 2])
+def test_traces_of_the_engine_pass_the_check(scaling, selected):
+    design, view = replace(DESIGN, scaling=scaling), replace(VIEW, selected_input=selected)
+    error = new_graph().evaluate({"trace_error"}, sources(design, view))["trace_error"]
+    assert 0 < error.estimate < 1e-14
+    assert error.estimate < error.bound
+
+
+def test_silence_and_no_outputs_have_no_error():
+    for design, view in ((replace(DESIGN, inputs=()), VIEW), (DESIGN, replace(VIEW, outputs=()))):
+        assert new_graph().evaluate({"trace_error"}, sources(design, view))["trace_error"] is None
+
+
+def test_an_exact_sample_is_that_of_plain_convolution():
+    drive = drive_of(Noise(seed=5).samples(1300.0))
+    taps = load_synthetic_limb(1).response_to(9)
+    response = ResponseSpectrum(taps, forward(taps, 1152), 1152)
+    one = Heard(drive=drive, delay_samples=40, weight=2.0, response=response)
+    plain = np.concatenate((np.zeros(40), 2.0 * np.convolve(drive.samples, taps[28, 1])))
+    for time in (0, 39, 40, 41, 200, 299, 300, 700, 820):
+        assert float(one.exact(29, 1, time)) == pytest.approx(plain[time], abs=1e-15)
+
+
+def test_a_wrong_trace_is_noticed():
+    drive = drive_of(Tone().samples(1300.0))
+    taps = load_synthetic_limb(1).response_to(7)
+    response = ResponseSpectrum(taps, forward(taps, 1152), 1152)
+    one = Heard(drive=drive, delay_samples=0, weight=1.0, response=response)
+    trace = np.convolve(drive.samples, taps[28, 2])[None, None]
+    right = trace_error_of(trace, (29,), (2,), [one])
+    wrong = trace_error_of(trace * (1 + 1e-6), (29,), (2,), [one])
+    assert right.estimate < 1e-14 < 1e-8 < wrong.estimate

@@ -1,0 +1,59 @@
+"""The error of what is on screen is checked when edits pause, and shown where times are."""
+
+import pytest
+
+from skinsource.rendering.check import TraceError
+from skinsource_gui.error_label import ErrorLabel
+from skinsource_gui.theme import LIGHT
+
+
+@pytest.fixture
+def checked(window):
+    found = []
+    window.accuracy.checked.connect(found.append)
+    return found
+
+
+def known(checked):
+    return bool(checked) and checked[-1] is not None
+
+
+def test_when_edits_pause_the_error_is_checked_and_shown(qtbot, window, checked):
+    window.document.edit("a", window.document.design.with_input(0, amplitude=2.0))
+    qtbot.waitUntil(lambda: known(checked), timeout=5000)
+    assert 0 < checked[-1].estimate < 1e-14
+    assert checked[-1].estimate < checked[-1].bound < 1e-10
+    assert window._error.text().startswith("· error < ")
+
+
+def test_an_edit_takes_the_old_error_away_at_once(qtbot, window, checked):
+    qtbot.waitUntil(lambda: known(checked), timeout=5000)
+    window.document.edit("a", window.document.design.with_input(0, amplitude=3.0))
+    qtbot.waitUntil(lambda: checked[-1] is None)
+    assert window._error.text() == ""
+
+
+def test_a_check_is_no_result_for_the_panels(qtbot, window, checked):
+    delivered = []
+    window.conductor.delivered.connect(delivered.append)
+    qtbot.waitUntil(lambda: known(checked), timeout=5000)
+    assert delivered == []
+
+
+def test_without_traces_nothing_is_checked(qtbot, window, checked):
+    window.docks["traces"].close()
+    qtbot.waitUntil(lambda: not window.engine.busy)
+    window.document.edit("a", window.document.design.with_input(0, amplitude=4.0))
+    qtbot.waitUntil(lambda: not window.engine.busy)
+    assert window.accuracy._shown is None
+
+
+@pytest.mark.parametrize(
+    ("estimate", "colour"), [(1e-15, LIGHT.dim), (1e-9, LIGHT.warning), (1e-2, LIGHT.error)]
+)
+def test_the_colour_tells_when_a_promise_is_broken(qtbot, estimate, colour):
+    label = ErrorLabel()
+    qtbot.addWidget(label)
+    label.show_theme(LIGHT)
+    label.show_error(TraceError(estimate=estimate, bound=1.0))
+    assert colour in label.styleSheet()
