@@ -70,6 +70,11 @@ def project_axes(acceleration: ArrayLike, axes: Axes = "xyz", method: Method = "
     return np.einsum("oa,oat->ot", direction, chosen)
 
 
+def axis_numbers(axes: Axes) -> tuple[int, ...]:
+    """Places of ``axes`` among x, y, z."""
+    return tuple("xyz".index(axis) for axis in axes)
+
+
 def magnitude(data: Floats) -> Floats:
     """Length of the vector at each instant, (n_outputs, n_times)."""
     scale = _scale(data)

@@ -15,7 +15,7 @@ from skinsource.catalogue import load_limb
 from skinsource.design import Design
 from skinsource.graph import Graph
 from skinsource.limb import Limb, LimbMap
-from skinsource.rendering import rules
+from skinsource.rendering import rules, trace_rules
 from skinsource.rendering.renderer import Renderer
 from skinsource.surface import SurfaceOperator, surface_operator
 from skinsource.view import View
@@ -66,6 +66,7 @@ RULES: tuple[Callable[..., Any], ...] = (
     surface_levels_db,
     response_time_s,
     *rules.RULES,
+    *trace_rules.RULES,
 )
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from skinsource.design import Input
 from skinsource.limb import N_TAPS, Limb
-from skinsource.projection import Axes
+from skinsource.projection import Axes, axis_numbers
 from skinsource.rendering.check import Heard, TraceError, exact_maximum, trace_error_of
 from skinsource.rendering.drives import Booleans, Drives, delayed, reach
 from skinsource.rendering.gains import unit_gain
@@ -202,8 +202,7 @@ class Renderer:
                     response=response,
                 )
             )
-        numbers = tuple("xyz".index(axis) for axis in axes)
-        return trace_error_of(axis_traces, outputs, numbers, heard)
+        return trace_error_of(axis_traces, outputs, axis_numbers(axes), heard)
 
     def _sum(
         self, limb: Limb, inputs: tuple[Input, ...], scaling: Scaling, n_fft: int

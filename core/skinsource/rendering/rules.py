@@ -1,4 +1,4 @@
-"""Rules from parts of a scene to levels, traces and spectra.
+"""Rules from the inputs of a scene to levels.
 
 Levels follow from moments, moments from spectra: only the outputs that are looked at are brought
 back to time.  With the selected input apart, a change of its amplitude is three terms.
@@ -9,7 +9,7 @@ import numpy as np
 from skinsource.decibels import decibels
 from skinsource.design import Input, audible_indices, audible_inputs
 from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS
-from skinsource.projection import Axes, Method, magnitude
+from skinsource.projection import Axes, Method, axis_numbers
 from skinsource.rendering.drives import Booleans, delayed
 from skinsource.rendering.moments import (
     Moments,
@@ -24,9 +24,8 @@ from skinsource.rendering.part import Part
 from skinsource.rendering.renderer import Source, source_of
 from skinsource.rendering.segments import LONGEST_AT_ONCE
 from skinsource.rendering.streaming import StreamedField
-from skinsource.rendering.transforms import Complexes, Floats, forward, transform_length
+from skinsource.rendering.transforms import Complexes, Floats, transform_length
 from skinsource.signals import sample_count
-from skinsource.spectra import one_sided_magnitude
 
 
 def audible(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
@@ -178,7 +177,8 @@ def output_rms(
     """
     energy, cancelled = energies(moments, directions, axes)
     if directions is not None and n_fft is not None and cancelled.any():
-        field = _sum_of(others_spectrum, pivot_spectrum, pivot_weight, cancelled, _numbers(axes))
+        chosen = axis_numbers(axes)
+        field = _sum_of(others_spectrum, pivot_spectrum, pivot_weight, cancelled, chosen)
         projected = np.einsum("oa,oaf->of", directions[cancelled], field)
         energy[cancelled] = energies_of(projected, n_fft)
     return np.sqrt(energy / response_samples)
@@ -187,103 +187,6 @@ def output_rms(
 def output_levels_db(output_rms: Floats) -> Floats:
     """RMS level of each output, (72,), in dB re 1 m/s²; silence is -200 dB."""
     return decibels(output_rms)
-
-
-def axis_traces(
-    others_part: Part | None,
-    pivot_part: Part | None,
-    pivot_weight: float,
-    pivot_delay: int,
-    streamed_field: StreamedField | None,
-    outputs: tuple[int, ...],
-    axes: Axes,
-    response_samples: int,
-) -> Floats:
-    """Acceleration of the selected outputs, (n_selected, n_axes, n_times), in m/s²."""
-    chosen = _numbers(axes)
-    if streamed_field is not None:
-        return streamed_field.traces(outputs, chosen)
-    total = np.zeros((len(outputs), len(chosen), response_samples))
-    if others_part is not None:
-        total += others_part.traces(outputs, chosen)
-    if pivot_part is not None and pivot_weight != 0.0:
-        started = response_samples - pivot_delay
-        unit = pivot_part.traces(outputs, chosen)
-        total[..., pivot_delay:] += pivot_weight * unit[..., :started]
-    return total
-
-
-def selected_directions(directions: Floats | None, outputs: tuple[int, ...]) -> Floats | None:
-    """Vector that each selected output is projected on, (n_selected, n_axes); None: magnitude."""
-    return None if directions is None else directions[[output - 1 for output in outputs]]
-
-
-def selected_traces(axis_traces: Floats, selected_directions: Floats | None) -> Floats:
-    """Projected acceleration of the selected outputs, (n_selected, n_times), in m/s²."""
-    if selected_directions is None:
-        return magnitude(axis_traces)
-    return np.einsum("oa,oat->ot", selected_directions, axis_traces)
-
-
-def axis_spectra(
-    others_part: Part | None,
-    pivot_part: Part | None,
-    pivot_weight: float,
-    pivot_delay: int,
-    streamed_field: StreamedField | None,
-    outputs: tuple[int, ...],
-    axes: Axes,
-    response_samples: int,
-) -> Complexes:
-    """Transforms of `axis_traces` over exactly their samples, (n_selected, n_axes, n_bins)."""
-    chosen = _numbers(axes)
-    if streamed_field is not None:
-        return forward(streamed_field.traces(outputs, chosen), response_samples)
-    total = np.zeros((len(outputs), len(chosen), response_samples // 2 + 1), np.complex128)
-    if others_part is not None:
-        total += others_part.trace_spectra(outputs, chosen)
-    if pivot_part is not None and pivot_weight != 0.0:
-        unit = pivot_part.trace_spectra(outputs, chosen)
-        total += pivot_weight * delayed(unit, pivot_delay, response_samples)
-    return total
-
-
-def selected_spectra(
-    others_part: Part | None,
-    pivot_part: Part | None,
-    pivot_weight: float,
-    pivot_delay: int,
-    streamed_field: StreamedField | None,
-    outputs: tuple[int, ...],
-    axes: Axes,
-    response_samples: int,
-    selected_directions: Floats | None,
-    selected_traces: Floats,
-    sample_rate_hz: float,
-) -> tuple[Floats, Floats]:
-    """Frequencies, (n_bins,), in Hz, and magnitudes, (n_selected, n_bins), in m/s².
-
-    A projection is linear in its axes, so their transforms serve it, whatever its direction; a
-    magnitude is not, and the traces of a long scene are at hand: those are transformed.
-    """
-    if selected_directions is None or streamed_field is not None:
-        transforms = forward(selected_traces, response_samples)
-    else:
-        transforms = np.einsum(
-            "oa,oaf->of",
-            selected_directions,
-            axis_spectra(
-                others_part,
-                pivot_part,
-                pivot_weight,
-                pivot_delay,
-                streamed_field,
-                outputs,
-                axes,
-                response_samples,
-            ),
-        )
-    return one_sided_magnitude(transforms, response_samples, sample_rate_hz)
 
 
 RULES = (
@@ -306,11 +209,6 @@ RULES = (
     directions,
     output_rms,
     output_levels_db,
-    axis_traces,
-    selected_directions,
-    selected_traces,
-    axis_spectra,
-    selected_spectra,
 )
 
 
@@ -339,10 +237,6 @@ def _sum_of(
         if spectrum is not None
     ]
     return sum(parts[1:], parts[0])
-
-
-def _numbers(axes: Axes) -> tuple[int, ...]:
-    return tuple("xyz".index(axis) for axis in axes)
 
 
 def _silence() -> Moments:

@@ -1,0 +1,60 @@
+"""The whole field of a scene, from its parts, for the outputs that are looked at."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from skinsource.rendering.drives import delayed
+from skinsource.rendering.part import Part
+from skinsource.rendering.streaming import StreamedField
+from skinsource.rendering.transforms import Complexes, Floats, forward
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Field:
+    """What is felt, as a sum of parts, or as a stream.
+
+    Attributes
+    ----------
+    n_times
+        Samples of the response.
+    others
+        Field of all inputs but the selected one.
+    pivot, weight, delay_samples
+        Field of the selected input at amplitude 1 and onset 0, what it is multiplied with, and how
+        much later it starts.
+    streamed
+        The field of a scene that is too long for parts.
+    """
+
+    n_times: int
+    others: Part | None
+    pivot: Part | None
+    weight: float
+    delay_samples: int
+    streamed: StreamedField | None
+
+    def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Floats:
+        """Acceleration of some outputs, (n_outputs, n_axes, n_times), in m/s²."""
+        if self.streamed is not None:
+            return self.streamed.traces(outputs, axes)
+        total = np.zeros((len(outputs), len(axes), self.n_times))
+        if self.others is not None:
+            total += self.others.traces(outputs, axes)
+        if self.pivot is not None and self.weight != 0.0:
+            unit = self.pivot.traces(outputs, axes)
+            started = self.n_times - self.delay_samples
+            total[..., self.delay_samples :] += self.weight * unit[..., :started]
+        return total
+
+    def transforms(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Complexes:
+        """Their transforms over exactly n_times samples, (n_outputs, n_axes, n_times // 2 + 1)."""
+        if self.streamed is not None:
+            return forward(self.streamed.traces(outputs, axes), self.n_times)
+        total = np.zeros((len(outputs), len(axes), self.n_times // 2 + 1), np.complex128)
+        if self.others is not None:
+            total += self.others.trace_spectra(outputs, axes)
+        if self.pivot is not None and self.weight != 0.0:
+            unit = self.pivot.trace_spectra(outputs, axes)
+            total += self.weight * delayed(unit, self.delay_samples, self.n_times)
+        return total
