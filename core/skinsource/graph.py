@@ -67,23 +67,24 @@ class Graph:
         long has a parameter ``stop`` and asks itself.
         """
         known = {"stop": stop, **given}
-
-        def value(name: str) -> Any:
-            if name not in known:
-                known[name] = self._refresh(name, value, stop)
-            return known[name]
-
         with counting() as self.work:
-            return {name: value(name) for name in wanted}
+            return {name: self._value(name, known) for name in wanted}
 
-    def _refresh(self, name: str, value: Callable[[str], Any], stop: Callable[[], bool]) -> Any:
+    def _value(self, name: str, known: dict[str, Any]) -> Any:
+        # A method, not a function within `evaluate`: that would refer to itself, and keep all
+        # results until the garbage collector comes by.
+        if name not in known:
+            known[name] = self._refresh(name, known)
+        return known[name]
+
+    def _refresh(self, name: str, known: dict[str, Any]) -> Any:
         if name not in self._rules:
             raise UnknownQuantity(_unknown(name, self._rules))
-        given = {need: value(need) for need in self._needs[name]}
+        given = {need: self._value(need, known) for need in self._needs[name]}
         # How to stop is handed on, but is no part of what the result depends on.
-        inputs = tuple(known for need, known in given.items() if need != "stop")
+        inputs = tuple(value for need, value in given.items() if need != "stop")
         if name not in self._memo or not _same(self._memo[name][0], inputs):
-            if stop():
+            if known["stop"]():
                 raise Stopped
             result = self._rules[name](**given)
             self.runs[name] += 1

@@ -1,5 +1,7 @@
 """What an edit makes the engine do, and above all what it leaves out."""
 
+import gc
+import weakref
 from dataclasses import replace
 
 import numpy as np
@@ -98,3 +100,20 @@ def test_opening_a_limb_reads_no_responses_until_an_input_needs_them():
 def test_nothing_runs_twice_for_the_same_question(show):
     _, work = show()
     assert work.rules_run == 0
+
+
+def test_old_fields_go_at_once_without_the_garbage_collector():
+    graph = new_graph()
+    given = [sources(DESIGN.with_input(1, onset_s=k / 1300), VIEW) for k in (1, 2)]
+    gc.collect()
+    gc.disable()
+    try:
+        graph.evaluate(ALL, given[0])
+        old = weakref.ref(graph.evaluate({"pivot_part"}, given[0])["pivot_part"])
+        spectrum = weakref.ref(graph.evaluate({"others_spectrum"}, given[0])["others_spectrum"])
+        changed = DESIGN.with_input(0, location=9).with_input(1, waveform=Noise(seed=9))
+        graph.evaluate(ALL, sources(changed, VIEW))
+        assert old() is None
+        assert spectrum() is None
+    finally:
+        gc.enable()

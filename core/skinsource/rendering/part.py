@@ -1,7 +1,5 @@
 """A part of a scene: the field of one input, or of all the others together."""
 
-from collections.abc import Callable
-
 import numpy as np
 
 from skinsource.rendering.drives import Booleans
@@ -13,6 +11,9 @@ _Channel = tuple[int, int]
 class Part:
     """A field by its spectrum; single channels are brought back to time when asked for.
 
+    What is missing is computed together.  A transform gives the same bits alone and beside others
+    (a test sees to it), so what comes out does not depend on what was asked for before.
+
     Parameters
     ----------
     spectrum : (72 outputs, 3 axes, n_fft // 2 + 1)
@@ -21,51 +22,55 @@ class Part:
         When the field can be felt at all; elsewhere it is exactly zero.
     """
 
+    # Nothing here refers back to the part, so that an old one goes at once with its megabytes.
+    __slots__ = ("__weakref__", "_felt", "_n_fft", "_spectrum", "_trace_spectra", "_traces")
+
     def __init__(self, spectrum: Complexes, n_fft: int, felt: Booleans) -> None:
         self._spectrum = spectrum
         self._n_fft = n_fft
         self._felt = felt
-        self._traces = _Channels(felt.size, self._to_time)
-        self._trace_spectra = _Channels(felt.size // 2 + 1, self._to_frequency)
+        self._traces = _Channels(felt.size)
+        self._trace_spectra = _Channels(felt.size // 2 + 1)
 
     def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Floats:
         """Acceleration of some outputs, (n_outputs, n_axes, n_times)."""
+        missing = self._traces.missing(outputs, axes)
+        if missing:
+            rows = np.array([self._spectrum[output - 1, axis] for output, axis in missing])
+            samples = inverse(rows, self._n_fft)[:, : self._felt.size]
+            self._traces.add(missing, np.where(self._felt, samples, 0.0))
         return self._traces.of(outputs, axes)
 
     def trace_spectra(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Complexes:
         """Their spectra over exactly n_times samples, (n_outputs, n_axes, n_times // 2 + 1)."""
+        missing = self._trace_spectra.missing(outputs, axes)
+        if missing:
+            self.traces(outputs, axes)
+            traces = np.array([self._traces.known[channel] for channel in missing])
+            self._trace_spectra.add(missing, forward(traces, self._felt.size))
         return self._trace_spectra.of(outputs, axes)
-
-    def _to_time(self, channels: list[_Channel]) -> Floats:
-        rows = np.array([self._spectrum[output - 1, axis] for output, axis in channels])
-        samples = inverse(rows, self._n_fft)[:, : self._felt.size]
-        return np.where(self._felt, samples, 0.0)
-
-    def _to_frequency(self, channels: list[_Channel]) -> Complexes:
-        traces = np.array([self.traces((output,), (axis,))[0, 0] for output, axis in channels])
-        return forward(traces, self._felt.size)
 
 
 class _Channels:
-    """Remembers single channels, and computes the missing ones together.
+    """Remembers single channels, and the latest selection of them as one array."""
 
-    A transform gives the same bits alone and beside others (a test sees to it), so what comes out
-    does not depend on what was asked for before.
-    """
+    __slots__ = ("_latest", "_length", "known")
 
-    def __init__(self, length: int, compute: Callable[[list[_Channel]], np.ndarray]) -> None:
+    def __init__(self, length: int) -> None:
         self._length = length
-        self._compute = compute
-        self._known: dict[_Channel, np.ndarray] = {}
+        self.known: dict[_Channel, np.ndarray] = {}
         self._latest: tuple[object, np.ndarray] | None = None
+
+    def missing(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> list[_Channel]:
+        channels = [(output, axis) for output in outputs for axis in axes]
+        return [channel for channel in channels if channel not in self.known]
+
+    def add(self, channels: list[_Channel], rows: np.ndarray) -> None:
+        self.known.update(zip(channels, rows, strict=True))
 
     def of(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> np.ndarray:
         asked = outputs, axes
         if self._latest is None or self._latest[0] != asked:
-            channels = [(output, axis) for output in outputs for axis in axes]
-            missing = [channel for channel in channels if channel not in self._known]
-            if missing:
-                self._known.update(zip(missing, self._compute(missing), strict=True))
-            rows = np.array([self._known[channel] for channel in channels])
+            rows = np.array([self.known[output, axis] for output in outputs for axis in axes])
             self._latest = asked, rows.reshape(len(outputs), len(axes), self._length)
         return self._latest[1]

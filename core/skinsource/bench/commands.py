@@ -1,0 +1,58 @@
+"""``skinsource bench``."""
+
+import argparse
+import sys
+from pathlib import Path
+from typing import Any
+
+from skinsource.bench.engines import ENGINES
+from skinsource.bench.machine import facts
+from skinsource.bench.measure import FULL, QUICK, cases_of, measure
+from skinsource.bench.plot import write_plots
+from skinsource.bench.report import report_of
+from skinsource.bench.scenes import SCENES
+from skinsource.bench.table import write_table
+from skinsource.dataset.progress_bar import ProgressBar
+from skinsource.files import make_folder, write_bytes
+
+_NAME = "work_precision"
+
+
+def add_to(subparsers: Any) -> None:
+    """Add the command ``bench``."""
+    bench = subparsers.add_parser(
+        "bench",
+        help="measure error against run time on this machine",
+        description="Measures this program and other ways of computing the same responses: how "
+        "long they take, and how far they are from exact values. Writes "
+        f"{_NAME}.csv, {_NAME}.svg, {_NAME}.png and report.md. Takes about ten minutes.",
+    )
+    bench.add_argument("--quick", action="store_true", help="fewer scenes; under a minute")
+    bench.add_argument(
+        "--out",
+        type=Path,
+        default=Path("bench"),
+        metavar="FOLDER",
+        help="where to write (default: %(default)s)",
+    )
+    bench.set_defaults(run=_bench)
+
+
+def _bench(arguments: argparse.Namespace) -> int:
+    folder: Path = arguments.out
+    # Before ten minutes of work, not after.
+    make_folder(folder)
+    effort = QUICK if arguments.quick else FULL
+    cases = cases_of(SCENES, ENGINES, quick=arguments.quick)
+    with ProgressBar(sys.stderr) as bar:
+        rows = measure(cases, effort, bar)
+    write_table(folder / f"{_NAME}.csv", rows)
+    write_bytes(folder / "report.md", report_of(rows, facts(), effort).encode())
+    failed = sum(bool(row.failure) for row in rows)
+    broken = sum(row.engine == "this program" and "broken" in row.promise for row in rows)
+    sys.stdout.write(
+        f"{len(rows)} rows, {failed} of them could not be measured; this program breaks its "
+        f"promises in {broken}. See {folder / 'report.md'}\n"
+    )
+    write_plots(rows, folder / _NAME)
+    return 0

@@ -1,0 +1,131 @@
+"""What an engine is given, and what it gives back."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource.bench.accuracy import Block
+from skinsource.bench.made_up import made_up_drive, made_up_response
+from skinsource.bench.scenes import Scene
+from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Real = NDArray[np.floating]
+Precision = Literal["float64", "float32"]
+
+#: What an engine may hold at once.
+LARGEST_BYTES = 2 * 2**30
+N_CHANNELS = N_OUTPUTS * N_AXES
+_DB_PER_FACTOR_TEN = 20.0
+
+
+class Unfit(Exception):
+    """A method cannot compute a scene; the message says why."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Setting:
+    """How an engine computes; what trades error for time.
+
+    Attributes
+    ----------
+    name
+        Words for people.
+    cut_db
+        Responses end where all of them stay below this level re their peak; None: whole.
+    rank
+        Responses are combinations of so many shapes; None: as they are.
+    block
+        Length of the transforms of an engine that works in blocks.
+    what
+        ``"all"`` 216 channels in time; ``"window"``: the map, and traces of six outputs;
+        ``"library"``: all channels, by one call of the library that remembers nothing.
+    """
+
+    name: str = "exact"
+    cut_db: float | None = None
+    rank: int | None = None
+    block: int = 4096
+    what: Literal["all", "window", "library"] = "all"
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether nothing but rounding makes errors."""
+        return self.cut_db is None and self.rank is None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Method:
+    """A precision and a setting of an engine.
+
+    Attributes
+    ----------
+    in_quick
+        Whether the short run includes it.
+    """
+
+    precision: Precision = "float64"
+    setting: Setting = Setting()
+    in_quick: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Prepared:
+    """An engine that is ready: all that does not depend on the drives is done.
+
+    Attributes
+    ----------
+    rows : (n_rows,)
+        Channel of each row of what comes out.
+    run
+        From the number of the run to the response, block by block.
+    lent_bytes
+        What is held only so that the runs cost no drawing: the program itself draws drives.
+    """
+
+    rows: Integers
+    run: Callable[[int], Iterator[Block]]
+    lent_bytes: int = 0
+
+
+def all_channels() -> Integers:
+    """Every channel, (216,)."""
+    return np.arange(N_CHANNELS)
+
+
+def taps_of(scene: Scene, method: Method) -> Real:
+    """Responses to the place of each input, (n_inputs, 216, n_taps), cut where asked."""
+    taps = np.array([made_up_response(player.location) for player in scene.players])
+    taps = taps.reshape(len(scene.players), N_CHANNELS, N_TAPS)
+    if method.setting.cut_db is not None:
+        peak = np.abs(taps).max()
+        lowest = peak * 10.0 ** (method.setting.cut_db / _DB_PER_FACTOR_TEN)
+        taps = taps[..., : np.flatnonzero((np.abs(taps) >= lowest).any(axis=(0, 1)))[-1] + 1]
+    return np.ascontiguousarray(taps, dtype=method.precision)
+
+
+def drives_of(scene: Scene, method: Method) -> Real:
+    """What each input plays, amplitude and onset included, (n_inputs, n_stimulus)."""
+    drives = np.zeros((len(scene.players), scene.stimulus_samples), method.precision)
+    for row, player in zip(drives, scene.players, strict=True):
+        samples = made_up_drive(player.seed, player.n_times) * player.amplitude
+        row[player.start : player.start + player.n_times] = samples
+    return drives
+
+
+def require_bytes(needed: float) -> None:
+    """Raise `Unfit` where an engine would hold more than `LARGEST_BYTES` at once."""
+    if needed > LARGEST_BYTES:
+        raise Unfit(
+            f"would hold {needed / 2**30:.1f} GB at once; the limit is "
+            f"{LARGEST_BYTES / 2**30:.0f} GB"
+        )
+
+
+def output_bytes(scene: Scene, method: Method) -> int:
+    """Size of all 216 channels of the response."""
+    return N_CHANNELS * scene.response_samples * np.dtype(method.precision).itemsize

@@ -1,0 +1,43 @@
+"""Blocks of the drives, transformed one after the other; their responses overlap and add."""
+
+from collections.abc import Iterator
+
+import numpy as np
+from scipy import fft
+
+from skinsource.bench.accuracy import Block
+from skinsource.bench.method import (
+    N_CHANNELS,
+    Method,
+    Prepared,
+    all_channels,
+    drives_of,
+    taps_of,
+)
+from skinsource.bench.scenes import Scene
+
+
+def prepare(scene: Scene, method: Method) -> Prepared:
+    """Transform the responses at the length of a block."""
+    taps, drives = taps_of(scene, method), drives_of(scene, method)
+    n_fft, overlap = method.setting.block, taps.shape[-1] - 1
+    step = n_fft - overlap
+    n_times = drives.shape[-1] + overlap
+    responses = fft.rfft(taps, n_fft)
+
+    def run(_: int) -> Iterator[Block]:
+        tail = np.zeros((N_CHANNELS, overlap), drives.dtype)
+        total = np.empty_like(responses[0])
+        product = np.empty_like(total)
+        for first in range(0, n_times, step):
+            total[:] = 0.0
+            spectra = fft.rfft(drives[:, first : first + step], n_fft)
+            for response, spectrum in zip(responses, spectra, strict=True):
+                np.multiply(response, spectrum, out=product)
+                np.add(total, product, out=total)
+            samples = fft.irfft(total, n_fft)
+            samples[:, :overlap] += tail
+            tail = samples[:, step:].copy()
+            yield first, samples[:, : min(step, n_times - first)]
+
+    return Prepared(rows=all_channels(), run=run)

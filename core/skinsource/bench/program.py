@@ -1,0 +1,120 @@
+"""The engine of this program: the graph that the window evaluates, and the library's own call."""
+
+import dataclasses
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource.bench.accuracy import Block
+from skinsource.bench.made_up import made_up_drive, made_up_limb
+from skinsource.bench.method import (
+    N_CHANNELS,
+    Floats,
+    Method,
+    Prepared,
+    Unfit,
+    all_channels,
+    drives_of,
+    output_bytes,
+    require_bytes,
+)
+from skinsource.bench.scenes import VISIBLE_OUTPUTS, Player, Scene
+from skinsource.design import Design, Input
+from skinsource.limb import N_AXES, N_OUTPUTS, SAMPLE_RATE_HZ
+from skinsource.quantities import new_graph, sources
+from skinsource.response import predict
+from skinsource.view import View
+from skinsource.waveforms import Noise
+
+#: Of `predict`: the field, its spectrum, and the copy that is given back.
+_LIBRARY_COPIES = 3
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MadeUpNoise(Noise):
+    """Noise known in advance; another ``edition`` counts as another waveform.
+
+    Attributes
+    ----------
+    edition
+        Number of the run, so that nothing is remembered from the run before.
+    drive : (n_times,)
+        The samples.
+    """
+
+    edition: int
+    drive: NDArray[np.float64] = field(compare=False, repr=False)
+
+    def samples(self, sample_rate_hz: float) -> NDArray[np.float64]:
+        """Drive, (n_times,)."""
+        return self.drive
+
+
+def prepare(scene: Scene, method: Method) -> Prepared:
+    """Make the graph ready: every run is an edit of the waveforms."""
+    if method.precision != "float64":
+        raise Unfit("computes in float64 only")
+    if method.setting.what == "library":
+        return _library(scene, method)
+    graph, limb = new_graph(), made_up_limb()
+    whole = method.setting.what == "all"
+    outputs = tuple(range(1, N_OUTPUTS + 1)) if whole else VISIBLE_OUTPUTS
+    view = View(outputs=outputs, axes="xyz", selected_input=scene.changed)
+    drives = [made_up_drive(player.seed, player.n_times) for player in scene.players]
+
+    def run(edition: int) -> Iterator[Block]:
+        given = {**sources(_design(scene, drives, edition), view), "limb_data": limb}
+        if whole:
+            streamed = graph.evaluate({"streamed_field"}, given)["streamed_field"]
+            if streamed is not None:
+                for first, block in streamed.blocks():
+                    yield first, block.reshape(N_CHANNELS, -1)
+                return
+        wanted = {"axis_traces"} if whole else {"axis_traces", "output_rms"}
+        traces: Floats = graph.evaluate(wanted, given)["axis_traces"]
+        yield 0, traces.reshape(-1, traces.shape[-1])
+
+    rows = N_AXES * (np.array(outputs) - 1)[:, None] + np.arange(N_AXES)
+    lent_bytes = sum(drive.nbytes for drive in drives)
+    return Prepared(rows=rows.ravel(), run=run, lent_bytes=lent_bytes)
+
+
+def _design(scene: Scene, drives: list[Floats], edition: int) -> Design:
+    one = scene.changed
+    inputs = tuple(
+        _input(player, drive, edition if one is None or one == k else 0)
+        for k, (player, drive) in enumerate(zip(scene.players, drives, strict=True))
+    )
+    return Design(limb="made-up", inputs=inputs, scaling="relative")
+
+
+def _input(player: Player, drive: Floats, edition: int) -> Input:
+    noise = MadeUpNoise(
+        seed=player.seed,
+        duration_s=player.n_times / SAMPLE_RATE_HZ,
+        edition=edition,
+        drive=drive,
+    )
+    return Input(
+        location=player.location,
+        waveform=noise,
+        amplitude=player.amplitude,
+        onset_s=player.start / SAMPLE_RATE_HZ,
+    )
+
+
+def _library(scene: Scene, method: Method) -> Prepared:
+    require_bytes(_LIBRARY_COPIES * output_bytes(scene, method))
+    limb = made_up_limb()
+    loud = [dataclasses.replace(player, amplitude=1.0) for player in scene.players]
+    drives = drives_of(dataclasses.replace(scene, players=tuple(loud)), method)
+    places = [player.location for player in scene.players]
+    amplitudes = [player.amplitude for player in scene.players]
+
+    def run(_: int) -> Iterator[Block]:
+        field = predict(limb, drives, places, amplitudes, scaling="relative")
+        yield 0, field.reshape(N_CHANNELS, -1)
+
+    return Prepared(rows=all_channels(), run=run)

@@ -1,0 +1,95 @@
+"""Times of repeated runs, and their statistics."""
+
+import gc
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from time import perf_counter
+
+import numpy as np
+
+from skinsource.bench.accuracy import Block
+
+#: Where the slowest of twenty runs takes so many times the fastest, times mean little.
+_UNSTABLE = 3.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Times:
+    """Statistics of run times, in seconds.
+
+    Attributes
+    ----------
+    minimum_s, median_s
+        The minimum is the least disturbed.
+    deviation_s
+        Median absolute deviation from the median.
+    p95_s
+        95 % of the runs took at most this.
+    runs
+        How many there were.
+    """
+
+    minimum_s: float
+    median_s: float
+    deviation_s: float
+    p95_s: float
+    runs: int
+
+    @property
+    def is_stable(self) -> bool:
+        """Whether the slow runs are of the same order as the fast ones."""
+        return self.p95_s <= _UNSTABLE * self.minimum_s
+
+
+def times_of(seconds: Sequence[float]) -> Times:
+    """Statistics of some run times, of one or several processes."""
+    values = np.asarray(seconds, np.float64)
+    median = float(np.median(values))
+    return Times(
+        minimum_s=float(values.min()),
+        median_s=median,
+        deviation_s=float(np.median(np.abs(values - median))),
+        p95_s=float(np.percentile(values, 95)),
+        runs=values.size,
+    )
+
+
+def repeated(
+    run: Callable[[int], Iterable[Block]],
+    *,
+    first_run: int,
+    warm_ups: int,
+    longest_s: float,
+    most_runs: int,
+) -> list[float]:
+    """Seconds of each run; at least one, until ``longest_s`` or ``most_runs`` is reached.
+
+    Garbage is collected before each
+    run, not within.
+    """
+    number = first_run
+    collecting = gc.isenabled()
+    gc.disable()
+    # What stands now is not looked through again before each run.
+    gc.freeze()
+    try:
+        for _ in range(warm_ups):
+            _timed(run, number)
+            number += 1
+        seconds: list[float] = []
+        while not seconds or (sum(seconds) < longest_s and len(seconds) < most_runs):
+            seconds.append(_timed(run, number))
+            number += 1
+    finally:
+        gc.unfreeze()
+        if collecting:
+            gc.enable()
+    return seconds
+
+
+def _timed(run: Callable[[int], Iterable[Block]], number: int) -> float:
+    gc.collect()
+    start = perf_counter()
+    for _ in run(number):
+        pass
+    return perf_counter() - start

@@ -1,0 +1,129 @@
+"""Measures one method on one scene, in a process of its own; the result is one line of JSON.
+
+python -m skinsource.bench.worker S1 "this program" float64 "all channels" 0.3 20 2
+"""
+
+import json
+import sys
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource.bench.accuracy import errors_of, picked, rounding_ratio
+from skinsource.bench.engines import engine_of
+from skinsource.bench.made_up import made_up_drive, made_up_response
+from skinsource.bench.method import N_CHANNELS, Unfit
+from skinsource.bench.references import Reference, load_reference
+from skinsource.bench.scenes import Scene, scene_of
+from skinsource.bench.timing import repeated
+from skinsource.limb import N_TAPS
+
+Floats = NDArray[np.float64]
+_STATUS = Path("/proc/self/status")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Task:
+    """What one process measures.
+
+    Attributes
+    ----------
+    scene, engine, precision, setting
+        Names of the row.
+    longest_s, most_runs, warm_ups
+        See `skinsource.bench.timing.repeated`.
+    """
+
+    scene: str
+    engine: str
+    precision: str
+    setting: str
+    longest_s: float
+    most_runs: int
+    warm_ups: int
+
+    def words(self) -> list[str]:
+        """Command-line words that `task_of` reads."""
+        return [str(value) for value in asdict(self).values()]
+
+
+def task_of(words: Sequence[str]) -> Task:
+    """Read the words of `Task.words`."""
+    scene, engine, precision, setting, longest_s, most_runs, warm_ups = words
+    return Task(
+        scene=scene,
+        engine=engine,
+        precision=precision,
+        setting=setting,
+        longest_s=float(longest_s),
+        most_runs=int(most_runs),
+        warm_ups=int(warm_ups),
+    )
+
+
+def measured(task: Task) -> dict[str, Any]:
+    """Times and errors; or, under ``"unfit"``, why there are none."""
+    scene = scene_of(task.scene)
+    engine = engine_of(task.engine)
+    reference = load_reference(scene.reference)
+    idle = _peak_bytes()
+    try:
+        start = perf_counter()
+        prepared = engine.prepare(scene, engine.method_of(task.precision, task.setting))
+        ready = perf_counter()
+        values = picked(reference, prepared.rows, prepared.run(0))
+        end = perf_counter()
+    except Unfit as reason:
+        return {"unfit": str(reason)}
+    except MemoryError:
+        return {"unfit": "the memory of this machine did not suffice"}
+    run_s = repeated(
+        prepared.run,
+        first_run=1,
+        # A long run has warmed up what there is to warm up.
+        warm_ups=task.warm_ups if end - ready < task.longest_s else 0,
+        longest_s=task.longest_s,
+        most_runs=task.most_runs,
+    )
+    peak = _peak_bytes()
+    held = None if idle is None or peak is None else max(peak - idle - prepared.lent_bytes, 0)
+    deviation = np.abs((values - reference.high) - reference.low).max(axis=(1, 2))
+    precision = np.float64 if task.precision == "float64" else np.float32
+    return {
+        "first_s": end - start,
+        "run_s": run_s,
+        "channels": int(prepared.rows.size),
+        "errors": asdict(errors_of(reference, values)),
+        "ratio": rounding_ratio(
+            deviation, _bound_scale(scene, reference), scene.response_samples, precision
+        ),
+        "bytes_above_idle": held,
+    }
+
+
+def _bound_scale(scene: Scene, reference: Reference) -> Floats:
+    """Sum over inputs of the norms of drive and response, (n_channels,)."""
+    total = np.zeros(reference.channels.size)
+    for player in scene.players:
+        response = made_up_response(player.location).reshape(N_CHANNELS, N_TAPS)
+        drive = made_up_drive(player.seed, player.n_times) * player.amplitude
+        taps = response[reference.channels]
+        total += np.linalg.norm(drive) * np.linalg.norm(taps, axis=-1)
+    return total
+
+
+def _peak_bytes() -> int | None:
+    """Most memory this process has held; None where the system does not tell."""
+    if not _STATUS.is_file():
+        return None
+    lines = _STATUS.read_text(encoding="ascii", errors="replace").splitlines()
+    return next((int(line.split()[1]) * 1024 for line in lines if line.startswith("VmHWM")), None)
+
+
+if __name__ == "__main__":
+    sys.stdout.write(json.dumps(measured(task_of(sys.argv[1:]))) + "\n")

@@ -1,0 +1,59 @@
+"""The command ``skinsource bench``, from end to end."""
+
+import subprocess
+import sys
+
+import pytest
+
+from skinsource.bench import commands
+from skinsource.bench.engines import ENGINES, engine_of
+from skinsource.bench.scenes import scene_of
+from skinsource.bench.table import read_table
+from skinsource.command_line import main
+from skinsource.errors import MissingExtraError
+
+
+def test_a_short_run_writes_table_report_and_plot(tmp_path, monkeypatch, capsys):
+    pytest.importorskip("matplotlib", reason="matplotlib is not installed")
+    monkeypatch.setattr(commands, "SCENES", (scene_of("S1"),))
+    chosen = ("this program", "direct")
+    monkeypatch.setattr(commands, "ENGINES", tuple(e for e in ENGINES if e.name in chosen))
+    folder = tmp_path / "new" / "folder"
+    assert main(["bench", "--quick", "--out", str(folder)]) == 0
+    written = sorted(path.name for path in folder.iterdir())
+    assert written == ["report.md", *(f"work_precision.{kind}" for kind in ("csv", "png", "svg"))]
+    rows = read_table(folder / "work_precision.csv")
+    assert {row.engine for row in rows} == set(chosen)
+    assert all(row.t_min_ms > 0.0 and row.err_window > 0.0 for row in rows)
+    broken = [row for row in rows if row.promise.startswith("broken")]
+    assert not broken, broken
+    assert "breaks its promises in 0" in capsys.readouterr().out
+
+
+def test_without_matplotlib_table_and_report_are_written(tmp_path, monkeypatch, capsys):
+    def refuse(rows, stem):
+        raise MissingExtraError('Install it with: pip install "skinsource[bench]"')
+
+    monkeypatch.setattr(commands, "SCENES", (scene_of("S1"),))
+    monkeypatch.setattr(commands, "ENGINES", (engine_of("this program"),))
+    monkeypatch.setattr(commands, "measure", lambda cases, effort, progress: [])
+    monkeypatch.setattr(commands, "write_plots", refuse)
+    assert main(["bench", "--quick", "--out", str(tmp_path)]) == 1
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["report.md", "work_precision.csv"]
+    assert 'pip install "skinsource[bench]"' in capsys.readouterr().err
+
+
+def test_a_folder_that_cannot_be_written_is_told_before_the_work(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(commands, "measure", lambda *_: pytest.fail("measured for nothing"))
+    (tmp_path / "file").write_text("in the way")
+    assert main(["bench", "--out", str(tmp_path / "file" / "x")]) == 1
+    assert "cannot be written" in capsys.readouterr().err
+
+
+def test_the_command_line_starts_without_what_only_the_benchmark_needs():
+    code = (
+        "import sys, skinsource.command_line;"
+        "print(sorted({'scipy.signal', 'matplotlib', 'PySide6'} & set(sys.modules)))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout == "[]\n"
