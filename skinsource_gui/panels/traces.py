@@ -73,7 +73,10 @@ class TracesPanel(Panel):
     @property
     def needs(self) -> frozenset[str]:
         # Outputs, delay and limb come with the curves: labels never belong to others.
-        return frozenset({"response_time_s", "selected_traces", "outputs", "delay_removed", "limb"})
+        drawn = {"response_time_s", "selected_traces", "outputs", "delay_removed", "limb"}
+        if self._view.method == "pca" and len(self._view.axes) > 1:
+            drawn.add("selected_without_main_axis")
+        return frozenset(drawn)
 
     def show_state(self, design: Design, view: View) -> None:
         self._view = view
@@ -95,7 +98,11 @@ class TracesPanel(Panel):
             y=results["selected_traces"],
             names=output_names(results["outputs"]),
         )
-        self._plot.show_curves(curves, synthetic=results["limb"].startswith("synthetic"))
+        self._plot.show_curves(
+            curves,
+            synthetic=results["limb"].startswith("synthetic"),
+            notes=_axis_notes(results.get("selected_without_main_axis", ())),
+        )
 
     def show_stale(self, stale: bool) -> None:
         self._plot.set_stale(stale)
@@ -133,3 +140,14 @@ class TracesPanel(Panel):
         changed = replace(self._view, **changes)
         if changed != self._view:
             self.view_changed.emit(changed)
+
+
+def _axis_notes(outputs: tuple[int, ...]) -> tuple[str, ...]:
+    if not outputs:
+        return ()
+    names = ", ".join(map(str, outputs))
+    return (
+        f"no main axis at {names}: all directions move alike, the one shown is arbitrary",
+        f"no main axis at {names}",
+        "some have no main axis",
+    )

@@ -66,7 +66,7 @@ def click(panel, name):
     return button
 
 
-def test_what_the_panel_needs_is_computed_or_given():
+def test_what_the_panel_needs_is_computed_or_given(qapp):
     known = {rule.__name__ for rule in RULES} | set(sources(start_design("synthetic-1"), View()))
     assert SpectraPanel().needs <= known
 

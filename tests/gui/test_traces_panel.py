@@ -17,7 +17,7 @@ from skinsource_gui.widgets.signal_plot import SignalPlot
 SIGNED = View(method="pca", outputs=(29, 52, 7))
 
 
-def results_for(view, *, n_times=651, amplitude=0.3, limb="synthetic-1"):
+def results_for(view, *, n_times=651, amplitude=0.3, limb="synthetic-1", without_axis=()):
     time_s = np.arange(n_times) / 1300 - (0.052 if view.delay_removed else 0.0)
     rows = [amplitude / (1 + k) * np.sin(300 * time_s) for k in range(len(view.outputs))]
     traces = np.array(rows).reshape(len(view.outputs), n_times)
@@ -29,6 +29,7 @@ def results_for(view, *, n_times=651, amplitude=0.3, limb="synthetic-1"):
         "outputs": view.outputs,
         "delay_removed": view.delay_removed,
         "limb": limb,
+        "selected_without_main_axis": without_axis,
     }
 
 
@@ -68,7 +69,7 @@ def click(panel, name):
     return button
 
 
-def test_what_the_panel_needs_is_computed_or_given():
+def test_what_the_panel_needs_is_computed_or_given(qapp):
     known = {rule.__name__ for rule in RULES} | set(sources(start_design("synthetic-1"), View()))
     assert TracesPanel().needs <= known
 
@@ -206,3 +207,14 @@ def test_tab_reaches_every_control(show, qtbot):
         QTest.keyClick(panel.window().focusWidget() or panel, Qt.Key.Key_Tab)
         seen.add(panel.window().focusWidget().objectName())
     assert seen >= {"overlaid", "remove-delay", "show-all", "traces-plot"}
+
+
+def test_outputs_without_a_main_axis_are_named_in_the_plot(show):
+    panel = show(View(axes="xyz", method="pca", outputs=(29, 52)), without_axis=(29,))
+    assert "selected_without_main_axis" in panel.needs
+    assert "no main axis at 29" in canvas_of(panel).frame.notes[0]
+
+
+def test_a_projection_on_a_fixed_axis_asks_for_no_main_axis(show):
+    for view in (View(axes="z"), View(axes="xyz", method="soc")):
+        assert "selected_without_main_axis" not in show(view).needs

@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from skinsource.projection import Axes, axis_numbers, magnitude
+from skinsource.projection import Axes, Method, axis_numbers, magnitude
 from skinsource.rendering.field import Field
+from skinsource.rendering.moments import Moments, without_main_axis
 from skinsource.rendering.part import Part
 from skinsource.rendering.streaming import StreamedField
 from skinsource.rendering.transforms import Complexes, Floats, forward
@@ -37,6 +38,18 @@ def axis_traces(field: Field, outputs: tuple[int, ...], axes: Axes) -> Floats:
 def selected_directions(directions: Floats | None, outputs: tuple[int, ...]) -> Floats | None:
     """Vector that each selected output is projected on, (n_selected, n_axes); None: magnitude."""
     return None if directions is None else directions[[output - 1 for output in outputs]]
+
+
+def selected_without_main_axis(
+    moments: Moments,
+    outputs: tuple[int, ...],
+    axes: Axes,
+    method: Method,
+    response_samples: int,
+) -> tuple[int, ...]:
+    """Selected outputs that are projected on a main axis they do not have."""
+    without = without_main_axis(moments, axes, method, response_samples)
+    return tuple(output for output in outputs if without[output - 1])
 
 
 def selected_traces(axis_traces: Floats, selected_directions: Floats | None) -> Floats:
@@ -76,6 +89,7 @@ RULES = (
     field,
     axis_traces,
     selected_directions,
+    selected_without_main_axis,
     selected_traces,
     axis_spectra,
     selected_spectra,
