@@ -94,9 +94,10 @@ class Driver:
         self.settle()
 
     def hover(self, widget: QWidget, at: QPoint) -> None:
-        """Move the mouse there."""
-        QTest.mouseMove(widget, at)
-        self.settle()
+        """Move the mouse there; where it stands already, a move is no event."""
+        for place in (at + QPoint(3, 0), at):
+            QTest.mouseMove(widget, place)
+            self.settle()
 
     def wheel(self, widget: QWidget, notches: int, at: QPoint | None = None, modifiers=NONE):
         """Turn the wheel."""
