@@ -90,6 +90,7 @@ class Limb:
         self.bytes_read = 0
         self._read_response = read_response
         self._responses: dict[int, Floats] = {}
+        self._everything: Floats | None = None
 
     def __repr__(self) -> str:
         kind = "synthetic" if self.synthetic else "measured"
@@ -109,9 +110,13 @@ class Limb:
     @property
     def impulse_responses(self) -> Floats:
         """All impulse responses, (20 inputs, 72 outputs, 3 axes, 522 taps), in m/s²."""
-        everything = np.stack([self.response_to(place) for place in range(1, N_INPUTS + 1)])
-        everything.flags.writeable = False
-        return everything
+        if self._everything is None:
+            everything = np.stack([self.response_to(place) for place in range(1, N_INPUTS + 1)])
+            everything.flags.writeable = False
+            # The single responses are views of it from now on: nothing is held twice.
+            self._responses = {place: everything[place - 1] for place in range(1, N_INPUTS + 1)}
+            self._everything = everything
+        return self._everything
 
 
 def check_input_location(location: int) -> None:

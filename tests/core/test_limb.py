@@ -1,0 +1,51 @@
+import numpy as np
+import pytest
+
+from skinsource.errors import InvalidInputError
+from skinsource.limb import Limb, LimbMap
+
+
+@pytest.fixture
+def limb():
+    nowhere = LimbMap(
+        outline=np.zeros((3, 2)),
+        output_positions=np.zeros((72, 2)),
+        input_positions=np.zeros((20, 2)),
+        hand_length_px=1.0,
+    )
+    return Limb(
+        name="synthetic-1",
+        hand_length_mm=175.0,
+        synthetic=True,
+        map=nowhere,
+        read_response=lambda place: np.full((72, 3, 522), float(place)),
+    )
+
+
+def test_all_responses_are_read_once_and_only_when_touched(limb):
+    assert limb.bytes_read == 0
+    everything = limb.impulse_responses
+    assert everything.shape == (20, 72, 3, 522)
+    assert limb.bytes_read == everything.nbytes
+    assert limb.impulse_responses is everything
+    assert limb.bytes_read == everything.nbytes
+
+
+def test_single_responses_and_all_of_them_are_the_same_memory(limb):
+    before = limb.response_to(7)
+    everything = limb.impulse_responses
+    assert np.shares_memory(limb.response_to(7), everything)
+    np.testing.assert_array_equal(limb.response_to(7), before)
+    np.testing.assert_array_equal(everything[6], before)
+
+
+def test_responses_cannot_be_written_to(limb):
+    for response in (limb.response_to(3), limb.impulse_responses, limb.response_to(3)):
+        with pytest.raises(ValueError, match="read-only"):
+            response[...] = 0.0
+
+
+@pytest.mark.parametrize("place", [0, 21, -1, 2.5, True, "7", None])
+def test_a_place_that_does_not_exist_is_named(limb, place):
+    with pytest.raises(InvalidInputError, match="1 to 20"):
+        limb.response_to(place)
