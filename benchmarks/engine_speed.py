@@ -135,11 +135,11 @@ def main() -> int:
     for label, edit in edits().items():
         broken += not table_row(label, edit, name, options.rounds)
     if options.long:
-        broken += not long_row(name)
+        broken += not long_row()
     return int(broken > 0)
 
 
-def long_row(limb: str) -> bool:
+def long_row() -> bool:
     """Print the row of 60 s, all 216 channels; whether the promise holds."""
     rng = np.random.default_rng(1)
     drives = rng.standard_normal((20, 78_000))
@@ -151,7 +151,7 @@ def long_row(limb: str) -> bool:
             field = fftconvolve(plainly.responses[place], drive[:, None, None], axes=0)
             total = total + field / field.max()
         between = perf_counter()
-        found = predict(load_limb(limb), drives, range(1, 21))
+        found = predict(plainly.limb, drives, range(1, 21))
         end = perf_counter()
         ratios.append((between - begin) / (end - between))
     error = np.abs(found - total.transpose(1, 2, 0)).max() / np.abs(total).max()
