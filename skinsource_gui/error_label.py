@@ -1,5 +1,8 @@
 """How wrong the numbers on screen are."""
 
+import math
+
+import numpy as np
 from PySide6.QtWidgets import QLabel, QWidget
 
 from skinsource.rendering.check import N_SAMPLES, TraceError
@@ -27,7 +30,7 @@ class ErrorLabel(QLabel):
             self.clear()
             self.setToolTip("")
         else:
-            self.setText(f"· error < {error.estimate:.0e}")
+            self.setText(f"· error ≈ {one_digit_up(error.estimate)}")
             self.setToolTip(
                 f"{N_SAMPLES} samples of the traces were computed again in extended precision.\n"
                 f"Four times the largest difference is {error.estimate:.1e} of the peak; "
@@ -47,3 +50,12 @@ class ErrorLabel(QLabel):
         elif self._error is not None and self._error.estimate > PROMISED:
             colour = self._theme.warning
         self.setStyleSheet(f"color: {colour};")
+
+
+def one_digit_up(error: float) -> str:
+    """Round ``error`` up to one digit, so that it is never shown smaller than it is."""
+    # Less than one rounding is not an error that anything in float64 could have.
+    error = max(error, float(np.finfo(np.float64).eps))
+    exponent = math.floor(math.log10(error))
+    digit = math.ceil(error / 10.0**exponent - 1e-9)
+    return f"{digit}e{exponent}" if digit < 10 else f"1e{exponent + 1}"

@@ -2,24 +2,11 @@ import numpy as np
 import pytest
 
 from skinsource.errors import InvalidInputError
-from skinsource.limb import Limb, LimbMap
 
 
 @pytest.fixture
-def limb():
-    nowhere = LimbMap(
-        outline=np.zeros((3, 2)),
-        output_positions=np.zeros((72, 2)),
-        input_positions=np.zeros((20, 2)),
-        hand_length_px=1.0,
-    )
-    return Limb(
-        name="synthetic-1",
-        hand_length_mm=175.0,
-        synthetic=True,
-        map=nowhere,
-        read_response=lambda place: np.full((72, 3, 522), float(place)),
-    )
+def limb(limb_of):
+    return limb_of(lambda place: np.full((72, 3, 522), float(place)))
 
 
 def test_all_responses_are_read_once_and_only_when_touched(limb):

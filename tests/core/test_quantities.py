@@ -8,7 +8,7 @@ import pytest
 from skinsource.decibels import decibels
 from skinsource.design import Design, Input
 from skinsource.graph import Graph
-from skinsource.limb import Limb, LimbMap
+from skinsource.limb import Limb
 from skinsource.projection import AXES, METHODS, project_axes
 from skinsource.quantities import RULES, new_graph, sources
 from skinsource.rendering.renderer import Renderer
@@ -37,20 +37,8 @@ def made_up_response(place: int) -> np.ndarray:
 class Studio:
     """A graph like that of the studio, on a made-up limb."""
 
-    def __init__(self) -> None:
-        nowhere = LimbMap(
-            outline=np.zeros((3, 2)),
-            output_positions=np.zeros((72, 2)),
-            input_positions=np.zeros((20, 2)),
-            hand_length_px=1.0,
-        )
-        self.limb = Limb(
-            name="synthetic-1",
-            hand_length_mm=175.0,
-            synthetic=True,
-            map=nowhere,
-            read_response=made_up_response,
-        )
+    def __init__(self, limb: Limb) -> None:
+        self.limb = limb
         self.graph = Graph(*RULES, *Renderer().rules())
 
     def show(self, design: Design, *wanted: str, view: View | None = None) -> list:
@@ -60,8 +48,8 @@ class Studio:
 
 
 @pytest.fixture
-def studio() -> Studio:
-    return Studio()
+def studio(limb_of) -> Studio:
+    return Studio(limb_of(made_up_response))
 
 
 def predicted(studio: Studio, design: Design, heard: list[int]) -> np.ndarray:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from skinsource.design import Design, Input, audible_inputs
-from skinsource.limb import Limb, LimbMap
+from skinsource.limb import Limb
 from skinsource.projection import AXES, METHODS, project_axes
 from skinsource.quantities import new_graph, sources
 from skinsource.rendering.drives import drive_of
@@ -213,24 +213,12 @@ def test_the_maximum_of_a_long_drive_is_found_block_by_block(limb):
     assert largest_sample_by_blocks(drive, response) == pytest.approx(full, rel=1e-13)
 
 
-def test_outputs_that_move_alike_in_all_directions_are_named():
+def test_outputs_that_move_alike_in_all_directions_are_named(limb_of):
     turns = 2 * np.pi * 100 * np.arange(522) / 522
     turning = np.zeros((72, 3, 522))
     turning[:, 0], turning[:, 1] = np.cos(turns), np.sin(turns)
     turning[9, 1] *= 0.5
-    nowhere = LimbMap(
-        outline=np.zeros((3, 2)),
-        output_positions=np.zeros((72, 2)),
-        input_positions=np.zeros((20, 2)),
-        hand_length_px=1.0,
-    )
-    limb = Limb(
-        name="synthetic-1",
-        hand_length_mm=175.0,
-        synthetic=True,
-        map=nowhere,
-        read_response=lambda _: turning.copy(),
-    )
+    limb = limb_of(lambda _: turning.copy())
     design = Design(limb="synthetic-1", inputs=(Input(location=7, waveform=Impulse()),))
     for method, expected in (("pca", (1, 29)), ("rms", ())):
         view = View(axes="xyz", method=method, outputs=(1, 10, 29))

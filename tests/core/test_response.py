@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from skinsource.errors import InvalidInputError
-from skinsource.limb import Limb, LimbMap
+from skinsource.limb import Limb
 from skinsource.response import predict
 from skinsource.response_scaling import SCALINGS
 
@@ -20,20 +20,8 @@ def made_up_response(place: int) -> np.ndarray:
 
 
 @pytest.fixture
-def limb() -> Limb:
-    nowhere = LimbMap(
-        outline=np.zeros((3, 2)),
-        output_positions=np.zeros((72, 2)),
-        input_positions=np.zeros((20, 2)),
-        hand_length_px=1.0,
-    )
-    return Limb(
-        name="made-up",
-        hand_length_mm=175.0,
-        synthetic=True,
-        map=nowhere,
-        read_response=made_up_response,
-    )
+def limb(limb_of) -> Limb:
+    return limb_of(made_up_response)
 
 
 def direct_field(place: int, drive: np.ndarray) -> np.ndarray:

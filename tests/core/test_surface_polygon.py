@@ -12,7 +12,6 @@ from skinsource.surface.polygon import (
     distinct_vertices,
     grid_inside,
     ranges,
-    signed_area,
 )
 
 SQUARE = np.array([[0, 0], [4, 0], [4, 4], [0, 4]], dtype=float)
@@ -71,9 +70,9 @@ def test_nearly_level_edges_are_closed_along_their_whole_length(slope):
     assert on_edge[51:].all() == (50 * slope < 1e-9)
 
 
-def test_signed_area_is_positive_counterclockwise():
-    assert signed_area(SQUARE) == 16.0
-    assert signed_area(SQUARE[::-1] + 1e3) == -16.0
+def area(outline):
+    x, y = outline.T
+    return abs(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)) / 2
 
 
 def test_split_edges_are_short_and_keep_the_vertices():
@@ -81,7 +80,7 @@ def test_split_edges_are_short_and_keep_the_vertices():
     lengths = np.hypot(*(np.roll(split, -1, axis=0) - split).T)
     assert len(split) == 2 + 4 + 2 + 4
     assert lengths.max() <= 3.0
-    assert signed_area(split) == pytest.approx(40.0)
+    assert area(split) == pytest.approx(40.0)
     assert {tuple(v) for v in (SQUARE * [1, 2.5])} <= {tuple(v) for v in split}
 
 

@@ -3,7 +3,7 @@
 import pytest
 
 from skinsource.rendering.check import TraceError
-from skinsource_gui.error_label import ErrorLabel
+from skinsource_gui.error_label import ErrorLabel, one_digit_up
 from skinsource_gui.theme import LIGHT
 
 
@@ -23,7 +23,7 @@ def test_when_edits_pause_the_error_is_checked_and_shown(qtbot, window, checked)
     qtbot.waitUntil(lambda: known(checked), timeout=5000)
     assert 0 < checked[-1].estimate < 1e-14
     assert checked[-1].estimate < checked[-1].bound < 1e-10
-    assert window._error.text().startswith("· error < ")
+    assert window._error.text().startswith("· error ≈ ")
 
 
 def test_an_edit_takes_the_old_error_away_at_once(qtbot, window, checked):
@@ -57,3 +57,19 @@ def test_the_colour_tells_when_a_promise_is_broken(qtbot, estimate, colour):
     label.show_theme(LIGHT)
     label.show_error(TraceError(estimate=estimate, bound=1.0))
     assert colour in label.styleSheet()
+
+
+@pytest.mark.parametrize(
+    ("error", "shown"),
+    [
+        (1.2e-15, "2e-15"),
+        (2e-15, "2e-15"),
+        (9.3e-15, "1e-14"),
+        (0.0, "3e-16"),
+        (0.04, "4e-2"),
+        (1.0, "1e0"),
+    ],
+)
+def test_an_error_is_never_shown_smaller_than_it_is(error, shown):
+    assert one_digit_up(error) == shown
+    assert float(shown) >= error

@@ -48,12 +48,6 @@ def _span_a_plane(points: Floats) -> bool:
     return bool(height.max() > 1e-9 * distance.max() ** 2)
 
 
-def signed_area(outline: Floats) -> float:
-    """Area of a polygon in squared units of its coordinates, positive if counterclockwise."""
-    x, y = (outline - outline[0]).T
-    return float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y) / 2)
-
-
 def densified(outline: Floats, longest: float) -> Floats:
     """Return the outline with every edge split evenly into parts no longer than ``longest``."""
     edge = np.roll(outline, -1, axis=0) - outline
