@@ -7,11 +7,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from skinsource.errors import InvalidInputError
 from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS, Limb, check_input_location
-from skinsource.rendering.drives import LARGEST, drive_of, first_unusable, reach
-from skinsource.rendering.gains import unit_gain
+from skinsource.rendering.drives import LARGEST, Drive, drive_of, first_unusable, reach
+from skinsource.rendering.gains import unit_gains
 from skinsource.rendering.response_spectra import ResponseSpectra
 from skinsource.rendering.segments import BLOCK_FFT, LONGEST_AT_ONCE, Played
 from skinsource.rendering.streaming import StreamedField
+from skinsource.rendering.sums import sum_of_fields
 from skinsource.rendering.transforms import forward, inverse, transform_length
 from skinsource.response_scaling import Scaling, check_scaling
 
@@ -57,31 +58,58 @@ def predict(
     places = _checked_locations(locations, len(samples))
     factors = _checked_amplitudes(amplitudes, len(samples))
     response_samples = samples.shape[-1] + N_TAPS - 1
-    streamed = response_samples > LONGEST_AT_ONCE
-    n_fft = BLOCK_FFT if streamed else transform_length(response_samples)
+    heard = [
+        (drive, place, amplitude)
+        for drive, place, amplitude in zip(map(drive_of, samples), places, factors, strict=True)
+        if not drive.silent and amplitude != 0.0
+    ]
+    if response_samples > LONGEST_AT_ONCE:
+        return _streamed(limb, heard, scaling, response_samples).everything()
+    return _at_once(limb, heard, scaling, response_samples)
+
+
+_Heard = tuple[Drive, int, float]
+
+
+def _streamed(
+    limb: Limb, heard: list[_Heard], scaling: Scaling, response_samples: int
+) -> StreamedField:
+    if not heard:
+        return StreamedField([], None, response_samples)
+    used = tuple(sorted({place for _, place, _ in heard}))
+    stack = ResponseSpectra().stack(limb, used, scaling, BLOCK_FFT)
+    drives = [drive for drive, _, _ in heard]
+    gains = [drive.factor for drive in drives]
+    if scaling == "upstream":
+        gains = unit_gains(drives, [], [stack.responses[place] for _, place, _ in heard])
+    played = [
+        Played(drive=drive, start=0, weight=amplitude * gain, location=place)
+        for (drive, place, amplitude), gain in zip(heard, gains, strict=True)
+    ]
+    return StreamedField(played, stack, response_samples)
+
+
+def _at_once(limb: Limb, heard: list[_Heard], scaling: Scaling, response_samples: int) -> Floats:
+    if not heard:
+        return np.zeros((N_OUTPUTS, N_AXES, response_samples))
+    n_fft = transform_length(response_samples)
     spectra = ResponseSpectra()
-    played = []
-    for row, place, amplitude in zip(samples, places, factors, strict=True):
-        drive = drive_of(row)
-        if drive.silent or amplitude == 0.0:
-            continue
-        response = spectra.of(limb, place, scaling, n_fft)
-        spectrum = None if streamed else forward(drive.samples, n_fft)
-        weight = amplitude * unit_gain(drive, spectrum, response, scaling)
-        played.append(Played(samples=drive.samples, start=0, weight=weight, response=response))
-    if streamed:
-        return StreamedField(played, response_samples).everything()
-    return _at_once(played, n_fft, response_samples)
-
-
-def _at_once(played: Sequence[Played], n_fft: int, response_samples: int) -> Floats:
-    total = np.zeros((N_OUTPUTS, N_AXES, n_fft // 2 + 1), np.complex128)
-    felt = np.zeros(response_samples, bool)
-    for one in played:
-        total += one.response.values * (forward(one.samples, n_fft) * one.weight)
-        felt |= reach(one.samples, 0, N_TAPS, response_samples)
+    drives = [drive for drive, _, _ in heard]
+    responses = [spectra.of(limb, place, scaling, n_fft) for _, place, _ in heard]
+    played = [forward(drive.samples, n_fft) for drive in drives]
+    gains = [drive.factor for drive in drives]
+    if scaling == "upstream":
+        gains = unit_gains(drives, played, responses)
+    weighted = [
+        spectrum * (amplitude * gain)
+        for spectrum, (_, _, amplitude), gain in zip(played, heard, gains, strict=True)
+    ]
+    field = inverse(sum_of_fields([response.values for response in responses], weighted), n_fft)
+    sounding = np.zeros(response_samples, bool)
+    for drive in drives:
+        sounding[: drive.samples.size] |= drive.samples != 0.0
     # Where nothing can be felt there is nothing, not the rounding of the transforms.
-    return np.where(felt, inverse(total, n_fft)[..., :response_samples], 0.0)
+    return np.where(reach(sounding, N_TAPS), field[..., :response_samples], 0.0)
 
 
 def _checked_drives(drives: ArrayLike) -> Floats:

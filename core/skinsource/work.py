@@ -14,6 +14,8 @@ class Work:
     ----------
     forward_transforms, inverse_transforms
         Fourier transforms of one signal each.
+    search_transforms
+        Those of the inverse ones that searched for the exact maximum of a unit field.
     samples_drawn
         Samples of waveforms that were computed.
     bytes_read
@@ -24,6 +26,7 @@ class Work:
 
     forward_transforms: int = 0
     inverse_transforms: int = 0
+    search_transforms: int = 0
     samples_drawn: int = 0
     bytes_read: int = 0
     rules_run: int = 0
@@ -48,6 +51,7 @@ def tally(
     *,
     forward_transforms: int = 0,
     inverse_transforms: int = 0,
+    search_transforms: int = 0,
     samples_drawn: int = 0,
     bytes_read: int = 0,
     rules_run: int = 0,
@@ -57,6 +61,7 @@ def tally(
     if work is not None:
         work.forward_transforms += forward_transforms
         work.inverse_transforms += inverse_transforms
+        work.search_transforms += search_transforms
         work.samples_drawn += samples_drawn
         work.bytes_read += bytes_read
         work.rules_run += rules_run

@@ -72,6 +72,17 @@ def test_a_waveform_edit_transforms_only_that_waveform(show):
     assert work.samples_drawn == 260
 
 
+def test_spectra_of_an_edited_waveform_take_one_transform_more_however_many_outputs(show):
+    edited = DESIGN.with_input(1, waveform=Noise(seed=3))
+    _, work = show(edited, wanted=("axis_spectra",))
+    assert work.forward_transforms == 2
+
+
+def test_the_search_for_the_maximum_transforms_few_channels_and_counts_them(show):
+    _, work = show(DESIGN.with_input(1, waveform=Noise(seed=3)), wanted=("output_rms",))
+    assert 0 < work.search_transforms == work.inverse_transforms < 216 / 4
+
+
 def test_an_onset_edit_draws_nothing_and_transforms_no_drive(show):
     _, work = show(DESIGN.with_input(1, onset_s=0.05), wanted=("output_rms",))
     assert work.samples_drawn == 0

@@ -10,9 +10,9 @@ from skinsource.limb import Limb
 from skinsource.projection import AXES, METHODS, project_axes
 from skinsource.quantities import new_graph, sources
 from skinsource.rendering.drives import drive_of
-from skinsource.rendering.gains import largest_sample, largest_sample_by_blocks
+from skinsource.rendering.maxima import peaks_of
 from skinsource.rendering.response_spectra import ResponseSpectrum
-from skinsource.rendering.segments import BLOCK_SAMPLES
+from skinsource.rendering.segments import BLOCK_FFT, BLOCK_SAMPLES
 from skinsource.rendering.transforms import forward, inverse, transform_length
 from skinsource.synthetic import load_synthetic_limb
 from skinsource.view import View
@@ -157,7 +157,10 @@ def test_the_pruned_search_finds_the_maximum_of_the_full_one(limb, waveform, pla
     response = ResponseSpectrum(taps, forward(taps, n_fft), n_fft)
     spectrum = forward(drive.samples, n_fft)
     full = float(inverse(response.values * spectrum, n_fft).max())
-    assert largest_sample(drive.samples, spectrum, response) == full
+    [peak] = peaks_of([drive.samples], [spectrum], [response])
+    assert peak.value == full
+    field = inverse(response.values * spectrum, n_fft).reshape(216, -1)
+    assert field[peak.channel, peak.time] == full
 
 
 def test_transforms_give_the_same_bits_alone_and_together():
@@ -206,11 +209,13 @@ def test_a_long_scene_is_streamed_to_the_same_numbers(limb, scaling):
 def test_the_maximum_of_a_long_drive_is_found_block_by_block(limb):
     drive = drive_of(Noise(seed=4, duration_s=8.0).samples(RATE_HZ)).samples
     taps = limb.response_to(9)
-    response = ResponseSpectrum(taps, forward(taps, 4096), 4096)
+    response = ResponseSpectrum(taps, forward(taps, BLOCK_FFT), BLOCK_FFT)
     n_fft = transform_length(drive.size + 521)
-    full = inverse(forward(taps, n_fft) * forward(drive[None], n_fft), n_fft).max()
+    full = inverse(forward(taps, n_fft) * forward(drive[None], n_fft), n_fft)
     assert drive.size > 2 * BLOCK_SAMPLES
-    assert largest_sample_by_blocks(drive, response) == pytest.approx(full, rel=1e-13)
+    [peak] = peaks_of([drive], [], [response])
+    assert peak.value == pytest.approx(full.max(), rel=1e-13)
+    assert full.reshape(216, -1)[peak.channel, peak.time] == full.max()
 
 
 def test_outputs_that_move_alike_in_all_directions_are_named(limb_of):

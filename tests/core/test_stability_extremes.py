@@ -7,6 +7,7 @@ import pytest
 
 from skinsource.design import Input
 from skinsource.errors import InvalidInputError
+from skinsource.rendering.segments import BLOCK_FFT
 from skinsource.rendering.transforms import transform_length
 
 PROMISES = {
@@ -213,7 +214,7 @@ def test_a_huge_offset_costs_no_more_than_its_own_digits(scene, limb_of, noted, 
     drive = 1e8 + np.sin(2 * np.pi * 100 * np.arange(n_times) / 1300)
     shown = scene(limb=limb_of(without_offset), drives=(drive,), places=(4,))
     random = np.random.default_rng(SEED)
-    n_fft = transform_length(n_times + 521) if n_times < 5000 else 4096
+    n_fft = transform_length(n_times + 521) if n_times < 5000 else BLOCK_FFT
     for found in shown.both_ways():
         for _ in range(20):
             output, axis = int(random.choice(OUTPUTS)), int(random.integers(3))

@@ -1,12 +1,16 @@
 """How wrong the traces are: some samples computed again, exactly; and how wrong they can be."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from skinsource.limb import N_AXES
 from skinsource.rendering.drives import Drive
+from skinsource.rendering.maxima import peaks_of
 from skinsource.rendering.response_spectra import ResponseSpectrum
-from skinsource.rendering.transforms import Complexes, Floats, inverse
+from skinsource.rendering.streaming import Stop
+from skinsource.rendering.transforms import Complexes, Floats
 
 #: Samples that are computed again, and the factor from their largest error to the estimate.
 N_SAMPLES, ESTIMATE_FACTOR = 64, 4.0
@@ -59,12 +63,24 @@ class Heard:
         return float(abs(self.weight) * np.linalg.norm(self.drive.samples) * strongest)
 
 
-def exact_maximum(drive: Drive, spectrum: Complexes, response: ResponseSpectrum) -> float:
-    """Largest sample of a unit field: found by transforms, its value computed by definition."""
-    field = inverse(response.values * spectrum, response.n_fft)
-    output, axis, time = np.unravel_index(int(field.argmax()), field.shape)
-    one = Heard(drive=drive, delay_samples=0, weight=1.0, response=response)
-    return float(one.exact(int(output) + 1, int(axis), int(time)))
+def exact_gains(
+    drives: Sequence[Drive],
+    spectra: Sequence[Complexes],
+    responses: Sequence[ResponseSpectrum],
+    stop: Stop,
+) -> list[float]:
+    """Gains as `skinsource.rendering.gains.unit_gains`, from maxima computed by definition.
+
+    Transforms say where a maximum is, not how large.
+    """
+    peaks = peaks_of([drive.samples for drive in drives], spectra, responses, stop)
+    gains = []
+    for drive, response, peak in zip(drives, responses, peaks, strict=True):
+        one = Heard(drive=drive, delay_samples=0, weight=1.0, response=response)
+        output, axis = divmod(peak.channel, N_AXES)
+        value = float(one.exact(output + 1, axis, peak.time))
+        gains.append(1.0 / value if peak.value > 0.0 and value > 0.0 else drive.factor)
+    return gains
 
 
 def trace_error_of(

@@ -1,10 +1,12 @@
 """Drives: drawn once per waveform, transformed once per length, delayed by a phase ramp."""
 
 from dataclasses import dataclass
+from weakref import WeakValueDictionary
 
 import numpy as np
 from numpy.typing import NDArray
 
+from skinsource.design import Input
 from skinsource.errors import InvalidInputError
 from skinsource.rendering.memory import Memory
 from skinsource.rendering.transforms import Complexes, Floats, forward
@@ -20,7 +22,20 @@ _BUDGET_BYTES = 32 * 2**20
 LARGEST = 1e30
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Source:
+    """An input without its amplitude and onset: what its unit field depends on."""
+
+    waveform: Waveform
+    location: int
+
+
+def source_of(one: Input) -> Source:
+    """Return ``one`` without its amplitude and onset."""
+    return Source(waveform=one.waveform, location=one.location)
+
+
+@dataclass(frozen=True, slots=True, eq=False, weakref_slot=True)
 class Drive:
     """What an input plays, scaled by a power of two so that its peak lies between 1 and 2.
 
@@ -64,36 +79,44 @@ class Drives:
     def __init__(self, budget_bytes: int = _BUDGET_BYTES) -> None:
         self._drawn = Memory[Drive](budget_bytes, lambda drive: drive.samples.nbytes)
         self._spectra = Memory[Complexes](budget_bytes, lambda spectrum: spectrum.nbytes)
+        # Long drives exceed the budget; what a scene still holds is not drawn twice.
+        self._alive: WeakValueDictionary[tuple[Waveform, float], Drive] = WeakValueDictionary()
 
-    def drawn(self, waveform: Waveform, sample_rate_hz: float) -> Drive:
-        """Samples of ``waveform``; refused where one of them is not a usable number."""
+    def drawn(self, source: Source | Input, sample_rate_hz: float) -> Drive:
+        """Samples of what ``source`` plays; refused where one of them is not a usable number."""
+        key = source.waveform, sample_rate_hz
+        drive = self._drawn.find(key)
+        if drive is None:
+            drive = self._alive.get(key) or _draw(source, sample_rate_hz)
+            self._alive[key] = drive
+            self._drawn.add(key, drive)
+        return drive
 
-        def compute() -> Drive:
-            samples = waveform.samples(sample_rate_hz)
-            bad = first_unusable(samples)
-            if bad is not None:
-                raise InvalidInputError(
-                    f"{waveform.title}: sample {bad[0]} is {samples[bad]}, expected a finite "
-                    f"number of at most {LARGEST:g}. Correct what the input plays."
-                )
-            drive = drive_of(samples)
-            expected = sample_count(waveform.duration_s, sample_rate_hz)
-            if drive.samples.size != expected:
-                raise ValueError(
-                    f"{waveform} has {drive.samples.size} samples, expected {expected}: those of "
-                    "its duration_s"
-                )
-            tally(samples_drawn=drive.samples.size)
-            return drive
-
-        return self._drawn.get((waveform, sample_rate_hz), compute)
-
-    def spectrum(self, waveform: Waveform, sample_rate_hz: float, n_fft: int) -> Complexes:
-        """Spectrum of ``waveform`` starting at time 0, (n_fft // 2 + 1,)."""
+    def spectrum(self, source: Source | Input, sample_rate_hz: float, n_fft: int) -> Complexes:
+        """Spectrum of what ``source`` plays if it starts at time 0, (n_fft // 2 + 1,)."""
         return self._spectra.get(
-            (waveform, sample_rate_hz, n_fft),
-            lambda: forward(self.drawn(waveform, sample_rate_hz).samples, n_fft),
+            (source.waveform, sample_rate_hz, n_fft),
+            lambda: forward(self.drawn(source, sample_rate_hz).samples, n_fft),
         )
+
+
+def _draw(source: Source | Input, sample_rate_hz: float) -> Drive:
+    waveform = source.waveform
+    samples = waveform.samples(sample_rate_hz)
+    bad = first_unusable(samples)
+    if bad is not None:
+        raise InvalidInputError(
+            f"Input at place {source.location}, {waveform.title}: sample {bad[0]} is "
+            f"{samples[bad]}, expected a finite number of at most {LARGEST:g}. Correct what the "
+            "input plays, or mute it."
+        )
+    expected = sample_count(waveform.duration_s, sample_rate_hz)
+    if samples.size != expected:
+        raise ValueError(
+            f"{waveform} has {samples.size} samples, expected {expected}: those of its duration_s"
+        )
+    tally(samples_drawn=samples.size)
+    return drive_of(samples)
 
 
 def delayed(spectrum: Complexes, delay_samples: int, n_fft: int) -> Complexes:
@@ -105,10 +128,17 @@ def delayed(spectrum: Complexes, delay_samples: int, n_fft: int) -> Complexes:
     return spectrum * np.exp(-2j * np.pi * turns)
 
 
-def reach(samples: Floats, delay_samples: int, n_taps: int, n_times: int) -> Booleans:
-    """When a drive can be felt at all, (n_times,): at and after its samples other than zero."""
-    felt = np.zeros(n_times + 1, np.int64)
-    places = np.flatnonzero(samples) + delay_samples
-    np.add.at(felt, places, 1)
-    np.subtract.at(felt, np.minimum(places + n_taps, n_times), 1)
-    return np.cumsum(felt[:-1]) > 0
+def reach(played: Booleans, n_taps: int) -> Booleans:
+    """When a drive can be felt at all: at and after its samples other than zero, (n_times,).
+
+    Parameters
+    ----------
+    played : (n_times,) of bool
+        Where the drive is not zero.
+    n_taps
+        Samples of the response.
+    """
+    counts = np.cumsum(played, dtype=np.int64)
+    before = np.zeros_like(counts)
+    before[n_taps:] = counts[:-n_taps]
+    return counts > before

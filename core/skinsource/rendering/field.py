@@ -4,10 +4,24 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from skinsource.graph import Stopped
 from skinsource.rendering.drives import delayed
 from skinsource.rendering.part import Part
-from skinsource.rendering.streaming import StreamedField
+from skinsource.rendering.streaming import Stop, StreamedField, never
 from skinsource.rendering.transforms import Complexes, Floats, forward
+
+
+def one_by_one(signals: Floats, stop: Stop) -> Complexes:
+    """Transforms over exactly the samples of long signals, (..., n_times // 2 + 1).
+
+    One after the other: each takes much memory, and a tenth of a second.
+    """
+    found = np.empty((*signals.shape[:-1], signals.shape[-1] // 2 + 1), np.complex128)
+    for place in np.ndindex(signals.shape[:-1]):
+        if stop():
+            raise Stopped
+        found[place] = forward(signals[place], signals.shape[-1])
+    return found
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -34,10 +48,10 @@ class Field:
     delay_samples: int
     streamed: StreamedField | None
 
-    def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Floats:
+    def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...], stop: Stop = never) -> Floats:
         """Acceleration of some outputs, (n_outputs, n_axes, n_times), in m/s²."""
         if self.streamed is not None:
-            return self.streamed.traces(outputs, axes)
+            return self.streamed.traces(outputs, axes, stop)
         total = np.zeros((len(outputs), len(axes), self.n_times))
         if self.others is not None:
             total += self.others.traces(outputs, axes)
@@ -47,10 +61,12 @@ class Field:
             total[..., self.delay_samples :] += self.weight * unit[..., :started]
         return total
 
-    def transforms(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Complexes:
+    def transforms(
+        self, outputs: tuple[int, ...], axes: tuple[int, ...], stop: Stop = never
+    ) -> Complexes:
         """Their transforms over exactly n_times samples, (n_outputs, n_axes, n_times // 2 + 1)."""
         if self.streamed is not None:
-            return forward(self.streamed.traces(outputs, axes), self.n_times)
+            return one_by_one(self.streamed.traces(outputs, axes, stop), stop)
         total = np.zeros((len(outputs), len(axes), self.n_times // 2 + 1), np.complex128)
         if self.others is not None:
             total += self.others.trace_spectra(outputs, axes)

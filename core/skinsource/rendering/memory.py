@@ -24,15 +24,24 @@ class Memory(Generic[V]):
         self._values: OrderedDict[Hashable, V] = OrderedDict()
         self.held_bytes = 0
 
-    def get(self, key: Hashable, compute: Callable[[], V]) -> V:
-        """Return the value of ``key``; ``compute`` it where it is not remembered."""
+    def find(self, key: Hashable) -> V | None:
+        """Return the value of ``key``, or None."""
         if key in self._values:
             self._values.move_to_end(key)
-            return self._values[key]
-        value = compute()
+        return self._values.get(key)
+
+    def add(self, key: Hashable, value: V) -> None:
+        """Remember ``value``, which was not known."""
         self._values[key] = value
         self.held_bytes += self._size_of(value)
         while self.held_bytes > self._budget_bytes and self._values:
             _, oldest = self._values.popitem(last=False)
             self.held_bytes -= self._size_of(oldest)
+
+    def get(self, key: Hashable, compute: Callable[[], V]) -> V:
+        """Return the value of ``key``; ``compute`` it where it is not remembered."""
+        value = self.find(key)
+        if value is None:
+            value = compute()
+            self.add(key, value)
         return value

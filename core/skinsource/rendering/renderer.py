@@ -6,40 +6,26 @@ waveform or onset leaves the others alone.  What comes out is a function of desi
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from skinsource.design import Input
+from skinsource.graph import Stopped
 from skinsource.limb import N_TAPS, Limb
 from skinsource.projection import Axes, axis_numbers
-from skinsource.rendering.check import Heard, TraceError, exact_maximum, trace_error_of
-from skinsource.rendering.drives import Booleans, Drives, delayed, reach
-from skinsource.rendering.gains import unit_gain
-from skinsource.rendering.memory import Memory
-from skinsource.rendering.response_spectra import ResponseSpectra
+from skinsource.rendering.check import Heard, TraceError, exact_gains, trace_error_of
+from skinsource.rendering.drives import Booleans, Drive, Drives, Source, delayed, reach, source_of
+from skinsource.rendering.exact_spectra import ExactSpectra
+from skinsource.rendering.gains import Gains
+from skinsource.rendering.part import Part
+from skinsource.rendering.response_spectra import ResponseSpectra, ResponseSpectrum
 from skinsource.rendering.segments import BLOCK_FFT, LONGEST_AT_ONCE, Played
-from skinsource.rendering.streaming import StreamedField
+from skinsource.rendering.streaming import Stop, StreamedField
+from skinsource.rendering.sums import sum_of_fields
 from skinsource.rendering.transforms import Complexes, Floats
 from skinsource.response_scaling import Scaling
 from skinsource.signals import sample_count
-from skinsource.waveforms import Waveform
-
-_GAINS_BUDGET_BYTES = 2**20
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Source:
-    """An input without its amplitude and onset: what its unit field depends on."""
-
-    waveform: Waveform
-    location: int
-
-
-def source_of(one: Input) -> Source:
-    """Return ``one`` without its amplitude and onset."""
-    return Source(waveform=one.waveform, location=one.location)
 
 
 class Renderer:
@@ -51,8 +37,8 @@ class Renderer:
     def __init__(self) -> None:
         self._responses = ResponseSpectra()
         self._drives = Drives()
-        # A key and a number: about a hundred bytes.
-        self._gains = Memory[float](_GAINS_BUDGET_BYTES, lambda _: 100)
+        self._gains = Gains(self._drives)
+        self._exact_spectra = ExactSpectra()
 
     def rules(self) -> tuple[Callable[..., Any], ...]:
         """The methods that are rules."""
@@ -63,17 +49,22 @@ class Renderer:
             self.pivot_unit_spectrum,
             self.others_felt,
             self.pivot_felt,
+            self.pivot_part,
             self.pivot_gain,
             self.streamed_field,
             self.trace_error,
         )
 
     def input_waveforms(
-        self, inputs: tuple[Input, ...], sample_rate_hz: float
+        self, inputs: tuple[Input, ...], sample_rate_hz: float, stop: Stop
     ) -> tuple[Floats, ...]:
         """What each input plays, muted or not: one (n_times,) each, of peak 1."""
-        drawn = [self._drives.drawn(one.waveform, sample_rate_hz) for one in inputs]
-        return tuple(drive.samples * drive.factor for drive in drawn)
+        drives = [self._drawn(one, sample_rate_hz, stop) for one in inputs]
+        # Long ones are not held twice: most have a peak of exactly 1.
+        return tuple(
+            drive.samples if drive.factor in (0.0, 1.0) else drive.samples * drive.factor
+            for drive in drives
+        )
 
     def stimulus_samples(self, audible: tuple[Input, ...], sample_rate_hz: float) -> int:
         """Samples from time 0 to the end of the last input; 1 where nothing is heard."""
@@ -106,28 +97,59 @@ class Renderer:
         """Field of the selected input at amplitude 1 and onset 0, before any gain."""
         if pivot_source is None or n_fft is None:
             return None
-        if self._drives.drawn(pivot_source.waveform, limb_data.sample_rate_hz).silent:
+        if self._drives.drawn(pivot_source, limb_data.sample_rate_hz).silent:
             return None
-        drive = self._drives.spectrum(pivot_source.waveform, limb_data.sample_rate_hz, n_fft)
-        return self._field(limb_data, pivot_source, scaling, n_fft, drive)
+        drive = self._drives.spectrum(pivot_source, limb_data.sample_rate_hz, n_fft)
+        response = self._responses.of(limb_data, pivot_source.location, scaling, n_fft)
+        return sum_of_fields([response.values], [drive])
 
     def others_felt(
-        self, others: tuple[Input, ...], response_samples: int, sample_rate_hz: float
+        self,
+        others: tuple[Input, ...],
+        response_samples: int,
+        sample_rate_hz: float,
+        n_fft: int | None,
     ) -> Booleans:
-        """When any of the other inputs can be felt, (response_samples,)."""
-        felt = np.zeros(response_samples, bool)
-        for one in others:
+        """When any of the other inputs can be felt, (response_samples,); not for long scenes."""
+        played = np.zeros(0 if n_fft is None else response_samples, bool)
+        for one in others if played.size else ():
+            samples = self._drives.drawn(one, sample_rate_hz).samples
             onset = sample_count(one.onset_s, sample_rate_hz)
-            felt |= self._felt(one.waveform, onset, sample_rate_hz, response_samples)
-        return felt
+            played[onset : onset + samples.size] |= samples != 0.0
+        return reach(played, N_TAPS)
 
     def pivot_felt(
-        self, pivot_source: Source | None, response_samples: int, sample_rate_hz: float
+        self,
+        pivot_source: Source | None,
+        response_samples: int,
+        sample_rate_hz: float,
+        n_fft: int | None,
     ) -> Booleans:
-        """When the selected input could be felt if it started at time 0, (response_samples,)."""
-        if pivot_source is None:
-            return np.zeros(response_samples, bool)
-        return self._felt(pivot_source.waveform, 0, sample_rate_hz, response_samples)
+        """When the selected input could be felt if it started at time 0, as `others_felt`."""
+        played = np.zeros(0 if n_fft is None else response_samples, bool)
+        if pivot_source is not None and played.size:
+            samples = self._drives.drawn(pivot_source, sample_rate_hz).samples
+            played[: samples.size] = samples != 0.0
+        return reach(played, N_TAPS)
+
+    def pivot_part(
+        self,
+        limb_data: Limb,
+        pivot_source: Source | None,
+        scaling: Scaling,
+        pivot_unit_spectrum: Complexes | None,
+        pivot_felt: Booleans,
+        n_fft: int | None,
+    ) -> Part | None:
+        """Field of the selected input at amplitude 1 and onset 0, to be brought back to time."""
+        if pivot_unit_spectrum is None or pivot_source is None or n_fft is None:
+            return None
+        location = pivot_source.location
+        samples = self._drives.drawn(pivot_source, limb_data.sample_rate_hz).samples
+        taps = self._responses.of(limb_data, location, scaling, n_fft).taps
+        name = limb_data, location, scaling == "probe"
+        exact = self._exact_spectra.of(samples, taps, name, pivot_felt.size)
+        return Part(pivot_unit_spectrum, n_fft, pivot_felt, exact)
 
     def pivot_gain(
         self,
@@ -139,7 +161,11 @@ class Renderer:
         """What the field of the selected input is multiplied with at amplitude 1."""
         if pivot_source is None or n_fft is None:
             return 0.0
-        return self._gain(limb_data, pivot_source, scaling, n_fft)
+        drive = self._drives.drawn(pivot_source, limb_data.sample_rate_hz)
+        if drive.silent:
+            return drive.factor
+        response = self._responses.of(limb_data, pivot_source.location, scaling, n_fft)
+        return self._gains.of(limb_data, scaling, [pivot_source], [response])[0]
 
     def streamed_field(
         self,
@@ -147,27 +173,31 @@ class Renderer:
         audible: tuple[Input, ...],
         scaling: Scaling,
         response_samples: int,
-        stop: Callable[[], bool],
+        stop: Stop,
     ) -> StreamedField | None:
         """Field of all audible inputs where the scene is too long to be transformed at once."""
         if response_samples <= LONGEST_AT_ONCE:
             return None
         rate = limb_data.sample_rate_hz
-        played = []
-        for one in audible:
-            source = source_of(one)
-            drive = self._drives.drawn(one.waveform, rate)
-            weight = one.amplitude * self._gain(limb_data, source, scaling, BLOCK_FFT, stop)
-            if weight != 0.0:
-                played.append(
-                    Played(
-                        samples=drive.samples,
-                        start=sample_count(one.onset_s, rate),
-                        weight=weight,
-                        response=self._responses.of(limb_data, one.location, scaling, BLOCK_FFT),
-                    )
-                )
-        return StreamedField(played, response_samples, stop)
+        drawn = [(one, self._drawn(one, rate, stop)) for one in audible]
+        heard = [(one, drive) for one, drive in drawn if _is_heard(one, drive)]
+        if not heard:
+            return StreamedField([], None, response_samples)
+        used = tuple(sorted({one.location for one, _ in heard}))
+        stack = self._responses.stack(limb_data, used, scaling, BLOCK_FFT)
+        sources = [source_of(one) for one, _ in heard]
+        responses = [stack.responses[one.location] for one, _ in heard]
+        gains = self._gains.of(limb_data, scaling, sources, responses, stop)
+        played = [
+            Played(
+                drive=drive,
+                start=sample_count(one.onset_s, rate),
+                weight=one.amplitude * gain,
+                location=one.location,
+            )
+            for (one, drive), gain in zip(heard, gains, strict=True)
+        ]
+        return StreamedField(played, stack, response_samples)
 
     def trace_error(
         self,
@@ -178,88 +208,62 @@ class Renderer:
         axes: Axes,
         axis_traces: Floats,
         n_fft: int | None,
+        stop: Stop,
     ) -> TraceError | None:
-        """Error of the selected traces; None where there is nothing, or too much, to check."""
-        if n_fft is None:
-            return None
+        """Error of the selected traces; None where there is nothing to check."""
         rate = limb_data.sample_rate_hz
-        heard = []
-        for one in audible:
-            drive = self._drives.drawn(one.waveform, rate)
-            if drive.silent or one.amplitude == 0.0:
-                continue
-            response = self._responses.of(limb_data, one.location, scaling, n_fft)
-            gain = drive.factor
-            if scaling == "upstream":
-                spectrum = self._drives.spectrum(one.waveform, rate, n_fft)
-                largest = exact_maximum(drive, spectrum, response)
-                gain = 1.0 / largest if largest > 0 else gain
-            heard.append(
-                Heard(
-                    drive=drive,
-                    delay_samples=sample_count(one.onset_s, rate),
-                    weight=one.amplitude * gain,
-                    response=response,
-                )
+        drawn = [(one, self._drawn(one, rate, stop)) for one in audible]
+        heard = [(one, drive) for one, drive in drawn if _is_heard(one, drive)]
+        responses = self._responses_to(limb_data, [one for one, _ in heard], scaling, n_fft)
+        spectra = [self._drives.spectrum(one, rate, n_fft) for one, _ in heard if n_fft is not None]
+        drives = [drive for _, drive in heard]
+        factors = [drive.factor for drive in drives]
+        if scaling == "upstream" and heard:
+            factors = exact_gains(drives, spectra, responses, stop)
+        checked = [
+            Heard(
+                drive=drive,
+                delay_samples=sample_count(one.onset_s, rate),
+                weight=one.amplitude * factor,
+                response=response,
             )
-        return trace_error_of(axis_traces, outputs, axis_numbers(axes), heard)
+            for (one, drive), response, factor in zip(heard, responses, factors, strict=True)
+        ]
+        return trace_error_of(axis_traces, outputs, axis_numbers(axes), checked)
 
     def _sum(
         self, limb: Limb, inputs: tuple[Input, ...], scaling: Scaling, n_fft: int
     ) -> Complexes | None:
-        total: Complexes | None = None
         rate = limb.sample_rate_hz
-        # One buffer for all: new memory of this size costs more than what is written to it.
-        field: Complexes | None = None
-        for one in inputs:
-            source = source_of(one)
-            weight = one.amplitude * self._gain(limb, source, scaling, n_fft)
-            if weight == 0.0:
-                continue
-            drive = self._drives.spectrum(one.waveform, rate, n_fft)
-            drive = delayed(drive, sample_count(one.onset_s, rate), n_fft) * weight
-            field = self._field(limb, source, scaling, n_fft, drive, field)
-            if total is None:
-                total, field = field, None
-            else:
-                total += field
-        return total
+        heard = [one for one in inputs if _is_heard(one, self._drives.drawn(one, rate))]
+        if not heard:
+            return None
+        responses = self._responses_to(limb, heard, scaling, n_fft)
+        gains = self._gains.of(limb, scaling, [*map(source_of, heard)], responses)
+        drives = []
+        for one, gain in zip(heard, gains, strict=True):
+            drive = self._drives.spectrum(one, rate, n_fft)
+            onset = sample_count(one.onset_s, rate)
+            drives.append(delayed(drive, onset, n_fft) * (one.amplitude * gain))
+        return sum_of_fields([response.values for response in responses], drives)
 
-    def _felt(
-        self, waveform: Waveform, delay_samples: int, sample_rate_hz: float, n_times: int
-    ) -> Booleans:
-        drawn = self._drives.drawn(waveform, sample_rate_hz)
-        return reach(drawn.samples, delay_samples, N_TAPS, n_times)
+    def _responses_to(
+        self, limb: Limb, inputs: list[Input], scaling: Scaling, n_fft: int | None
+    ) -> list[ResponseSpectrum]:
+        """Responses to the places of inputs; without ``n_fft`` those for blocks."""
+        if n_fft is not None:
+            return [self._responses.of(limb, one.location, scaling, n_fft) for one in inputs]
+        if not inputs:
+            return []
+        used = tuple(sorted({one.location for one in inputs}))
+        stack = self._responses.stack(limb, used, scaling, BLOCK_FFT)
+        return [stack.responses[one.location] for one in inputs]
 
-    def _field(
-        self,
-        limb: Limb,
-        source: Source,
-        scaling: Scaling,
-        n_fft: int,
-        drive: Complexes,
-        buffer: Complexes | None = None,
-    ) -> Complexes:
-        response = self._responses.of(limb, source.location, scaling, n_fft)
-        return np.multiply(response.values, drive, out=buffer)
+    def _drawn(self, one: Input, sample_rate_hz: float, stop: Stop) -> Drive:
+        if stop():
+            raise Stopped
+        return self._drives.drawn(one, sample_rate_hz)
 
-    def _gain(
-        self,
-        limb: Limb,
-        source: Source,
-        scaling: Scaling,
-        n_fft: int,
-        stop: Callable[[], bool] = lambda: False,
-    ) -> float:
-        rate = limb.sample_rate_hz
-        drive = self._drives.drawn(source.waveform, rate)
-        if drive.silent or scaling != "upstream":
-            return drive.factor
 
-        def compute() -> float:
-            response = self._responses.of(limb, source.location, scaling, n_fft)
-            fits = drive.samples.size + N_TAPS - 1 <= n_fft
-            spectrum = self._drives.spectrum(source.waveform, rate, n_fft) if fits else None
-            return unit_gain(drive, spectrum, response, scaling, stop)
-
-        return self._gains.get((limb, source.location, source.waveform, n_fft), compute)
+def _is_heard(one: Input, drive: Drive) -> bool:
+    return one.amplitude != 0.0 and not drive.silent

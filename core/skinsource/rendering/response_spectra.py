@@ -1,21 +1,25 @@
 """Spectra of impulse responses, by place and length, in bounded memory."""
 
+from collections import OrderedDict
+from collections.abc import Hashable
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from skinsource.calibration import per_probe_acceleration
 from skinsource.errors import InvalidInputError
-from skinsource.limb import Limb
+from skinsource.limb import N_AXES, N_INPUTS, N_OUTPUTS, Limb
 from skinsource.rendering.drives import LARGEST, first_unusable
-from skinsource.rendering.memory import Memory
 from skinsource.rendering.transforms import Complexes, Floats, forward
 from skinsource.response_scaling import Scaling
 
-#: Responses of twenty places for stimuli of one to two seconds.
-BUDGET_BYTES = 192 * 2**20
+#: Responses of twenty places for stimuli of four seconds.
+BUDGET_BYTES = 216 * 2**20
+#: Taps at which responses are cut for bounds by energy: finely where most of it is.
+SECTIONS = (0, 32, 64, 96, 128, 192, 256)
+#: Bins of a band, over which responses, shorter than the transform, change little.
+BAND_BINS = 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,16 +39,27 @@ class ResponseSpectrum:
     n_fft: int
 
     @cached_property
-    def weighted_magnitudes(self) -> NDArray[np.float32]:
-        """Magnitudes over n_fft, doubled but for the ends, (216, n_bins): sums bound samples.
+    def rows(self) -> Complexes:
+        """The spectra, one row for each channel, (216, n_bins)."""
+        return self.values.reshape(-1, self.values.shape[-1])
 
-        Half the precision is enough for a bound, and twice as fast to read.
+    @cached_property
+    def band_magnitudes(self) -> Floats:
+        """Largest magnitude in each band of bins, (216, n_bands), so that sums bound samples.
+
+        Divided by n_fft and doubled but for the ends, as in the inverse transform.
         """
-        flat = self.values.reshape(-1, self.values.shape[-1])
-        magnitudes = np.sqrt(np.square(flat.real) + np.square(flat.imag))
+        magnitudes = np.abs(self.rows)
         magnitudes *= 2.0 / self.n_fft
         magnitudes[:, [0, -1]] *= 0.5
-        return magnitudes.astype(np.float32)
+        starts = np.arange(0, magnitudes.shape[-1], BAND_BINS)
+        return np.maximum.reduceat(magnitudes, starts, axis=-1)
+
+    @cached_property
+    def section_norms(self) -> Floats:
+        """Root of the sum of squares of each section of each response, (216, n_sections)."""
+        squares = np.square(self.taps.reshape(-1, self.taps.shape[-1]))
+        return np.sqrt(np.add.reduceat(squares, SECTIONS, axis=-1))
 
     @cached_property
     def energies(self) -> Floats:
@@ -57,35 +72,95 @@ class ResponseSpectrum:
         return np.abs(self.taps.reshape(-1, self.taps.shape[-1])).sum(axis=-1)
 
 
-class ResponseSpectra:
-    """Spectra by limb, place, scaling and length."""
+class _Places:
+    """Spectra at one length, made place by place.
 
-    def __init__(self, budget_bytes: int = BUDGET_BYTES) -> None:
-        # The magnitudes, made when first needed, are a quarter as large as the values.
-        self._memory = Memory[ResponseSpectrum](
-            budget_bytes, lambda one: one.values.nbytes * 5 // 4
+    They lie in one piece of memory, which the system serves in large pages (a sum over twenty
+    places is twice as fast then); what is never touched takes none.
+    """
+
+    def __init__(self, n_fft: int) -> None:
+        self._n_fft = n_fft
+        self._values: Complexes = np.empty(
+            (N_INPUTS, N_OUTPUTS, N_AXES, n_fft // 2 + 1), np.complex128
         )
+        self._known: dict[int, ResponseSpectrum] = {}
+
+    @property
+    def held_bytes(self) -> int:
+        return len(self._known) * self._values[0].nbytes
+
+    def of(self, limb: Limb, location: int, scaling: Scaling) -> ResponseSpectrum:
+        if location not in self._known:
+            taps = scaled_taps(limb, location, scaling)
+            values = self._values[location - 1]
+            values[:] = forward(taps, self._n_fft)
+            self._known[location] = ResponseSpectrum(taps, values, self._n_fft)
+        return self._known[location]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stack:
+    """Spectra of the responses to some places, frequency by frequency, for matrix products.
+
+    Attributes
+    ----------
+    values : (n_fft // 2 + 1, n_places, 216)
+        The spectra.
+    responses
+        The same, place by place.
+    """
+
+    values: Complexes
+    responses: dict[int, ResponseSpectrum]
 
     @property
     def held_bytes(self) -> int:
         """What the spectra take in memory."""
-        return self._memory.held_bytes
+        return self.values.nbytes
+
+
+class ResponseSpectra:
+    """Spectra by limb, place, scaling and length; the least recently used lengths go first."""
+
+    def __init__(self, budget_bytes: int = BUDGET_BYTES) -> None:
+        self._budget_bytes = budget_bytes
+        self._held: OrderedDict[Hashable, _Places | Stack] = OrderedDict()
+
+    @property
+    def held_bytes(self) -> int:
+        """What the spectra take in memory."""
+        return sum(one.held_bytes for one in self._held.values())
 
     def of(self, limb: Limb, location: int, scaling: Scaling, n_fft: int) -> ResponseSpectrum:
         """Responses to ``location``; under ``"probe"`` scaling the calibrated ones."""
-
-        def compute() -> ResponseSpectrum:
-            taps = _usable(limb, location)
-            if scaling == "probe":
-                taps = per_probe_acceleration(taps, limb.sample_rate_hz)
-            return ResponseSpectrum(taps, forward(taps, n_fft), n_fft)
-
         # A limb is the object, not the name: after a reinstall the name means other data.
-        return self._memory.get((limb, location, scaling == "probe", n_fft), compute)
+        key = limb, scaling == "probe", n_fft
+        places = self._held.get(key)
+        if not isinstance(places, _Places):
+            places = _Places(n_fft)
+        response = places.of(limb, location, scaling)
+        self._keep(key, places)
+        return response
+
+    def stack(self, limb: Limb, places: tuple[int, ...], scaling: Scaling, n_fft: int) -> Stack:
+        """Responses to ``places`` for matrix products."""
+        key = limb, scaling == "probe", n_fft, places
+        stack = self._held.get(key)
+        if not isinstance(stack, Stack):
+            stack = _stack(limb, places, scaling, n_fft)
+        self._keep(key, stack)
+        return stack
+
+    def _keep(self, key: Hashable, latest: _Places | Stack) -> None:
+        self._held[key] = latest
+        self._held.move_to_end(key)
+        while len(self._held) > 1 and self.held_bytes > self._budget_bytes:
+            self._held.popitem(last=False)
 
 
-def _usable(limb: Limb, location: int) -> Floats:
-    """Responses to ``location``, refused where a tap is not a usable number."""
+def scaled_taps(limb: Limb, location: int, scaling: Scaling) -> Floats:
+    """Responses to ``location``, (72, 3, 522), refused where a tap is not a usable number."""
     taps = limb.response_to(location)
     bad = first_unusable(taps)
     if bad is not None:
@@ -95,4 +170,16 @@ def _usable(limb: Limb, location: int) -> Floats:
             f"{'xyz'[axis]}, tap {tap} is {taps[bad]}, expected a finite number of at most "
             f"{LARGEST:g}. Install or load the limb again."
         )
-    return taps
+    return per_probe_acceleration(taps, limb.sample_rate_hz) if scaling == "probe" else taps
+
+
+def _stack(limb: Limb, places: tuple[int, ...], scaling: Scaling, n_fft: int) -> Stack:
+    n_bins, n_channels = n_fft // 2 + 1, N_OUTPUTS * N_AXES
+    values = np.empty((n_bins, len(places), n_channels), np.complex128)
+    responses = {}
+    for row, place in enumerate(places):
+        taps = scaled_taps(limb, place, scaling)
+        values[:, row] = forward(taps.reshape(n_channels, -1), n_fft).T
+        by_channel = values[:, row].T.reshape(N_OUTPUTS, N_AXES, n_bins)
+        responses[place] = ResponseSpectrum(taps, by_channel, n_fft)
+    return Stack(values, responses)

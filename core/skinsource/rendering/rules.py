@@ -10,7 +10,7 @@ from skinsource.decibels import decibels
 from skinsource.design import Input, audible_indices, audible_inputs
 from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS
 from skinsource.projection import Axes, Method, axis_numbers
-from skinsource.rendering.drives import Booleans, delayed
+from skinsource.rendering.drives import Booleans, Source, delayed, source_of
 from skinsource.rendering.moments import (
     Moments,
     combined,
@@ -21,9 +21,8 @@ from skinsource.rendering.moments import (
     needs_products,
 )
 from skinsource.rendering.part import Part
-from skinsource.rendering.renderer import Source, source_of
 from skinsource.rendering.segments import LONGEST_AT_ONCE
-from skinsource.rendering.streaming import StreamedField
+from skinsource.rendering.streaming import Stop, StreamedField
 from skinsource.rendering.transforms import Complexes, Floats, transform_length
 from skinsource.signals import sample_count
 
@@ -88,14 +87,9 @@ def others_part(
     others_spectrum: Complexes | None, others_felt: Booleans, n_fft: int | None
 ) -> Part | None:
     """Field of all inputs but the selected one, to be brought back to time."""
-    return _part(others_spectrum, others_felt, n_fft)
-
-
-def pivot_part(
-    pivot_unit_spectrum: Complexes | None, pivot_felt: Booleans, n_fft: int | None
-) -> Part | None:
-    """Field of the selected input at amplitude 1 and onset 0, to be brought back to time."""
-    return _part(pivot_unit_spectrum, pivot_felt, n_fft)
+    if others_spectrum is None or n_fft is None:
+        return None
+    return Part(others_spectrum, n_fft, others_felt)
 
 
 def others_moments(
@@ -132,6 +126,7 @@ def moments(
     n_fft: int | None,
     products_needed: bool,
     streamed_field: StreamedField | None,
+    stop: Stop,
 ) -> Moments:
     """Moments of the whole field.
 
@@ -139,7 +134,7 @@ def moments(
     that no digits are lost.
     """
     if streamed_field is not None:
-        return streamed_field.moments()
+        return streamed_field.moments(stop)
     if pivot_moments is None or pivot_weight == 0.0:
         return others_moments or _silence()
     if others_moments is None or cross_moments is None:
@@ -201,7 +196,6 @@ RULES = (
     n_fft,
     products_needed,
     others_part,
-    pivot_part,
     others_moments,
     pivot_moments,
     cross_moments,
@@ -210,10 +204,6 @@ RULES = (
     output_rms,
     output_levels_db,
 )
-
-
-def _part(spectrum: Complexes | None, felt: Booleans, n_fft: int | None) -> Part | None:
-    return None if spectrum is None or n_fft is None else Part(spectrum, n_fft, felt)
 
 
 def _moments(

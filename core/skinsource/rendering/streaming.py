@@ -1,10 +1,12 @@
 """Long scenes, block by block: nothing as long as the scene is held but the drives.
 
-Overlap-save: a block of ``BLOCK_FFT`` samples of a drive gives ``BLOCK_SAMPLES`` samples of
-response; blocks in which an input is silent cost nothing for that input.
+Overlap-save: a block of ``BLOCK_FFT`` samples of the drives gives ``BLOCK_SAMPLES`` samples of
+response.  At each frequency the fields of all inputs, in some blocks, are one matrix product.
+Blocks in which all inputs are silent cost nothing.
 """
 
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
@@ -12,11 +14,19 @@ from skinsource.graph import Stopped
 from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS
 from skinsource.rendering.drives import Booleans, reach
 from skinsource.rendering.moments import Moments
+from skinsource.rendering.response_spectra import Stack
 from skinsource.rendering.segments import BLOCK_FFT, BLOCK_SAMPLES, Played
 from skinsource.rendering.transforms import Complexes, Floats, forward, inverse
 
-# Blocks whose spectra are made together, and outputs at a time: a megabyte, which fits a cache.
-_GROUP, _OUTPUTS_AT_ONCE = 4, 8
+Stop = Callable[[], bool]
+
+# Blocks whose spectra are made together: enough for matrix products to be worth it.
+_GROUP = 4
+
+
+def never() -> bool:
+    """Do not stop."""
+    return False
 
 
 class StreamedField:
@@ -26,37 +36,37 @@ class StreamedField:
     ----------
     inputs
         What is played.
+    stack
+        Responses to their places, at ``BLOCK_FFT``; None where nothing is played.
     n_times
         Samples of the response.
-    stop
-        Asked before each block; once true, `Stopped` is raised.
+
+    What takes long asks ``stop`` before each group of blocks; once true, `Stopped` is raised.
     """
 
-    def __init__(
-        self, inputs: Sequence[Played], n_times: int, stop: Callable[[], bool] = lambda: False
-    ) -> None:
+    def __init__(self, inputs: Sequence[Played], stack: Stack | None, n_times: int) -> None:
         self._inputs = inputs
+        self._stack = stack
         self.n_times = n_times
-        self._stop = stop
         self._moments: Moments | None = None
 
-    def moments(self) -> Moments:
+    def moments(self, stop: Stop = never) -> Moments:
         """Moments of the field over the whole response, all products."""
         if self._moments is None:
             second = np.zeros((N_OUTPUTS, N_AXES, N_AXES))
             total = np.zeros((N_OUTPUTS, N_AXES))
-            for _, block in self.blocks():
+            for _, block in self.blocks(stop):
                 second += block @ block.transpose(0, 2, 1)
                 total += block.sum(axis=-1)
             self._moments = Moments(second, total)
         return self._moments
 
-    def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Floats:
+    def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...], stop: Stop = never) -> Floats:
         """Acceleration of some outputs, (n_outputs, n_axes, n_times)."""
         result = np.zeros((len(outputs), len(axes), self.n_times))
-        rows = np.ix_([output - 1 for output in outputs], list(axes))
-        for first, block in self.blocks(rows):
-            result[..., first : first + block.shape[-1]] = block
+        channels = [(output - 1) * N_AXES + axis for output in outputs for axis in axes]
+        for first, block in self._blocks(channels, stop):
+            result[..., first : first + block.shape[-1]] = block.reshape(*result.shape[:2], -1)
         return result
 
     def everything(self) -> Floats:
@@ -66,65 +76,63 @@ class StreamedField:
             result[..., first : first + block.shape[-1]] = block
         return result
 
-    def blocks(self, rows: tuple[np.ndarray, ...] | None = None) -> Iterator[tuple[int, Floats]]:
-        """Yield first sample and samples, (n_outputs, n_axes, n), of each block that is felt."""
+    def blocks(self, stop: Stop = never) -> Iterator[tuple[int, Floats]]:
+        """Yield first sample and samples, (72 outputs, 3 axes, n), of each block that is felt."""
+        for first, block in self._blocks(None, stop):
+            yield first, block.reshape(N_OUTPUTS, N_AXES, -1)
+
+    def _blocks(self, channels: list[int] | None, stop: Stop) -> Iterator[tuple[int, Floats]]:
+        """Yield first sample and samples, (n_channels, n); None: all channels."""
+        if self._stack is None:
+            return
+        values = self._stack.values
+        if channels is not None:
+            values = np.ascontiguousarray(values[:, :, channels])
         starts = range(0, self.n_times, BLOCK_SAMPLES)
         for k in range(0, len(starts), _GROUP):
-            group = starts[k : k + _GROUP]
-            spectra = self._group_spectra(group, rows)
-            for first in group:
-                if self._stop():
-                    raise Stopped
-                if first not in spectra:
-                    continue
-                n = min(BLOCK_SAMPLES, self.n_times - first)
-                spectrum = spectra.pop(first)
-                samples = inverse(spectrum, BLOCK_FFT)[..., N_TAPS - 1 : N_TAPS - 1 + n]
-                felt = self._felt(first, n)
-                yield first, samples if felt.all() else np.where(felt, samples, 0.0)
-
-    def _group_spectra(
-        self, group: Sequence[int], rows: tuple[np.ndarray, ...] | None
-    ) -> dict[int, Complexes]:
-        """Spectra of the blocks of a group that are felt.
-
-        Some channels of all blocks at a time: what is read of a response stays in the cache for
-        the next block, and what is summed for the next input.
-        """
-        drives = [self._drives_of(one, group) for one in self._inputs]
-        shape = (N_OUTPUTS, N_AXES) if rows is None else np.broadcast_shapes(*map(np.shape, rows))
-        n_bins = BLOCK_FFT // 2 + 1
-        spectra = {
-            first: np.zeros((*shape, n_bins), np.complex128)
-            for first in group
-            if any(first in found for found in drives)
-        }
-        buffer = np.empty((_OUTPUTS_AT_ONCE, shape[1], n_bins), np.complex128)
-        for low in range(0, shape[0] if spectra else 0, _OUTPUTS_AT_ONCE):
-            if self._stop():
+            if stop():
                 raise Stopped
-            part = slice(low, low + _OUTPUTS_AT_ONCE)
-            for one, found in zip(self._inputs, drives, strict=True):
-                values = one.response.values if rows is None else one.response.values[rows]
-                values = values[part]
-                for first, drive in found.items():
-                    field = np.multiply(values, drive, out=buffer[: len(values)])
-                    spectra[first][part] += field
-        return spectra
+            segments = [self._segments(first) for first in starts[k : k + _GROUP]]
+            played = [place for place, found in enumerate(segments) if found]
+            if not played:
+                continue
+            spectra = self._spectra([segments[place] for place in played], values)
+            samples = inverse(spectra, BLOCK_FFT).reshape(len(played), -1, BLOCK_FFT)
+            for block, place in zip(samples, played, strict=True):
+                first = starts[k + place]
+                n = min(BLOCK_SAMPLES, self.n_times - first)
+                felt = _felt(segments[place])[N_TAPS - 1 : N_TAPS - 1 + n]
+                block = block[:, N_TAPS - 1 : N_TAPS - 1 + n]
+                yield first, block if felt.all() else np.where(felt, block, 0.0)
 
-    @staticmethod
-    def _drives_of(one: Played, group: Sequence[int]) -> dict[int, Complexes]:
-        segments = {first: one.segment(first) for first in group}
-        return {
-            first: forward(segment, BLOCK_FFT) * one.weight
-            for first, segment in segments.items()
-            if segment is not None
-        }
+    def _segments(self, first: int) -> dict[int, Floats]:
+        """Drives that the block from sample ``first`` on needs, by input; but silent ones."""
+        found = {number: one.segment(first) for number, one in enumerate(self._inputs)}
+        return {number: piece for number, piece in found.items() if piece is not None}
 
-    def _felt(self, first: int, n: int) -> Booleans:
-        felt = np.zeros(n, bool)
-        for one in self._inputs:
-            segment = one.segment(first)
-            if segment is not None:
-                felt |= reach(segment, 0, N_TAPS, BLOCK_FFT)[N_TAPS - 1 : N_TAPS - 1 + n]
-        return felt
+    def _spectra(self, segments: list[dict[int, Floats]], values: Complexes) -> Complexes:
+        """Spectra of blocks, (n_blocks * n_channels, n_bins), from ``values`` of the stack."""
+        n_bins, n_places, n_channels = values.shape
+        rows = list(self._stack.responses) if self._stack is not None else []
+        drives = np.zeros((n_bins, len(segments), n_places), np.complex128)
+        for block, found in enumerate(segments):
+            for number, piece in found.items():
+                one = self._inputs[number]
+                spectrum = forward(piece, BLOCK_FFT) * one.weight
+                drives[:, block, rows.index(one.location)] += spectrum
+        spectra = np.empty((n_bins, len(segments), n_channels), np.complex128)
+        half = n_bins // 2
+
+        def multiply(part: slice) -> None:
+            np.matmul(drives[part], values[part], out=spectra[part])
+
+        with ThreadPoolExecutor(1) as helper:
+            other = helper.submit(multiply, slice(0, half))
+            multiply(slice(half, n_bins))
+            other.result()
+        return spectra.reshape(n_bins, -1).T
+
+
+def _felt(segments: dict[int, Floats]) -> Booleans:
+    played = np.any([piece != 0.0 for piece in segments.values()], axis=0)
+    return reach(played, N_TAPS)

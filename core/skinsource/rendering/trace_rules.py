@@ -3,10 +3,10 @@
 import numpy as np
 
 from skinsource.projection import Axes, Method, axis_numbers, magnitude
-from skinsource.rendering.field import Field
+from skinsource.rendering.field import Field, one_by_one
 from skinsource.rendering.moments import Moments, without_main_axis
 from skinsource.rendering.part import Part
-from skinsource.rendering.streaming import StreamedField
+from skinsource.rendering.streaming import Stop, StreamedField
 from skinsource.rendering.transforms import Complexes, Floats, forward
 from skinsource.spectra import one_sided_magnitude
 
@@ -30,9 +30,9 @@ def field(
     )
 
 
-def axis_traces(field: Field, outputs: tuple[int, ...], axes: Axes) -> Floats:
+def axis_traces(field: Field, outputs: tuple[int, ...], axes: Axes, stop: Stop) -> Floats:
     """Acceleration of the selected outputs, (n_selected, n_axes, n_times), in m/s²."""
-    return field.traces(outputs, axis_numbers(axes))
+    return field.traces(outputs, axis_numbers(axes), stop)
 
 
 def selected_directions(directions: Floats | None, outputs: tuple[int, ...]) -> Floats | None:
@@ -59,9 +59,9 @@ def selected_traces(axis_traces: Floats, selected_directions: Floats | None) -> 
     return np.einsum("oa,oat->ot", selected_directions, axis_traces)
 
 
-def axis_spectra(field: Field, outputs: tuple[int, ...], axes: Axes) -> Complexes:
+def axis_spectra(field: Field, outputs: tuple[int, ...], axes: Axes, stop: Stop) -> Complexes:
     """Transforms of `axis_traces` over exactly their samples, (n_selected, n_axes, n_bins)."""
-    return field.transforms(outputs, axis_numbers(axes))
+    return field.transforms(outputs, axis_numbers(axes), stop)
 
 
 def selected_spectra(
@@ -71,13 +71,16 @@ def selected_spectra(
     selected_directions: Floats | None,
     selected_traces: Floats,
     sample_rate_hz: float,
+    stop: Stop,
 ) -> tuple[Floats, Floats]:
     """Frequencies, (n_bins,), in Hz, and magnitudes, (n_selected, n_bins), in m/s².
 
     A projection is linear in its axes, so their transforms serve it, whatever its direction; a
     magnitude is not, and the traces of a long scene are at hand: those are transformed.
     """
-    if selected_directions is None or field.streamed is not None:
+    if field.streamed is not None:
+        transforms = one_by_one(selected_traces, stop)
+    elif selected_directions is None:
         transforms = forward(selected_traces, field.n_times)
     else:
         of_axes = field.transforms(outputs, axis_numbers(axes))

@@ -1,0 +1,63 @@
+"""What no sample of a channel exceeds, without computing the samples."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from skinsource.limb import N_TAPS
+from skinsource.rendering.response_spectra import BAND_BINS, SECTIONS, ResponseSpectrum
+from skinsource.rendering.transforms import Complexes, Floats
+
+#: Far above the rounding of a bound; this keeps it above the samples.
+_MARGIN = 1.0 + 1e-6
+
+
+def channel_bounds(
+    samples: Floats, spectra: Complexes, responses: Sequence[ResponseSpectrum]
+) -> Floats:
+    """What no sample of each channel exceeds, for pieces of drives.
+
+    The smallest of three: sums of magnitudes over frequency (tight for tones); sums over sections
+    of the response of its norm there and the largest norm of the drive in a window as long (tight
+    for noise); largest sample times sum of the response (tight for pulses).
+
+    Parameters
+    ----------
+    samples : (n_pieces, n)
+        Pieces of drives; zeros after them change nothing.
+    spectra : (n_pieces, n_bins)
+        Their spectra at the length of the responses'.
+    responses : n_pieces of them
+        Responses to the place where each piece is played.
+
+    Returns
+    -------
+    (n_pieces, 216)
+    """
+    starts = np.arange(0, spectra.shape[-1], BAND_BINS)
+    bands = np.add.reduceat(np.abs(spectra), starts, axis=-1)
+    norms = _largest_norms(samples)
+    peaks = np.abs(samples).max(axis=-1, initial=0.0)
+    found = np.empty((3, len(samples), len(responses[0].absolute_sums)))
+    for piece, response in enumerate(responses):
+        np.matmul(response.band_magnitudes, bands[piece], out=found[0, piece])
+        np.matmul(response.section_norms, norms[piece], out=found[1, piece])
+        np.multiply(response.absolute_sums, peaks[piece], out=found[2, piece])
+    bounds: Floats = found.min(axis=0) * _MARGIN
+    return bounds
+
+
+def _largest_norms(samples: Floats) -> Floats:
+    """Largest norm of a drive in windows as long as each section, (n_pieces, n_sections)."""
+    lengths = np.diff((*SECTIONS, N_TAPS))
+    energy = np.zeros((samples.shape[0], samples.shape[1] + 1))
+    np.cumsum(np.square(samples), axis=-1, out=energy[:, 1:])
+    # A window may reach beyond either end of the piece: then it holds the rest of it.
+    found = {n: _largest_rise(energy, n) for n in set(lengths.tolist())}
+    return np.sqrt(np.stack([found[n] for n in lengths.tolist()], axis=-1))
+
+
+def _largest_rise(energy: Floats, n: int) -> Floats:
+    if n >= energy.shape[-1]:
+        return energy[:, -1]
+    return (energy[:, n:] - energy[:, :-n]).max(axis=-1)

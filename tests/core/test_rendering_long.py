@@ -1,0 +1,117 @@
+"""Long scenes: checked as short ones are, stopped when asked to, nothing held or drawn twice."""
+
+import gc
+
+import numpy as np
+import pytest
+
+from skinsource.design import Design, Input
+from skinsource.errors import InvalidInputError
+from skinsource.graph import Stopped
+from skinsource.quantities import new_graph, sources
+from skinsource.rendering.drives import Drives
+from skinsource.rendering.segments import BLOCK_SAMPLES, LONGEST_AT_ONCE
+from skinsource.view import View
+from skinsource.waveforms import Noise, Tap, Tone
+
+LONG = Design(
+    limb="synthetic-1",
+    inputs=(
+        Input(location=7, waveform=Tone(frequency_hz=100.0, duration_s=9.0)),
+        Input(location=3, waveform=Noise(seed=2, duration_s=2.0), onset_s=6.0, amplitude=-0.5),
+        Input(location=3, waveform=Tap(), onset_s=1.0),
+    ),
+)
+VIEW = View(axes="xyz", method="pca", outputs=(29, 52), selected_input=1)
+ALL = ("output_rms", "selected_traces", "selected_spectra", "axis_spectra")
+
+
+class Countdown:
+    """Asks to stop once it was asked so many times."""
+
+    def __init__(self, times: int) -> None:
+        self.left = times
+
+    def __call__(self) -> bool:
+        self.left -= 1
+        return self.left < 0
+
+
+@pytest.mark.parametrize("scaling", ["upstream", "relative", "probe"])
+def test_traces_of_a_long_scene_are_checked_too(scaling):
+    design = Design(limb=LONG.limb, inputs=LONG.inputs, scaling=scaling)
+    found = new_graph().evaluate({"trace_error", "n_fft"}, sources(design, VIEW))
+    assert found["n_fft"] is None
+    assert 0.0 < found["trace_error"].estimate < 1e-14
+    assert found["trace_error"].estimate < found["trace_error"].bound
+
+
+def test_a_long_silence_has_no_error_and_no_levels():
+    silent = LONG.with_input(0, amplitude=0.0).with_input(1, muted=True).with_input(2, muted=True)
+    found = new_graph().evaluate(("trace_error", "output_rms"), sources(silent, VIEW))
+    assert found["trace_error"] is None
+    assert not found["output_rms"].any()
+
+
+@pytest.mark.parametrize("times", [1, 5, 10, 20, 30, 40])
+def test_a_long_scene_stops_wherever_it_is_asked_to_and_is_right_afterwards(times):
+    graph = new_graph()
+    with pytest.raises(Stopped):
+        graph.evaluate(ALL, sources(LONG, VIEW), Countdown(times))
+    # The old request to stop is of no concern any more.
+    found = graph.evaluate(ALL, sources(LONG, VIEW))
+    anew = new_graph().evaluate(ALL, sources(LONG, VIEW))
+    np.testing.assert_array_equal(found["output_rms"], anew["output_rms"])
+    np.testing.assert_array_equal(found["selected_traces"], anew["selected_traces"])
+
+
+def test_a_request_to_stop_does_not_outlive_its_question():
+    graph = new_graph()
+    wants_to_stop = False
+    graph.evaluate(["output_rms"], sources(LONG, VIEW), lambda: wants_to_stop)
+    wants_to_stop = True
+    found = graph.evaluate(["selected_traces"], sources(LONG, VIEW))
+    assert found["selected_traces"].any()
+
+
+def test_no_more_than_some_blocks_lie_between_two_chances_to_stop():
+    asked = Countdown(10**9)
+    new_graph().evaluate(ALL, sources(LONG, VIEW), asked)
+    n_blocks = 9 * 1300 / BLOCK_SAMPLES
+    assert 10**9 - asked.left > n_blocks
+
+
+def test_a_drive_that_is_in_use_is_not_drawn_again_however_small_the_memory():
+    drives = Drives(budget_bytes=0)
+    one = Input(location=1, waveform=Noise(seed=5))
+    first = drives.drawn(one, 1300.0)
+    assert drives.drawn(one, 1300.0) is first
+    samples = first.samples.copy()
+    del first
+    gc.collect()
+    np.testing.assert_array_equal(drives.drawn(one, 1300.0).samples, samples)
+
+
+def test_each_long_waveform_is_drawn_once():
+    graph = new_graph()
+    graph.evaluate((*ALL, "input_waveforms", "trace_error"), sources(LONG, VIEW))
+    drawn = sum(one.waveform.samples(1300.0).size for one in LONG.inputs)
+    assert graph.work.samples_drawn == drawn > LONGEST_AT_ONCE
+
+
+class Broken(Tone):
+    """A tone with one sample that is no number."""
+
+    __slots__ = ()
+
+    def samples(self, sample_rate_hz: float) -> np.ndarray:
+        found = Tone.samples(self, sample_rate_hz).copy()
+        found[17] = np.nan
+        return found
+
+
+@pytest.mark.parametrize("duration_s", [0.5, 9.0])
+def test_a_bad_sample_is_refused_by_the_place_of_its_input_and_its_number(duration_s):
+    bad = Input(location=12, waveform=Broken(duration_s=duration_s))
+    with pytest.raises(InvalidInputError, match=f"place 12, {Broken.title}: sample 17 is nan"):
+        new_graph().evaluate(ALL, sources(LONG.adding(bad), VIEW))
