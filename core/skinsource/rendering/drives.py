@@ -16,7 +16,7 @@ from skinsource.work import tally
 
 Booleans = NDArray[np.bool_]
 
-_BUDGET_BYTES = 32 * 2**20
+BUDGET_BYTES = 16 * 2**20
 
 #: Largest sample of a drive or a response.  Far beyond it levels overflow, and NaN would come out.
 LARGEST = 1e30
@@ -76,7 +76,7 @@ def first_unusable(samples: Floats) -> tuple[int, ...] | None:
 class Drives:
     """Drawn waveforms and their spectra, in bounded memory."""
 
-    def __init__(self, budget_bytes: int = _BUDGET_BYTES) -> None:
+    def __init__(self, budget_bytes: int = BUDGET_BYTES) -> None:
         self._drawn = Memory[Drive](budget_bytes, lambda drive: drive.samples.nbytes)
         self._spectra = Memory[Complexes](budget_bytes, lambda spectrum: spectrum.nbytes)
         # Long drives exceed the budget; what a scene still holds is not drawn twice.

@@ -13,14 +13,14 @@ from skinsource.rendering.memory import Memory
 from skinsource.rendering.part import Channel
 from skinsource.rendering.transforms import Complexes, Floats, forward
 
-_BUDGET_BYTES = 16 * 2**20
+BUDGET_BYTES = 12 * 2**20
 
 
 class ExactSpectra:
     """Spectra of single responses at exact lengths, in bounded memory."""
 
     def __init__(self) -> None:
-        self._known = Memory[Complexes](_BUDGET_BYTES, lambda spectrum: spectrum.nbytes)
+        self._known = Memory[Complexes](BUDGET_BYTES, lambda spectrum: spectrum.nbytes)
 
     def of(
         self, samples: Floats, taps: Floats, name: Hashable, n_times: int

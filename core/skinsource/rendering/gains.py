@@ -13,7 +13,7 @@ from skinsource.rendering.segments import BLOCK_FFT
 from skinsource.rendering.transforms import Complexes
 from skinsource.response_scaling import Scaling
 
-_BUDGET_BYTES = 2**20
+BUDGET_BYTES = 2**20
 # Below it a reciprocal overflows.
 _SMALLEST = float(np.finfo(np.float64).tiny)
 
@@ -52,7 +52,7 @@ class Gains:
     def __init__(self, drives: Drives) -> None:
         self._drives = drives
         # A key and a number: about a hundred bytes.
-        self._known = Memory[float](_BUDGET_BYTES, lambda _: 100)
+        self._known = Memory[float](BUDGET_BYTES, lambda _: 100)
 
     def of(
         self,

@@ -15,7 +15,7 @@ from skinsource.rendering.transforms import Complexes, Floats, forward
 from skinsource.response_scaling import Scaling
 
 #: Responses of twenty places for stimuli of four seconds.
-BUDGET_BYTES = 216 * 2**20
+BUDGET_BYTES = 208 * 2**20
 #: Taps at which responses are cut for bounds by energy: finely where most of it is.
 SECTIONS = (0, 32, 64, 96, 128, 192, 256)
 #: Bins of a band, over which responses, shorter than the transform, change little.

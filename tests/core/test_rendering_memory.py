@@ -1,0 +1,58 @@
+"""What the engine remembers is bounded."""
+
+from skinsource.limb import N_AXES, N_INPUTS, N_OUTPUTS
+from skinsource.rendering import drives, exact_spectra, gains, response_spectra
+from skinsource.rendering.memory import Memory
+from skinsource.rendering.response_spectra import ResponseSpectra
+from skinsource.rendering.segments import LONGEST_AT_ONCE
+from skinsource.rendering.transforms import transform_length
+from skinsource.synthetic import load_synthetic_limb
+
+
+def test_all_memories_together_hold_at_most_256_mebibytes():
+    # Drives are held as samples and as spectra.
+    budgets = (
+        response_spectra.BUDGET_BYTES,
+        2 * drives.BUDGET_BYTES,
+        exact_spectra.BUDGET_BYTES,
+        gains.BUDGET_BYTES,
+    )
+    assert sum(budgets) <= 256 * 2**20
+
+
+def test_the_longest_scene_that_is_transformed_at_once_fits():
+    n_bins = transform_length(LONGEST_AT_ONCE) // 2 + 1
+    assert N_INPUTS * N_OUTPUTS * N_AXES * n_bins * 16 <= response_spectra.BUDGET_BYTES
+
+
+def test_the_least_recently_used_goes_first():
+    memory = Memory[bytes](budget_bytes=10, size_of=len)
+    memory.add("a", b"1234")
+    memory.add("b", b"1234")
+    assert memory.find("a") == b"1234"
+    memory.add("c", b"1234")
+    assert (memory.find("a"), memory.find("b"), memory.find("c")) == (b"1234", None, b"1234")
+    assert memory.held_bytes == 8
+
+
+def test_spectra_of_lengths_not_in_use_go_before_the_budget_is_exceeded():
+    limb = load_synthetic_limb(1)
+    one_place = N_OUTPUTS * N_AXES * (1152 // 2 + 1) * 16
+    spectra = ResponseSpectra(budget_bytes=3 * one_place)
+    for n_fft in (768, 960, 1152):
+        spectra.of(limb, 7, "relative", n_fft)
+        assert spectra.held_bytes <= 3 * one_place
+    spectra.of(limb, 8, "relative", 1152)
+    spectra.stack(limb, (7, 8), "relative", 768)
+    assert 0 < spectra.held_bytes <= 3 * one_place
+
+
+def test_spectra_are_kept_while_they_fit_and_read_once():
+    limb = load_synthetic_limb(1)
+    spectra = ResponseSpectra()
+    first = spectra.of(limb, 7, "relative", 1152)
+    assert spectra.of(limb, 7, "upstream", 1152) is first
+    assert spectra.of(limb, 7, "probe", 1152) is not first
+    stack = spectra.stack(limb, (3, 7), "relative", 1152)
+    assert spectra.stack(limb, (3, 7), "relative", 1152) is stack
+    assert (stack.responses[7].values == first.values).all()
