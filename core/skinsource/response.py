@@ -10,10 +10,10 @@ from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS, Limb, check_input_locatio
 from skinsource.rendering.drives import LARGEST, Drive, drive_of, first_unusable, reach
 from skinsource.rendering.gains import unit_gains
 from skinsource.rendering.response_spectra import ResponseSpectra
-from skinsource.rendering.segments import BLOCK_FFT, LONGEST_AT_ONCE, Played
+from skinsource.rendering.segments import BLOCK_FFT, Played, length_at_once
 from skinsource.rendering.streaming import StreamedField
 from skinsource.rendering.sums import sum_of_fields
-from skinsource.rendering.transforms import forward, inverse, transform_length
+from skinsource.rendering.transforms import forward, inverse
 from skinsource.response_scaling import Scaling, check_scaling
 
 Floats = NDArray[np.float64]
@@ -63,9 +63,10 @@ def predict(
         for drive, place, amplitude in zip(map(drive_of, samples), places, factors, strict=True)
         if not drive.silent and amplitude != 0.0
     ]
-    if response_samples > LONGEST_AT_ONCE:
+    n_fft = length_at_once(response_samples, len({place for _, place, _ in heard}))
+    if n_fft is None:
         return _streamed(limb, heard, scaling, response_samples).everything()
-    return _at_once(limb, heard, scaling, response_samples)
+    return _at_once(limb, heard, scaling, response_samples, n_fft)
 
 
 _Heard = tuple[Drive, int, float]
@@ -89,10 +90,11 @@ def _streamed(
     return StreamedField(played, stack, response_samples)
 
 
-def _at_once(limb: Limb, heard: list[_Heard], scaling: Scaling, response_samples: int) -> Floats:
+def _at_once(
+    limb: Limb, heard: list[_Heard], scaling: Scaling, response_samples: int, n_fft: int
+) -> Floats:
     if not heard:
         return np.zeros((N_OUTPUTS, N_AXES, response_samples))
-    n_fft = transform_length(response_samples)
     spectra = ResponseSpectra()
     drives = [drive for drive, _, _ in heard]
     responses = [spectra.of(limb, place, scaling, n_fft) for _, place, _ in heard]

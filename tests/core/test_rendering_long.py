@@ -10,14 +10,14 @@ from skinsource.errors import InvalidInputError
 from skinsource.graph import Stopped
 from skinsource.quantities import new_graph, sources
 from skinsource.rendering.drives import Drives
-from skinsource.rendering.segments import BLOCK_SAMPLES, LONGEST_AT_ONCE
+from skinsource.rendering.segments import BLOCK_SAMPLES
 from skinsource.view import View
 from skinsource.waveforms import Noise, Tap, Tone
 
 LONG = Design(
     limb="synthetic-1",
     inputs=(
-        Input(location=7, waveform=Tone(frequency_hz=100.0, duration_s=9.0)),
+        Input(location=7, waveform=Tone(frequency_hz=100.0, duration_s=14.0)),
         Input(location=3, waveform=Noise(seed=2, duration_s=2.0), onset_s=6.0, amplitude=-0.5),
         Input(location=3, waveform=Tap(), onset_s=1.0),
     ),
@@ -77,7 +77,7 @@ def test_a_request_to_stop_does_not_outlive_its_question():
 def test_no_more_than_some_blocks_lie_between_two_chances_to_stop():
     asked = Countdown(10**9)
     new_graph().evaluate(ALL, sources(LONG, VIEW), asked)
-    n_blocks = 9 * 1300 / BLOCK_SAMPLES
+    n_blocks = 14 * 1300 / BLOCK_SAMPLES
     assert 10**9 - asked.left > n_blocks
 
 
@@ -96,7 +96,7 @@ def test_each_long_waveform_is_drawn_once():
     graph = new_graph()
     graph.evaluate((*ALL, "input_waveforms", "trace_error"), sources(LONG, VIEW))
     drawn = sum(one.waveform.samples(1300.0).size for one in LONG.inputs)
-    assert graph.work.samples_drawn == drawn > LONGEST_AT_ONCE
+    assert graph.work.samples_drawn == drawn
 
 
 class Broken(Tone):
@@ -110,7 +110,7 @@ class Broken(Tone):
         return found
 
 
-@pytest.mark.parametrize("duration_s", [0.5, 9.0])
+@pytest.mark.parametrize("duration_s", [0.5, 14.0])
 def test_a_bad_sample_is_refused_by_the_place_of_its_input_and_its_number(duration_s):
     bad = Input(location=12, waveform=Broken(duration_s=duration_s))
     with pytest.raises(InvalidInputError, match=f"place 12, {Broken.title}: sample 17 is nan"):

@@ -1,11 +1,12 @@
 """What the engine remembers is bounded."""
 
-from skinsource.limb import N_AXES, N_INPUTS, N_OUTPUTS
+import pytest
+
+from skinsource.limb import N_AXES, N_OUTPUTS
 from skinsource.rendering import drives, exact_spectra, gains, response_spectra
 from skinsource.rendering.memory import Memory
 from skinsource.rendering.response_spectra import ResponseSpectra
-from skinsource.rendering.segments import LONGEST_AT_ONCE
-from skinsource.rendering.transforms import transform_length
+from skinsource.rendering.segments import length_at_once
 from skinsource.synthetic import load_synthetic_limb
 
 
@@ -20,9 +21,14 @@ def test_all_memories_together_hold_at_most_256_mebibytes():
     assert sum(budgets) <= 256 * 2**20
 
 
-def test_the_longest_scene_that_is_transformed_at_once_fits():
-    n_bins = transform_length(LONGEST_AT_ONCE) // 2 + 1
-    assert N_INPUTS * N_OUTPUTS * N_AXES * n_bins * 16 <= response_spectra.BUDGET_BYTES
+@pytest.mark.parametrize("n_places", [1, 2, 4, 5, 7, 10, 19, 20])
+def test_whatever_is_transformed_at_once_fits(n_places):
+    longest = max(n for n in range(500, 40_000, 97) if length_at_once(n, n_places) is not None)
+    n_bins = length_at_once(longest, n_places) // 2 + 1
+    held = n_places * N_OUTPUTS * N_AXES * n_bins * 16
+    assert held <= response_spectra.BUDGET_BYTES
+    # Nor is less transformed at once than there is room for.
+    assert n_places < 5 or held > response_spectra.BUDGET_BYTES / 2
 
 
 def test_the_least_recently_used_goes_first():

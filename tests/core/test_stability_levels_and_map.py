@@ -1,7 +1,6 @@
 """Decibels of extreme amplitudes, and the map between sites in awkward places."""
 
 import json
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,8 +9,8 @@ from skinsource.decibels import FLOOR_DB, decibels
 from skinsource.design import Design, Input
 from skinsource.errors import InvalidInputError
 from skinsource.quantities import new_graph, sources
-from skinsource.surface import surface_operator, surface_operator_from_map
-from skinsource.surface.natural_neighbour import natural_neighbour_weights
+from skinsource.surface import surface_operator
+from skinsource.surface.scattered_sites import scattered_sites
 from skinsource.surface.triangulation import triangulate
 from skinsource.synthetic import load_synthetic_limb
 from skinsource.view import View
@@ -35,8 +34,6 @@ PROMISES = {
         1e-9,
     ),
     "h moved": ("Turned; shifted by 1e8; scaled by 1e-3, 1e6: change of weights", 1e-10),
-    "h collinear": ("Sites on a line, or hardly off it: neither refused nor sound", 0),
-    "h twice": ("Two outputs at one place: value that is not their mean, relative", 1e-12),
     "h map": ("Synthetic maps: sum of a pixel's weights less 1", 1e-12),
     "h map negative": ("The same: negative weights and pixels by the way out", 0),
 }
@@ -51,8 +48,8 @@ SITES = {
 
 def weights_at(sites: np.ndarray, points: np.ndarray) -> tuple[np.ndarray, int]:
     """Weights, (n_points, n_sites), and how many points went by the way out."""
-    weights, fallback = natural_neighbour_weights(triangulate(sites), points)
-    return weights.toarray(), int(fallback.sum())
+    found = scattered_sites(sites).weights_at(points)
+    return found.weights.toarray(), int(found.fallback.sum())
 
 
 def points_within(sites: np.ndarray, count: int) -> np.ndarray:
@@ -177,41 +174,6 @@ def test_weights_depend_on_nothing_but_the_shape(noted, kind, change):
     }[change]
     found, _ = weights_at(moved(sites), moved(points))
     noted("h moved", np.abs(found - plain).max())
-
-
-@pytest.mark.parametrize("off", [0.0, 1e-12, 1e-9])
-@pytest.mark.parametrize("count", [1, 2, 12])
-def test_outputs_on_a_line_are_interpolated_within_any_outline(noted, off, count):
-    along = np.linspace(100, 300, count)
-    positions = np.full((72, 2), np.nan)
-    positions[:count] = np.column_stack([along, 50 + off * (np.arange(count) % 2)])
-    square = np.array([[0.0, 0.0], [400.0, 0.0], [400.0, 100.0], [0.0, 100.0]])
-    limb_map = replace(load_synthetic_limb(1).map, outline=square, output_positions=positions)
-    operator = surface_operator_from_map(limb_map, 175.0, 5.0)
-    inside = operator.interpolate(np.where(np.arange(72) < count, 7.0, 0.0))[operator.mask]
-    noted("h collinear", np.count_nonzero(~(np.abs(inside - 7.0) < 1e-9)))
-    thin = replace(limb_map, outline=square * [1.0, off])
-    try:
-        surface_operator_from_map(thin, 175.0, 5.0)
-    except InvalidInputError:
-        return
-    noted("h collinear", 1)
-
-
-@pytest.mark.parametrize("apart", [0.0, 1e-9, 1e-6])
-def test_two_outputs_at_one_place_share_their_mean(noted, apart):
-    positions = np.full((72, 2), np.nan)
-    positions[:4] = [[100, 50], [100 + apart, 50], [200, 50], [300, 25]]
-    square = np.array([[0.0, 0.0], [400.0, 0.0], [400.0, 100.0], [0.0, 100.0]])
-    limb_map = replace(
-        load_synthetic_limb(1).map, outline=square, output_positions=positions, hand_length_px=400.0
-    )
-    operator = surface_operator_from_map(limb_map, 400.0, 5.0)
-    row, column = np.argmin(np.abs(operator.y_mm - 50)), np.argmin(np.abs(operator.x_mm - 100))
-    assert (operator.x_mm[column], operator.y_mm[row]) == (100.0, 50.0)
-    values = np.zeros(72)
-    values[:4] = -30.0, -50.0, -10.0, -20.0
-    noted("h twice", abs(operator.interpolate(values)[row, column] + 40) / 40)
 
 
 @pytest.mark.parametrize("number", [1, 2, 3, 4])

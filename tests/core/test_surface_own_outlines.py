@@ -101,11 +101,27 @@ def test_an_output_at_an_outline_vertex_is_merged_with_it():
     assert operator.interpolate([7.0, 0.0, 0.0])[0, 0] == pytest.approx(7.0)
 
 
-def test_outputs_at_one_place_share_its_value():
-    outputs = [[100, 100], [100, 100], [200, 400]]
+def test_outputs_at_one_place_share_its_value_and_are_refused_with_two():
+    outputs = [[100, 100], [200, 400], [100, 100 + 1e-7]]
     operator = surface_operator_from_map(map_of(RECTANGLE, outputs), 398.1, 4.0)
     assert_sound(operator)
-    assert operator.interpolate([2.0, 4.0, 10.0])[25, 25] == pytest.approx(3.0)
+    assert operator.same_place == ((0, 2),)
+    assert operator.interpolate([3.0, 10.0, 3.0])[25, 25] == pytest.approx(3.0)
+    with pytest.raises(InvalidInputError, match=r"outputs 1 and 3 .* given 2 and 4"):
+        operator.interpolate([2.0, 10.0, 4.0])
+
+
+def test_over_an_outline_hardly_off_a_line_values_run_along_it_and_it_is_told():
+    outline = [[0, 0], [300, 0], [300, 0.01], [0, 0.01]]
+    outputs = [[50, 0], [100, 0.01], [250, 0.005]]
+    operator = surface_operator_from_map(map_of(outline, outputs, densify=False), 398.1, 10.0)
+    assert_sound(operator)
+    assert operator.warnings == ("The outline is so thin that values run along a line.",)
+    # Each end of the outline takes the mean of the two nearest, weighted by the other's distance.
+    ends = (1.0 * 100 + 2.0 * 50) / 150, (5.0 * 200 + 2.0 * 50) / 250
+    places, values = [0, 50, 100, 250, 300], [ends[0], 1.0, 2.0, 5.0, ends[1]]
+    row = operator.interpolate([1.0, 2.0, 5.0])[0]
+    np.testing.assert_allclose(row, np.interp(np.arange(31) * 10.0, places, values), atol=1e-6)
 
 
 def test_repeated_outline_vertices_change_nothing():
@@ -176,7 +192,6 @@ def test_a_tiny_hand_length_makes_no_huge_raster():
         ({"outline": [[0, 0], [50, 50], [100, 100], [10, 10]]}, "enclose no area"),
         ({"outline": [[0, 0], [50, np.nan], [100, 0]]}, "finite coordinates"),
         ({"outline": [0.0, 1.0, 2.0]}, "expected \\(n_vertices, 2\\)"),
-        ({"outline": [[0, 0], [1e6, 1e6], [1e6, 1e6 - 10]], "densify": False}, "too thin"),
         ({"outputs": np.full((72, 2), np.nan)}, "Place an output"),
         ({"outputs": np.zeros((72, 3))}, "output positions have shape"),
         ({"hand_length_px": 0.0}, "hand_length_px"),

@@ -20,7 +20,7 @@ from skinsource.rendering.exact_spectra import ExactSpectra
 from skinsource.rendering.gains import Gains
 from skinsource.rendering.part import Part
 from skinsource.rendering.response_spectra import ResponseSpectra, ResponseSpectrum
-from skinsource.rendering.segments import BLOCK_FFT, LONGEST_AT_ONCE, Played
+from skinsource.rendering.segments import BLOCK_FFT, Played
 from skinsource.rendering.streaming import Stop, StreamedField
 from skinsource.rendering.sums import sum_of_fields
 from skinsource.rendering.transforms import Complexes, Floats
@@ -173,10 +173,11 @@ class Renderer:
         audible: tuple[Input, ...],
         scaling: Scaling,
         response_samples: int,
+        n_fft: int | None,
         stop: Stop,
     ) -> StreamedField | None:
         """Field of all audible inputs where the scene is too long to be transformed at once."""
-        if response_samples <= LONGEST_AT_ONCE:
+        if n_fft is not None:
             return None
         rate = limb_data.sample_rate_hz
         drawn = [(one, self._drawn(one, rate, stop)) for one in audible]

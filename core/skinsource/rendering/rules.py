@@ -21,9 +21,9 @@ from skinsource.rendering.moments import (
     needs_products,
 )
 from skinsource.rendering.part import Part
-from skinsource.rendering.segments import LONGEST_AT_ONCE
+from skinsource.rendering.segments import length_at_once
 from skinsource.rendering.streaming import Stop, StreamedField
-from skinsource.rendering.transforms import Complexes, Floats, transform_length
+from skinsource.rendering.transforms import Complexes, Floats
 from skinsource.signals import sample_count
 
 
@@ -77,10 +77,9 @@ def products_needed(axes: Axes, method: Method) -> bool:
     return needs_products(axes, method)
 
 
-def n_fft(response_samples: int) -> int | None:
+def n_fft(response_samples: int, audible: tuple[Input, ...]) -> int | None:
     """Length of transforms; None where the scene is too long to be transformed at once."""
-    short = response_samples <= LONGEST_AT_ONCE
-    return transform_length(response_samples) if short else None
+    return length_at_once(response_samples, len({one.location for one in audible}))
 
 
 def others_part(

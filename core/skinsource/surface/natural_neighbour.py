@@ -14,15 +14,20 @@ a_u(q, u, v) over the cavity's border edges (u, v).  No circumcentre appears, he
 digits where one lies far away.
 """
 
-import numpy as np
-from numpy.typing import NDArray
-from scipy.sparse import coo_array, csr_array
+from typing import TYPE_CHECKING
 
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+from skinsource.surface.site_weights import SiteWeights
 from skinsource.surface.triangulation import Triangulation, cross, dot, locate, nearest_on_hull
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
-Booleans = NDArray[np.bool_]
 
 #: Largest gap between a point and the weighted mean of its sites, as a part of the sites' extent.
 LINEAR_PRECISION = 1e-10
@@ -30,9 +35,7 @@ LINEAR_PRECISION = 1e-10
 RESIDUE = 1e-16
 
 
-def natural_neighbour_weights(
-    triangulation: Triangulation, points: Floats
-) -> tuple[csr_array[np.float64], Booleans]:
+def natural_neighbour_weights(triangulation: Triangulation, points: Floats) -> SiteWeights:
     """Weights of the sites for the value at each point.
 
     Points on an edge of the convex hull get the linear weights of its two ends, which is
@@ -43,14 +46,6 @@ def natural_neighbour_weights(
     triangulation
         From `skinsource.surface.triangulation.triangulate`.
     points : (n_points, 2)
-
-    Returns
-    -------
-    weights : (n_points, n_sites) sparse
-        Not negative; rows sum to 1.
-    fallback : (n_points,) of bool
-        Where Sibson's weights missed the point's own coordinates (triangles without area), and
-        those of linear interpolation were taken instead.
     """
     local = points - triangulation.centre
     triangle, at_site, outside, lost = locate(triangulation, local)
@@ -72,7 +67,7 @@ def natural_neighbour_weights(
     missed |= np.diff(weights.indptr) == 0
     if missed.any():
         weights = _with_linear_rows(triangulation, local, weights, np.flatnonzero(missed))
-    return weights, missed
+    return SiteWeights(weights=weights, outside=outside, fallback=missed)
 
 
 def _stolen_areas(
@@ -135,10 +130,10 @@ def _border_shares(q: Floats, u: Floats, v: Floats) -> tuple[Floats, Floats]:
 
 def _summed(
     row: Integers, column: Integers, value: Floats, shape: tuple[int, int]
-) -> csr_array[np.float64]:
+) -> "csr_array[np.float64]":
     """Sum entries of equal row and column, drop rounding residues, make rows sum to 1."""
     place = (row.astype(np.int32), column.astype(np.int32))
-    weights = csr_array(coo_array((value, place), shape=shape))
+    weights = scipy.sparse.csr_array(scipy.sparse.coo_array((value, place), shape=shape))
     weights.data[weights.data < 0] = 0.0
     total: Floats = np.asarray(weights.sum(axis=1))
     weights.data /= np.repeat(total, np.diff(weights.indptr))
@@ -150,9 +145,9 @@ def _summed(
 def _with_linear_rows(
     triangulation: Triangulation,
     points: Floats,
-    weights: csr_array[np.float64],
+    weights: "csr_array[np.float64]",
     missed: Integers,
-) -> csr_array[np.float64]:
+) -> "csr_array[np.float64]":
     """Replace rows by linear interpolation in the triangle that holds the point best."""
     real = ~triangulation.flat
     a, b, c = np.moveaxis(triangulation.edges[real], 2, 0)
@@ -164,7 +159,7 @@ def _with_linear_rows(
         share = np.maximum(barycentric[best], 0.0)
         corners.append(triangulation.corners[real][best])
         shares.append(share / share.sum())
-    linear = csr_array(
+    linear = scipy.sparse.csr_array(
         (np.concatenate(shares), (np.repeat(missed, 3), np.concatenate(corners))),
         shape=weights.shape,
     )
@@ -173,4 +168,4 @@ def _with_linear_rows(
     kept = weights.copy()
     kept.data = np.where(np.repeat(keep, np.diff(kept.indptr)) > 0, kept.data, 0.0)
     kept.eliminate_zeros()
-    return csr_array(kept + linear)
+    return scipy.sparse.csr_array(kept + linear)

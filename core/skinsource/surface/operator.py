@@ -1,19 +1,27 @@
 """The heatmap: from one value per output to a picture of the back of the hand and arm."""
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy.sparse import csr_array, vstack
-from scipy.spatial import QhullError
 
 from skinsource.errors import InvalidInputError
 from skinsource.limb import Limb, LimbMap
 from skinsource.surface.boundary import Boundary, boundary_by_sight, boundary_from_table
-from skinsource.surface.natural_neighbour import natural_neighbour_weights
 from skinsource.surface.polygon import count_crossings, densified, distinct_vertices, grid_inside
-from skinsource.surface.triangulation import snapped_to_lattice, triangulate
+from skinsource.surface.same_place import (
+    Pairs,
+    pairs_at_same_place,
+    refuse_two_values_for_one_place,
+)
+from skinsource.surface.scattered_sites import scattered_sites
+from skinsource.surface.triangulation import snapped_to_lattice
 from skinsource.surface.visibility import raster_unit
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 #: What -inf (the decibels of nothing) counts as.
 FLOOR_DB = -200.0
@@ -47,17 +55,20 @@ class SurfaceOperator:
     blind_vertices, single_vertices
         Number of outline vertices that see no output and take the two nearest by the way inside
         the outline; and of those that see only one, and take its value.
+    same_place
+        Outputs (counted from 0) at one place, in pairs: they need equal values; normally empty.
     warnings
         What a user should know about this map, in sentences; normally empty.
     """
 
-    weights: csr_array[np.float64]
+    weights: "csr_array[np.float64]"
     mask: Booleans
     x_mm: Floats
     y_mm: Floats
     fallback_count: int
     blind_vertices: int
     single_vertices: int
+    same_place: Pairs
     warnings: tuple[str, ...]
 
     def interpolate(self, values: ArrayLike) -> Floats:
@@ -81,7 +92,8 @@ class SurfaceOperator:
         Raises
         ------
         InvalidInputError
-            The shape is wrong, or the value of an output with a place is NaN or +inf.
+            The shape is wrong, the value of an output with a place is NaN or +inf, or outputs at
+            one place have different values.
         """
         given = np.asarray(values, dtype=np.float64)
         n_outputs = self.weights.shape[1]
@@ -101,6 +113,7 @@ class SurfaceOperator:
                 "place on the map needs a finite value or -inf. Correct the values before "
                 "interpolating."
             )
+        refuse_two_values_for_one_place(given, self.same_place)
         # Zero times NaN must not reach the outputs that do have a place.
         usable = np.where(carries_weight.reshape(-1, *[1] * (given.ndim - 1)), given, 0.0)
         surface = self.weights @ usable
@@ -136,8 +149,9 @@ def surface_operator_from_map(
     Sites are the outputs and the outline's vertices; a vertex takes the mean of the two nearest
     outputs it sees, weighted by the other one's distance.  Everything is built in outline pixels:
     there the published coordinates are multiples of one half, and lie exactly on the lattice that
-    keeps the triangulation sound.  Sites that coincide share the mean of their values.  An
-    outline that crosses itself is filled by the even-odd rule.
+    keeps the triangulation sound.  Sites that coincide there share the mean of their values; where
+    all lie on one line, values run linearly along it.  An outline that crosses itself is filled by
+    the even-odd rule.
 
     Parameters
     ----------
@@ -160,7 +174,8 @@ def surface_operator_from_map(
     x, y, mask = _pixels(outline, spacing_mm, mm_per_px)
     row, column = np.nonzero(mask)
     points = np.column_stack([x[column], y[row]])
-    weights, fallback_count = _point_weights(outline, limb_map.output_positions, boundary, points)
+    outputs = limb_map.output_positions
+    weights, fallback_count, thin = _point_weights(outline, outputs, boundary, points)
     return SurfaceOperator(
         weights=_with_empty_rows(weights, mask.ravel()),
         mask=mask,
@@ -169,7 +184,8 @@ def surface_operator_from_map(
         fallback_count=fallback_count,
         blind_vertices=len(boundary.blind),
         single_vertices=len(boundary.single),
-        warnings=_warnings(fallback_count, boundary, crossings),
+        same_place=pairs_at_same_place(outputs, float(np.ptp(outline, axis=0).max())),
+        warnings=_warnings(fallback_count, boundary, crossings, thin),
     )
 
 
@@ -235,8 +251,8 @@ def _pixels(
 
 def _point_weights(
     outline: Floats, outputs: Floats, boundary: Boundary, points: Floats
-) -> tuple[csr_array[np.float64], int]:
-    """Weights of the outputs at the points, and how many had to be interpolated linearly."""
+) -> "tuple[csr_array[np.float64], int, bool]":
+    """Weights of the outputs at the points; how many are by the way out; if all is one line."""
     placed = np.flatnonzero(np.isfinite(outputs).all(axis=1))
     values = np.concatenate([np.eye(len(outputs))[placed], boundary.weights])
     snapped = snapped_to_lattice(np.concatenate([outputs[placed], outline]))
@@ -244,34 +260,31 @@ def _point_weights(
     site_values = np.zeros((len(sites), len(outputs)))
     np.add.at(site_values, merged.ravel(), values)
     site_values /= np.bincount(merged.ravel())[:, None]
-    from_outputs = csr_array(site_values)
-    try:
-        triangulation = triangulate(sites)
-    except QhullError as error:
-        raise InvalidInputError(
-            "the outline is too thin to be interpolated over: its points lie on one line. Correct "
-            "the outline of the limb's map."
-        ) from error
+    from_outputs = scipy.sparse.csr_array(site_values)
+    scattered = scattered_sites(sites)
     parts, fallback_count = [], 0
     for first in range(0, len(points), _PIXELS_PER_CHUNK):
-        part = points[first : first + _PIXELS_PER_CHUNK]
-        weights, fallback = natural_neighbour_weights(triangulation, part)
-        parts.append(weights @ from_outputs)
-        fallback_count += int(fallback.sum())
-    together = csr_array(vstack(parts, format="csr"))
+        found = scattered.weights_at(points[first : first + _PIXELS_PER_CHUNK])
+        parts.append(found.weights @ from_outputs)
+        fallback_count += int(found.fallback.sum())
+    together = scipy.sparse.csr_array(scipy.sparse.vstack(parts, format="csr"))
     together.sort_indices()
-    return together, fallback_count
+    return together, fallback_count, scattered.on_a_line
 
 
-def _with_empty_rows(weights: csr_array[np.float64], filled: Booleans) -> csr_array[np.float64]:
+def _with_empty_rows(weights: "csr_array[np.float64]", filled: Booleans) -> "csr_array[np.float64]":
     """Spread the rows over those that are ``filled``, leaving the others empty."""
     counts = np.zeros(len(filled) + 1, dtype=weights.indptr.dtype)
     counts[1:][filled] = np.diff(weights.indptr)
     starts = np.cumsum(counts, dtype=weights.indptr.dtype)
-    return csr_array((weights.data, weights.indices, starts), shape=(len(filled), weights.shape[1]))
+    return scipy.sparse.csr_array(
+        (weights.data, weights.indices, starts), shape=(len(filled), weights.shape[1])
+    )
 
 
-def _warnings(fallback_count: int, boundary: Boundary, crossings: int) -> tuple[str, ...]:
+def _warnings(
+    fallback_count: int, boundary: Boundary, crossings: int, thin: bool
+) -> tuple[str, ...]:
     n_blind, n_single = len(boundary.blind), len(boundary.single)
     cases = (
         (fallback_count, "Pixels that had to be interpolated linearly"),
@@ -279,4 +292,5 @@ def _warnings(fallback_count: int, boundary: Boundary, crossings: int) -> tuple[
         (n_single, "Outline points that see only one output, and take its value"),
         (crossings, "Places where the outline crosses itself"),
     )
-    return tuple(f"{what}: {count}." for count, what in cases if count)
+    thinness = ("The outline is so thin that values run along a line.",) if thin else ()
+    return thinness + tuple(f"{what}: {count}." for count, what in cases if count)

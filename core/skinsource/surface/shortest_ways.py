@@ -1,12 +1,15 @@
 """Shortest ways inside the outline, for outline vertices that see no output."""
 
+from typing import TYPE_CHECKING
+
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.sparse import coo_array, csr_array
-from scipy.sparse.csgraph import dijkstra
-from scipy.spatial import KDTree
 
 from skinsource.surface.visibility import SightRegion
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
@@ -47,11 +50,11 @@ def distances_inside(region: SightRegion, starts: Floats, ends: Floats) -> Float
     start, to_start = _nearest_filled(region, starts)
     end, to_end = _nearest_filled(region, ends)
     start_number, end_number = number[*start], number[*end]
-    steps = dijkstra(graph, directed=False, indices=start_number)[:, end_number]
-    return np.asarray((to_start[:, None] + steps + to_end) * region.unit)
+    steps = scipy.sparse.csgraph.dijkstra(graph, directed=False, indices=start_number)
+    return np.asarray((to_start[:, None] + steps[:, end_number] + to_end) * region.unit)
 
 
-def _moves_between(region: SightRegion, number: Integers) -> csr_array[np.float64]:
+def _moves_between(region: SightRegion, number: Integers) -> "csr_array[np.float64]":
     """Lengths of the moves between filled raster points, each given once."""
     row, column = np.nonzero(region.filled)
     begin, finish, length = [], [], []
@@ -64,7 +67,8 @@ def _moves_between(region: SightRegion, number: Integers) -> csr_array[np.float6
         finish.append(number[row[free] + up, column[free] + right])
         length.append(np.full(int(free.sum()), np.hypot(right, up)))
     place = (np.concatenate(begin), np.concatenate(finish))
-    return csr_array(coo_array((np.concatenate(length), place), shape=(len(row), len(row))))
+    lengths = (np.concatenate(length), place)
+    return scipy.sparse.csr_array(scipy.sparse.coo_array(lengths, shape=(len(row), len(row))))
 
 
 def _nearest_filled(
@@ -73,5 +77,5 @@ def _nearest_filled(
     """Row and column of the filled raster point nearest to each point, and how far it is."""
     row, column = np.nonzero(region.filled)
     at = region.raster_coordinates(points)
-    distance, nearest = KDTree(np.column_stack([column, row])).query(at)
+    distance, nearest = scipy.spatial.KDTree(np.column_stack([column, row])).query(at)
     return (row[nearest], column[nearest]), np.asarray(distance)

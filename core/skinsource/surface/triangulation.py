@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.spatial import Delaunay, KDTree
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
@@ -85,7 +85,7 @@ def triangulate(sites: Floats) -> Triangulation:
     step = 2.0 ** np.floor(np.log2(extent / 2**10))
     centre = np.round((low + high) / 2 / step) * step
     local = sites - centre
-    found = Delaunay(local)
+    found = scipy.spatial.Delaunay(local)
     corners, neighbours = found.simplices.astype(np.intp), found.neighbors.astype(np.intp)
     a, b, c = (local[corners[:, k]] for k in range(3))
     clockwise = cross(b - a, c - a) < 0
@@ -129,7 +129,7 @@ def locate(
     some_triangle = np.zeros(len(triangulation.sites), dtype=np.intp)
     real = np.flatnonzero(~triangulation.flat)
     some_triangle[corners[real]] = real[:, None]
-    distance, nearest = KDTree(triangulation.sites[used]).query(points)
+    distance, nearest = scipy.spatial.KDTree(triangulation.sites[used]).query(points)
     nearest = used[nearest]
     at_site = np.where(distance <= SAME_PLACE * extent, nearest, -1)
     triangle = some_triangle[nearest]

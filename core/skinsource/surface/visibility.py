@@ -8,8 +8,8 @@ centres; a vertex sees an output if the straight line between them stays inside 
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.ndimage import binary_dilation, binary_fill_holes
 
 from skinsource.surface.polygon import grid_inside, ranges
 
@@ -70,7 +70,7 @@ def sight_region(outline: Floats, unit: float) -> SightRegion:
     near = np.round(outline / unit - low).astype(np.intp)
     filled[near[:, 1], near[:, 0]] = True
     square = np.ones((2 * _WIDENING + 1, 2 * _WIDENING + 1), dtype=bool)
-    filled = binary_fill_holes(binary_dilation(filled, square))
+    filled = scipy.ndimage.binary_fill_holes(scipy.ndimage.binary_dilation(filled, square))
     return SightRegion(origin=low * unit, unit=unit, filled=np.asarray(filled))
 
 
