@@ -17,6 +17,7 @@ from PySide6.QtCore import QEventLoop, Qt, QTimer
 
 from skinsource.graph import Graph
 from skinsource_gui.app import make_application
+from skinsource_gui.conductor import PATIENCE_S
 from skinsource_gui.engine import Engine, Outcome, Request
 
 CHANGES, PERIOD_MS, EVALUATION_S = 1000, 5, 0.04
@@ -56,6 +57,8 @@ class Storm:
         self._sent += 1
         self.last_sent_s = perf_counter()
         self.engine.request(Request(frozenset({"_evaluate"}), {"value": self._sent}))
+        # As the window does.
+        self.engine.wait(PATIENCE_S)
         if self._sent == CHANGES:
             self._timer.stop()
 

@@ -4,6 +4,7 @@ Nothing here imports Qt before it is known that Qt can start.
 """
 
 import argparse
+import gc
 import importlib
 import importlib.util
 import os
@@ -27,6 +28,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if missing:
         return _stop(f"Qt cannot start: system libraries are missing.\n{install_line(missing)}")
     os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
+    # What is made at the start stays; to look for rubbish in it takes a tenth of the time.  The
+    # studio collects again once its window stands, and rendering to files is over by then.
+    gc.disable()
     if on_a_screen:
         return int(importlib.import_module("skinsource_gui.app").run(options.design))
     folder = options.render or _FIRST_RUN

@@ -63,6 +63,25 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "Save the traces of the selected outputs, with times and units",
         "Ctrl+E",
     ),
+    _action(
+        "export_levels",
+        "File",
+        "Export RMS levels as CSV…",
+        "Save the RMS of all 72 outputs, in m/s² and dB",
+    ),
+    _action(
+        "export_field",
+        "File",
+        "Export whole field as NPZ…",
+        "Save the acceleration of all 72 outputs on three axes, for NumPy",
+    ),
+    _action(
+        "cancel_export",
+        "File",
+        "Cancel export",
+        "Stop the export that runs; no file is left",
+        "Ctrl+.",
+    ),
     _action("quit_studio", "File", "Quit", "Close the studio", "Ctrl+Q", separated=True),
     _action("undo", "Edit", "Undo", "Take the last edit back", "Ctrl+Z"),
     _action("redo", "Edit", "Redo", "Do it again", "Ctrl+Shift+Z", "Ctrl+Y"),
@@ -181,6 +200,12 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "Search actions…",
         "Type a few letters of anything the studio can do",
         "Ctrl+K",
+    ),
+    _action(
+        "show_accuracy",
+        "Help",
+        "Accuracy and speed…",
+        "What is promised about errors and times, what is measured now, and a benchmark",
     ),
     _action("show_keys", "Help", "Keys and mouse", "Every shortcut on one page", "F1"),
     _action(

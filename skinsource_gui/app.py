@@ -4,6 +4,7 @@ import gc
 import sys
 from pathlib import Path
 
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 
 from skinsource.allocation import keep_freed_memory
@@ -16,6 +17,8 @@ from skinsource_gui.window import MainWindow
 
 #: While the worker computes, the window gets its turn after this time (Python's own is 5 ms).
 _SWITCH_INTERVAL_S = 5e-4
+#: After the first results: by then they are painted; and where no panel wants any.
+_SETTLED_MS, _SETTLED_ANYWAY_MS = 200, 5000
 
 
 def make_application() -> QApplication:
@@ -39,13 +42,14 @@ def make_window(path: Path | None, preferences: Preferences) -> MainWindow:
 
 
 def exempt_from_collection() -> None:
-    """Take what is in memory now out of garbage collection.
+    """Take what is in memory now out of garbage collection, and switch that on.
 
     Modules, menus and panels live as long as the window.  To look through them again takes the
     collector fifty milliseconds, in the middle of a drag.
     """
     gc.collect()
     gc.freeze()
+    gc.enable()
 
 
 def run(path: Path | None) -> int:
@@ -54,5 +58,14 @@ def run(path: Path | None) -> int:
     make_folder(user_folder())
     window = make_window(path, Preferences(user_folder() / "studio.ini"))
     window.show()
-    exempt_from_collection()
+    settled = QTimer(window, singleShot=True, interval=_SETTLED_ANYWAY_MS)
+    settled.timeout.connect(exempt_from_collection)
+    settled.start()
+
+    def settle_soon() -> None:
+        window.engine.finished.disconnect(settle_soon)
+        if settled.isActive():
+            settled.start(_SETTLED_MS)
+
+    window.engine.finished.connect(settle_soon)
     return application.exec()

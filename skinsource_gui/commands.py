@@ -1,5 +1,6 @@
 """What each action of the table does."""
 
+import importlib
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
@@ -11,14 +12,15 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow
 
 from skinsource.errors import SkinSourceError
-from skinsource.export import export_traces
 from skinsource_gui import pages
 from skinsource_gui.actions import ACTIONS
 from skinsource_gui.arrangements import arrange_analysis, arrange_design, arrange_presentation
+from skinsource_gui.export_actions import ExportActions
 from skinsource_gui.palette import Palette
 from skinsource_gui.pictures import save_picture
 
 if TYPE_CHECKING:
+    from skinsource_gui.accuracy_page import AccuracyPage
     from skinsource_gui.window import MainWindow
 
 
@@ -28,6 +30,8 @@ class Commands(QObject):
     def __init__(self, window: "MainWindow"):
         super().__init__(window)
         self._window = window
+        self._accuracy_page: AccuracyPage | None = None
+        self.exports = ExportActions(window)
 
     def new_design(self) -> None:
         self._window.files.new()
@@ -52,13 +56,16 @@ class Commands(QObject):
             self._exported(path, lambda: save_picture(path, self._window.skin.picture(1200, 1800)))
 
     def export_traces(self) -> None:
-        document = self._window.document
-        if not document.view.outputs:
-            self._window.complain("No output is selected: select some on the skin map first.")
-            return
-        path = self._ask_where("Export traces", "traces.csv", "CSV (*.csv)")
-        if path:
-            self._exported(path, lambda: export_traces(path, document.design, document.view))
+        self.exports.traces()
+
+    def export_levels(self) -> None:
+        self.exports.levels()
+
+    def export_field(self) -> None:
+        self.exports.field()
+
+    def cancel_export(self) -> None:
+        self.exports.jobs.cancel()
 
     def quit_studio(self) -> None:
         self._window.close()
@@ -140,6 +147,18 @@ class Commands(QObject):
             found.append(action)
         Palette([*found, *window.setup_bar.choices(window)], window).open()
 
+    def show_accuracy(self) -> None:
+        window = self._window
+        if self._accuracy_page is None:
+            # Few open it; the start of the studio shall not wait for it.
+            module = importlib.import_module("skinsource_gui.accuracy_page")
+            self._accuracy_page = module.AccuracyPage(
+                window.status_line, lambda: window.theme, window.preferences, window
+            )
+        self._accuracy_page.show()
+        self._accuracy_page.raise_()
+        self._accuracy_page.activateWindow()
+
     def show_keys(self) -> None:
         pages.keys_page(ACTIONS, self._window).open()
 
@@ -148,6 +167,12 @@ class Commands(QObject):
 
     def show_about(self) -> None:
         pages.about_page(self._window).open()
+
+    def end(self) -> None:
+        """Close what stands beside the window, and stop what runs."""
+        self.exports.end()
+        if self._accuracy_page is not None:
+            self._accuracy_page.end()
 
     def _arrange(self, arrange: Callable[[QMainWindow, Mapping[str, QDockWidget]], None]) -> None:
         arrange(self._window, self._window.docks)

@@ -12,6 +12,10 @@ from skinsource_gui.document import Document
 from skinsource_gui.engine import Engine, Outcome, Request
 from skinsource_gui.panel import Panel
 
+#: An edit waits so long for its results, a frame of most screens: the worker is quicker when it
+#: has the interpreter to itself, and both are painted together.
+PATIENCE_S = 0.016
+
 
 class Conductor(QObject):
     """Asks the engine for what visible panels need, and hands them the results."""
@@ -38,25 +42,28 @@ class Conductor(QObject):
         since_s = perf_counter()
         for panel in self._panels:
             panel.show_state(self._document.design, self._document.view)
-        self._ask(since_s)
+        if self._ask(since_s):
+            self._engine.wait(PATIENCE_S)
 
-    def _ask(self, since_s: float | None = None) -> None:
+    def _ask(self, since_s: float | None = None) -> bool:
+        """Ask for what is not known yet; whether there is any."""
         visible = [panel for panel in self._panels if panel.isVisible()]
         for panel in self._panels:
             if panel not in visible:
                 self._shown.pop(panel, None)
         wanted = frozenset().union(*(panel.needs for panel in visible))
         if not wanted:
-            return
+            return False
         given = sources(self._document.design, self._document.view)
         request = Request(wanted, given, perf_counter() if since_s is None else since_s)
         if self._asked == request and not self._behind(visible):
-            return
+            return False
         self._asked = request
         for panel in visible:
             if panel.needs:
                 panel.show_stale(True)
         self._engine.request(request)
+        return True
 
     def _behind(self, visible: list[Panel]) -> bool:
         return any(panel.needs and panel not in self._shown for panel in visible)

@@ -9,6 +9,9 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 from skinsource.design import Design
 from skinsource.view import View
 
+#: Steps that can be undone; older ones are forgotten.
+MOST_STEPS = 1000
+
 
 class Document(QObject):
     """Holds one immutable design and one immutable view.
@@ -27,6 +30,7 @@ class Document(QObject):
         self._view = _fitted(view or View(), design)
         self._path: Path | None = None
         self.undo_stack = QUndoStack(self)
+        self.undo_stack.setUndoLimit(MOST_STEPS)
         self.undo_stack.cleanChanged.connect(self.title_changed)
 
     @property

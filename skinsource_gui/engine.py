@@ -60,6 +60,7 @@ class Engine(QObject):
         self._graph = graph
         self._closing = Event()
         self._superseded = Event()
+        self._done = Event()
         self._started_s = 0.0
         self._busy = False
         self._waiting: Request | None = None
@@ -81,7 +82,17 @@ class Engine(QObject):
         else:
             self._busy = True
             self._superseded.clear()
+            self._done.clear()
             self._worker.submit(self._work, request)
+
+    def wait(self, longest_s: float) -> None:
+        """Sleep until the newest request is evaluated, if nothing else has to be before.
+
+        Results are told by `finished` as ever, once the event loop runs again; it tells them
+        before it paints.
+        """
+        if self._busy and self._waiting is None:
+            self._done.wait(longest_s)
 
     def close(self) -> None:
         """Stop at the next rule and wait for the worker to end."""
@@ -101,6 +112,7 @@ class Engine(QObject):
             took_s = perf_counter() - start
             outcome = Outcome(request, values, compute_s=took_s, work=replace(self._graph.work))
         self._landed.emit(outcome)
+        self._done.set()
 
     def _should_stop(self) -> bool:
         if self._closing.is_set():

@@ -23,6 +23,11 @@ class ErrorLabel(QLabel):
         self._theme = LIGHT
         self._error: TraceError | None = None
 
+    @property
+    def error(self) -> TraceError | None:
+        """What is known of the error on screen."""
+        return self._error
+
     def show_error(self, error: TraceError | None) -> None:
         """Show what is known of the error; None: nothing yet."""
         self._error = error
@@ -30,12 +35,8 @@ class ErrorLabel(QLabel):
             self.clear()
             self.setToolTip("")
         else:
-            self.setText(f"· error ≈ {one_digit_up(error.estimate)}")
-            self.setToolTip(
-                f"{N_SAMPLES} samples of the traces were computed again in extended precision.\n"
-                f"Four times the largest difference is {error.estimate:.1e} of the peak; "
-                f"by theory it is at most {error.bound:.1e}."
-            )
+            self.setText(f"· {error_words(error)}")
+            self.setToolTip(_sentences(error))
         self._paint()
 
     def show_theme(self, theme: Theme) -> None:
@@ -50,6 +51,22 @@ class ErrorLabel(QLabel):
         elif self._error is not None and self._error.estimate > PROMISED:
             colour = self._theme.warning
         self.setStyleSheet(f"color: {colour};")
+
+
+def error_words(error: TraceError) -> str:
+    """Return estimate and bound, as short as can be."""
+    return f"error ≈ {one_digit_up(error.estimate)}, at most {one_digit_up(error.bound)}"
+
+
+def _sentences(error: TraceError) -> str:
+    lines = [
+        f"{N_SAMPLES} samples of the traces were computed again in extended precision.",
+        f"Four times the largest difference is {error.estimate:.1e} of the peak; by theory it is "
+        f"at most {error.bound:.1e}.",
+    ]
+    if error.estimate > PROMISED:
+        lines.append(f"This is more than the {PROMISED:.0e} that is promised.")
+    return "\n".join(lines)
 
 
 def one_digit_up(error: float) -> str:

@@ -7,20 +7,14 @@ from skinsource_gui.theme import LIGHT, Theme
 
 
 class LimbNote(QLabel):
-    """Says SYNTHETIC LIMB where it is one, and the way to the measured ones if they are missing.
-
-    Parameters
-    ----------
-    measured
-        Whether measured limbs are installed.
-    """
+    """Says SYNTHETIC LIMB where it is one, and the way to the measured ones if they are missing."""
 
     help_wanted = Signal()
 
-    def __init__(self, *, measured: bool, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("limb_note")
-        self._measured = measured
+        self._measured = False
         self._theme = LIGHT
         self._synthetic = False
         self.setTextFormat(Qt.TextFormat.RichText)
@@ -31,6 +25,11 @@ class LimbNote(QLabel):
         self.setToolTip("Computed from a model of the arm, not measured on a person")
         self.setAccessibleName("Kind of limb")
         self.linkActivated.connect(self.help_wanted)
+
+    def show_available(self, limbs: tuple[str, ...]) -> None:
+        """Take over which limbs are installed."""
+        self._measured = any(name.startswith("measured") for name in limbs)
+        self._say()
 
     def show_limb(self, name: str) -> None:
         """Show what there is to say about the limb ``name``."""

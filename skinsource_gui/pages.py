@@ -38,8 +38,8 @@ synthetic limb until you install them. In a terminal:</p>
 <p><b>skinsource dataset fetch</b><br>downloads 70 MB, checks and installs them;</p>
 <p><b>skinsource dataset install FOLDER</b><br>installs them from a folder that holds
 <i>impulseResponses.mat</i> and the toolbox's folder <i>visualization</i>.</p>
-<p>Both need the extra <i>dataset</i>: <b>pip install "skinsource[dataset]"</b>. Then start the
-studio again.</p>
+<p>Both need the extra <i>dataset</i>: <b>pip install "skinsource[dataset]"</b>. Then come back to
+the studio: the limbs can be chosen at once.</p>
 """
 _ABOUT = f"""
 <h3>SkinSource studio {__version__}</h3>

@@ -28,6 +28,11 @@ class Panel(QWidget):
     view_changed = Signal(object)
     visibility_changed = Signal()
 
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        # The window behind is not painted again for each change in here.
+        self.setAutoFillBackground(True)
+
     @property
     def needs(self) -> frozenset[str]:
         """Names of the quantities that `show_results` draws."""

@@ -47,7 +47,7 @@ class SetupBar(QWidget):
     design_edited = Signal(str, object, object)
     view_changed = Signal(object)
 
-    def __init__(self, available: tuple[str, ...], parent: QWidget | None = None):
+    def __init__(self, parent: QWidget | None = None):
         super().__init__(parent)
         self._design: Design | None = None
         self._view: View | None = None
@@ -63,7 +63,6 @@ class SetupBar(QWidget):
         )
         self._method = self._choice("Method", [(name, *_METHOD_WORDS[name]) for name in METHODS])
         self._row.addStretch(1)
-        self._disable_missing(available)
         self._limb.chosen.connect(self._choose_limb)
         self._scaling.chosen.connect(self._choose_scaling)
         self._axes.chosen.connect(self._choose_axes)
@@ -84,6 +83,19 @@ class SetupBar(QWidget):
         self._method.setToolTip(
             "A single axis needs no method" if single else "How several axes become one signal"
         )
+
+    def show_available(self, limbs: tuple[str, ...]) -> None:
+        """Offer these limbs, and no others."""
+        model = self._limb.model()
+        if not isinstance(model, QStandardItemModel):
+            return
+        for index, name in enumerate(LIMB_NAMES):
+            there = name in limbs
+            item = model.item(index)
+            item.setEnabled(there)
+            item.setToolTip(
+                "" if there else "Not installed; Help > Get the measured limbs… says how"
+            )
 
     def choices(self, parent: QObject) -> list[QAction]:
         """One action for each choice that can be made, owned by ``parent``."""
@@ -114,16 +126,6 @@ class SetupBar(QWidget):
         self._row.addWidget(field)
         self._row.addSpacing(6)
         return field
-
-    def _disable_missing(self, available: tuple[str, ...]) -> None:
-        model = self._limb.model()
-        if not isinstance(model, QStandardItemModel):
-            return
-        for index, name in enumerate(LIMB_NAMES):
-            if name not in available:
-                item = model.item(index)
-                item.setEnabled(False)
-                item.setToolTip("Not installed; Help > Get the measured limbs… says how")
 
     def _choose_limb(self, name: str, gesture: int | None) -> None:
         if self._design:

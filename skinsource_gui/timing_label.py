@@ -2,61 +2,66 @@
 
 from time import perf_counter
 
-from PySide6.QtCore import QEvent, QObject, QTimer
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QLabel, QWidget
 
-from skinsource.design import Design, audible_inputs
-from skinsource.work import Work
-from skinsource_gui.engine import Outcome
+from skinsource_gui.edit_times import EditTime, EditTimes, milliseconds, summary
+from skinsource_gui.engine import Engine, Outcome
 from skinsource_gui.theme import tabular
 
 # Numbers that change faster cannot be read.
 _PAUSE_MS = 250
-
-
-_ABOUT = (
-    "From the last edit until the window shows it, and the part of it spent on computing.\n"
-    "All numbers are computed in double precision (float64)."
-)
+_WIDEST = "8888 ms"
 
 
 class TimingLabel(QLabel):
-    """Says how many inputs are heard, and how fast results reach the screen.
+    """Says how long the last edit took from the user's hand to the screen.
 
     Parameters
     ----------
     window
         The window whose painting is waited for.
+    engine
+        Results are taken to be in the window's thread when it has finished.
     """
 
-    def __init__(self, window: QWidget) -> None:
+    #: An edit was painted: the times are new.
+    noted = Signal()
+
+    def __init__(self, window: QWidget, engine: Engine) -> None:
         super().__init__(window)
         self.setObjectName("timing")
+        self.setAccessibleName("Time from edit to screen")
         self.setFont(tabular(self.font()))
-        self.setContentsMargins(8, 0, 0, 0)
-        self.setToolTip(_ABOUT)
-        self._inputs = ""
-        self._speed = ""
-        self._delivered: Outcome | None = None
+        self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self.setMinimumWidth(self.fontMetrics().horizontalAdvance(_WIDEST))
+        self.times = EditTimes()
+        self.last: EditTime | None = None
+        self._window = window
+        self._arrived: tuple[Outcome, float] | None = None
+        self._delivered: tuple[Outcome, float] | None = None
+        self._is_first = True
         self._pause = QTimer(self, singleShot=True, interval=_PAUSE_MS)
         self._pause.timeout.connect(self._say)
         window.installEventFilter(self)
-
-    def show_design(self, design: Design) -> None:
-        """Count the inputs of ``design``."""
-        count, heard = len(design.inputs), len(audible_inputs(design.inputs))
-        silent = f", {heard} heard" if heard < count else ""
-        self._inputs = f"{count} input{'' if count == 1 else 's'}{silent}"
-        self._say_soon()
+        engine.finished.connect(self._note_arrival)
 
     def show_outcome(self, outcome: Outcome) -> None:
         """Wait until results, which the panels have by now, are painted."""
-        self._delivered = outcome
+        # What nobody sees is painted when the window comes back: no time of an edit.
+        if self._window.isVisible() and not self._window.isMinimized():
+            known = self._arrived is not None and self._arrived[0] is outcome
+            arrived_s = self._arrived[1] if known and self._arrived else perf_counter()
+            self._delivered = outcome, arrived_s
 
     def show_no_outcome(self) -> None:
         """Forget the last time: there are no results."""
-        self._delivered, self._speed = None, ""
+        self._delivered, self.last = None, None
         self._say()
+
+    def about_times(self) -> str:
+        """Words about the last edits."""
+        return summary(self.times.seconds())
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.UpdateRequest and self._delivered is not None:
@@ -64,28 +69,32 @@ class TimingLabel(QLabel):
             QTimer.singleShot(0, self._note_painted)
         return super().eventFilter(watched, event)
 
-    def _note_painted(self) -> None:
-        outcome, self._delivered = self._delivered, None
-        if outcome is not None:
-            total_ms = (perf_counter() - outcome.request.since_s) * 1e3
-            compute_ms = outcome.compute_s * 1e3
-            self.setToolTip(f"{_ABOUT}\n{_work_words(outcome.work)}")
-            self._speed = f" · on screen in {total_ms:.0f} ms ({compute_ms:.1f} ms computing)"
-            self._say_soon()
+    def _note_arrival(self, outcome: Outcome) -> None:
+        self._arrived = outcome, perf_counter()
 
-    def _say_soon(self) -> None:
+    def _note_painted(self) -> None:
+        delivered, self._delivered = self._delivered, None
+        if delivered is None:
+            return
+        outcome, arrived_s = delivered
+        now_s = perf_counter()
+        self.last = EditTime(
+            compute_s=outcome.compute_s,
+            draw_s=now_s - arrived_s,
+            total_s=now_s - outcome.request.since_s,
+        )
+        # The first picture follows no edit.
+        if not self._is_first:
+            self.times.note(self.last.total_s)
+        self._is_first = False
+        self.noted.emit()
         if not self._pause.isActive():
             self._say()
             self._pause.start()
 
     def _say(self) -> None:
-        words = self._inputs + self._speed
+        words = "" if self.last is None else milliseconds(self.last.total_s)
         if words != self.text():
             self.setText(words)
-
-
-def _work_words(work: Work) -> str:
-    return (
-        f"Work for it: {work.forward_transforms} forward and {work.inverse_transforms} inverse "
-        f"transforms, {work.samples_drawn} samples drawn, {work.bytes_read / 1e6:.1f} MB read."
-    )
+        sentence = "" if self.last is None else self.last.sentence()
+        self.setToolTip(f"{sentence}\n{self.about_times()}".strip())

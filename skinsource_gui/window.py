@@ -18,9 +18,9 @@ from skinsource_gui.arrangements import arrange_design
 from skinsource_gui.commands import Commands
 from skinsource_gui.conductor import Conductor
 from skinsource_gui.document import Document
-from skinsource_gui.engine import Engine, Outcome
-from skinsource_gui.error_label import ErrorLabel
+from skinsource_gui.engine import Outcome
 from skinsource_gui.file_actions import FileActions
+from skinsource_gui.installed_limbs import InstalledLimbs
 from skinsource_gui.limb_note import LimbNote
 from skinsource_gui.menus import build_menus
 from skinsource_gui.notice_bar import NoticeBar
@@ -31,13 +31,15 @@ from skinsource_gui.panels.inspector import InspectorPanel
 from skinsource_gui.panels.spectra import SpectraPanel
 from skinsource_gui.panels.surface import SurfacePanel
 from skinsource_gui.panels.traces import TracesPanel
+from skinsource_gui.patient_engine import PatientEngine
 from skinsource_gui.preferences import Preferences
 from skinsource_gui.setup_bar import SetupBar
+from skinsource_gui.status_line import StatusLine
 from skinsource_gui.theme import THEMES, Theme, apply_theme
-from skinsource_gui.timing_label import TimingLabel
 
 _log = logging.getLogger(__name__)
 _REPORT_MS = 5000
+_PREPARING = "Preparing…"
 _DOCK_BUTTONS = {
     "qt_dockwidget_closebutton": "Hide this panel; View > Panels brings it back",
     "qt_dockwidget_floatbutton": "Take this panel out of the window, or back into it",
@@ -62,7 +64,7 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         self.preferences = preferences
         self.document = Document(design, view, self)
-        self.engine = Engine(new_graph(), self)
+        self.engine = PatientEngine(new_graph(), self)
         self.hand, self.skin = HandPanel(), SurfacePanel()
         self.inputs, self.inspector = InputsPanel(), InspectorPanel()
         self.traces, self.spectra = TracesPanel(), SpectraPanel()
@@ -78,22 +80,26 @@ class MainWindow(QMainWindow):
         self.files = FileActions(self.document, preferences, self, lambda: self.saveState().data())
         self.commands = Commands(self)
         self.actions_by_name: dict[str, QAction] = build_menus(self, self.commands)
+        self.commands.exports.show_state()
         self.notice = NoticeBar()
         self._impossible = ""
         self._heights: dict[QDockWidget, int] = {}
-        self.setup_bar = SetupBar(tuple(available_limbs))
-        self._timing = TimingLabel(self)
-        self._error = ErrorLabel()
+        self.limbs = InstalledLimbs(tuple(available_limbs), self)
+        self.setup_bar = SetupBar()
+        self.status_line = StatusLine(self, self.engine)
         self.accuracy = Accuracy(self.engine, self)
-        self._limb_note = LimbNote(measured=any(n.startswith("measured") for n in available_limbs))
+        self._limb_note = LimbNote()
         self._notices = self._bar("Notices")
         self._build_bars()
         self.conductor = Conductor(self.document, self.engine, self.panels)
         self._connect()
         self.use_theme(preferences.theme_name)
         self._restore(preferences.geometry, preferences.layout)
+        self._show_limbs()
         self._show_state()
         self._show_title()
+        for panel in (self.skin, self.inspector, self.traces, self.spectra):
+            panel.show_problem(_PREPARING)
 
     @property
     def theme(self) -> Theme:
@@ -110,7 +116,7 @@ class MainWindow(QMainWindow):
             apply_theme(application, self._theme)
         self.notice.show_theme(self._theme)
         self._limb_note.show_theme(self._theme)
-        self._error.show_theme(self._theme)
+        self.status_line.show_theme(self._theme)
         self.actions_by_name[f"use_{name if name in THEMES else 'system'}_theme"].setChecked(True)
         for panel in self.panels:
             panel.show_theme(self._theme)
@@ -151,8 +157,7 @@ class MainWindow(QMainWindow):
             bar.addAction(self.actions_by_name[name])
         bar.addSeparator()
         bar.addAction(self.actions_by_name["find_action"])
-        self.statusBar().addWidget(self._timing)
-        self.statusBar().addWidget(self._error)
+        self.statusBar().addWidget(self.status_line, 1)
         self.statusBar().addPermanentWidget(self._limb_note)
 
     def _bar(self, title: str) -> QToolBar:
@@ -185,8 +190,11 @@ class MainWindow(QMainWindow):
         QGuiApplication.styleHints().colorSchemeChanged.connect(self._follow_desktop)
         self.conductor.failed.connect(self._show_impossible)
         self.conductor.delivered.connect(self._show_outcome)
-        self.accuracy.checked.connect(self._error.show_error)
+        self.accuracy.checked.connect(self.status_line.show_error)
         self.engine.finished.connect(self._log_fault)
+        self.limbs.changed.connect(self._show_limbs)
+        # What could not be computed before is tried again.
+        self.limbs.changed.connect(self.document.changed)
 
     def complain(self, reason: str) -> None:
         """Show what went wrong, where the user looks."""
@@ -210,8 +218,7 @@ class MainWindow(QMainWindow):
 
     def _show_impossible(self, reason: str) -> None:
         self._impossible = reason
-        self._timing.show_no_outcome()
-        self._error.show_error(None)
+        self.status_line.show_no_outcome()
         self.complain(reason)
 
     def _follow_desktop(self) -> None:
@@ -221,7 +228,7 @@ class MainWindow(QMainWindow):
     def _show_state(self) -> None:
         design, view, actions = self.document.design, self.document.view, self.actions_by_name
         self.setup_bar.show_state(design, view)
-        self._timing.show_design(design)
+        self.status_line.show_design(design)
         self._limb_note.show_limb(design.limb)
         actions["remove_delay"].setChecked(view.delay_removed)
         selected = None if view.selected_input is None else design.inputs[view.selected_input]
@@ -232,6 +239,10 @@ class MainWindow(QMainWindow):
         actions["clear_inputs"].setEnabled(bool(design.inputs))
         actions["select_no_outputs"].setEnabled(bool(view.outputs))
 
+    def _show_limbs(self) -> None:
+        self.setup_bar.show_available(self.limbs.names)
+        self._limb_note.show_available(self.limbs.names)
+
     def _show_title(self) -> None:
         path = self.document.path
         self.setWindowTitle(f"{path.stem if path else 'Untitled'}[*] – SkinSource studio")
@@ -241,7 +252,7 @@ class MainWindow(QMainWindow):
         if self._impossible and self.notice.text == self._impossible:
             self.notice.be_quiet()
         self._impossible = ""
-        self._timing.show_outcome(outcome)
+        self.status_line.show_outcome(outcome)
         self.accuracy.show_outcome(outcome)
 
     def _log_fault(self, outcome: Outcome) -> None:
@@ -264,13 +275,14 @@ class MainWindow(QMainWindow):
         self.files.open(paths[0])
 
     def closeEvent(self, event) -> None:
-        if not self.files.may_lose_changes():
+        if not (self.files.may_lose_changes() and self.commands.exports.may_close()):
             event.ignore()
             return
         self.preferences.geometry = self.saveGeometry()
         self.preferences.layout = self.saveState()
         self.preferences.flush()
         self.engine.close()
+        self.commands.end()
         super().closeEvent(event)
 
 

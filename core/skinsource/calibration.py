@@ -1,8 +1,8 @@
 """From the response to the measuring pulse to the response per unit of probe acceleration."""
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import fft
 
 Floats = NDArray[np.float64]
 
@@ -35,9 +35,9 @@ def per_probe_acceleration(response: Floats, sample_rate_hz: float) -> Floats:
     """
     n_taps = response.shape[-1]
     # The inverse pulse has a short tail on both sides; room for it keeps it from wrapping round.
-    n_fft = fft.next_fast_len(2 * n_taps, real=True)
+    n_fft = scipy.fft.next_fast_len(2 * n_taps, real=True)
     frequency_hz = np.arange(n_fft // 2 + 1) * sample_rate_hz / n_fft
     area = PULSE_PEAK_M_PER_S2 * PULSE_WIDTH_S * sample_rate_hz
     pulse = area * np.sinc(frequency_hz * PULSE_WIDTH_S)
     inverse = pulse / (pulse**2 + _REGULARISATION * area**2)
-    return fft.irfft(fft.rfft(response, n_fft) * inverse, n_fft)[..., :n_taps]
+    return scipy.fft.irfft(scipy.fft.rfft(response, n_fft) * inverse, n_fft)[..., :n_taps]

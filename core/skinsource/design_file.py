@@ -15,17 +15,20 @@ The reader refuses what it does not understand: nothing is guessed, nothing is d
 import io
 from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import h5py
 import numpy as np
 
+from skinsource import hdf5
 from skinsource.design import MAX_INPUTS, Design, Input
 from skinsource.errors import DesignFileError, InvalidInputError, StorageError
 from skinsource.files import write_bytes
 from skinsource.limb import LIMB_NAMES
 from skinsource.view import View
 from skinsource.waveforms import KINDS, Waveform
+
+if TYPE_CHECKING:
+    import h5py
 
 FORMAT = "skinsource design"
 VERSION = 1
@@ -82,7 +85,7 @@ def open_design(path: Path) -> DesignFile:
             "that you may read it."
         ) from error
     try:
-        with h5py.File(io.BytesIO(image), "r") as file:
+        with hdf5.File(io.BytesIO(image), "r") as file:
             return _Reader(path.name).content(file)
     except (OSError, RuntimeError, KeyError, ValueError, TypeError, OverflowError) as error:
         if isinstance(error, InvalidInputError):
@@ -97,7 +100,7 @@ def _encoded(content: DesignFile) -> bytes:
     # The image is built in memory: HDF5 on a full disk may end the process.
     image = io.BytesIO()
     # From format 1.10 on, HDF5 checks sums of all that it reads: no flipped bit goes unseen.
-    with h5py.File(image, "w", libver=("v110", "v110")) as file:
+    with hdf5.File(image, "w", libver=("v110", "v110")) as file:
         _write(file, "format", FORMAT)
         _write(file, "version", VERSION)
         design = file.create_group("design")
@@ -117,7 +120,7 @@ def _encoded(content: DesignFile) -> bytes:
     return image.getvalue()
 
 
-def _write_input(group: h5py.Group, one: Input) -> None:
+def _write_input(group: "h5py.Group", one: Input) -> None:
     for name in _INPUT_FIELDS:
         _write(group, name, getattr(one, name))
     waveform = group.create_group("waveform")
@@ -126,11 +129,11 @@ def _write_input(group: h5py.Group, one: Input) -> None:
         _write(waveform, field.name, getattr(one.waveform, field.name))
 
 
-def _write(group: h5py.Group, name: str, value: Any) -> None:
+def _write(group: "h5py.Group", name: str, value: Any) -> None:
     if isinstance(value, str):
         # Of fixed length: HDF5 keeps texts of free length outside its checksums.
         text = value.encode()
-        kind = h5py.string_dtype("utf-8", max(1, len(text)))
+        kind = hdf5.string_dtype("utf-8", max(1, len(text)))
         group.attrs.create(name, text, dtype=kind)
     elif isinstance(value, tuple):
         whole = all(isinstance(part, int) for part in value)
@@ -145,7 +148,7 @@ class _Reader:
     def __init__(self, name: str) -> None:
         self._name = name
 
-    def content(self, file: h5py.File) -> DesignFile:
+    def content(self, file: "h5py.File") -> DesignFile:
         found = self._attribute(file, "format")
         if found != FORMAT:
             raise DesignFileError(
@@ -160,12 +163,12 @@ class _Reader:
         self._refuse_unknown("/", set(file.attrs), {"format", "version"})
         self._refuse_unknown("/", set(file), {"design", "view", "layout"})
         return DesignFile(
-            design=self._design(self._member(file, "design", h5py.Group)),
-            view=self._view(self._member(file, "view", h5py.Group)),
-            layout=self._layout(self._member(file, "layout", h5py.Dataset)),
+            design=self._design(self._member(file, "design", hdf5.Group)),
+            view=self._view(self._member(file, "view", hdf5.Group)),
+            layout=self._layout(self._member(file, "layout", hdf5.Dataset)),
         )
 
-    def _design(self, group: h5py.Group) -> Design:
+    def _design(self, group: "h5py.Group") -> Design:
         values = self._attributes(group, ("limb", "scaling"))
         if values["limb"] not in LIMB_NAMES:
             raise DesignFileError(
@@ -173,19 +176,19 @@ class _Reader:
                 f"{', '.join(LIMB_NAMES)}. Open it with a newer SkinSource studio."
             )
         self._refuse_unknown("/design", set(group), {"inputs"})
-        inputs = self._member(group, "inputs", h5py.Group)
+        inputs = self._member(group, "inputs", hdf5.Group)
         keys = [f"{index:04d}" for index in range(min(len(inputs), MAX_INPUTS))]
         self._refuse_unknown("/design/inputs", set(inputs) | set(inputs.attrs), set(keys))
-        members = (self._member(inputs, key, h5py.Group) for key in keys)
+        members = (self._member(inputs, key, hdf5.Group) for key in keys)
         return Design(inputs=tuple(self._input(member) for member in members), **values)
 
-    def _input(self, group: h5py.Group) -> Input:
+    def _input(self, group: "h5py.Group") -> Input:
         self._refuse_unknown(group.name, set(group), {"waveform"})
         values = self._attributes(group, _INPUT_FIELDS)
-        waveform = self._waveform(self._member(group, "waveform", h5py.Group))
+        waveform = self._waveform(self._member(group, "waveform", hdf5.Group))
         return Input(waveform=waveform, **values)
 
-    def _waveform(self, group: h5py.Group) -> Waveform:
+    def _waveform(self, group: "h5py.Group") -> Waveform:
         kind = self._attribute(group, "kind")
         if kind not in _KINDS:
             raise DesignFileError(
@@ -198,14 +201,14 @@ class _Reader:
         del values["kind"]
         return _KINDS[kind](**values)
 
-    def _view(self, group: h5py.Group) -> View:
+    def _view(self, group: "h5py.Group") -> View:
         self._refuse_unknown("/view", set(group), set())
         names = tuple(field.name for field in fields(View))
         values: dict[str, Any] = dict.fromkeys(_OPTIONAL_VIEW_FIELDS)
         values |= self._attributes(group, names, _OPTIONAL_VIEW_FIELDS)
         return View(**values)
 
-    def _layout(self, dataset: h5py.Dataset) -> bytes:
+    def _layout(self, dataset: "h5py.Dataset") -> bytes:
         self._refuse_unknown("/layout", set(dataset.attrs), set())
         # With a checksum it is stored in this file, and not in another one.
         sound = dataset.dtype == np.uint8 and dataset.ndim == 1 and dataset.fletcher32
@@ -217,7 +220,7 @@ class _Reader:
         return bytes(dataset[()].tobytes()[:-1])
 
     def _attributes(
-        self, group: h5py.Group, names: tuple[str, ...], optional: frozenset[str] = frozenset()
+        self, group: "h5py.Group", names: tuple[str, ...], optional: frozenset[str] = frozenset()
     ) -> dict[str, Any]:
         self._refuse_unknown(group.name, set(group.attrs), set(names))
         missing = set(names) - set(group.attrs) - optional
@@ -228,7 +231,7 @@ class _Reader:
             )
         return {name: self._attribute(group, name) for name in names if name in group.attrs}
 
-    def _attribute(self, group: h5py.Group, name: str) -> Any:
+    def _attribute(self, group: "h5py.Group", name: str) -> Any:
         if name not in group.attrs:
             return None
         # A damaged text of free length can keep HDF5 busy for ever: look before reading.
@@ -241,9 +244,9 @@ class _Reader:
             )
         return _plain(group.attrs[name])
 
-    def _member(self, group: h5py.Group, name: str, kind: type) -> Any:
+    def _member(self, group: "h5py.Group", name: str, kind: type) -> Any:
         # A link could lead into any other file.
-        is_here = isinstance(group.get(name, getlink=True), h5py.HardLink)
+        is_here = isinstance(group.get(name, getlink=True), hdf5.HardLink)
         member = group[name] if is_here else None
         if not isinstance(member, kind):
             raise DesignFileError(

@@ -52,6 +52,10 @@ class DownloadError(SkinSourceError):
     """The network, or the server, did not deliver what was asked for."""
 
 
+class TooInaccurateError(SkinSourceError):
+    """What was to be written is more wrong than was asked for; nothing was written."""
+
+
 class MissingExtraError(SkinSourceError):
     """An optional package is needed and is not installed."""
 

@@ -7,8 +7,8 @@ from fractions import Fraction
 from typing import Literal, get_args
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import fft
 
 from skinsource.errors import InvalidInputError
 from skinsource.limb import SAMPLE_RATE_HZ
@@ -154,7 +154,9 @@ def white_noise(
     if not seed >= 0 or seed % 1:
         raise InvalidInputError(f"seed is {seed}, expected a whole number of 0 or more")
     n = sample_count(duration_s, sample_rate_hz)
-    spectrum = fft.rfft(np.random.default_rng(int(seed)).standard_normal(n)) if n else np.zeros(0)
+    spectrum = (
+        scipy.fft.rfft(np.random.default_rng(int(seed)).standard_normal(n)) if n else np.zeros(0)
+    )
     frequency_hz = np.arange(len(spectrum)) * sample_rate_hz / max(n, 1)
     spectrum[(frequency_hz < low) | (frequency_hz > high)] = 0.0
     if n and not spectrum.any():
@@ -162,7 +164,7 @@ def white_noise(
             f"noise of {n} samples holds no frequency between {low:g} and {high:g} Hz; make it "
             f"longer than {1 / high:.4f} s or widen the band"
         )
-    samples = fft.irfft(spectrum, n) if n else np.zeros(0)
+    samples = scipy.fft.irfft(spectrum, n) if n else np.zeros(0)
     samples *= window(window_name, n)
     peak = np.abs(samples).max(initial=0.0)
     return samples / peak if peak > 0 else samples

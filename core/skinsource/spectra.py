@@ -1,8 +1,8 @@
 """Levels over time and over frequency."""
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy import fft
 
 from skinsource.errors import InvalidInputError
 
@@ -47,7 +47,7 @@ def magnitude_spectrum(x: ArrayLike, sample_rate_hz: float) -> tuple[Floats, Flo
     data = _samples(x)
     if not (np.isfinite(sample_rate_hz) and sample_rate_hz > 0):
         raise InvalidInputError(f"sample_rate_hz is {sample_rate_hz}, expected a positive number")
-    return one_sided_magnitude(fft.rfft(data), data.shape[-1], sample_rate_hz)
+    return one_sided_magnitude(scipy.fft.rfft(data), data.shape[-1], sample_rate_hz)
 
 
 def one_sided_magnitude(

@@ -52,12 +52,12 @@ class HandPanel(Panel):
     def _show_inputs(self) -> None:
         if self._design is None:
             return
-        heard = audible_inputs(self._design.inputs)
+        heard = {id(one) for one in audible_inputs(self._design.inputs)}
         marks = tuple(
             Mark(
                 site=one.location,
                 colour=self._theme.input_colour(one.colour),
-                silent=one not in heard,
+                silent=id(one) not in heard,
                 words=_words(one),
             )
             for one in self._design.inputs

@@ -28,7 +28,8 @@ def colour_indices(levels_db: NDArray[np.float64], range_db: tuple[float, float]
     Levels outside the range take the colour of its nearer end, NaN that of the lower end.
     """
     low, high = range_db
-    within = np.fmin(np.fmax(levels_db, low), high)
+    within = np.fmax(levels_db, low, out=np.empty_like(levels_db))
+    np.fmin(within, high, out=within)
     within -= low
     within *= (N_COLOURS - 1) / (high - low)
     within += 0.5

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QWidget
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.colour_maps import colour_table
 from skinsource_gui.widgets.colour_scale import level_y, paint_colour_scale
+from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.level_range import Range, moved, with_high, with_low
 from skinsource_gui.widgets.map_painter import small_font
 
@@ -105,6 +106,9 @@ class ColourStrip(QWidget):
         self._marks: tuple[tuple[float, QColor], ...] = ()
         self._at_press: Range | None = None
         self._grip_y: float | None = None
+        self._scale = KeptPicture()
+        # All of it is painted: nothing behind needs to be.
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setObjectName("colour_strip")
         self.setAccessibleName("Range of the colours")
         self.setToolTip("Drag to move the range, double-click for the automatic one")
@@ -146,7 +150,9 @@ class ColourStrip(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(tabular(small_font(self.font())))
         ramp = self._ramp()
-        paint_colour_scale(painter, ramp, self._axis, self._range, self._table, self._theme)
+        scale = (self._axis, self._range, self._theme)
+        ground = self.palette().window().color()
+        self._scale.paint(painter, QRectF(self.rect()), scale, self._paint_scale, ground)
         painter.setPen(QPen(QColor(self._theme.base), 0.5))
         for level, colour in self._marks:
             y = min(max(level_y(level, self._axis, ramp), ramp.top()), ramp.bottom())
@@ -187,6 +193,10 @@ class ColourStrip(QWidget):
             self.range_chosen.emit(moved(self._range, step))
         else:
             super().keyPressEvent(event)
+
+    def _paint_scale(self, painter: QPainter) -> None:
+        axis, levels = self._axis, self._range
+        paint_colour_scale(painter, self._ramp(), axis, levels, self._table, self._theme)
 
     def _new_handle(self, name: str, words: str, change_end: Change) -> RangeHandle:
         handle = RangeHandle(name, words, self)

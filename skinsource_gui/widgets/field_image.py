@@ -72,8 +72,8 @@ class FieldImage:
             or drawn[1] != range_db
             or drawn[2] is not table
         ):
-            codes = colour_indices(levels_db.ravel()[self._sources], range_db)
-            self._pixels.ravel()[self._targets] = table[codes]
+            codes = colour_indices(levels_db.ravel().take(self._sources), range_db)
+            self._pixels.ravel()[self._targets] = table.take(codes)
             self._drawn = levels_db, range_db, table
         return self._image
 

@@ -1,5 +1,6 @@
 """A list of inputs that scrolls."""
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -53,8 +54,9 @@ class InputRows(QWidget):
         keys = _keys(states)
         if keys != list(self._rows):
             self._arrange(keys)
+        focused = self.hasFocus()
         for row, state in zip(self.rows, states, strict=True):
-            row.show_state(replace(state, list_focused=self.hasFocus()))
+            row.show_state(replace(state, list_focused=True) if focused else state)
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
@@ -181,7 +183,9 @@ class InputList(QScrollArea):
 def _keys(states: Sequence[RowState]) -> list[tuple[int, int]]:
     # The colour is kept for the life of an input; files may hold the same colour twice.
     keys: list[tuple[int, int]] = []
+    seen: Counter[int] = Counter()
     for state in states:
         colour = state.shown.colour
-        keys.append((colour, sum(present == colour for present, _ in keys)))
+        keys.append((colour, seen[colour]))
+        seen[colour] += 1
     return keys

@@ -123,7 +123,11 @@ class InputRow(QWidget):
             f"{', silent' if state.silent else ''}"
         )
         self.setToolTip(f"{place.number} · {place.name}\n{self._figure()}")
-        self.update()
+        if old is None or (old.selected, old.list_focused) != (state.selected, state.list_focused):
+            self.update()
+        else:
+            # Words alone: the controls beside them look after themselves.
+            self.update(0, 0, self._words_end(), ROW_PX)
 
     def show_samples(self, samples: NDArray[np.float64]) -> None:
         """Show what the input plays, (n_times,)."""
@@ -202,8 +206,8 @@ class InputRow(QWidget):
         self._write(painter, name, place.name if fits else short_name)
         painter.setFont(self.font())
         painter.setPen(QColor(self._theme.dim))
-        end = self.preview.x() if self.width() >= WIDE_PX else self.amplitude.x()
-        figure = QRect(left, _FIRST_LINE_PX + _LINE_PX + 1, end - UNIT_PX - left, _LINE_PX)
+        end = self._words_end() - UNIT_PX
+        figure = QRect(left, _FIRST_LINE_PX + _LINE_PX + 1, end - left, _LINE_PX)
         self._write(painter, figure, self._figure())
 
     def _paint_back(self, painter: QPainter) -> None:
@@ -223,6 +227,10 @@ class InputRow(QWidget):
         shown = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, place.width())
         flags = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
         painter.drawText(place, flags, shown)
+
+    def _words_end(self) -> int:
+        # In a narrow row, the preview stands above the field, and not so far to the right.
+        return self.preview.x() if self.width() >= WIDE_PX else self.amplitude.x()
 
     def _figure(self) -> str:
         waveform = self._state.shown.waveform

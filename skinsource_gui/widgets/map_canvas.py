@@ -43,6 +43,8 @@ class MapCanvas(QWidget):
         self._layout: MapLayout | None = None
         self._grip: QPointF | None = None
         self.setMinimumSize(150, 180)
+        # All of it is painted: nothing behind needs to be.
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
 
     def sizeHint(self) -> QSize:
         return QSize(300, 560)

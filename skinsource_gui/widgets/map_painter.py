@@ -1,6 +1,6 @@
 """Draws the dorsal map."""
 
-from collections.abc import Callable
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +9,6 @@ from PySide6.QtGui import (
     QColor,
     QFont,
     QFontMetricsF,
-    QImage,
     QPainter,
     QPainterPath,
     QPen,
@@ -19,6 +18,7 @@ from PySide6.QtGui import (
 from skinsource.limb import VOLAR_OUTPUTS, LimbMap
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.colour_maps import is_light, level_colours
+from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.map_content import MapContent
 from skinsource_gui.widgets.map_layout import PALMAR_TITLE, MapLayout
 from skinsource_gui.widgets.output_labels import output_labels, square
@@ -45,7 +45,7 @@ class MapPainter:
         self._table = table
         self._layout: MapLayout | None = None
         self._screen_outline = QPainterPath()
-        self._kept: dict[str, tuple[tuple[object, ...], QImage]] = {}
+        self._still, self._selection = KeptPicture(), KeptPicture()
 
     def paint(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
@@ -54,45 +54,49 @@ class MapPainter:
         if layout is not self._layout:
             self._layout = layout
             self._screen_outline = layout.frame.transform().map(self._outline)
-            self._kept = {}
+            self._still, self._selection = KeptPicture(), KeptPicture()
         painter.setRenderHints(_HINTS)
-        self._paint_field(painter, content, layout, theme)
-        self._paint_marks(painter, content, layout, theme)
+        self._paint_ground(painter, content, layout, theme)
+        self._paint_still(painter, content, layout, theme)
         if content.shown_field is None:
             self._paint_discs(painter, content, layout, theme)
+            _paint_palmar_card(painter, layout, theme)
         self._paint_palmar(painter, content, layout, theme)
         self._paint_selection(painter, content, layout, theme)
 
-    def _paint_field(
+    def _paint_ground(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
     ) -> None:
+        """The field, a little beyond the outline, or the bare skin."""
         field, levels = content.shown_field, content.field_levels_db
         if field is None or levels is None:
             painter.fillPath(self._screen_outline, QColor(theme.skin))
             return
-        painter.save()
-        painter.setClipPath(self._screen_outline)
         # The picture's first line is the highest y: it is drawn downwards from there.
         area = layout.frame.transform().mapRect(field.rect)
-        image = field.image(levels, content.range_db, self._table)
-        painter.translate(area.topLeft())
-        painter.scale(area.width() / image.width(), area.height() / image.height())
-        painter.drawImage(QPointF(0, 0), image)
-        painter.restore()
+        painter.drawImage(area, field.image(levels, content.range_db, self._table))
 
-    def _paint_marks(
+    def _paint_still(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
     ) -> None:
-        """Outline and sensor dots."""
-        dots = content.sensors_shown and content.shown_field is not None
+        """Outline; on a field also sensor dots, the card of the palm, and all that is outside."""
+        on_field = content.shown_field is not None
+        dots = content.sensors_shown and on_field
 
         def paint(on_image: QPainter) -> None:
+            if on_field:
+                # To cover what is outside is far quicker than to clip what is inside.
+                outside = QPainterPath(self._screen_outline)
+                outside.addRect(layout.room)
+                on_image.fillPath(outside, QColor(theme.base))
             line = QPen(QColor(theme.skin_line), 1.25 * layout.unit)
             on_image.strokePath(self._screen_outline, line)
             if dots:
                 _paint_dots(on_image, layout)
+            if on_field:
+                _paint_palmar_card(on_image, layout, theme)
 
-        self._paint_kept(painter, "marks", (theme.name, dots), paint)
+        self._still.paint(painter, layout.room, (theme.name, dots, on_field), paint)
 
     def _paint_selection(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
@@ -106,70 +110,39 @@ class MapPainter:
             _paint_labels(on_image, content, layout, theme)
 
         on_field = content.shown_field is not None
-        self._paint_kept(painter, "selection", (theme.name, content.outputs, on_field), paint)
-
-    def _paint_kept(
-        self,
-        painter: QPainter,
-        name: str,
-        depends_on: tuple[object, ...],
-        paint: Callable[[QPainter], None],
-    ) -> None:
-        """Draw what is slow to draw and rarely different: it is kept as a picture."""
-        room, ratio = self._layout.room, painter.device().devicePixelRatioF()
-        key = (*depends_on, ratio, painter.font().toString())
-        if name not in self._kept or self._kept[name][0] != key:
-            size = room.size() * ratio
-            image = QImage(size.toSize(), QImage.Format.Format_ARGB32_Premultiplied)
-            image.setDevicePixelRatio(ratio)
-            image.fill(Qt.GlobalColor.transparent)
-            on_image = QPainter(image)
-            on_image.setRenderHints(_HINTS)
-            on_image.setFont(painter.font())
-            on_image.translate(-room.topLeft())
-            paint(on_image)
-            on_image.end()
-            self._kept[name] = key, image
-        painter.drawImage(room.topLeft(), self._kept[name][1])
+        key = (theme.name, content.outputs, on_field)
+        self._selection.paint(painter, layout.room, key, paint)
 
     def _paint_discs(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
     ) -> None:
         painter.setPen(QPen(QColor(theme.skin_line), 1))
-        fills = self._fills(content, theme)
+        fills = self._fills(DORSAL_OUTPUTS, content, theme)
         radius = layout.disc_radius
-        for number in DORSAL_OUTPUTS:
-            painter.setBrush(fills[number - 1])
+        for number, fill in zip(DORSAL_OUTPUTS, fills, strict=True):
+            painter.setBrush(fill)
             painter.drawEllipse(QPointF(*layout.points[number - 1]), radius, radius)
 
     def _paint_palmar(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
     ) -> None:
-        card, radius = layout.palmar_card, layout.palmar_radius
-        ground = QColor(theme.base)
-        ground.setAlphaF(0.88)
-        painter.setPen(QPen(QColor(theme.grid), 1))
-        painter.setBrush(ground)
-        painter.drawRoundedRect(card, 4 * layout.unit, 4 * layout.unit)
-        painter.setPen(QColor(theme.dim))
-        line = painter.fontMetrics().height()
-        head = QRectF(card.left(), card.top(), card.width(), 1.4 * line)
-        painter.drawText(head, Qt.AlignmentFlag.AlignCenter, PALMAR_TITLE)
-        fills = self._fills(content, theme)
-        for number in VOLAR_OUTPUTS:
-            fill, centre = fills[number - 1], QPointF(*layout.points[number - 1])
-            painter.setPen(QPen(QColor(theme.skin_line), 1))
+        radius = layout.palmar_radius
+        fills = self._fills(VOLAR_OUTPUTS, content, theme)
+        outline = QPen(QColor(theme.skin_line), 1)
+        for number, fill in zip(VOLAR_OUTPUTS, fills, strict=True):
+            centre = QPointF(*layout.points[number - 1])
+            painter.setPen(outline)
             painter.setBrush(fill)
             painter.drawEllipse(centre, radius, radius)
             painter.setPen(QColor("black" if is_light(fill) else "white"))
             painter.drawText(square(centre, radius), Qt.AlignmentFlag.AlignCenter, str(number))
 
-    def _fills(self, content: MapContent, theme: Theme) -> list[QColor]:
-        """Colour of each of the 72 outputs."""
+    def _fills(self, outputs: Sequence[int], content: MapContent, theme: Theme) -> list[QColor]:
+        """Colour of each of ``outputs``."""
         levels = content.coloured_levels_db
         if levels is None:
-            return [QColor(theme.base)] * 72
-        return level_colours(levels, content.range_db, self._table)
+            return [QColor(theme.base)] * len(outputs)
+        return level_colours(levels[np.array(outputs) - 1], content.range_db, self._table)
 
 
 def ring_radius(number: int, content: MapContent, layout: MapLayout) -> float:
@@ -200,6 +173,19 @@ def small_font(font: QFont, factor: float = 0.86) -> QFont:
     else:
         copy.setPointSizeF(font.pointSizeF() * factor)
     return copy
+
+
+def _paint_palmar_card(painter: QPainter, layout: MapLayout, theme: Theme) -> None:
+    card = layout.palmar_card
+    ground = QColor(theme.base)
+    ground.setAlphaF(0.88)
+    painter.setPen(QPen(QColor(theme.grid), 1))
+    painter.setBrush(ground)
+    painter.drawRoundedRect(card, 4 * layout.unit, 4 * layout.unit)
+    painter.setPen(QColor(theme.dim))
+    line = painter.fontMetrics().height()
+    head = QRectF(card.left(), card.top(), card.width(), 1.4 * line)
+    painter.drawText(head, Qt.AlignmentFlag.AlignCenter, PALMAR_TITLE)
 
 
 def _paint_dots(painter: QPainter, layout: MapLayout) -> None:

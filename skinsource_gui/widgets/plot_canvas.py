@@ -1,16 +1,28 @@
 """Where curves are drawn: no toolbar, no legend, no mouse."""
 
 import numpy as np
-import pyqtgraph as pg
-from PySide6.QtCore import QEvent, QRectF, Signal
-from PySide6.QtGui import QColor, QFontMetricsF, QHelpEvent, QPainter, QResizeEvent
-from PySide6.QtWidgets import QToolTip, QWidget
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QFontMetricsF,
+    QHelpEvent,
+    QPainter,
+    QPaintEvent,
+    QResizeEvent,
+)
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.crosshair import REACH_PX, CrosshairPicture, paint_crosshair
-from skinsource_gui.widgets.curve_layer import CurveLayer, drawn_curves
+from skinsource_gui.widgets.curve_lines import (
+    CurveLine,
+    curve_lines,
+    drawn_curves,
+    paint_lines,
+)
 from skinsource_gui.widgets.curves import Curves
 from skinsource_gui.widgets.frame_layout import Content, Words, laid_out
+from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.plot_axis import ValueUnit, XAxis, value_unit
 from skinsource_gui.widgets.plot_frame import Frame, paint_frame, paint_message
 from skinsource_gui.widgets.plot_rows import Rows, row_count
@@ -20,10 +32,10 @@ from skinsource_gui.widgets.x_window import XWindow, x_window
 _NOT_FINITE = "The response has values that are not finite numbers."
 
 
-class PlotCanvas(pg.GraphicsView):
+class PlotCanvas(QWidget):
     """Curves over one x axis, in one row or in one row each, with a crosshair.
 
-    Ranges are decided here, once for each update; pyqtgraph's own ranging is off.
+    Ranges are decided once for each update.  What is around the curves is kept as a picture.
 
     Attributes
     ----------
@@ -35,8 +47,8 @@ class PlotCanvas(pg.GraphicsView):
         Visible part of the x axis.
     frame
         What is around the curves.
-    layer
-        The curves' graphics items.
+    lines
+        The curves as they are drawn, px.
     cursor
         Index of the sample under the crosshair, or ``None``.
     """
@@ -45,9 +57,13 @@ class PlotCanvas(pg.GraphicsView):
     reading_changed = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent, useOpenGL=False)
+        super().__init__(parent)
         self.setMinimumSize(160, 90)
-        self.setAcceptDrops(False)  # files are dropped on the window
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMouseTracking(True)
+        # All of it is painted: nothing behind needs to be.
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.theme = LIGHT
         self.curves: Curves | None = None
         self.message = ""
@@ -55,7 +71,7 @@ class PlotCanvas(pg.GraphicsView):
         self.unit: ValueUnit = value_unit("amplitude", 0.0, 1.0)
         self.window: XWindow = x_window(XAxis(titles=("",), unit=""), (0.0, 1.0), None)
         self.frame = Frame(width=1, height=1, plot=(0, 0, 1, 1))
-        self.layer = CurveLayer(self)
+        self.lines: tuple[CurveLine, ...] = ()
         self.cursor: int | None = None
         self._font = tabular(self.font())
         self._font.setPointSizeF(self._font.pointSizeF() * 0.9)
@@ -64,14 +80,15 @@ class PlotCanvas(pg.GraphicsView):
         self._words = Words()
         self._held = HeldRange()
         self._content: Content | None = None
-        self.set_theme(LIGHT)
+        self._still = KeptPicture()
+
+    def sizeHint(self) -> QSize:
+        return QSize(256, 192)
 
     def set_theme(self, theme: Theme) -> None:
         """Take over colours."""
         self.theme = theme
-        self.setBackground(QColor(theme.base))
-        self.layer.set_theme(theme)
-        self._repaint()
+        self.update()
 
     def set_view(self, axis: XAxis, zoom: Range | None, *, stacked: bool) -> None:
         """X axis, its visible part in SI (``None``: all), and one row for each curve or one."""
@@ -85,7 +102,6 @@ class PlotCanvas(pg.GraphicsView):
         """Words around the curves."""
         if words != self._words:
             self._words = words
-            self.layer.set_stale(words.stale)
             self._draw_frame()
 
     def show_curves(self, curves: Curves) -> None:
@@ -109,8 +125,8 @@ class PlotCanvas(pg.GraphicsView):
         if self.curves is None and message == self.message:
             return
         self.curves, self.message, self.cursor, self._content = None, message, None, None
-        self.layer.hide()
-        self._repaint()
+        self.lines = ()
+        self.update()
         self.reading_changed.emit()
 
     def set_cursor(self, index: int | None) -> None:
@@ -139,29 +155,32 @@ class PlotCanvas(pg.GraphicsView):
         ys = tuple(top + height * (1 - at / self.rows.count) for at in heights)
         return CrosshairPicture(x=left + width * part, ys=ys)
 
-    def drawBackground(self, painter: QPainter, rect: QRectF) -> None:
-        super().drawBackground(painter, rect)
-        if self.curves is not None:
-            paint_frame(painter, self.frame, self.theme, self._font)
-        elif self.message:
-            whole = QRectF(self.viewport().rect())
-            paint_message(painter, whole, self.message, self.theme, self.font())
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        still = (self.theme, self.message if self.curves is None else self.frame)
+        ground = QColor(self.theme.base)
+        self._still.paint(painter, QRectF(self.rect()), still, self._paint_still, ground)
+        if self.lines:
+            area = self.frame.area
+            paint_lines(painter, self.lines, area, self.theme, stale=self._words.stale)
+        self.paint_over(painter)
+        painter.end()
 
-    def drawForeground(self, painter: QPainter, rect: QRectF) -> None:
+    def paint_over(self, painter: QPainter) -> None:
+        """Paint what comes on top of the curves."""
         picture = self.crosshair()
         if picture is not None:
             paint_crosshair(painter, picture, self.frame.area, self.theme)
 
-    def viewportEvent(self, event: QEvent) -> bool:
+    def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
-            QToolTip.showText(event.globalPos(), self._hint_at(event.y()), self.viewport())
+            QToolTip.showText(event.globalPos(), self._hint_at(event.y()), self)
             return True
-        return super().viewportEvent(event)
+        return super().event(event)
 
-    def resizeEvent(self, event: QResizeEvent | None) -> None:
+    def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        if event is not None:  # pyqtgraph itself asks once, while it is being made
-            self._draw()
+        self._draw()
 
     def _hint_at(self, y_px: float) -> str:
         # What the words above and below the plot say when there is room for them.
@@ -178,13 +197,18 @@ class PlotCanvas(pg.GraphicsView):
     def _draw(self) -> None:
         self._draw_frame()
         if self.curves is not None:
-            width_px = int(self.frame.plot[2] * self.devicePixelRatioF())
-            self.layer.draw(self.curves, self.window, self.rows, width_px, stacked=self._stacked)
+            area, ratio = self.frame.area, self.devicePixelRatioF()
+            self.lines = curve_lines(
+                self.curves, self.window, self.rows, area, stacked=self._stacked, ratio=ratio
+            )
+            # The crosshair's dots reach a little beyond.
+            reach = (-REACH_PX, -REACH_PX, REACH_PX, REACH_PX)
+            self.update(area.toAlignedRect().adjusted(*reach))
 
     def _draw_frame(self) -> None:
         curves = self.curves
         if curves is None:
-            self._repaint()
+            self.update()
             return
         count = row_count(len(curves.names), stacked=self._stacked)
         self.rows = Rows(count=count, values=self.rows.values)
@@ -202,15 +226,17 @@ class PlotCanvas(pg.GraphicsView):
         if content != self._content:
             self._content = content
             self.frame = laid_out(content, QFontMetricsF(self._font), self.frame.plot[0])
-            self.layer.place(self.frame.area, self.window, self.rows)
-            self._repaint()
+            self.update()
+
+    def _paint_still(self, painter: QPainter) -> None:
+        """Paint all but curves and crosshair."""
+        if self.curves is not None:
+            paint_frame(painter, self.frame, self.theme, self._font)
+        elif self.message:
+            paint_message(painter, QRectF(self.rect()), self.message, self.theme, self.font())
 
     def _update_crosshair(self) -> None:
         picture = self.crosshair()
         if picture is not None:
             left = int(picture.x) - REACH_PX
-            self.viewport().update(left, 0, 2 * REACH_PX + 1, self.height())
-
-    def _repaint(self) -> None:
-        self.resetCachedContent()
-        self.viewport().update()
+            self.update(left, 0, 2 * REACH_PX + 1, self.height())

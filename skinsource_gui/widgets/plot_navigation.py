@@ -139,19 +139,19 @@ class NavigablePlot(PlotCanvas):
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
-        self.viewport().update()
+        self.update()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
-        self.viewport().update()
+        self.update()
 
-    def drawForeground(self, painter: QPainter, rect: QRectF) -> None:
-        super().drawForeground(painter, rect)
+    def paint_over(self, painter: QPainter) -> None:
+        super().paint_over(painter)
         if self._band is not None:
             paint_rubber_band(painter, *self._band, self.frame.area, self.theme)
         if self.hasFocus():
             painter.setPen(QPen(QColor(self.theme.accent), 1))
-            painter.drawRect(QRectF(self.viewport().rect()).adjusted(0.5, 0.5, -0.5, -0.5))
+            painter.drawRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5))
 
     # What they do
 
@@ -176,7 +176,7 @@ class NavigablePlot(PlotCanvas):
 
     def _set_band(self, band: tuple[float, float] | None) -> None:
         self._band = band
-        self.viewport().update()
+        self.update()
 
     def _follow_mouse(self, at: QPointF) -> None:
         if self.curves is None:

@@ -36,8 +36,11 @@ class Rows:
         """Heights of the bottom and of the top."""
         return (0.0, float(self.count))
 
-    def heights(self, values: Floats, row: int) -> Floats:
-        """Heights of ``values`` drawn in ``row``; what lies outside stays at the row's edge."""
+    def heights(self, values: Floats, row: int | NDArray[np.intp]) -> Floats:
+        """Heights of ``values`` drawn in ``row``; what lies outside stays at the row's edge.
+
+        ``row`` can be an array, of a shape that goes together with that of ``values``.
+        """
         low, high = self.values
         edge = _EDGE if self.count > 1 else 0.0
         part = np.clip((values - low) / (high - low), 0.0, 1.0)

@@ -55,9 +55,10 @@ class Swatch(QWidget):
 
     def show_input(self, number: int, colour_number: int, *, silent: bool) -> None:
         """Number of the place, number of the colour, and whether the input is silent."""
-        self._number, self._colour_number, self._silent = number, colour_number, silent
-        self.setAccessibleName(f"Place {number}")
-        self.update()
+        if (number, colour_number, silent) != (self._number, self._colour_number, self._silent):
+            self._number, self._colour_number, self._silent = number, colour_number, silent
+            self.setAccessibleName(f"Place {number}")
+            self.update()
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""

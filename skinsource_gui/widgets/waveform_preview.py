@@ -1,21 +1,25 @@
 """A small picture of what an input plays."""
 
 import math
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
-from pyqtgraph.functions import arrayToQPath
+from pyqtgraph.functions import arrayToQPolygonF
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.widgets.kept_picture import KeptPicture
 
 Floats = NDArray[np.float64]
 
 _AXIS_PX = 18
 _MARGIN_PX = 4
 _TICK_SPACING_PX = 52
+# Strokes of this mean length, of 2, make a block, whose edge needs no smoothing.
+_BLOCK = 0.8
 # A single sample needs some time around it to be seen as one.
 _SHORTEST_S = 0.005
 _PALE = 0.35
@@ -49,6 +53,7 @@ class WaveformPreview(QWidget):
         self._colour = QColor(LIGHT.text)
         self._flipped = False
         self._pale = False
+        self._axis = KeptPicture()
         self.setObjectName("waveform_preview")
         self.setAccessibleName("Waveform")
         self.setFont(tabular(self.font()))
@@ -108,7 +113,11 @@ class WaveformPreview(QWidget):
         plot = QRectF(self.rect()).adjusted(_MARGIN_PX, 2, -_MARGIN_PX, -2)
         if self._has_axis:
             plot.setBottom(plot.bottom() - _AXIS_PX)
-            self._paint_axis(painter, plot)
+            shown = (self._theme, self._span_s())
+            ground = self.palette().window().color()
+            self._axis.paint(
+                painter, QRectF(self.rect()), shown, partial(self._paint_axis, plot=plot), ground
+            )
         painter.setPen(QPen(QColor(self._theme.border), 1))
         painter.drawLine(QLineF(plot.left(), plot.center().y(), plot.right(), plot.center().y()))
         self._paint_curve(painter, plot)
@@ -125,11 +134,17 @@ class WaveformPreview(QWidget):
         shown_px = plot.width() * self._samples.size / self._sample_rate_hz / self._span_s()
         columns = max(int(shown_px * self.devicePixelRatioF()), 1)
         if self._samples.size > 2 * columns:
-            samples = extremes(self._samples, columns).ravel()
-            painter.setPen(QPen(self._colour, 0))
+            ends = extremes(self._samples, columns)
+            block = bool(np.mean(np.diff(ends)) > _BLOCK)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, not block)
+            # Up one column and down the next: the way from stroke to stroke is short.
+            ends[1::2] = ends[1::2, ::-1]
+            samples = ends.ravel()
+            places = np.repeat(np.arange(columns) + 0.5, 2) / columns
         else:
             samples = self._samples
-        x = plot.left() + np.arange(samples.size) * shown_px / samples.size
+            places = np.arange(samples.size) / samples.size
+        x = plot.left() + shown_px * places
         y = middle - reach * samples
         if samples.size == 1:
             top = QPointF(x[0] + 1, y[0])
@@ -137,7 +152,9 @@ class WaveformPreview(QWidget):
             painter.setBrush(self._colour)
             painter.drawEllipse(top + QPointF(0, 2 if y[0] < middle else -2), 2, 2)
             return
-        painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
+        # One pixel of the screen: any wider line takes a hundred times as long.
+        painter.setPen(QPen(self._colour, 0))
+        painter.drawPolyline(arrayToQPolygonF(x, y))
 
     def _paint_axis(self, painter: QPainter, plot: QRectF) -> None:
         span_ms = self._span_s() * 1000

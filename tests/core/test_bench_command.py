@@ -43,6 +43,21 @@ def test_without_matplotlib_table_and_report_are_written(tmp_path, monkeypatch, 
     assert 'pip install "skinsource[bench]"' in capsys.readouterr().err
 
 
+def test_other_programs_can_read_how_far_the_work_is(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(commands, "SCENES", (scene_of("S1"),))
+    monkeypatch.setattr(commands, "ENGINES", (engine_of("this program"),))
+    monkeypatch.setattr(commands, "measure", tell_and_find_nothing)
+    monkeypatch.setattr(commands, "write_plots", lambda rows, stem: None)
+    assert main(["bench", "--quick", "--progress", "lines", "--out", str(tmp_path)]) == 0
+    assert capsys.readouterr().out.splitlines()[:2] == ["0/2 S1 direct", "1/2 S1 this program"]
+
+
+def tell_and_find_nothing(cases, effort, progress):
+    progress(0, 2, "S1 direct")
+    progress(1, 2, "S1 this program")
+    return []
+
+
 def test_a_folder_that_cannot_be_written_is_told_before_the_work(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(commands, "measure", lambda *_: pytest.fail("measured for nothing"))
     (tmp_path / "file").write_text("in the way")

@@ -1,5 +1,7 @@
 """Table, front, report and plot of the benchmark."""
 
+import subprocess
+import sys
 from dataclasses import replace
 
 import pytest
@@ -200,6 +202,21 @@ def test_a_process_that_crashes_or_hangs_is_a_failed_row():
     crashed = in_fresh_process(task(engine="nonsense"), 60.0)
     assert crashed["unfit"].startswith("ended with code 1: ")
     assert in_fresh_process(task(), 0.001) == {"unfit": "took longer than 0.001 s"}
+
+
+def test_a_worker_ends_with_whoever_started_it():
+    code = (
+        "import time; from skinsource.bench.worker import end_with_parent;"
+        "end_with_parent(); print('up', flush=True); time.sleep(600)"
+    )
+    worker = subprocess.Popen(
+        [sys.executable, "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    )
+    with worker:
+        assert worker.stdout.readline().strip() == b"up"
+        # A pipe is closed when the process that holds it ends, whatever ends it.
+        worker.stdin.close()
+        assert worker.wait(timeout=30) == 1
 
 
 def test_the_report_names_machine_versions_and_hashes():

@@ -59,3 +59,15 @@ def test_a_wrong_trace_is_noticed():
     right = trace_error_of(trace, (29,), (2,), [one])
     wrong = trace_error_of(trace * (1 + 1e-6), (29,), (2,), [one])
     assert right.estimate < 1e-14 < 1e-8 < wrong.estimate
+
+
+def test_an_error_in_a_short_sound_within_a_long_silence_is_noticed():
+    drive = drive_of(Tap().samples(1300.0))
+    taps = load_synthetic_limb(1).response_to(7)
+    response = ResponseSpectrum(taps, forward(taps, 1152), 1152)
+    one = Heard(drive=drive, delay_samples=60_000, weight=1.0, response=response)
+    trace = np.zeros((1, 1, 78_000))
+    felt = np.convolve(drive.samples, taps[28, 2])
+    trace[0, 0, 60_000 : 60_000 + felt.size] = felt
+    assert trace_error_of(trace, (29,), (2,), [one]).estimate < 1e-14
+    assert trace_error_of(trace * (1 + 1e-6), (29,), (2,), [one]).estimate > 1e-8

@@ -1,5 +1,8 @@
 """What the engine remembers is bounded."""
 
+import subprocess
+import sys
+
 import pytest
 
 from skinsource.limb import N_AXES, N_OUTPUTS
@@ -62,3 +65,28 @@ def test_spectra_are_kept_while_they_fit_and_read_once():
     stack = spectra.stack(limb, (3, 7), "relative", 1152)
     assert spectra.stack(limb, (3, 7), "relative", 1152) is stack
     assert (stack.responses[7].values == first.values).all()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="reads how much is resident from /proc")
+def test_places_that_were_never_asked_for_take_no_memory():
+    # In a process of its own: what others left behind would count.
+    script = """
+from skinsource.allocation import keep_freed_memory
+from skinsource.rendering.response_spectra import ResponseSpectra
+from skinsource.synthetic import load_synthetic_limb
+import numpy as np
+keep_freed_memory()
+limb = load_synthetic_limb(1)
+limb.response_to(7)
+del (waste := [np.ones(2**25)])[:]
+def resident():
+    return int(open("/proc/self/statm").read().split()[1]) * 4096
+before = resident()
+spectra = ResponseSpectra()
+for n_fft in (3072, 3840, 4608, 6144):
+    spectra.of(limb, 7, "relative", n_fft)
+held = spectra.held_bytes
+assert held < 60e6, held
+assert resident() - before < 2 * held, (resident() - before, held)
+"""
+    subprocess.run([sys.executable, "-c", script], check=True)

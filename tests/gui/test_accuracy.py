@@ -23,14 +23,14 @@ def test_when_edits_pause_the_error_is_checked_and_shown(qtbot, window, checked)
     qtbot.waitUntil(lambda: known(checked), timeout=5000)
     assert 0 < checked[-1].estimate < 1e-14
     assert checked[-1].estimate < checked[-1].bound < 1e-10
-    assert window._error.text().startswith("· error ≈ ")
+    assert window.status_line.error.text().startswith("· error ≈ ")
 
 
 def test_an_edit_takes_the_old_error_away_at_once(qtbot, window, checked):
     qtbot.waitUntil(lambda: known(checked), timeout=5000)
     window.document.edit("a", window.document.design.with_input(0, amplitude=3.0))
     qtbot.waitUntil(lambda: checked[-1] is None)
-    assert window._error.text() == ""
+    assert window.status_line.error.text() == ""
 
 
 def test_a_check_is_no_result_for_the_panels(qtbot, window, checked):

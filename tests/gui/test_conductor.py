@@ -1,3 +1,5 @@
+from threading import Event
+
 import numpy as np
 import pytest
 from PySide6.QtWidgets import QWidget
@@ -29,6 +31,7 @@ class Recorder(Panel):
         super().__init__()
         self._needs = frozenset(needs)
         self.results, self.problems, self.stale, self.states = [], [], False, []
+        self.story = []
 
     @property
     def needs(self):
@@ -36,9 +39,16 @@ class Recorder(Panel):
 
     def show_state(self, design, view):
         self.states.append(design)
+        self.story.append("state")
+        self.update()
 
     def show_results(self, results):
         self.results.append(results)
+        self.story.append("results")
+        self.update()
+
+    def paintEvent(self, event):
+        self.story.append("painted")
 
     def show_stale(self, stale):
         self.stale = stale
@@ -52,11 +62,20 @@ def stage(qtbot):
     window = QWidget()
     qtbot.addWidget(window)
     document = Document(Design(limb="synthetic-1", inputs=(Input(location=7),)))
-    graph = Graph(loudness, colours)
+    gate = Event()
+    gate.set()
+
+    def gated_loudness(inputs):
+        assert gate.wait(5)
+        return loudness(inputs)
+
+    gated_loudness.__name__ = "loudness"
+    graph = Graph(gated_loudness, colours)
     engine = Engine(graph)
     loud, colourful = Recorder("loudness"), Recorder("colours")
     for panel in (loud, colourful):
         panel.setParent(window)
+    colourful.move(0, loud.height())
     conductor = Conductor(document, engine, (loud, colourful))
     window.show()
     qtbot.waitUntil(lambda: not engine.busy)
@@ -67,7 +86,7 @@ def stage(qtbot):
             qtbot.waitUntil(lambda: not engine.busy)
 
     stage = Stage()
-    stage.document, stage.engine, stage.graph = document, engine, graph
+    stage.document, stage.engine, stage.graph, stage.gate = document, engine, graph, gate
     stage.loud, stage.colourful, stage.conductor = loud, colourful, conductor
     yield stage
     engine.close()
@@ -78,6 +97,25 @@ def test_a_panel_is_given_the_state_before_the_results(stage):
     assert stage.loud.states[-1].inputs[0].amplitude == 2.0
     assert stage.loud.results[-1]["loudness"].tolist() == [2.0]
     assert not stage.loud.stale
+
+
+def test_an_edit_is_painted_once_with_its_results_if_they_are_quick(qtbot, stage):
+    qtbot.waitUntil(lambda: stage.loud.story[-1] == "painted")
+    stage.loud.story.clear()
+    stage.amplitude(2.0)
+    qtbot.waitUntil(lambda: stage.loud.story[-1] == "painted")
+    assert stage.loud.story == ["state", "results", "painted"]
+
+
+def test_an_edit_is_painted_at_once_if_its_results_take_long(qtbot, stage):
+    qtbot.waitUntil(lambda: stage.loud.story[-1] == "painted")
+    stage.loud.story.clear()
+    stage.gate.clear()
+    stage.document.edit("amplitude", stage.document.design.with_input(0, amplitude=2.0))
+    qtbot.waitUntil(lambda: stage.loud.story[-1] == "painted")
+    stage.gate.set()
+    qtbot.waitUntil(lambda: len(stage.loud.story) == 4)
+    assert stage.loud.story == ["state", "painted", "results", "painted"]
 
 
 def test_what_did_not_change_is_not_drawn_again(stage):

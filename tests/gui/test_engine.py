@@ -1,4 +1,5 @@
 from threading import Event
+from time import perf_counter
 
 import pytest
 
@@ -42,6 +43,28 @@ def test_of_the_waiting_requests_only_the_newest_is_evaluated(qtbot, engine, gat
     qtbot.waitUntil(lambda: len(outcomes) == 2)
     assert seen == [1, 4]
     assert [outcome.values["answer"] for outcome in outcomes] == [10, 40]
+
+
+def test_who_waits_goes_on_as_soon_as_the_evaluation_has_ended(qtbot, engine, gate, seen):
+    outcomes = []
+    engine.finished.connect(outcomes.append)
+    gate.set()
+    engine.request(request(1))
+    engine.wait(5)
+    assert seen == [1]
+    assert outcomes == []  # told by the event loop alone
+    qtbot.waitUntil(lambda: len(outcomes) == 1)
+
+
+def test_nobody_waits_longer_than_wanted_or_for_what_is_not_running(engine, gate, seen):
+    start_s = perf_counter()
+    engine.wait(5)
+    engine.request(request(1))
+    engine.wait(0.01)
+    engine.request(request(2))
+    engine.wait(5)
+    assert perf_counter() - start_s < 4
+    assert seen == []
 
 
 def test_an_error_is_an_outcome_and_the_engine_goes_on(qtbot, engine, gate):

@@ -109,22 +109,10 @@ def test_recent_files_are_offered_newest_first_and_missing_ones_dropped(
     assert [entry.text() for entry in menu.actions()] == ["two.skinsource"]
 
 
-def test_exports_hold_the_present_design(window, settle, answers, tmp_path):
-    answers["save"] = str(tmp_path / "traces.csv")
-    window.commands.export_traces()
-    lines = (tmp_path / "traces.csv").read_text(encoding="utf-8").splitlines()
-    assert any("SYNTHETIC" in line for line in lines)
-    assert "time_s,output_29_m_per_s2,output_52_m_per_s2" in lines
+def test_the_picture_of_the_map_is_a_png(window, settle, answers, tmp_path):
     answers["save"] = str(tmp_path / "map.png")
     window.commands.export_picture()
     assert (tmp_path / "map.png").read_bytes().startswith(b"\x89PNG")
-
-
-def test_traces_of_no_outputs_cannot_be_exported(window, answers):
-    window.commands.select_no_outputs()
-    window.commands.export_traces()
-    assert "No output is selected" in window.notice.text
-    assert answers["asked"] == []
 
 
 def test_a_name_with_a_point_keeps_it_and_gets_the_ending(window, answers, tmp_path):
@@ -145,10 +133,10 @@ def test_an_existing_file_is_not_replaced_behind_the_dialog(window, answers, tmp
 
 
 def test_dialogs_begin_in_the_folder_of_the_last_file(window, answers, tmp_path, preferences):
-    answers["save"] = str(tmp_path / "traces.csv")
-    window.commands.export_traces()
+    answers["save"] = str(tmp_path / "map.png")
+    window.commands.export_picture()
     assert preferences.folder == tmp_path
-    (tmp_path / "traces.csv").unlink()
+    (tmp_path / "map.png").unlink()
 
 
 def test_what_went_well_is_told_in_the_status_bar(window, answers, tmp_path):

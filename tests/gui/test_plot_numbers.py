@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from skinsource_gui.widgets.curves import Curves, output_names
-from skinsource_gui.widgets.decimation import MOST_POINTS, visible_points
+from skinsource_gui.widgets.decimation import MOST_IN_COLUMN, in_rows, visible_points
 from skinsource_gui.widgets.plot_axis import linear_ticks, log_ticks, number_text, value_unit
 from skinsource_gui.widgets.plot_rows import Rows
 from skinsource_gui.widgets.ranges import HeldRange, within, zoomed
@@ -90,21 +90,43 @@ def test_peaks_survive_when_a_long_signal_is_drawn_with_few_points():
     x = np.arange(80_000) / 1300
     y = np.zeros((2, x.size))
     y[0, 12_345], y[1, 70_001] = 3.0, -4.0
-    few_x, few_y = visible_points(x, y, (x[0], x[-1]), 500)
+    few = visible_points(x, y, (x[0], x[-1]), 500)
+    assert few.strokes
+    few_x, few_y = few.x, few.y
     assert few_x.size <= 1004
     assert few_y[0].max() == 3.0
     assert few_y[1].min() == -4.0
     assert np.all(np.diff(few_x) >= 0)
-    close_x, close_y = visible_points(x, y, (x[12_300], x[12_400]), 500)
-    assert close_y[0].max() == 3.0
-    assert close_x[0] <= x[12_300]
-    assert close_x[-1] >= x[12_400]
+    close = visible_points(x, y, (x[12_300], x[12_400]), 500)
+    assert not close.strokes
+    assert close.y[0].max() == 3.0
+    assert close.x[0] <= x[12_300]
+    assert close.x[-1] >= x[12_400]
 
 
-def test_short_signals_are_drawn_sample_by_sample():
-    x = np.arange(MOST_POINTS) / 1300
-    y = np.zeros((1, x.size))
-    assert visible_points(x, y, (0.0, 1.0), 10)[1] is y
+def test_signals_with_room_for_every_sample_are_drawn_sample_by_sample():
+    x = np.arange(MOST_IN_COLUMN * 500) / 1300
+    y = np.sin(x)[np.newaxis]
+    few = visible_points(x, y, (x[0], x[-1]), 500)
+    assert np.array_equal(few.x, x)
+    assert np.array_equal(few.y, y)
+
+
+def test_only_the_visible_part_is_drawn_with_one_point_more_at_each_side():
+    x = np.arange(1000.0)
+    few = visible_points(x, x[np.newaxis], (99.5, 120.5), 500)
+    assert few.x[0] == 99.0
+    assert few.x[-1] == 121.0
+
+
+def test_strokes_of_a_dense_signal_stand_in_the_middle_of_their_columns():
+    x = np.linspace(0.0, 1.0, 5001)
+    few = visible_points(x, np.sin(900 * x)[np.newaxis], (0.0, 1.0), 100)
+    assert np.allclose(few.x[:200:2] * 100, np.arange(100) + 0.5)
+    assert np.array_equal(few.x[::2], few.x[1::2])
+    spans = np.abs(np.diff(few.y[0, :200]))
+    # One stroke for each column, and a short way to the next.
+    assert spans[1::2].max() < 0.1 * spans[::2].min()
 
 
 def test_stacked_rows_never_reach_into_each_other():
@@ -124,3 +146,12 @@ def test_the_crosshair_snaps_to_the_nearest_sample(seed):
     for at in random.uniform(-0.2, 1.2, 20):
         found = curves.nearest(at)
         assert abs(x[found] - at) == abs(x - at).min(), f"seed {seed}, x {at}"
+
+
+def test_a_level_line_stays_in_its_row_of_pixels_whatever_the_rounding():
+    for level in (10.0, 10.5):
+        nearly = level + np.array([-1e-13, 0.0, 1e-13])
+        for ratio in (1.0, 1.5, 2.0):
+            rows = in_rows(nearly, ratio) * ratio
+            assert np.all(rows == rows[0])
+            assert np.floor(rows[0]) == np.floor(level * ratio)

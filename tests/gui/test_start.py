@@ -1,11 +1,20 @@
+import gc
 import os
 import subprocess
 import sys
 
 import pytest
 
+from skinsource.catalogue import available_limbs
+from skinsource.design import start_design
 from skinsource_gui import __main__ as start
 from skinsource_gui import system_libraries
+from skinsource_gui.app import exempt_from_collection
+from skinsource_gui.window import MainWindow
+
+UNNEEDED = ("scipy.signal", "matplotlib", "pandas", "matio", "pooch", "requests")
+#: What only the worker needs, once the window is painted.
+LATE = ("scipy.fft", "scipy.spatial", "scipy.ndimage", "scipy.sparse", "h5py")
 
 
 def run(*arguments, **environment):
@@ -76,9 +85,96 @@ def test_a_display_is_recognised(monkeypatch, environment, expected):
 
 @pytest.mark.parametrize("module", ["skinsource", "skinsource_gui.app"])
 def test_starting_imports_nothing_that_takes_long_and_is_not_needed(module):
-    unneeded = ("scipy.signal", "matplotlib", "pandas", "matio", "pooch", "requests")
-    probe = f"import sys, {module}; print([m for m in {unneeded} if m in sys.modules])"
+    probe = f"import sys, {module}; print([m for m in {UNNEEDED} if m in sys.modules])"
     done = subprocess.run(
         [sys.executable, "-c", probe], capture_output=True, text=True, check=True, timeout=60
     )
     assert done.stdout.strip() == "[]"
+
+
+FIRST_PAINT = """
+import os, sys
+from pathlib import Path
+from PySide6.QtCore import QEvent, QObject, QTimer
+from PySide6.QtWidgets import QWidget
+from skinsource_gui.app import make_application, make_window
+from skinsource_gui.preferences import Preferences
+
+names, application = sys.argv[2].split(), make_application()
+window = make_window(None, Preferences(Path(sys.argv[1])))
+painted = set()
+
+class Watch(QObject):
+    def eventFilter(self, watched, event):
+        if event.type() == QEvent.Type.Paint:
+            painted.add(watched)
+            if watched is window:
+                QTimer.singleShot(0, tell)
+        return False
+
+def tell():
+    visible = [one for one in window.findChildren(QWidget) if not one.visibleRegion().isEmpty()]
+    print(len(visible), [one.objectName() for one in visible if one not in painted])
+    print([name for name in names if name in sys.modules])
+    sys.stdout.flush()
+    os._exit(0)
+
+watch = Watch()
+application.installEventFilter(watch)
+window.show()
+application.exec()
+"""
+
+
+def test_the_whole_window_is_painted_before_anything_is_imported_for_computing(tmp_path):
+    late = " ".join((*UNNEEDED, *LATE))
+    done = subprocess.run(
+        [sys.executable, "-c", FIRST_PAINT, str(tmp_path / "studio.ini"), late],
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert done.returncode == 0, done.stderr
+    painted, imported = done.stdout.splitlines()
+    count, _, unpainted = painted.partition(" ")
+    assert int(count) > 80
+    assert unpainted == "[]"
+    assert imported == "[]"
+
+
+def test_until_there_are_results_every_picture_says_so(qtbot, preferences):
+    window = MainWindow(
+        start_design("synthetic-1"), preferences=preferences, available_limbs=available_limbs()
+    )
+    qtbot.addWidget(window)
+    for panel in (window.skin, window.traces, window.spectra):
+        panel.resize(400, 400)
+        assert shows_something(panel), panel.name
+        panel.show_problem("")
+        assert not shows_something(panel), panel.name
+    window.close()
+
+
+def shows_something(panel):
+    """Whether the middle of the panel's picture has more than one colour."""
+    picture = panel.focusProxy()
+    image = picture.grab().toImage()
+    middle = image.rect().center()
+    colours = {
+        image.pixel(middle.x() + x, middle.y() + y)
+        for x in range(-40, 40)
+        for y in range(-40, 40)
+        if image.rect().contains(middle.x() + x, middle.y() + y)
+    }
+    return len(colours) > 1
+
+
+def test_garbage_is_collected_again_once_the_window_stands():
+    gc.disable()
+    try:
+        exempt_from_collection()
+        assert gc.isenabled()
+        assert gc.get_freeze_count() > 0
+    finally:
+        gc.unfreeze()
+        gc.enable()

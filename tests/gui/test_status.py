@@ -1,30 +1,15 @@
 from dataclasses import replace
 
-from PySide6.QtWidgets import QAbstractScrollArea, QLabel
+from PySide6.QtWidgets import QAbstractScrollArea
 
-from skinsource.design import Design, Input
+from skinsource.design import Design
 from skinsource_gui.limb_note import LimbNote
-
-
-def timing(window):
-    return window.findChild(QLabel, "timing").text()
-
-
-def test_the_status_bar_counts_inputs_and_tells_how_fast_they_are_seen(window, qtbot):
-    inputs = (Input(location=3, muted=True), Input(location=4, colour=1))
-    window.document.edit("a", replace(window.document.design, inputs=inputs))
-    qtbot.waitUntil(lambda: timing(window).startswith("2 inputs, 1 heard · on screen in "))
-    assert timing(window).endswith(" ms computing)")
-
-
-def test_where_nothing_can_be_computed_there_is_no_speed(window, qtbot):
-    window.document.edit("a", replace(window.document.design, limb="measured-1"))
-    qtbot.waitUntil(lambda: timing(window) == "1 input")
 
 
 def test_the_way_to_measured_limbs_is_told_only_where_they_are_missing(qtbot):
     for measured in (True, False):
-        note = LimbNote(measured=measured)
+        note = LimbNote()
+        note.show_available(("measured-1", "synthetic-1") if measured else ("synthetic-1",))
         qtbot.addWidget(note)
         note.show_limb("synthetic-2")
         assert "SYNTHETIC LIMB" in note.text()

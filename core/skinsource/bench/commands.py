@@ -2,12 +2,14 @@
 
 import argparse
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from skinsource.bench.engines import ENGINES
 from skinsource.bench.machine import facts
-from skinsource.bench.measure import FULL, QUICK, cases_of, measure
+from skinsource.bench.measure import FULL, QUICK, Progress, cases_of, measure
 from skinsource.bench.plot import write_plots
 from skinsource.bench.report import report_of
 from skinsource.bench.scenes import SCENES
@@ -35,6 +37,13 @@ def add_to(subparsers: Any) -> None:
         metavar="FOLDER",
         help="where to write (default: %(default)s)",
     )
+    bench.add_argument(
+        "--progress",
+        choices=("bar", "lines"),
+        default="bar",
+        help="a bar in the terminal, or a line such as '3/51 S1 direct' for each step, which "
+        "other programs can read (default: %(default)s)",
+    )
     bench.set_defaults(run=_bench)
 
 
@@ -44,8 +53,8 @@ def _bench(arguments: argparse.Namespace) -> int:
     make_folder(folder)
     effort = QUICK if arguments.quick else FULL
     cases = cases_of(SCENES, ENGINES, quick=arguments.quick)
-    with ProgressBar(sys.stderr) as bar:
-        rows = measure(cases, effort, bar)
+    with _progress(arguments.progress) as tell:
+        rows = measure(cases, effort, tell)
     write_table(folder / f"{_NAME}.csv", rows)
     write_bytes(folder / "report.md", report_of(rows, facts(), effort).encode())
     failed = sum(bool(row.failure) for row in rows)
@@ -56,3 +65,19 @@ def _bench(arguments: argparse.Namespace) -> int:
     )
     write_plots(rows, folder / _NAME)
     return 0
+
+
+@contextmanager
+def _progress(form: str) -> Iterator[Progress]:
+    """What tells how far the work is."""
+    if form == "lines":
+        yield _write_line
+    else:
+        with ProgressBar(sys.stderr) as bar:
+            yield bar
+
+
+def _write_line(done: int, total: int, text: str) -> None:
+    sys.stdout.write(f"{done}/{total} {text}\n")
+    # A pipe would keep it back, and where nobody reads any more, the work ends here.
+    sys.stdout.flush()

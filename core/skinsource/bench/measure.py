@@ -1,6 +1,7 @@
 """Measures every method on every scene, each time in a fresh process, in random order."""
 
 import json
+import os
 import random
 import subprocess
 import sys
@@ -128,10 +129,15 @@ def _measure_once(case: Case, effort: Effort, run: Callable[[Task, float], dict[
 
 
 def in_fresh_process(task: Task, timeout_s: float) -> dict[str, Any]:
-    """Measure ``task`` in a process of its own; a crash or a time-out comes back as unfit."""
+    """Measure ``task`` in a process of its own; a crash or a time-out comes back as unfit.
+
+    However this process ends, that one ends with it: its input is a pipe that is then closed.
+    """
+    read_end, write_end = os.pipe()
     try:
         done = subprocess.run(  # noqa: S603, our own interpreter and our own words
             [sys.executable, "-m", "skinsource.bench.worker", *task.words()],
+            stdin=read_end,
             capture_output=True,
             text=True,
             timeout=timeout_s,
@@ -139,6 +145,9 @@ def in_fresh_process(task: Task, timeout_s: float) -> dict[str, Any]:
         )
     except subprocess.TimeoutExpired:
         return {"unfit": f"took longer than {timeout_s:g} s"}
+    finally:
+        os.close(write_end)
+        os.close(read_end)
     if done.returncode != 0:
         last = (done.stderr.strip().splitlines() or ["without a word"])[-1]
         return {"unfit": f"ended with code {done.returncode}: {last}"}

@@ -97,8 +97,12 @@ def _draw_scene(panel: Any, rows: Sequence[Row]) -> None:
     for row in rows:
         if not row.failure:
             panel.plot(row.t_min_ms, _shown(row), zorder=3, **_look(row))
+    ours = 0
     for row in _noted(rows):
-        _note(panel, row)
+        # This program's own points crowd on one line, also with those of other exact engines.
+        is_ours = engine_of(row.engine).is_ours
+        _note(panel, row, below=ours % 2 == 1 if is_ours else row.promise != "none")
+        ours += is_ours
     low, high = panel.get_xlim()
     panel.set_xlim(low, 2.0 * high)
     failed = sum(bool(row.failure) for row in rows)
@@ -116,9 +120,7 @@ def _noted(rows: Sequence[Row]) -> list[Row]:
     return list({row.setting: row for row in measured if row.setting != "exact"}.values())
 
 
-def _note(panel: Any, row: Row) -> None:
-    # This program's own points crowd on one line with those of other exact engines.
-    below = row.promise != "none" and not engine_of(row.engine).is_ours
+def _note(panel: Any, row: Row, *, below: bool) -> None:
     panel.annotate(
         row.setting.replace("-", "\N{MINUS SIGN}"),
         (row.t_min_ms, _shown(row)),

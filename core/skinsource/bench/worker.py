@@ -4,10 +4,12 @@ python -m skinsource.bench.worker S1 "this program" float64 "all channels" 0.3 2
 """
 
 import json
+import os
 import sys
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from threading import Thread
 from time import perf_counter
 from typing import Any
 
@@ -125,5 +127,18 @@ def _peak_bytes() -> int | None:
     return next((int(line.split()[1]) * 1024 for line in lines if line.startswith("VmHWM")), None)
 
 
+def end_with_parent() -> None:
+    """End this process as soon as its input is closed, which is when its parent ends."""
+
+    def wait() -> None:
+        # Not through `sys.stdin`, whose lock would be held at the regular end.
+        while os.read(0, 1):
+            pass
+        os._exit(1)
+
+    Thread(target=wait, daemon=True).start()
+
+
 if __name__ == "__main__":
+    end_with_parent()
     sys.stdout.write(json.dumps(measured(task_of(sys.argv[1:]))) + "\n")

@@ -5,16 +5,18 @@ nothing is read whose type, shape and place are not those that the installation 
 """
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import h5py
 import numpy as np
-from h5py import h5d
 from numpy.typing import NDArray
 
+from skinsource import hdf5
 from skinsource.dataset import layout
 from skinsource.errors import DatasetError
 from skinsource.limb import Floats
+
+if TYPE_CHECKING:
+    import h5py
 
 REINSTALL = "Install it again with 'skinsource dataset fetch' or 'skinsource dataset install PATH'."
 
@@ -34,7 +36,7 @@ class Contents:
         By every method: the part is not what the installation writes.
     """
 
-    def __init__(self, file: h5py.File, path: Path) -> None:
+    def __init__(self, file: "h5py.File", path: Path) -> None:
         self._file = file
         self._path = path
         self._check_format()
@@ -87,21 +89,21 @@ class Contents:
         for name in _ROOT_NUMBERS:
             self.number(name)
 
-    def _responses(self, limb: int) -> h5py.Dataset:
+    def _responses(self, limb: int) -> "h5py.Dataset":
         name = layout.responses_name(limb)
         return self._dataset(name, layout.RESPONSES_SHAPE, layout.FLOATS, layout.CHUNK)
 
-    def _group(self, name: str) -> h5py.Group:
-        group = self._member(self._file, name, h5py.Group)
+    def _group(self, name: str) -> "h5py.Group":
+        group = self._member(self._file, name, hdf5.Group)
         self._refuse_unknown(f"/{name}", group, set(layout.GROUPS[name]))
         self._refuse_unknown(f"/{name}", group.attrs, set())
         return group
 
     def _dataset(
         self, name: str, shape: tuple[int, ...], kind: str, chunks: tuple[int, ...] | None
-    ) -> h5py.Dataset:
+    ) -> "h5py.Dataset":
         folder, own_name = name.split("/")
-        dataset = self._member(self._group(folder), own_name, h5py.Dataset)
+        dataset = self._member(self._group(folder), own_name, hdf5.Dataset)
         if dataset.shape != shape or dataset.dtype != np.dtype(kind):
             raise self._damaged(
                 f"{name} is {dataset.dtype} of shape {dataset.shape}, expected {np.dtype(kind)} of "
@@ -109,7 +111,7 @@ class Contents:
             )
         # Values that lie in other files, or that a plug-in unpacks, would be read from there.
         how = dataset.id.get_create_plist()
-        usual = h5d.CHUNKED if chunks else h5d.CONTIGUOUS
+        usual = hdf5.h5d.CHUNKED if chunks else hdf5.h5d.CONTIGUOUS
         is_usual = how.get_layout() == usual and dataset.chunks == chunks
         if not is_usual or how.get_nfilters() or how.get_external_count():
             raise self._damaged(f"{name} is not stored as installed")
@@ -130,9 +132,9 @@ class Contents:
             )
         return part.attrs[name]
 
-    def _member(self, group: h5py.Group, name: str, kind: type) -> Any:
+    def _member(self, group: "h5py.Group", name: str, kind: type) -> Any:
         # A link could lead into any other file.
-        is_here = isinstance(group.get(name, getlink=True), h5py.HardLink)
+        is_here = isinstance(group.get(name, getlink=True), hdf5.HardLink)
         member = group[name] if is_here else None
         if not isinstance(member, kind):
             raise self._damaged(f"{name} in {group.name} is not a {kind.__name__.lower()} of it")

@@ -7,10 +7,10 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
 from numpy.typing import NDArray
 
+from skinsource import hdf5
 from skinsource.assets import user_folder
 from skinsource.dataset import layout
 from skinsource.dataset.job import Progress, Stop, never, silent, stop_if
@@ -101,7 +101,7 @@ def _origin(responses: Path) -> dict[str, str | int]:
 def _image(responses: Responses, maps: MapFiles, origin: dict[str, str | int]) -> bytes:
     # Made in memory and written by plain file calls: HDF5 itself does not fail cleanly when
     # the disk is full.
-    with h5py.File(
+    with hdf5.File(
         layout.FILE_NAME, "w", driver="core", backing_store=False, libver=("v110", "v110")
     ) as store:
         _note(store, "format", layout.FORMAT)
@@ -145,7 +145,7 @@ def _note(part: Any, name: str, value: str | int) -> None:
         return
     # Names of files need not be texts; what HDF5 calls UTF-8 has to be.
     text = value.encode(errors="backslashreplace")
-    part.attrs.create(name, text, dtype=h5py.string_dtype("utf-8", max(1, len(text))))
+    part.attrs.create(name, text, dtype=hdf5.string_dtype("utf-8", max(1, len(text))))
 
 
 def _pieces(image: bytes) -> Iterator[tuple[int, memoryview]]:

@@ -10,10 +10,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
 from numpy.typing import NDArray
 
+from skinsource import hdf5
 from skinsource.assets import user_folder
 from skinsource.dataset import layout
 from skinsource.dataset.contents import REINSTALL, Contents
@@ -147,7 +147,7 @@ def load_mask(number: int) -> NDArray[np.bool_]:
 def open_store(path: Path) -> Iterator[Contents]:
     """Open the store for reading; explain in our own words why that is not possible."""
     try:
-        with h5py.File(path, "r", locking="best-effort") as file:
+        with hdf5.File(path, "r", locking="best-effort") as file:
             yield Contents(file, path)
     except SkinSourceError:
         raise

@@ -1,5 +1,7 @@
 """Smooth curves through points in the plane."""
 
+from functools import cache
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -53,5 +55,13 @@ def bezier(start: Floats, leave: Floats, arrive: Floats, stop: Floats, *, count:
 
 def profile(stations: tuple[tuple[float, float], ...], at: ArrayLike) -> Floats:
     """A smooth curve through ``stations`` (place, value), read at ``at``, same shape."""
-    curve = smooth(stations, closed=False)
+    curve = _curve_through(stations)
     return np.asarray(np.interp(np.asarray(at, dtype=float), curve[:, 0], curve[:, 1]))
+
+
+@cache
+def _curve_through(stations: tuple[tuple[float, float], ...]) -> Floats:
+    # The same few curves are read at hundreds of places.
+    curve = smooth(stations, closed=False)
+    curve.flags.writeable = False
+    return curve

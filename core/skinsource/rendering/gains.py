@@ -1,6 +1,7 @@
 """What unit fields are multiplied with, so that an amplitude means what its scaling says."""
 
 from collections.abc import Callable, Sequence
+from weakref import ref
 
 import numpy as np
 
@@ -70,7 +71,9 @@ class Gains:
         drives = [self._drives.drawn(one, limb.sample_rate_hz) for one in sources]
         if scaling != "upstream":
             return [drive.factor for drive in drives]
-        keys = [(limb, *pair) for pair in zip(sources, (r.n_fft for r in responses), strict=True)]
+        pairs = zip(sources, (r.n_fft for r in responses), strict=True)
+        # What is remembered of a limb does not keep its responses in memory.
+        keys = [(ref(limb), *pair) for pair in pairs]
         known = {key: self._known.find(key) for key in keys}
         missing = [k for k, key in enumerate(keys) if known[key] is None]
         if missing:

@@ -7,6 +7,7 @@ waveform or onset leaves the others alone.  What comes out is a function of desi
 
 from collections.abc import Callable
 from typing import Any
+from weakref import ref
 
 import numpy as np
 
@@ -147,7 +148,7 @@ class Renderer:
         location = pivot_source.location
         samples = self._drives.drawn(pivot_source, limb_data.sample_rate_hz).samples
         taps = self._responses.of(limb_data, location, scaling, n_fft).taps
-        name = limb_data, location, scaling == "probe"
+        name = ref(limb_data), location, scaling == "probe"
         exact = self._exact_spectra.of(samples, taps, name, pivot_felt.size)
         return Part(pivot_unit_spectrum, n_fft, pivot_felt, exact)
 

@@ -1,9 +1,13 @@
 """Spectra of impulse responses, by place and length, in bounded memory."""
 
+import mmap
+import sys
 from collections import OrderedDict
 from collections.abc import Hashable
 from dataclasses import dataclass
 from functools import cached_property
+from math import prod
+from weakref import ref
 
 import numpy as np
 
@@ -76,14 +80,12 @@ class _Places:
     """Spectra at one length, made place by place.
 
     They lie in one piece of memory, which the system serves in large pages (a sum over twenty
-    places is twice as fast then); what is never touched takes none.
+    places is twice as fast then).
     """
 
     def __init__(self, n_fft: int) -> None:
         self._n_fft = n_fft
-        self._values: Complexes = np.empty(
-            (N_INPUTS, N_OUTPUTS, N_AXES, n_fft // 2 + 1), np.complex128
-        )
+        self._values = _room((N_INPUTS, N_OUTPUTS, N_AXES, n_fft // 2 + 1))
         self._known: dict[int, ResponseSpectrum] = {}
 
     @property
@@ -97,6 +99,17 @@ class _Places:
             values[:] = forward(taps, self._n_fft)
             self._known[location] = ResponseSpectrum(taps, values, self._n_fft)
         return self._known[location]
+
+
+def _room(shape: tuple[int, ...]) -> Complexes:
+    """Memory that is served when it is touched; what never is takes none.
+
+    It comes from the system directly: memory that was in use before is all there, touched or not.
+    """
+    memory = mmap.mmap(-1, prod(shape) * np.dtype(np.complex128).itemsize)
+    if sys.platform == "linux":
+        memory.madvise(mmap.MADV_HUGEPAGE)
+    return np.frombuffer(memory, np.complex128).reshape(shape)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -134,8 +147,9 @@ class ResponseSpectra:
 
     def of(self, limb: Limb, location: int, scaling: Scaling, n_fft: int) -> ResponseSpectrum:
         """Responses to ``location``; under ``"probe"`` scaling the calibrated ones."""
-        # A limb is the object, not the name: after a reinstall the name means other data.
-        key = limb, scaling == "probe", n_fft
+        # A limb is the object, not the name: after a reinstall the name means other data.  What is
+        # remembered of it does not keep all its responses in memory.
+        key = ref(limb), scaling == "probe", n_fft
         places = self._held.get(key)
         if not isinstance(places, _Places):
             places = _Places(n_fft)
@@ -145,7 +159,7 @@ class ResponseSpectra:
 
     def stack(self, limb: Limb, places: tuple[int, ...], scaling: Scaling, n_fft: int) -> Stack:
         """Responses to ``places`` for matrix products."""
-        key = limb, scaling == "probe", n_fft, places
+        key = ref(limb), scaling == "probe", n_fft, places
         stack = self._held.get(key)
         if not isinstance(stack, Stack):
             stack = _stack(limb, places, scaling, n_fft)

@@ -1,8 +1,8 @@
 """Fourier transforms, counted; and their lengths."""
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import fft
 
 from skinsource.work import tally
 
@@ -29,7 +29,7 @@ def forward(signals: Floats, n_fft: int) -> Complexes:
     """One-sided spectra, (..., n_fft // 2 + 1), of signals padded with zeros to ``n_fft``."""
     count = signals.size // max(signals.shape[-1], 1)
     tally(forward_transforms=count)
-    spectra: Complexes = fft.rfft(signals, n_fft, workers=_workers(count, n_fft))
+    spectra: Complexes = scipy.fft.rfft(signals, n_fft, workers=_workers(count, n_fft))
     return spectra
 
 
@@ -37,7 +37,7 @@ def inverse(spectra: Complexes, n_fft: int) -> Floats:
     """Signals, (..., n_fft), of one-sided spectra."""
     count = spectra.size // spectra.shape[-1]
     tally(inverse_transforms=count)
-    signals: Floats = fft.irfft(spectra, n_fft, workers=_workers(count, n_fft))
+    signals: Floats = scipy.fft.irfft(spectra, n_fft, workers=_workers(count, n_fft))
     return signals
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from scipy import fft
+import scipy
 
 from skinsource.assets import data_folder
 from skinsource.errors import UnknownLimbError
@@ -103,9 +103,9 @@ def _response(model: SyntheticModel, row: int) -> Floats:
     wave *= model.pulse
     wave *= 1 + model.bending * model.bending_share[row][:, None]
     wave *= model.amplitude[row][:, None]
-    normal = fft.irfft(wave, _N_FFT)[:, :N_TAPS]
+    normal = scipy.fft.irfft(wave, _N_FFT)[:, :N_TAPS]
     # A quarter of a period between the motions: particles go round in ellipses.
-    tangential = model.tangential * fft.irfft(1j * wave, _N_FFT)[:, :N_TAPS]
+    tangential = model.tangential * scipy.fft.irfft(1j * wave, _N_FFT)[:, :N_TAPS]
     response = np.empty((N_OUTPUTS, N_AXES, N_TAPS))
     response[:, 0] = np.cos(model.direction_rad)[:, None] * tangential
     response[:, 1] = np.sin(model.direction_rad)[:, None] * tangential
@@ -174,7 +174,7 @@ def _prepared(shared: Mapping[str, Any], limb: Mapping[str, Any]) -> SyntheticMo
     radius_mm = spreading["source_radius_mm"]
     amplitude = np.sqrt(radius_mm / (radius_mm + path_mm)) * 10 ** (-loss_db / 20)
 
-    frequency_hz = fft.rfftfreq(_N_FFT, 1 / SAMPLE_RATE_HZ)
+    frequency_hz = scipy.fft.rfftfreq(_N_FFT, 1 / SAMPLE_RATE_HZ)
     polarisation = shared["polarisation"]
     in_axis = np.array([place.contact == "in-axis" for place in INPUTS])
     model = SyntheticModel(

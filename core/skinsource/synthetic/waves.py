@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import fft
 
 from skinsource.hand.curves import Floats
 
@@ -77,7 +77,7 @@ def pulse_spectrum(pulse: Pulse, n_times: int, sample_rate_hz: float) -> Complex
     before the pulse; filtering forwards and backwards would ring before it.
     """
     n_fine = n_times * _OVERSAMPLING
-    frequency = fft.rfftfreq(n_fine, 1 / (sample_rate_hz * _OVERSAMPLING))
+    frequency = scipy.fft.rfftfreq(n_fine, 1 / (sample_rate_hz * _OVERSAMPLING))
     s: Complex = np.asarray(1j * frequency, dtype=np.complex128)
     low = _butterworth(s / pulse.low_pass_hz, pulse.low_pass_order)
     # A high pass is a low pass of the inverse frequency; nothing passes at zero.
@@ -85,8 +85,8 @@ def pulse_spectrum(pulse: Pulse, n_times: int, sample_rate_hz: float) -> Complex
     high[1:] = _butterworth(pulse.high_pass_hz / s[1:], pulse.high_pass_order)
     width_s, delay_s = pulse.width_ms / 1e3, pulse.delay_ms / 1e3
     turn = np.exp(-2j * np.pi * frequency * delay_s)
-    fine = fft.irfft(np.sinc(frequency * width_s) * low * high * turn, n_fine)
-    return np.asarray(fft.rfft(fine[::_OVERSAMPLING]))
+    fine = scipy.fft.irfft(np.sinc(frequency * width_s) * low * high * turn, n_fine)
+    return np.asarray(scipy.fft.rfft(fine[::_OVERSAMPLING]))
 
 
 def _butterworth(s: Complex, order: int) -> Complex:

@@ -26,7 +26,7 @@ def turn_wheel(canvas, x, modifiers, turned=120):
     at = QPointF(x, 60)
     event = QWheelEvent(
         at,
-        canvas.viewport().mapToGlobal(at),
+        canvas.mapToGlobal(at),
         QPoint(),
         QPoint(0, turned),
         Qt.MouseButton.NoButton,
@@ -34,4 +34,4 @@ def turn_wheel(canvas, x, modifiers, turned=120):
         Qt.ScrollPhase.NoScrollPhase,
         False,
     )
-    QApplication.sendEvent(canvas.viewport(), event)
+    QApplication.sendEvent(canvas, event)

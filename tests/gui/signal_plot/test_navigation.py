@@ -13,7 +13,7 @@ def test_the_crosshair_reads_exact_samples_and_leaves_with_the_mouse(plot):
     curves = waves(2)
     plot.show_curves(curves, synthetic=False)
     canvas = plot.canvas
-    QTest.mouseMove(canvas.viewport(), QPoint(200, 60))
+    QTest.mouseMove(canvas, QPoint(200, 60))
     index = canvas.cursor
     assert index is not None
     text = plot.legend.text
@@ -22,7 +22,7 @@ def test_the_crosshair_reads_exact_samples_and_leaves_with_the_mouse(plot):
     assert text.unit == "m/s²"
     left, _, width, _ = canvas.frame.plot
     assert curves.x[index] == pytest.approx((200 - left) / width * curves.x[-1], abs=1 / 1300)
-    QTest.mouseMove(canvas.viewport(), QPoint(2, 2))
+    QTest.mouseMove(canvas, QPoint(2, 2))
     assert canvas.cursor is None
     assert plot.legend.text.readings == ()
 
@@ -64,12 +64,12 @@ def test_a_crosshair_moved_out_of_sight_asks_for_the_part_it_is_in(plot, qtbot):
 
 def test_a_drag_zooms_to_what_it_covers(plot, qtbot):
     plot.show_curves(waves(2), synthetic=False)
-    viewport = plot.canvas.viewport()
+    canvas = plot.canvas
     left, _, width, _ = plot.canvas.frame.plot
     with qtbot.waitSignal(plot.zoom_requested) as asked:
-        QTest.mousePress(viewport, Qt.MouseButton.LeftButton, pos=QPoint(300, 60))
-        QTest.mouseMove(viewport, QPoint(200, 62))
-        QTest.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=QPoint(200, 62))
+        QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(300, 60))
+        QTest.mouseMove(canvas, QPoint(200, 62))
+        QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(200, 62))
     low, high = asked.args[0]
     assert low == pytest.approx(0.5 * (200 - left) / width)
     assert high == pytest.approx(0.5 * (300 - left) / width)
@@ -79,11 +79,11 @@ def test_a_click_or_an_escaped_drag_zooms_nowhere(plot, qtbot):
     plot.show_curves(waves(2), synthetic=False)
     canvas = plot.canvas
     with qtbot.assertNotEmitted(plot.zoom_requested):
-        QTest.mouseClick(canvas.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(150, 60))
-        QTest.mousePress(canvas.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(150, 60))
-        QTest.mouseMove(canvas.viewport(), QPoint(250, 60))
+        QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, pos=QPoint(150, 60))
+        QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(150, 60))
+        QTest.mouseMove(canvas, QPoint(250, 60))
         QTest.keyClick(canvas, Qt.Key.Key_Escape)
-        QTest.mouseRelease(canvas.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(250, 60))
+        QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(250, 60))
 
 
 def test_ctrl_and_the_wheel_zoom_at_the_pointer_and_the_wheel_alone_does_not(plot, qtbot):
@@ -106,14 +106,14 @@ def test_the_middle_button_pans_and_stops_at_the_ends(plot):
     plot.set_view(TIME, (0.1, 0.3), stacked=False)
     asked = []
     plot.zoom_requested.connect(asked.append)
-    viewport, width = plot.canvas.viewport(), plot.canvas.frame.plot[2]
-    QTest.mousePress(viewport, Qt.MouseButton.MiddleButton, pos=QPoint(200, 60))
-    QTest.mouseMove(viewport, QPoint(150, 60))
-    QTest.mouseRelease(viewport, Qt.MouseButton.MiddleButton, pos=QPoint(150, 60))
+    canvas, width = plot.canvas, plot.canvas.frame.plot[2]
+    QTest.mousePress(canvas, Qt.MouseButton.MiddleButton, pos=QPoint(200, 60))
+    QTest.mouseMove(canvas, QPoint(150, 60))
+    QTest.mouseRelease(canvas, Qt.MouseButton.MiddleButton, pos=QPoint(150, 60))
     assert asked[-1] == pytest.approx((0.1 + 50 / width * 0.2, 0.3 + 50 / width * 0.2))
-    QTest.mousePress(viewport, Qt.MouseButton.MiddleButton, pos=QPoint(60, 60))
-    QTest.mouseMove(viewport, QPoint(400, 60))
-    QTest.mouseRelease(viewport, Qt.MouseButton.MiddleButton, pos=QPoint(400, 60))
+    QTest.mousePress(canvas, Qt.MouseButton.MiddleButton, pos=QPoint(60, 60))
+    QTest.mouseMove(canvas, QPoint(400, 60))
+    QTest.mouseRelease(canvas, Qt.MouseButton.MiddleButton, pos=QPoint(400, 60))
     assert asked[-1] == pytest.approx((0.0, 0.2))
 
 
@@ -127,7 +127,7 @@ def test_double_click_and_0_show_everything_and_plus_and_minus_zoom(plot):
     QTest.keyClick(plot.canvas, Qt.Key.Key_Minus)
     assert asked[-1] is None
     QTest.keyClick(plot.canvas, Qt.Key.Key_0)
-    QTest.mouseDClick(plot.canvas.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(150, 60))
+    QTest.mouseDClick(plot.canvas, Qt.MouseButton.LeftButton, pos=QPoint(150, 60))
     assert asked[-2:] == [None, None]
 
 

@@ -1,0 +1,203 @@
+"""Twenty inputs of ten minutes: time, memory above idle, and how soon a computation can be stopped.
+
+Tones, noise and taps at all places, with upstream's scaling, each part in a fresh process, which is
+idle once everything is imported, the limb is open and a small design was computed.  Measured are
+the levels and the map alone; the map with traces and spectra of two outputs in three axes;
+and what the panels of the studio ask for, which is more.  Then the second is stopped at random
+moments; and in one run to the end, the longest times between two questions whether to stop are
+listed with where they were asked.  Promised: at most 10 s, 500 MB above idle, and 100 ms.
+
+    python benchmarks/long_design.py [--minutes 10] [--tries 20]
+"""
+
+import argparse
+import json
+import platform
+import subprocess
+import sys
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+from pathlib import Path
+from time import perf_counter
+
+import numpy as np
+from resident import resident_mb
+
+from skinsource.allocation import keep_freed_memory
+from skinsource.catalogue import default_limb
+from skinsource.design import Design, Input
+from skinsource.graph import Graph, Stopped
+from skinsource.quantities import new_graph, sources
+from skinsource.view import View
+from skinsource.waveforms import Noise, Tap, Tone
+
+TIME_S, MEMORY_MB, STOP_MS = 10.0, 500.0, 100.0
+MAP = ("output_levels_db", "surface_levels_db")
+SHOWN = (*MAP, "axis_traces", "axis_spectra")
+STUDIO = (*MAP, "selected_traces", "response_time_s", "selected_spectra", "input_waveforms")
+WANTED = {"map": MAP, "shown": SHOWN, "studio": STUDIO}
+SEED = 20240607
+LISTED = 5
+VIEW = View(axes="xyz", method="mag", outputs=(29, 52), selected_input=4)
+
+
+def long_design(duration_s: float) -> Design:
+    """Sixteen inputs as long as the design, and taps all along it."""
+
+    def sounding(k: int) -> Input:
+        one = Input(location=k + 1, amplitude=0.5 + 0.1 * k, colour=k)
+        if k % 5 == 4:
+            return replace(one, waveform=Tap(), onset_s=(k + 1) / 20 * duration_s - 0.1)
+        if k % 2:
+            return replace(one, waveform=Noise(seed=k, duration_s=duration_s))
+        return replace(one, waveform=Tone(frequency_hz=40.0 + 25.0 * k, duration_s=duration_s))
+
+    return Design(limb=default_limb(), inputs=tuple(map(sounding, range(20))))
+
+
+def idle_graph() -> Graph:
+    """A graph after a small evaluation, so that everything is imported and the limb is open."""
+    keep_freed_memory()  # as the studio does at its start
+    small = Design(limb=default_limb(), inputs=(Input(location=1, waveform=Tone()),))
+    graph = new_graph()
+    graph.evaluate((*SHOWN, *STUDIO), sources(small, VIEW))
+    return graph
+
+
+def peak_mb() -> float:
+    """Most memory that this process ever occupied, in MB."""
+    # The standard library's figure may be that of the process that started this one.
+    lines = Path("/proc/self/status").read_text(encoding="ascii").splitlines()
+    return next(int(line.split()[1]) * 1024 / 1e6 for line in lines if line.startswith("VmHWM"))
+
+
+def measure(wanted: tuple[str, ...], duration_s: float) -> dict[str, float]:
+    """Seconds, and MB above idle at the peak and at the end, of one evaluation."""
+    graph = idle_graph()
+    design = long_design(duration_s)
+    idle_mb = resident_mb()
+    begin = perf_counter()
+    result = graph.evaluate(wanted, sources(design, VIEW))
+    return {
+        "time_s": perf_counter() - begin,
+        "idle_mb": idle_mb,
+        "peak_mb": peak_mb() - idle_mb,
+        "held_mb": resident_mb() - idle_mb,
+        "loudest_db": float(result["output_levels_db"].max()),
+    }
+
+
+@dataclass
+class Questions:
+    """Asks nothing to stop, and notes when and where it was asked."""
+
+    asked: list[tuple[float, str]] = field(default_factory=list)
+
+    def __call__(self) -> bool:
+        """Note who asks; never stop."""
+        now, frame = perf_counter(), sys._getframe(1)
+        place = frame.f_code.co_name
+        # The graph asks before it runs a rule; rules that take long ask themselves.
+        while frame is not None and frame.f_code.co_name != "_refresh":
+            frame = frame.f_back
+        rule = frame.f_locals["name"] if frame is not None else "?"
+        where = f"before {rule}" if place == "_refresh" else f"in {rule} ({place})"
+        self.asked.append((now, where))
+        return False
+
+
+def longest_silences(duration_s: float) -> list[tuple[float, str]]:
+    """The longest times between two questions, in ms, and where they were asked."""
+    graph, questions = idle_graph(), Questions()
+    begin = perf_counter()
+    graph.evaluate(SHOWN, sources(long_design(duration_s), VIEW), questions)
+    asked = [(begin, "start"), *questions.asked, (perf_counter(), "end")]
+    gaps = [
+        (1e3 * (after - before), f"{where} … {there}")
+        for (before, where), (after, there) in pairwise(asked)
+    ]
+    return sorted(gaps, reverse=True)[:LISTED]
+
+
+def stops(duration_s: float, whole_s: float, tries: int) -> list[tuple[float, float]]:
+    """When each try was stopped, in s, and after how many ms it returned; 0 if it was done."""
+    random = np.random.default_rng(SEED)
+    given = sources(long_design(duration_s), VIEW)
+    idle_graph()
+    found = []
+    # One moment in each part of the run, so that all of it is tried.
+    for share in (np.arange(tries) + random.uniform(0, 1, tries)) / tries:
+        begin = perf_counter()
+        moment = begin + float(share) * whole_s
+        waited_ms = 0.0
+        try:
+            new_graph().evaluate(SHOWN, given, lambda moment=moment: perf_counter() >= moment)
+        except Stopped:
+            waited_ms = 1e3 * (perf_counter() - moment)
+        found.append((moment - begin, waited_ms))
+    return found
+
+
+def in_a_fresh_process(*arguments: object) -> object:
+    """What this program prints last with these arguments."""
+    command = [sys.executable, __file__, "--part", *map(str, arguments)]
+    done = subprocess.run(command, check=True, capture_output=True, text=True)  # noqa: S603
+    return json.loads(done.stdout.splitlines()[-1])
+
+
+def row(words: str, value: float, limit: float, unit: str) -> bool:
+    """Print one figure; whether it is kept."""
+    kept = value <= limit
+    print(f"{words:>44} {value:8.1f} {unit:<2} (promised {limit:g}) {'kept' if kept else 'BROKEN'}")
+    return kept
+
+
+def part(options: argparse.Namespace) -> object:
+    """What a fresh process measures."""
+    duration_s = 60.0 * options.minutes
+    if options.part == "silences":
+        return longest_silences(duration_s)
+    if options.part == "stops":
+        return stops(duration_s, options.whole, options.tries)
+    return measure(WANTED[options.part], duration_s)
+
+
+def main() -> int:
+    """Print the figures; 1 if a promise is broken."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--minutes", type=float, default=10.0)
+    parser.add_argument("--tries", type=int, default=20)
+    parser.add_argument("--part", help=argparse.SUPPRESS)
+    parser.add_argument("--whole", type=float, default=TIME_S, help=argparse.SUPPRESS)
+    options = parser.parse_args()
+    if options.part:
+        print(json.dumps(part(options)))
+        return 0
+    print(f"{platform.platform()}, Python {platform.python_version()}, numpy {np.__version__}")
+    print(f"{default_limb()}, 20 inputs of {options.minutes:g} min; MB are 10⁶ bytes")
+    common = "--minutes", options.minutes
+    kept, whole_s = True, TIME_S
+    for name, words in (
+        ("map", "map"),
+        ("studio", "all that the panels of the studio show"),
+        ("shown", "map, traces and spectra of 2 outputs"),
+    ):
+        found = in_a_fresh_process(name, *common)
+        kept &= row(words, found["time_s"], TIME_S, "s")
+        kept &= row(f"above {found['idle_mb']:.0f} MB idle", found["peak_mb"], MEMORY_MB, "MB")
+        print(f"{'held afterwards':>44} {found['held_mb']:8.1f} MB")
+        whole_s = found["time_s"]
+    tried = in_a_fresh_process("stops", *common, "--tries", options.tries, "--whole", whole_s)
+    at_s, longest_ms = max(tried, key=lambda one: one[1])
+    stopped = sum(waited_ms > 0 for _, waited_ms in tried)
+    words = f"longest of {stopped} stops, at {at_s:.1f} of {whole_s:.1f} s"
+    kept &= row(words, longest_ms, STOP_MS, "ms")
+    silences = in_a_fresh_process("silences", *common)
+    kept &= row("longest time without a question", silences[0][0], STOP_MS, "ms")
+    for gap_ms, where in silences:
+        print(f"{gap_ms:53.1f} ms  {where}")
+    return int(not kept)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,141 @@
+"""Memory over very many edits of every kind, at random but always the same ones.
+
+The document and the quantities that the window shows; or, slower, the window itself, painted after
+each edit.  Caches and history are bounded, so that once they are full the process grows no more.
+Printed: edits, seconds, resident memory in MB, and what of it is held once all that is free is
+given back to the system; held memory is what must not grow.  In the window, where the caches take
+longer to fill, it is widgets that must not grow in number.
+
+    python benchmarks/many_edits.py [--edits 100000] [--window]
+"""
+
+import argparse
+import os
+import platform
+import statistics
+import sys
+import tempfile
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+from time import perf_counter
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QApplication
+from random_edits import RandomEdits
+from resident import held_mb, resident_mb
+
+from skinsource.catalogue import available_limbs, default_limb
+from skinsource.design import start_design
+from skinsource.quantities import new_graph, sources
+from skinsource_gui.app import make_application
+from skinsource_gui.document import Document
+from skinsource_gui.preferences import Preferences
+from skinsource_gui.window import MainWindow
+
+#: What the panels of the window show, and the check of it.
+SHOWN = frozenset(
+    {
+        "input_waveforms",
+        "surface_levels_db",
+        "selected_traces",
+        "selected_spectra",
+        "response_time_s",
+        "trace_error",
+    }
+)
+MOST_GROWTH_MB = 10.0
+#: The number of inputs shown goes up and down, and with it that of their buttons.
+MOST_MORE_OBJECTS = 100
+#: What is held goes up and down, as caches drop large old entries for new ones.
+_SAMPLES = 200
+
+
+def main() -> int:
+    """Print memory at steps; 1 if a promise is broken."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--edits", type=int, help="100000, or in the window 5000")
+    parser.add_argument("--window", action="store_true", help="paint each of them")
+    options = parser.parse_args()
+    application = make_application()
+    print(f"{platform.platform()}, Python {platform.python_version()}, {default_limb()}")
+    if options.window:
+        return int(not in_the_window(application, options.edits or 5_000))
+    return int(not without_window(options.edits or 100_000))
+
+
+def without_window(count: int) -> bool:
+    """Edit a document and evaluate after each edit; whether memory stood still."""
+    document, graph = Document(start_design(default_limb())), new_graph()
+    edits = RandomEdits(document)
+    growth_mb = watched(
+        edits, lambda: graph.evaluate(SHOWN, sources(document.design, document.view)), count
+    )
+    kept = growth_mb < MOST_GROWTH_MB
+    print(f"{document.undo_stack.count()} steps can be undone")
+    print(
+        f"held, from the first third after a tenth to the last third: {growth_mb:+.1f} MB, "
+        f"promised less than {MOST_GROWTH_MB:.0f}: {'kept' if kept else 'BROKEN'}"
+    )
+    return kept
+
+
+def in_the_window(application: QApplication, count: int) -> bool:
+    """Edit in the window and wait for each picture; whether it lost no widget or timer."""
+    with tempfile.TemporaryDirectory() as scratch:
+        window = MainWindow(
+            start_design(default_limb()),
+            preferences=Preferences(Path(scratch) / "studio.ini"),
+            available_limbs=available_limbs(),
+        )
+        window.show()
+        application.processEvents()
+
+        def paint() -> None:
+            window.catch_up()
+            application.processEvents()
+
+        edits = RandomEdits(window.document)
+        watched(edits, paint, count // 2)
+        before = len(window.findChildren(QObject))
+        watched(edits, paint, count // 2)
+        after = len(window.findChildren(QObject))
+        window.document.undo_stack.setClean()
+        window.close()
+    kept = after - before < MOST_MORE_OBJECTS
+    print(
+        f"widgets, timers and the like: {before} half way, {after} in the end, promised less than "
+        f"{MOST_MORE_OBJECTS} more: {'kept' if kept else 'BROKEN'}"
+    )
+    return kept
+
+
+def watched(edits: RandomEdits, follow: Callable[[], object], count: int) -> float:
+    """Make ``count`` edits, each followed by ``follow``, and print memory at ten steps.
+
+    Returns by how many MB it grew from the first third after a tenth to the last third.
+    """
+    made: Counter[str] = Counter()
+    samples_mb: list[float] = []
+    every = max(1, count // _SAMPLES)
+    begin = perf_counter()
+    for number in range(1, count + 1):
+        made[edits.make_one()] += 1
+        follow()
+        if number % every == 0:
+            resident = resident_mb()
+            samples_mb.append(held_mb())
+            if number % (count // 10) == 0:
+                took_s = perf_counter() - begin
+                print(f"{number:8d} {took_s:6.0f} {resident:9.1f} {samples_mb[-1]:8.1f}")
+    filled = samples_mb[len(samples_mb) // 10 :]
+    part = len(filled) // 3
+    print(", ".join(f"{name} {times}" for name, times in made.most_common()))
+    return statistics.median(filled[-part:]) - statistics.median(filled[:part])
+
+
+if __name__ == "__main__":
+    sys.exit(main())

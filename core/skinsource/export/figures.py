@@ -1,0 +1,84 @@
+"""What an export says of itself: what it shows, how that was computed, how wrong it can be."""
+
+import hashlib
+import math
+
+import numpy as np
+import scipy
+
+from skinsource.design import audible_inputs
+from skinsource.errors import TooInaccurateError
+from skinsource.export.scene import Scene
+from skinsource.rendering.check import ESTIMATE_FACTOR, N_SAMPLES, TraceError
+from skinsource.rendering.segments import BLOCK_FFT
+from skinsource.version import __version__
+
+
+def about_design(scene: Scene) -> list[str]:
+    """Lines on limb, scaling, and what is played."""
+    design = scene.design
+    lines = ["SkinSource studio"]
+    if scene.limb.synthetic:
+        lines.append("SYNTHETIC LIMB: computed responses, not measured ones")
+    lines.append(f"limb: {design.limb}; scaling: {design.scaling}")
+    for one in design.inputs:
+        muted = ", muted" if one.muted else ""
+        solo = ", solo" if one.solo else ""
+        lines.append(
+            f"input at place {one.location}: {one.waveform}, amplitude {one.amplitude!r}, "
+            f"onset {one.onset_s!r} s{muted}{solo}"
+        )
+    return lines
+
+
+def about_axes(scene: Scene) -> str:
+    """Line on the axes and how they become one signal."""
+    method = "" if len(scene.view.axes) == 1 else f"; method: {scene.view.method}"
+    return f"axes: {scene.view.axes}{method}"
+
+
+def about_method(scene: Scene) -> list[str]:
+    """Lines on versions, method, and the data that went in."""
+    audible = audible_inputs(scene.design.inputs)
+    how = "cached spectra" if scene.streamed is None else f"overlap-save {BLOCK_FFT}"
+    return [
+        f"computed by: skinsource {__version__}, numpy {np.__version__}, scipy {scipy.__version__}",
+        f"precision and method: float64, {how}",
+        f"inputs heard: {len(audible)} of {len(scene.design.inputs)}",
+        *_about_data(scene, sorted({one.location for one in audible})),
+    ]
+
+
+def about_error(error: TraceError | None, what: str) -> str:
+    """Line on the error of ``what``, as far as it is known."""
+    if error is None:
+        return f"error of {what}: there is nothing to check"
+    return (
+        f"error of {what}, relative to the largest sample: about {error.estimate!r} "
+        f"({ESTIMATE_FACTOR:g} x the worst of {N_SAMPLES} samples computed again exactly), at most "
+        f"{error.bound!r} (theory)"
+    )
+
+
+def listed(outputs: tuple[int, ...]) -> str:
+    """Words for some outputs."""
+    return f"outputs {', '.join(map(str, outputs))}"
+
+
+def refuse_if_worse(error: TraceError | None, largest_error: float) -> None:
+    """Raise `TooInaccurateError` where the estimate is not at most ``largest_error``."""
+    if error is not None and not error.estimate <= largest_error and largest_error < math.inf:
+        raise TooInaccurateError(
+            f"The result may be wrong by {error.estimate:.1e} of its largest sample, more than "
+            f"{largest_error:g}. Nothing was written. Look for inputs that cancel each other."
+        )
+
+
+def _about_data(scene: Scene, places: list[int]) -> list[str]:
+    if not places:
+        return []
+    digest = hashlib.sha256()
+    for place in places:
+        digest.update(np.ascontiguousarray(scene.limb.response_to(place), "<f8").data)
+    numbers = ", ".join(map(str, places))
+    return [f"responses to places {numbers}: SHA-256 {digest.hexdigest()}"]

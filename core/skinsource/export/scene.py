@@ -1,0 +1,99 @@
+"""A scene that is being exported, with a graph of its own."""
+
+from collections.abc import Collection, Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource.dataset.job import Progress, Stop
+from skinsource.design import Design
+from skinsource.limb import N_AXES, N_OUTPUTS, Limb
+from skinsource.projection import Axes
+from skinsource.quantities import new_graph, sources
+from skinsource.rendering.check import TraceError
+from skinsource.rendering.segments import BLOCK_SAMPLES
+from skinsource.rendering.streaming import StreamedField
+from skinsource.view import View
+
+Floats = NDArray[np.float64]
+
+ALL_OUTPUTS = tuple(range(1, N_OUTPUTS + 1))
+
+#: Channels of a long scene that take more than this are never held as a whole.
+_MOST_HELD_BYTES = 64 * 2**20
+
+
+class Scene:
+    """Computes what is exported of one design and view.
+
+    Parameters
+    ----------
+    design, view
+        What is exported.
+    progress
+        Told how far it is; a total of 0 while that is not known.
+    stop
+        Asked now and then; once true, `skinsource.graph.Stopped` is raised.
+
+    Attributes
+    ----------
+    limb, sample_rate_hz, n_times
+        The limb; rate and samples of the response.
+    streamed
+        The field of a scene that is too long to be computed at once, else None.
+    """
+
+    def __init__(self, design: Design, view: View, progress: Progress, stop: Stop) -> None:
+        self.design, self.view = design, view
+        self.progress, self.stop = progress, stop
+        self._graph = new_graph()
+        progress(0, 0, "Computing")
+        basis = self.values({"limb_data", "sample_rate_hz", "response_samples", "streamed_field"})
+        self.limb: Limb = basis["limb_data"]
+        self.sample_rate_hz: float = basis["sample_rate_hz"]
+        self.n_times: int = basis["response_samples"]
+        self.streamed: StreamedField | None = basis["streamed_field"]
+
+    def values(self, wanted: Collection[str], **changed: Any) -> dict[str, Any]:
+        """Return quantities, with some of what they start from ``changed``."""
+        given = {**sources(self.design, self.view), **changed}
+        return self._graph.evaluate(wanted, given, self.stop)
+
+    def value(self, wanted: str, **changed: Any) -> Any:
+        """Return one quantity."""
+        return self.values({wanted}, **changed)[wanted]
+
+    def holdable(self, outputs: tuple[int, ...], axes: Axes) -> tuple[int, ...]:
+        """The first of ``outputs``, as many as may be held from beginning to end; all if short."""
+        bytes_each = len(axes) * self.n_times * np.dtype(np.float64).itemsize
+        return outputs if self.streamed is None else outputs[: _MOST_HELD_BYTES // bytes_each]
+
+    def error(self, outputs: tuple[int, ...], axes: Axes) -> TraceError | None:
+        """Error of what is felt at some outputs; None where nothing is."""
+        found: TraceError | None = self.value("trace_error", outputs=outputs, axes=axes)
+        return found
+
+    def error_of(self, field: Floats, outputs: tuple[int, ...]) -> TraceError | None:
+        """Error of ``field``, (n_outputs, 3 axes, n_times), at some outputs."""
+        found: TraceError | None = self.value(
+            "trace_error", outputs=outputs, axes="xyz", axis_traces=field
+        )
+        return found
+
+    def field_blocks(self) -> Iterator[Floats]:
+        """Yield the field piece by piece, (72 outputs, 3 axes, n) in m/s², silence included."""
+        if self.streamed is None:
+            yield self.value("axis_traces", outputs=ALL_OUTPUTS, axes="xyz")
+            return
+        done = 0
+        for first, block in self.streamed.blocks(self.stop):
+            yield from self._silence(done, first)
+            yield block
+            done = first + block.shape[-1]
+            self.progress(done, self.n_times, "Writing")
+        yield from self._silence(done, self.n_times)
+
+    def _silence(self, first: int, end: int) -> Iterator[Floats]:
+        for start in range(first, end, BLOCK_SAMPLES):
+            yield np.zeros((N_OUTPUTS, N_AXES, min(BLOCK_SAMPLES, end - start)))

@@ -1,0 +1,131 @@
+"""Traces and levels as CSV."""
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource.dataset.job import Progress, Stop, never, silent
+from skinsource.design import Design
+from skinsource.export.csv_table import CsvTable
+from skinsource.export.figures import (
+    about_axes,
+    about_design,
+    about_error,
+    about_method,
+    listed,
+    refuse_if_worse,
+)
+from skinsource.export.output_file import output_file
+from skinsource.export.scene import ALL_OUTPUTS, Scene
+from skinsource.projection import axis_numbers
+from skinsource.rendering.segments import BLOCK_SAMPLES
+from skinsource.rendering.trace_rules import selected_traces
+from skinsource.view import View
+
+Floats = NDArray[np.float64]
+
+
+def export_traces(
+    path: Path,
+    design: Design,
+    view: View,
+    *,
+    progress: Progress = silent,
+    stop: Stop = never,
+    largest_error: float = math.inf,
+) -> None:
+    """Compute and write the traces of the selected outputs: times in s, then m/s².
+
+    Parameters
+    ----------
+    path
+        The table.
+    design, view
+        What is shown.
+    progress
+        Called with (done, total, what is being done); a total of 0 while that is not known.
+    stop
+        Asked now and then; once true, nothing is written.
+    largest_error
+        Estimated error, relative to the largest sample, above which nothing is written.
+
+    Raises
+    ------
+    StorageError
+        The folder cannot be written, or the disk is full.
+    TooInaccurateError
+        The error is larger than ``largest_error``.
+    Stopped
+        ``stop`` said so.
+    """
+    scene = Scene(design, view, progress, stop)
+    checked = scene.holdable(view.outputs, view.axes)
+    error = scene.error(checked, view.axes)
+    refuse_if_worse(error, largest_error)
+    shift = "removed from" if view.delay_removed else "contained in"
+    what = "the traces" if checked == view.outputs else f"the traces of {listed(checked)}"
+    about = [
+        *about_design(scene),
+        about_axes(scene),
+        f"pre-trigger delay of 52 ms: {shift} the times",
+        *about_method(scene),
+        about_error(error, what),
+    ]
+    header = ["time_s", *(f"output_{output}_m_per_s2" for output in view.outputs)]
+    time_s = scene.value("response_time_s")
+    with output_file(path, stop) as file:
+        table = CsvTable(file, about, header, stop)
+        done = 0
+        for block in _trace_blocks(scene):
+            end = done + block.shape[-1]
+            table.add(np.vstack((time_s[done:end], block)).T)
+            done = end
+            progress(done, scene.n_times, "Writing")
+
+
+def export_levels(
+    path: Path,
+    design: Design,
+    view: View,
+    *,
+    progress: Progress = silent,
+    stop: Stop = never,
+    largest_error: float = math.inf,
+) -> None:
+    """Compute and write the RMS of each of the 72 outputs, in m/s² and in dB re 1 m/s².
+
+    Parameters and errors are those of `export_traces`.
+    """
+    scene = Scene(design, view, progress, stop)
+    wanted = scene.values({"output_rms", "output_levels_db"})
+    loudest = int(np.argmax(wanted["output_rms"])) + 1
+    error = scene.error((loudest,), view.axes)
+    refuse_if_worse(error, largest_error)
+    about = [
+        *about_design(scene),
+        about_axes(scene),
+        *about_method(scene),
+        about_error(error, f"the traces of output {loudest}, the loudest"),
+    ]
+    header = ["output", "rms_m_per_s2", "level_db_re_1_m_per_s2"]
+    with output_file(path, stop) as file:
+        table = CsvTable(file, about, header, stop)
+        table.add(np.vstack((ALL_OUTPUTS, wanted["output_rms"], wanted["output_levels_db"])).T)
+        progress(1, 1, "Writing")
+
+
+def _trace_blocks(scene: Scene) -> Iterator[Floats]:
+    """Yield the projected traces piece by piece, (n_selected, n)."""
+    outputs = scene.view.outputs
+    if outputs == scene.holdable(outputs, scene.view.axes):
+        traces = scene.value("selected_traces")
+        for first in range(0, scene.n_times, BLOCK_SAMPLES):
+            yield traces[:, first : first + BLOCK_SAMPLES]
+        return
+    directions = scene.value("selected_directions")
+    chosen = np.ix_([output - 1 for output in outputs], axis_numbers(scene.view.axes))
+    for block in scene.field_blocks():
+        yield selected_traces(block[chosen], directions)

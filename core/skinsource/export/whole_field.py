@@ -1,0 +1,93 @@
+"""The whole predicted field, all outputs and axes, as an archive of arrays."""
+
+import math
+import shutil
+from pathlib import Path
+
+import numpy as np
+
+from skinsource.dataset.job import Progress, Stop, never, silent
+from skinsource.design import Design
+from skinsource.errors import StorageError
+from skinsource.export.figures import (
+    about_design,
+    about_error,
+    about_method,
+    listed,
+    refuse_if_worse,
+)
+from skinsource.export.npz_archive import NpzArchive
+from skinsource.export.output_file import output_file
+from skinsource.export.scene import ALL_OUTPUTS, Scene
+from skinsource.graph import Stopped
+from skinsource.limb import N_AXES, N_OUTPUTS
+from skinsource.view import View
+
+# Headers, the text and the table of contents take less.
+_BYTES_BESIDE_FIELD = 2**20
+
+
+def export_field(
+    path: Path,
+    design: Design,
+    view: View,
+    *,
+    progress: Progress = silent,
+    stop: Stop = never,
+    largest_error: float = math.inf,
+) -> None:
+    """Compute and write the acceleration of all outputs on all axes, block by block.
+
+    ``numpy.load`` reads the file.  It holds ``acceleration_m_per_s2`` (72 outputs, 3 axes, n_times;
+    float64, time 0 first, the pre-trigger delay contained), ``sample_rate_hz``, and ``about``, a
+    text.  Silence is exactly 0.
+
+    Parameters and further errors are those of `export_traces`.
+
+    Raises
+    ------
+    StorageError
+        The disk has too little room, or what `export_traces` says.
+    """
+    scene = Scene(design, view, progress, stop)
+    shape = N_OUTPUTS, N_AXES, scene.n_times
+    # What is checked is what was written, at some outputs.
+    looked_at = view.outputs if scene.streamed is not None else ()
+    checked = scene.holdable(looked_at or ALL_OUTPUTS, "xyz")
+    rows = [output - 1 for output in checked]
+    kept = np.empty((len(checked), *shape[1:]))
+    with output_file(path, stop) as file:
+        _refuse_without_room(path, math.prod(shape) * np.dtype(np.float64).itemsize)
+        with NpzArchive(file) as archive:
+            archive.put("sample_rate_hz", np.array(scene.sample_rate_hz))
+            with archive.growing("acceleration_m_per_s2", shape) as array:
+                for block in scene.field_blocks():
+                    if stop():
+                        raise Stopped
+                    kept[..., array.n_times : array.n_times + block.shape[-1]] = block[rows]
+                    array.add(block)
+            error = scene.error_of(kept, checked)
+            refuse_if_worse(error, largest_error)
+            what = "the field" if checked == ALL_OUTPUTS else f"the field at {listed(checked)}"
+            about = [*_about(scene), about_error(error, what)]
+            archive.put("about", np.array("\n".join(about)))
+
+
+def _about(scene: Scene) -> list[str]:
+    return [
+        *about_design(scene),
+        f"acceleration_m_per_s2: {N_OUTPUTS} outputs, {N_AXES} axes (x, y, z), {scene.n_times} "
+        "times, in m/s²",
+        f"times: sample k at k / {scene.sample_rate_hz:g} s; pre-trigger delay of 52 ms: contained "
+        "in the times",
+        *about_method(scene),
+    ]
+
+
+def _refuse_without_room(path: Path, n_bytes: int) -> None:
+    free_bytes = shutil.disk_usage(path.resolve().parent).free
+    if free_bytes < n_bytes + _BYTES_BESIDE_FIELD:
+        raise StorageError(
+            f"{path}: the whole field takes {n_bytes / 1e9:.2f} GB, and {free_bytes / 1e9:.2f} GB "
+            "are free there. Free some space, choose another disk, or shorten the design."
+        )

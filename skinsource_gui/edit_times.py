@@ -1,0 +1,82 @@
+"""How long the last edits took until they were seen."""
+
+from collections import deque
+from dataclasses import dataclass
+
+import numpy as np
+
+#: Edits that are remembered.
+MOST_EDITS = 100
+_MS = 1e3
+_A_SECOND_MS = 1000.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EditTime:
+    """One edit, from the user's hand to the screen.
+
+    Attributes
+    ----------
+    compute_s
+        The evaluation itself.
+    draw_s
+        From results in the window's thread until they are painted.
+    total_s
+        All of it; what is neither computing nor drawing is waiting.
+    """
+
+    compute_s: float
+    draw_s: float
+    total_s: float
+
+    @property
+    def queue_s(self) -> float:
+        """Time spent waiting: for an earlier evaluation, and from thread to thread."""
+        return max(self.total_s - self.compute_s - self.draw_s, 0.0)
+
+    def sentence(self) -> str:
+        """Words for people."""
+        return (
+            f"On screen {milliseconds(self.total_s)} after the edit: "
+            f"{milliseconds(self.queue_s)} waiting, {milliseconds(self.compute_s)} computing, "
+            f"{milliseconds(self.draw_s)} drawing."
+        )
+
+
+class EditTimes:
+    """Times of the last edits, oldest first."""
+
+    def __init__(self) -> None:
+        self._seconds: deque[float] = deque(maxlen=MOST_EDITS)
+
+    def note(self, seconds: float) -> None:
+        """Remember one more."""
+        self._seconds.append(seconds)
+
+    def seconds(self) -> tuple[float, ...]:
+        """All that are remembered."""
+        return tuple(self._seconds)
+
+
+def summary(seconds: tuple[float, ...]) -> str:
+    """Words for people about some times; empty where there are none."""
+    if not seconds:
+        return ""
+    count = "Last edit" if len(seconds) == 1 else f"Last {len(seconds)} edits"
+    return (
+        f"{count}: median {milliseconds(float(np.median(seconds)))}, 95 % within "
+        f"{milliseconds(most_within(seconds))}, slowest {milliseconds(max(seconds))}."
+    )
+
+
+def most_within(seconds: tuple[float, ...]) -> float:
+    """Time within which 95 % of ``seconds`` are: one that occurred, never between two."""
+    return sorted(seconds)[-(-95 * len(seconds) // 100) - 1]
+
+
+def milliseconds(seconds: float) -> str:
+    """Words such as ``0.4 ms``, ``12 ms`` or ``1.3 s``."""
+    shown = seconds * _MS
+    if shown >= _A_SECOND_MS:
+        return f"{seconds:.1f} s"
+    return f"{shown:.0f} ms" if shown >= 9.95 else f"{shown:.1f} ms"

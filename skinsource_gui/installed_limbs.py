@@ -1,0 +1,34 @@
+"""Which limbs can be loaded."""
+
+from PySide6.QtCore import QEvent, QObject, Signal
+from PySide6.QtWidgets import QWidget
+
+from skinsource.catalogue import available_limbs
+
+
+class InstalledLimbs(QObject):
+    """Looks again when the user comes back to the window, perhaps from an installation.
+
+    Parameters
+    ----------
+    names
+        The limbs there are at the start.
+    window
+        Looks whenever this becomes the active window; also the parent.
+    """
+
+    #: Limbs came or went.
+    changed = Signal()
+
+    def __init__(self, names: tuple[str, ...], window: QWidget) -> None:
+        super().__init__(window)
+        self.names = names
+        window.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.WindowActivate:
+            found = available_limbs()
+            if found != self.names:
+                self.names = found
+                self.changed.emit()
+        return super().eventFilter(watched, event)

@@ -1,0 +1,43 @@
+"""A line of text that says less where there is less room."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QSize
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
+
+
+class FittingLabel(QLabel):
+    """Shows the first of some phrasings that fits; never one that is cut off."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._phrases: tuple[str, ...] = ("",)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+
+    def show_phrases(self, phrases: Sequence[str]) -> None:
+        """Take over phrasings, longest first; the last is shown where none fits."""
+        if tuple(phrases) != self._phrases:
+            self._phrases = tuple(phrases) or ("",)
+            self._choose()
+            self.updateGeometry()
+
+    def sizeHint(self) -> QSize:
+        return QSize(self._width_of(self._phrases[0]), super().sizeHint().height())
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(self._width_of(self._phrases[-1]), super().minimumSizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._choose()
+
+    def _choose(self) -> None:
+        fitting = (one for one in self._phrases if self._width_of(one) <= self.width())
+        words = next(fitting, self._phrases[-1])
+        if words != self.text():
+            self.setText(words)
+
+    def _width_of(self, words: str) -> int:
+        margins = self.contentsMargins()
+        return self.fontMetrics().horizontalAdvance(words) + margins.left() + margins.right() + 2

@@ -1,0 +1,58 @@
+"""A picture of what is slow to paint and rarely different."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QImage, QPainter
+
+
+class KeptPicture:
+    """Remembers how something was painted, and paints it so again until it looks different."""
+
+    def __init__(self) -> None:
+        self._key: tuple[object, ...] = ()
+        self._image = QImage()
+
+    def paint(
+        self,
+        painter: QPainter,
+        room: QRectF,
+        depends_on: tuple[object, ...],
+        paint_anew: Callable[[QPainter], None],
+        ground: QColor | None = None,
+    ) -> None:
+        """Paint into ``room`` what ``paint_anew`` paints there.
+
+        Parameters
+        ----------
+        painter
+            Its font and hints are those of the picture.
+        room
+            What the picture covers.
+        depends_on
+            Whatever it shows, besides room, font and resolution.
+        paint_anew
+            Called only when there is no such picture yet.
+        ground
+            Colour under it; ``None``: what was painted before stays visible.
+        """
+        ratio, font = painter.device().devicePixelRatioF(), painter.font()
+        key = (*depends_on, room, ratio, font, ground)
+        if key != self._key:
+            self._key, self._image = key, _blank((room.size() * ratio).toSize(), ground)
+            self._image.setDevicePixelRatio(ratio)
+            on_image = QPainter(self._image)
+            on_image.setRenderHints(painter.renderHints())
+            on_image.setFont(font)
+            on_image.translate(-room.topLeft())
+            paint_anew(on_image)
+            on_image.end()
+        painter.drawImage(room.topLeft(), self._image)
+
+
+def _blank(size: QSize, ground: QColor | None) -> QImage:
+    opaque = ground is not None
+    shape = QImage.Format.Format_RGB32 if opaque else QImage.Format.Format_ARGB32_Premultiplied
+    image = QImage(size, shape)
+    image.fill(ground if opaque else Qt.GlobalColor.transparent)
+    return image

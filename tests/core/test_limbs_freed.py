@@ -1,0 +1,27 @@
+"""A limb that nobody looks at any more does not stay in memory."""
+
+import gc
+from weakref import ref
+
+import pytest
+
+from skinsource.design import start_design
+from skinsource.quantities import new_graph, sources
+from skinsource.view import View
+
+
+@pytest.mark.parametrize("scaling", ["upstream", "relative", "probe"])
+def test_a_limb_that_was_left_is_freed(scaling):
+    graph = new_graph()
+    wanted = {"limb_data", "surface_levels_db", "selected_traces", "selected_spectra"}
+
+    def show(limb):
+        design = start_design(limb)
+        given = sources(design, View()) | {"scaling": scaling}
+        return ref(graph.evaluate(wanted, given)["limb_data"])
+
+    left = show("synthetic-1")
+    assert left() is not None
+    show("synthetic-2")
+    gc.collect()
+    assert left() is None

@@ -1,0 +1,290 @@
+"""Help > Accuracy and speed, driven by mouse and keyboard, with a made-up benchmark."""
+
+import os
+import sys
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QApplication,
+    QFileDialog,
+    QLabel,
+    QMessageBox,
+    QPushButton,
+    QTableView,
+    QTabWidget,
+)
+
+from skinsource.bench.table import read_table
+from skinsource.command_line import _parser
+from skinsource.rendering.check import TraceError
+from skinsource_gui import bench_run
+from skinsource_gui.widgets.picture_view import PictureView
+
+CHILD = """
+import os, sys, time
+from pathlib import Path
+from skinsource.bench.table import Row, write_table
+
+mode, note, picture, folder = sys.argv[1], *map(Path, sys.argv[2:])
+note.write_text(f"{os.getpid()} {folder}")
+print("0/3 S1 direct", flush=True)
+if mode == "hang":
+    time.sleep(600)
+if mode == "fail":
+    sys.exit("skinsource: the disk is full. Make room.")
+about = {"scene": "S1", "precision": "float64", "inputs": 1, "inputs_changed": 1, "samples": 9}
+about |= {"reference": "S1"}
+times = {"t_min_ms": 2.0, "t_median_ms": 3.0, "t_mad_ms": 0.5}
+times |= {"err_window": 1e-12, "err_max": 1e-16}
+rows = [
+    Row(engine="this program", setting="map and 6 traces", promise="kept", **about, **times),
+    Row(engine="direct", setting="exact", failure="would take long", **about),
+    Row(engine="cached spectra", setting="cut", **about, **{**times, "t_min_ms": 10.0}),
+]
+write_table(folder / "work_precision.csv", rows)
+(folder / "report.md").write_text("# Report")
+if mode == "no plot":
+    sys.exit('skinsource: the plot needs matplotlib. Type: pip install "skinsource[bench]"')
+(folder / "work_precision.png").write_bytes(picture.read_bytes())
+print("3 rows")
+"""
+
+
+@pytest.fixture
+def child(tmp_path, monkeypatch):
+    """Choose what the benchmark does: work, fail, hang, no plot; give where it notes itself."""
+    script, note, picture = tmp_path / "child.py", tmp_path / "note", tmp_path / "picture.png"
+    script.write_text(CHILD, encoding="utf-8")
+    image = QImage(800, 1200, QImage.Format.Format_RGB32)
+    image.fill(Qt.GlobalColor.red)
+    image.save(str(picture))
+
+    def choose(mode):
+        words = (sys.executable, str(script), mode, str(note), str(picture))
+        monkeypatch.setattr(bench_run, "COMMAND", words)
+        return note
+
+    choose("work")
+    return choose
+
+
+@pytest.fixture
+def page(window, child):
+    window.actions_by_name["show_accuracy"].trigger()
+    return window.commands._accuracy_page
+
+
+def find(page, kind, name):
+    return page.findChild(kind, name)
+
+
+def words(page):
+    return find(page, QLabel, "bench_words").text()
+
+
+def press(page, name):
+    QTest.mouseClick(find(page, QPushButton, name), Qt.MouseButton.LeftButton)
+
+
+def measure(page, qtbot):
+    press(page, "measure")
+    qtbot.waitUntil(lambda: not page.run.running, timeout=20_000)
+
+
+def hang(page, child, qtbot):
+    """Start a benchmark that does not end; give its process and its folder."""
+    note = child("hang")
+    press(page, "measure")
+    qtbot.waitUntil(lambda: "0 of 3" in words(page), timeout=20_000)
+    number, _, folder = note.read_text().partition(" ")
+    return int(number), Path(folder)
+
+
+def is_alive(number):
+    try:
+        os.kill(number, 0)
+    except ProcessLookupError:
+        return False
+    return True
+
+
+def test_the_page_leaves_the_window_free_and_fits_a_small_screen(window, page):
+    assert page.isVisible()
+    assert not page.isModal()
+    assert page.width() <= 1366
+    assert page.height() <= 700
+    assert page.minimumSizeHint().width() <= 800
+
+
+def test_the_command_that_is_started_exists():
+    assert bench_run.COMMAND[:3] == (sys.executable, "-m", "skinsource")
+    found = _parser().parse_args([*bench_run.COMMAND[3:], "folder"])
+    assert (found.quick, found.progress, found.out) == (True, "lines", Path("folder"))
+
+
+def test_the_page_opens_once(window, page):
+    page.close()
+    window.actions_by_name["show_accuracy"].trigger()
+    assert window.commands._accuracy_page is page
+    assert page.isVisible()
+
+
+def test_present_figures_stand_beside_the_promised(window, page, qtbot):
+    window.document.edit("a", window.document.design.with_input(0, amplitude=2.0))
+    error = find(page, QLabel, "now_error")
+    qtbot.waitUntil(lambda: error.text().startswith("≈ "), timeout=5000)
+    assert "at most" in error.text()
+    assert find(page, QLabel, "now_median").text().endswith("ms (1 edit)")
+    assert find(page, QLabel, "now_most").text().endswith("ms (1 edit)")
+    assert "computing" in find(page, QLabel, "now_last").text()
+    assert "of 216 channels" in find(page, QLabel, "now_scope").text()
+    promised = [one.text() for one in page.findChildren(QLabel)]
+    assert "1e-14 of the largest sample" in promised
+    assert any("rounding errors" in text and "measurements" in text for text in promised)
+
+
+def test_an_error_above_the_promise_is_amber_on_the_page(window, page):
+    window.status_line.show_error(TraceError(estimate=1e-9, bound=1e-8))
+    window.status_line.changed.emit()
+    assert window.theme.warning in find(page, QLabel, "now_error").styleSheet()
+
+
+def test_a_run_shows_table_plot_and_verdict(page, qtbot):
+    measure(page, qtbot)
+    assert words(page) == (
+        "This program keeps its promises in 1 of 1 rows. 1 of 3 rows could not be measured."
+    )
+    assert find(page, QLabel, "now_window").text() == "1.0e-12 in the benchmark"
+    table = find(page, QTableView, "bench_table")
+    assert table.isVisible()
+    assert table.model().rowCount() == 3
+    assert find(page, PictureView, "bench_plot").words == ""
+    find(page, QTabWidget, "accuracy_tabs").setCurrentIndex(2)
+    QApplication.processEvents()
+    plot = find(page, PictureView, "bench_plot")
+    shown = plot.grab().toImage()
+    assert shown.pixelColor(shown.width() // 2, shown.height() // 2).name() == "#ff0000"
+    assert plot.verticalScrollBar().maximum() > 0
+
+
+def test_the_table_is_sorted_by_number_when_a_heading_is_clicked(page, qtbot):
+    measure(page, qtbot)
+    table = find(page, QTableView, "bench_table")
+    header = table.horizontalHeader()
+    place = header.sectionViewportPosition(4) + 20
+
+    def fastest():
+        return [table.model().index(row, 4).data() for row in range(3)]
+
+    QTest.mouseClick(header.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(place, 5))
+    assert fastest() == ["2", "10", ""]
+
+
+def test_the_whole_page_is_worked_by_keyboard(page, qtbot, child, tmp_path, monkeypatch):
+    chosen = tmp_path / "kept"
+    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(chosen))
+    seen = set()
+    page.activateWindow()
+    for _ in range(20):
+        QTest.keyClick(QApplication.focusWidget() or page, Qt.Key.Key_Tab)
+        seen.add(QApplication.focusWidget().objectName())
+    assert {"measure", "close_page"} <= seen
+    find(page, QPushButton, "measure").setFocus()
+    QTest.keyClick(find(page, QPushButton, "measure"), Qt.Key.Key_Space)
+    assert QApplication.focusWidget() is find(page, QPushButton, "cancel_measuring")
+    qtbot.waitUntil(lambda: not page.run.running, timeout=20_000)
+    assert QApplication.focusWidget() is find(page, QTableView, "bench_table")
+    find(page, QPushButton, "save_report").setFocus()
+    QTest.keyClick(find(page, QPushButton, "save_report"), Qt.Key.Key_Space)
+    assert sorted(path.name for path in chosen.iterdir()) == [
+        "report.md",
+        "work_precision.csv",
+        "work_precision.png",
+    ]
+    assert len(read_table(chosen / "work_precision.csv")) == 3
+    assert words(page).startswith(f"Saved in {chosen}: ")
+
+
+def test_saving_asks_before_it_replaces(page, qtbot, tmp_path, monkeypatch):
+    (tmp_path / "report.md").write_text("mine")
+    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
+    asked = []
+
+    def refuse(*arguments):
+        asked.append(arguments)
+        return QMessageBox.StandardButton.Cancel
+
+    monkeypatch.setattr(QMessageBox, "question", refuse)
+    measure(page, qtbot)
+    press(page, "save_report")
+    assert len(asked) == 1
+    assert (tmp_path / "report.md").read_text() == "mine"
+
+
+def test_a_folder_that_cannot_be_written_is_one_sentence(page, qtbot, tmp_path, monkeypatch):
+    (tmp_path / "file").write_text("in the way")
+    monkeypatch.setattr(
+        QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path / "file" / "x")
+    )
+    measure(page, qtbot)
+    press(page, "save_report")
+    assert "cannot be written" in words(page)
+
+
+def test_without_matplotlib_the_table_is_shown_and_the_line_to_type(page, child, qtbot):
+    child("no plot")
+    measure(page, qtbot)
+    assert find(page, QTableView, "bench_table").model().rowCount() == 3
+    plot = find(page, PictureView, "bench_plot")
+    assert plot.words.startswith("The plot needs matplotlib")
+    assert 'pip install "skinsource[bench]"' in plot.words
+
+
+def test_a_failure_is_one_sentence_and_leaves_nothing(page, child, qtbot):
+    note = child("fail")
+    measure(page, qtbot)
+    assert words(page).startswith("The measurement gave no results: the disk is full. Make room. ")
+    assert not Path(note.read_text().partition(" ")[2]).exists()
+    assert not find(page, QPushButton, "save_report").isEnabled()
+    assert find(page, QPushButton, "measure").isVisible()
+
+
+def test_a_program_that_cannot_be_started_is_one_sentence(page, monkeypatch, tmp_path, qtbot):
+    monkeypatch.setattr(bench_run, "COMMAND", (str(tmp_path / "nothing"),))
+    measure(page, qtbot)
+    assert words(page).startswith("The measurement gave no results: ")
+    assert not find(page, QPushButton, "cancel_measuring").isVisible()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="asks for processes as POSIX does")
+@pytest.mark.parametrize("how", ["cancel", "escape", "close", "window"])
+def test_a_benchmark_ends_with_whoever_wanted_it(window, page, child, qtbot, how):
+    number, folder = hang(page, child, qtbot)
+    assert is_alive(number)
+    if how == "cancel":
+        press(page, "cancel_measuring")
+        assert words(page) == "Cancelled. Nothing was kept."
+        assert find(page, QPushButton, "measure").hasFocus()
+    elif how == "escape":
+        QTest.keyClick(page, Qt.Key.Key_Escape)
+    elif how == "close":
+        press(page, "close_page")
+    else:
+        window.close()
+    assert not is_alive(number)
+    assert not folder.exists()
+    assert not page.run.running
+
+
+def test_closing_the_window_removes_what_was_measured(window, page, child, qtbot):
+    note = child("work")
+    measure(page, qtbot)
+    folder = Path(note.read_text().partition(" ")[2])
+    page.close()
+    assert folder.exists()
+    window.close()
+    assert not folder.exists()

@@ -1,0 +1,267 @@
+import os
+import threading
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QApplication,
+    QFileDialog,
+    QLabel,
+    QMessageBox,
+    QProgressBar,
+    QPushButton,
+)
+
+from skinsource.design import Design, Input
+from skinsource.graph import Stopped
+from skinsource.rendering import renderer
+from skinsource.rendering.check import TraceError
+from skinsource.waveforms import Noise, Tone
+from skinsource_gui import export_actions
+
+YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
+#: Written in some seconds.
+LONG = Design(
+    limb="synthetic-1",
+    inputs=(
+        Input(location=7, waveform=Tone(duration_s=300.0)),
+        Input(location=3, waveform=Noise(duration_s=300.0), colour=1),
+    ),
+)
+
+
+@pytest.fixture
+def answers(monkeypatch):
+    """Answer what dialogs would ask: where to, and questions; remember the questions."""
+    given = {"save": "", "question": NO, "asked": []}
+
+    def question(_window, title, text, *_):
+        given["asked"].append(text)
+        return given["question"]
+
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (given["save"], ""))
+    monkeypatch.setattr(QMessageBox, "question", question)
+    yield given
+    # The window is closed after this; what it asks then is whether to stop exporting.
+    given["question"] = YES
+
+
+@pytest.fixture
+def wait(qtbot, window):
+    """Wait until nothing is exported."""
+
+    def until_done():
+        qtbot.waitUntil(lambda: not window.commands.exports.jobs.busy, timeout=20_000)
+
+    return until_done
+
+
+@pytest.fixture
+def gate(monkeypatch):
+    """Hold exports of the field until they are let go, or stopped."""
+    gate = threading.Event()
+    gate.started = threading.Event()
+
+    def write(path, design, view, *, progress, stop, largest_error):
+        progress(340, 1000, "Writing")
+        gate.started.set()
+        while not gate.wait(0.001):
+            if stop():
+                raise Stopped
+        path.write_text(str(len(design.inputs)))
+
+    monkeypatch.setattr(export_actions, "export_field", write)
+    return gate
+
+
+def part(window, kind, name):
+    return window.findChild(kind, name)
+
+
+def test_traces_levels_and_field_hold_the_present_design(window, wait, answers, tmp_path):
+    for name in ("traces.csv", "levels.csv", "field.npz"):
+        answers["save"] = str(tmp_path / name)
+        window.actions_by_name[f"export_{name.split('.')[0]}"].trigger()
+    wait()
+    lines = (tmp_path / "traces.csv").read_text(encoding="utf-8").splitlines()
+    assert any("SYNTHETIC" in line for line in lines)
+    assert "time_s,output_29_m_per_s2,output_52_m_per_s2" in lines
+    assert len((tmp_path / "levels.csv").read_text().splitlines()) > 72
+    with np.load(tmp_path / "field.npz", allow_pickle=False) as archive:
+        assert archive["acceleration_m_per_s2"].shape[:2] == (72, 3)
+    assert "field.npz" in window.statusBar().currentMessage()
+    assert window.preferences.folder == tmp_path
+
+
+def test_traces_of_no_outputs_cannot_be_exported(window, answers):
+    window.commands.select_no_outputs()
+    window.commands.export_traces()
+    assert "No output is selected" in window.notice.text
+    assert not window.commands.exports.jobs.busy
+
+
+def test_a_dialog_that_is_cancelled_exports_nothing(window, answers):
+    window.commands.export_levels()
+    assert not window.commands.exports.jobs.busy
+
+
+def test_the_design_of_the_moment_is_exported_while_editing_goes_on(
+    qtbot, window, wait, gate, answers, tmp_path
+):
+    answers["save"] = str(tmp_path / "field.npz")
+    window.commands.export_field()
+    assert gate.started.wait(5)
+    window.document.edit("Place", window.document.design.adding(Input(location=3)))
+    qtbot.waitUntil(lambda: not window.engine.busy)
+    assert window.commands.exports.jobs.busy
+    gate.set()
+    wait()
+    assert (tmp_path / "field.npz").read_text() == "1"
+
+
+def test_a_running_export_is_seen_and_cancelled_with_a_click(
+    qtbot, window, wait, gate, answers, tmp_path
+):
+    answers["save"] = str(tmp_path / "field.npz")
+    bar = part(window, QPushButton, "cancel_exporting")
+    assert not bar.isVisible()
+    assert not window.actions_by_name["cancel_export"].isEnabled()
+    window.commands.export_field()
+    window.commands.export_field()
+    qtbot.waitUntil(lambda: part(window, QLabel, "export_percent").text() == "34 %")
+    assert part(window, QLabel, "export_name").text() == "Exporting field.npz (+1)"
+    assert part(window, QProgressBar, "export_progress").value() == 340
+    assert window.actions_by_name["cancel_export"].isEnabled()
+    for left in (1, 0):
+        gate.started.wait(5)
+        QTest.mouseClick(bar, Qt.MouseButton.LeftButton)
+        qtbot.waitUntil(lambda n=left: len(window.commands.exports.jobs.unfinished) == n)
+    wait()
+    assert not bar.isVisible()
+    assert not window.actions_by_name["cancel_export"].isEnabled()
+    assert "cancelled" in window.statusBar().currentMessage()
+    assert os.listdir(tmp_path) == []
+
+
+@pytest.mark.parametrize("by_shortcut", [True, False])
+def test_an_export_is_cancelled_from_the_keyboard(
+    qtbot, window, wait, gate, answers, tmp_path, by_shortcut
+):
+    answers["save"] = str(tmp_path / "field.npz")
+    window.commands.export_field()
+    assert gate.started.wait(5)
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    if by_shortcut:
+        QTest.keyClick(window, Qt.Key.Key_Period, Qt.KeyboardModifier.ControlModifier)
+    else:
+        button = part(window, QPushButton, "cancel_exporting")
+        button.setFocus(Qt.FocusReason.TabFocusReason)
+        QTest.keyClick(button, Qt.Key.Key_Space)
+    wait()
+    assert os.listdir(tmp_path) == []
+    assert "cancelled" in window.statusBar().currentMessage()
+
+
+@pytest.mark.parametrize("name", ["field.npz", "traces.csv"])
+def test_a_long_export_stops_at_once_and_leaves_nothing(
+    qtbot, window, wait, answers, tmp_path, name
+):
+    window.document.start_over(LONG, window.document.view, None)
+    answers["save"] = str(tmp_path / name)
+    window.actions_by_name[f"export_{name.split('.')[0]}"].trigger()
+    qtbot.waitUntil(lambda: "%" in part(window, QLabel, "export_percent").text(), timeout=20_000)
+    window.actions_by_name["cancel_export"].trigger()
+    wait()
+    assert os.listdir(tmp_path) == []
+
+
+def test_what_is_too_inaccurate_is_written_only_if_the_user_agrees(
+    qtbot, window, wait, answers, tmp_path, monkeypatch
+):
+    poor = TraceError(estimate=2e-3, bound=1.0)
+    monkeypatch.setattr(renderer, "trace_error_of", lambda *_: poor)
+    answers["save"] = str(tmp_path / "levels.csv")
+    window.commands.export_levels()
+    qtbot.waitUntil(lambda: len(answers["asked"]) == 1)
+    wait()
+    assert "2.0e-03" in answers["asked"][0]
+    assert os.listdir(tmp_path) == []
+    answers["question"] = YES
+    window.commands.export_levels()
+    qtbot.waitUntil(lambda: (tmp_path / "levels.csv").exists())
+    wait()
+    assert len(answers["asked"]) == 2
+    assert "about 0.002" in (tmp_path / "levels.csv").read_text(encoding="utf-8")
+
+
+def test_a_folder_that_cannot_be_written_is_one_clear_error(window, wait, answers, tmp_path):
+    answers["save"] = str(tmp_path / "nowhere" / "levels.csv")
+    window.commands.export_levels()
+    wait()
+    assert "levels.csv: cannot be written" in window.notice.text
+
+
+def test_a_mistake_of_the_studio_is_told_and_the_studio_lives(
+    window, wait, answers, tmp_path, monkeypatch, caplog
+):
+    def fail(*_, **__):
+        raise ZeroDivisionError("oh")
+
+    monkeypatch.setattr(export_actions, "export_levels", fail)
+    answers["save"] = str(tmp_path / "levels.csv")
+    window.commands.export_levels()
+    wait()
+    assert "ZeroDivisionError: oh" in window.notice.text
+    assert "an export failed" in caplog.text
+
+
+def test_closing_during_an_export_asks_first_and_then_leaves_nothing(
+    window, gate, answers, tmp_path
+):
+    answers["save"] = str(tmp_path / "field.npz")
+    window.commands.export_field()
+    assert gate.started.wait(5)
+    window.close()
+    assert window.isVisible()
+    assert "field.npz" in answers["asked"][0]
+    assert window.commands.exports.jobs.busy
+    answers["question"] = YES
+    window.close()
+    assert not window.isVisible()
+    assert os.listdir(tmp_path) == []
+
+
+def test_closing_without_an_export_asks_nothing(window, wait, answers, tmp_path):
+    answers["save"] = str(tmp_path / "levels.csv")
+    window.commands.export_levels()
+    wait()
+    window.close()
+    assert answers["asked"] == []
+    assert not window.isVisible()
+
+
+def test_the_status_bar_has_room_for_an_export_in_a_small_window(
+    qtbot, window, wait, gate, answers, tmp_path
+):
+    window.resize(1366, 728)
+    answers["save"] = str(tmp_path / ("long-name-" * 12 + ".npz"))
+    window.document.look(replace(window.document.view, outputs=tuple(range(1, 73))))
+    width = window.width()
+    window.commands.export_field()
+    assert gate.started.wait(5)
+    qtbot.waitUntil(lambda: not window.engine.busy)
+    QApplication.processEvents()
+    assert window.width() == width
+    for kind, name in (
+        (QLabel, "export_name"),
+        (QPushButton, "cancel_exporting"),
+        (QLabel, "limb_note"),
+    ):
+        widget = part(window, kind, name)
+        assert widget.width() >= widget.minimumSizeHint().width()
+        right = widget.mapTo(window, widget.rect().topRight()).x()
+        assert right < window.width(), f"{name} is cut off"

@@ -1,0 +1,149 @@
+import threading
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QThread
+
+from skinsource.design import Design
+from skinsource.graph import Stopped
+from skinsource.view import View
+from skinsource_gui.export_jobs import ExportJobs, ExportOrder
+
+
+class Writer:
+    """An export that ends when it is told to, or stopped; what it was asked to do is noted."""
+
+    def __init__(self):
+        self.go_on, self.started, self.cleared = threading.Event(), threading.Event(), None
+        self.threads, self.error = [], None
+
+    def __call__(self, path, design, view, *, progress, stop, largest_error):
+        self.threads.append(QThread.currentThread())
+        self.started.set()
+        progress(0, 0, "Computing")
+        while not self.go_on.wait(0.001):
+            if stop():
+                if self.cleared:
+                    self.cleared.wait()
+                raise Stopped
+        if self.error:
+            raise self.error
+        path.write_text(design.limb)
+
+
+@pytest.fixture
+def jobs(qtbot):
+    """Jobs that are closed at the end; what they tell is noted in `told`."""
+    before = set(threading.enumerate())
+    jobs = ExportJobs()
+    jobs.told = []
+    for name in ("written", "cancelled"):
+        getattr(jobs, name).connect(lambda order, n=name: jobs.told.append((n, order.path.name)))
+    jobs.failed.connect(lambda order, error: jobs.told.append((str(error), order.path.name)))
+    yield jobs
+    jobs.close()
+    assert set(threading.enumerate()) == before
+
+
+def order(path: Path, write) -> ExportOrder:
+    return ExportOrder(
+        write=write, path=path, design=Design(limb="limb"), view=View(), largest_error=1e-3
+    )
+
+
+def test_orders_are_carried_out_one_after_another_away_from_this_thread(qtbot, jobs, tmp_path):
+    writers = [Writer(), Writer()]
+    for name, writer in zip("ab", writers, strict=True):
+        jobs.add(order(tmp_path / name, writer))
+    assert [one.path.name for one in jobs.unfinished] == ["a", "b"]
+    assert writers[0].started.wait(5)
+    assert not writers[1].started.is_set()
+    writers[0].go_on.set()
+    qtbot.waitUntil(lambda: jobs.told == [("written", "a")])
+    assert jobs.current.path.name == "b"
+    writers[1].go_on.set()
+    qtbot.waitUntil(lambda: not jobs.busy)
+    assert jobs.told == [("written", "a"), ("written", "b")]
+    assert jobs.unfinished == ()
+    assert QThread.currentThread() not in writers[0].threads + writers[1].threads
+
+
+def test_cancel_stops_the_present_order_alone(qtbot, jobs, tmp_path):
+    first, second = Writer(), Writer()
+    jobs.add(order(tmp_path / "a", first))
+    jobs.add(order(tmp_path / "b", second))
+    assert first.started.wait(5)
+    jobs.cancel()
+    qtbot.waitUntil(second.started.is_set)
+    second.go_on.set()
+    qtbot.waitUntil(lambda: not jobs.busy)
+    assert jobs.told == [("cancelled", "a"), ("written", "b")]
+    assert not (tmp_path / "a").exists()
+
+
+def test_cancelling_shows_at_once_even_where_clearing_away_takes_long(qtbot, jobs, tmp_path):
+    writer = Writer()
+    writer.cleared = threading.Event()
+    jobs.add(order(tmp_path / "a", writer))
+    assert writer.started.wait(5)
+    jobs.cancel()
+    qtbot.waitUntil(lambda: jobs.told == [("cancelled", "a")])
+    assert jobs.busy
+    assert jobs.unfinished == ()
+    jobs.add(order(tmp_path / "b", Writer()))
+    assert jobs.current is None
+    writer.cleared.set()
+    qtbot.waitUntil(lambda: jobs.current is not None)
+    assert jobs.told == [("cancelled", "a")]
+
+
+def test_a_cancel_that_comes_too_late_says_that_the_file_was_written(qtbot, jobs, tmp_path):
+    writer = Writer()
+    writer.go_on.set()
+    jobs.add(order(tmp_path / "a", writer))
+    assert writer.started.wait(5)
+    while not (tmp_path / "a").exists():
+        pass
+    jobs.cancel()
+    qtbot.waitUntil(lambda: not jobs.busy)
+    assert jobs.told == [("written", "a")]
+
+
+def test_a_failing_order_tells_why_and_the_next_one_begins(qtbot, jobs, tmp_path):
+    first, second = Writer(), Writer()
+    first.error = ValueError("why")
+    for name, writer in (("a", first), ("b", second)):
+        writer.go_on.set()
+        jobs.add(order(tmp_path / name, writer))
+    qtbot.waitUntil(lambda: not jobs.busy)
+    assert jobs.told == [("why", "a"), ("written", "b")]
+
+
+def test_closing_forgets_all_orders_and_waits_for_the_thread(jobs, tmp_path):
+    writers = [Writer(), Writer()]
+    for name, writer in zip("ab", writers, strict=True):
+        jobs.add(order(tmp_path / name, writer))
+    assert writers[0].started.wait(5)
+    jobs.close()
+    assert not writers[1].started.is_set()
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_there_is_no_thread_before_there_is_something_to_export(qtbot):
+    before = threading.active_count()
+    ExportJobs().close()
+    assert threading.active_count() == before
+
+
+def test_progress_is_told_some_times_a_second(qtbot, jobs, tmp_path):
+    told = []
+    jobs.progressed.connect(lambda *now: told.append(now))
+
+    def write(path, design, view, *, progress, stop, largest_error):
+        for done in range(100_000):
+            progress(done, 100_000, "Writing")
+
+    jobs.add(order(tmp_path / "a", write))
+    qtbot.waitUntil(lambda: not jobs.busy)
+    assert told[0] == (0, 100_000, "Writing")
+    assert len(told) < 100

@@ -1,0 +1,63 @@
+from dataclasses import replace
+
+from PySide6.QtCore import QEvent
+from PySide6.QtWidgets import QApplication, QComboBox
+
+from skinsource.dataset.install import install
+from skinsource_gui.limb_note import LimbNote
+
+
+def come_back_to(window):
+    QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
+
+
+def offered(window):
+    model = window.findChild(QComboBox, "limb").model()
+    items = [model.item(index) for index in range(model.rowCount())]
+    return sum(item.isEnabled() for item in items), [
+        item.toolTip() for item in items if item.text()
+    ]
+
+
+def test_limbs_that_are_installed_while_the_studio_runs_can_be_used_at_once(
+    window, settle, made_up_download, user_data
+):
+    count, hints = offered(window)
+    assert count == 4
+    assert hints[0].startswith("Not installed")
+    install(made_up_download, folder=user_data)
+    come_back_to(window)
+    count, hints = offered(window)
+    assert count == 8
+    assert hints[0] == ""
+    window.document.edit("a", replace(window.document.design, limb="measured-1"))
+    settle()
+    assert window.notice.text == ""
+    assert window.findChild(LimbNote).isHidden()
+
+
+def test_a_design_whose_limb_was_missing_is_shown_once_it_is_installed(
+    window, settle, made_up_installed
+):
+    away = made_up_installed.with_suffix(".away")
+    made_up_installed.rename(away)
+    window.document.edit("a", replace(window.document.design, limb="measured-2"))
+    settle()
+    assert "not installed" in window.notice.text
+    away.rename(made_up_installed)
+    come_back_to(window)
+    settle()
+    assert window.notice.text == ""
+
+
+def test_the_way_to_measured_limbs_is_told_until_they_are_there(window, made_up_installed):
+    note = window.findChild(LimbNote)
+    assert "not installed" in note.text()
+    come_back_to(window)
+    assert "SYNTHETIC LIMB" in note.text()
+    assert "not installed" not in note.text()
+
+
+def test_coming_back_to_the_window_without_news_computes_nothing(window):
+    come_back_to(window)
+    assert not window.engine.busy

@@ -1,0 +1,64 @@
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QColor, QImage, QPainter
+
+from skinsource_gui.widgets.kept_picture import KeptPicture
+
+ROOM = QRectF(2, 3, 8, 6)
+
+
+def sheet(ratio=1.0):
+    image = QImage(12 * int(ratio), 12 * int(ratio), QImage.Format.Format_RGB32)
+    image.setDevicePixelRatio(ratio)
+    image.fill(QColor("white"))
+    return image
+
+
+class Dot:
+    """Paints a square and counts how often."""
+
+    def __init__(self, colour="red"):
+        self.colour, self.times = colour, 0
+
+    def paint(self, painter):
+        self.times += 1
+        painter.fillRect(QRectF(4, 4, 2, 2), QColor(self.colour))
+
+
+def show(kept, dot, key=(), ground=None, ratio=1.0):
+    image = sheet(ratio)
+    painter = QPainter(image)
+    kept.paint(painter, ROOM, key, dot.paint, ground)
+    painter.end()
+    return image
+
+
+def test_a_kept_picture_looks_as_if_it_were_painted_directly(qapp):
+    direct = sheet()
+    painter = QPainter(direct)
+    Dot().paint(painter)
+    painter.end()
+    assert show(KeptPicture(), Dot()) == direct
+
+
+def test_it_is_painted_once_until_what_it_depends_on_changes(qapp):
+    kept, dot = KeptPicture(), Dot()
+    for _ in range(3):
+        show(kept, dot, ("light", 1.5))
+    assert dot.times == 1
+    show(kept, dot, ("dark", 1.5))
+    assert dot.times == 2
+
+
+def test_it_is_painted_anew_for_another_screen(qapp):
+    kept, dot = KeptPicture(), Dot()
+    show(kept, dot)
+    sharp = show(kept, dot, ratio=2.0)
+    assert dot.times == 2
+    assert sharp.pixelColor(8, 8).name() == "#ff0000"
+
+
+def test_with_a_ground_it_covers_what_was_there_before(qapp):
+    image = show(KeptPicture(), Dot(), ground=QColor("blue"))
+    assert image.pixelColor(3, 3).name() == "#0000ff"
+    assert image.pixelColor(4, 4).name() == "#ff0000"
+    assert image.pixelColor(1, 1).name() == "#ffffff"

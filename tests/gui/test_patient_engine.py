@@ -1,0 +1,62 @@
+import threading
+
+import pytest
+from PySide6.QtWidgets import QWidget
+
+from skinsource.graph import Graph
+from skinsource_gui.engine import Request
+from skinsource_gui.patient_engine import PatientEngine
+
+
+@pytest.fixture
+def evaluated():
+    return []
+
+
+@pytest.fixture
+def window(qtbot):
+    made = QWidget()
+    qtbot.addWidget(made)
+    return made
+
+
+@pytest.fixture
+def engine(window, evaluated):
+    def answer(question):
+        evaluated.append(question)
+        return question
+
+    made = PatientEngine(Graph(answer), window)
+    yield made
+    made.close()
+
+
+def ask(engine, question):
+    engine.request(Request(frozenset({"answer"}), {"question": question}))
+
+
+def test_nothing_is_evaluated_before_the_window_is_painted(qtbot, engine, window, evaluated):
+    finished = []
+    engine.finished.connect(finished.append)
+    ask(engine, 1)
+    ask(engine, 2)
+    assert engine.busy
+    assert not [t for t in threading.enumerate() if t.name.startswith("skinsource-engine")]
+    window.show()
+    qtbot.waitUntil(lambda: not engine.busy)
+    assert evaluated == [2]
+    assert [outcome.values["answer"] for outcome in finished] == [2]
+    ask(engine, 3)
+    qtbot.waitUntil(lambda: not engine.busy)
+    assert evaluated == [2, 3]
+
+
+def test_a_window_that_closes_unpainted_evaluates_nothing(qtbot, engine, window, evaluated):
+    ask(engine, 1)
+    engine.close()
+    assert not engine.busy
+    window.show()
+    qtbot.waitExposed(window)
+    ask(engine, 2)
+    assert not engine.busy
+    assert evaluated == []

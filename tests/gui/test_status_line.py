@@ -1,0 +1,247 @@
+"""What the status bar tells of cost, scope and error of the last edit."""
+
+from dataclasses import replace
+from itertools import pairwise
+
+import pytest
+from PySide6.QtCore import QEvent, QPoint
+from PySide6.QtGui import QHelpEvent
+from PySide6.QtWidgets import QApplication, QLabel, QToolTip
+
+from skinsource.design import Input
+from skinsource.rendering.check import TraceError
+from skinsource.rendering.segments import BLOCK_FFT
+from skinsource.view import View
+from skinsource.waveforms import Tone
+from skinsource.work import Work
+from skinsource_gui.edit_times import EditTime, EditTimes, milliseconds, most_within, summary
+from skinsource_gui.scope import Scope
+from skinsource_gui.theme import DARK, LIGHT
+from skinsource_gui.widgets.fitting_label import FittingLabel
+from skinsource_gui.widgets.sparkline import Sparkline
+
+
+def label(window, name):
+    return window.findChild(QLabel, name)
+
+
+def work_words(window):
+    return label(window, "work").text()
+
+
+def edit(window, **changes):
+    window.document.edit("a", window.document.design.with_input(0, **changes))
+
+
+def scope(**changes):
+    given = {
+        "inputs": 20,
+        "heard": 4,
+        "channels": 6,
+        "has_map": True,
+        "streamed": False,
+        "work": Work(inverse_transforms=12),
+    }
+    return Scope(**{**given, **changes})
+
+
+def test_inputs_channels_and_method_are_told(window, qtbot):
+    inputs = (Input(location=3, muted=True), Input(location=4, colour=1))
+    window.document.edit("a", replace(window.document.design, inputs=inputs))
+    window.document.look(View(outputs=(29, 30, 52), axes="xz"))
+    expected = "1 of 2 inputs · 6 of 216 channels, 0 inverse transforms for the map"
+    qtbot.waitUntil(lambda: work_words(window) == f"{expected} · float64, spectra")
+
+
+def test_hidden_traces_and_spectra_are_no_channels(window, qtbot):
+    for name in ("traces", "spectra"):
+        window.docks[name].close()
+    edit(window, amplitude=2.0)
+    qtbot.waitUntil(lambda: "· 0 of 216 channels" in work_words(window))
+    hint = label(window, "work").toolTip()
+    assert "No channel was brought back to time" in hint
+
+
+def test_a_hidden_map_is_not_spoken_of(window, qtbot):
+    window.docks["skin"].close()
+    edit(window, amplitude=2.0)
+    qtbot.waitUntil(lambda: work_words(window).endswith("of 216 channels · float64, spectra"))
+    assert "was not computed" in label(window, "work").toolTip()
+
+
+def test_a_long_scene_is_told_to_be_computed_block_by_block(window, qtbot):
+    edit(window, waveform=Tone(duration_s=14.0))
+    qtbot.waitUntil(lambda: work_words(window).endswith(f"float64, overlap-save {BLOCK_FFT}"))
+    assert "map block by block" in work_words(window)
+
+
+def test_an_empty_design_has_no_inputs(window, qtbot):
+    window.document.edit("a", replace(window.document.design, inputs=()))
+    qtbot.waitUntil(lambda: work_words(window).startswith("no inputs · "))
+
+
+def test_where_nothing_can_be_computed_there_is_no_speed(window, qtbot):
+    window.document.edit("a", replace(window.document.design, limb="measured-1"))
+    qtbot.waitUntil(lambda: work_words(window) == "1 of 1 inputs")
+    assert label(window, "timing").text() == ""
+    assert window.status_line.last_times()[0] is None
+
+
+def test_an_edit_is_timed_from_hand_to_screen(window, qtbot):
+    qtbot.waitUntil(lambda: label(window, "timing").text() != "")
+    before = len(window.status_line.last_times()[1])
+    edit(window, amplitude=2.0)
+    qtbot.waitUntil(lambda: len(window.status_line.last_times()[1]) > before)
+    last, seconds = window.status_line.last_times()
+    assert seconds[-1] == last.total_s
+    assert 0.0 < last.compute_s < last.total_s
+    assert 0.0 < last.draw_s < last.total_s
+    assert last.queue_s + last.compute_s + last.draw_s == pytest.approx(last.total_s)
+    qtbot.waitUntil(lambda: "waiting" in label(window, "timing").toolTip())
+    qtbot.waitUntil(lambda: "Last" in label(window, "timing").toolTip())
+
+
+def test_the_first_picture_is_no_edit(window, qtbot):
+    qtbot.waitUntil(lambda: window.status_line.last_times()[0] is not None)
+    assert window.status_line.last_times()[1] == ()
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
+def test_nothing_in_the_status_bar_is_clipped(window, qtbot, size):
+    window.resize(*size)
+    edit(window, amplitude=2.0)
+    qtbot.waitUntil(lambda: window.status_line.error.text() != "", timeout=5000)
+    window.status_line.show_error(TraceError(estimate=9e-16, bound=3e-13))
+    QApplication.processEvents()
+    shown = [one for one in window.statusBar().findChildren(QLabel) if one.isVisible()]
+    assert {one.objectName() for one in shown} == {"timing", "work", "trace_error", "limb_note"}
+    for one in shown:
+        if one.objectName() != "limb_note":
+            assert one.fontMetrics().horizontalAdvance(one.text()) <= one.contentsRect().width()
+        else:
+            assert one.sizeHint().width() <= one.width()
+    places = sorted((one.mapTo(window, QPoint()).x(), one.width()) for one in shown)
+    for (left, width), (following, _) in pairwise(places):
+        assert left + width <= following
+    assert work_words(window).endswith("float64, spectra")
+
+
+def test_the_error_stands_with_its_bound(window):
+    window.status_line.show_error(TraceError(estimate=1.2e-15, bound=3.4e-13))
+    assert window.status_line.error.text() == "· error ≈ 2e-15, at most 4e-13"
+    window.status_line.show_error(TraceError(estimate=1.2e-5, bound=3.4e-3))
+    assert "more than the 1e-14 that is promised" in window.status_line.error.toolTip()
+
+
+def test_transforms_beyond_those_of_channels_and_search_are_the_maps():
+    assert scope().map_transforms == 0
+    assert scope(work=Work(inverse_transforms=40, search_transforms=28)).map_transforms == 0
+    assert scope(work=Work(inverse_transforms=216)).map_transforms == 204
+    assert "1 inverse transform for the map" in scope(work=Work(inverse_transforms=13)).phrases()[0]
+
+
+def test_every_phrasing_is_shorter_than_the_one_before():
+    for one in (scope(), scope(streamed=True), scope(has_map=False), scope(inputs=0, heard=0)):
+        lengths = [len(words) for words in one.phrases()]
+        assert lengths == sorted(set(lengths), reverse=True)
+
+
+def test_a_fitting_label_shows_the_longest_phrasing_that_fits(qtbot):
+    one = FittingLabel()
+    qtbot.addWidget(one)
+    one.show_phrases(("a rather long phrasing of it", "a short one", "short"))
+    one.resize(one.sizeHint().width(), 20)
+    one.show()
+    assert one.text() == "a rather long phrasing of it"
+    one.resize(one.sizeHint().width() - 3, 20)
+    assert one.text() == "a short one"
+    one.resize(one.minimumSizeHint().width(), 20)
+    assert one.text() == "short"
+
+
+def test_only_the_last_hundred_edits_are_remembered():
+    times = EditTimes()
+    for k in range(250):
+        times.note(k * 1e-3)
+    assert times.seconds() == tuple(k * 1e-3 for k in range(150, 250))
+
+
+def test_of_a_hundred_times_at_most_five_are_slower_than_the_95_percent():
+    assert most_within(tuple(range(100))) == 94
+    assert most_within((3.0,)) == 3.0
+    assert most_within(tuple(range(20))) == 18
+
+
+def test_the_summary_names_median_95_percent_and_slowest():
+    seconds = (0.004, 0.008, 0.3)
+    assert summary(seconds) == ("Last 3 edits: median 8.0 ms, 95 % within 300 ms, slowest 300 ms.")
+    assert summary(()) == ""
+
+
+@pytest.mark.parametrize(
+    ("seconds", "words"),
+    [(0.0004, "0.4 ms"), (0.00994, "9.9 ms"), (0.00996, "10 ms"), (0.3, "300 ms"), (1.26, "1.3 s")],
+)
+def test_times_have_two_digits(seconds, words):
+    assert milliseconds(seconds) == words
+
+
+def test_waiting_is_what_is_neither_computing_nor_drawing():
+    one = EditTime(compute_s=0.003, draw_s=0.005, total_s=0.009)
+    assert one.queue_s == pytest.approx(0.001)
+    assert one.sentence() == (
+        "On screen 9.0 ms after the edit: 1.0 ms waiting, 3.0 ms computing, 5.0 ms drawing."
+    )
+
+
+@pytest.fixture
+def sparkline(qtbot):
+    one = Sparkline(lambda: "about them")
+    qtbot.addWidget(one)
+    one.resize(one.sizeHint())
+    one.show()
+    qtbot.waitExposed(one)
+    QApplication.processEvents()
+    return one
+
+
+@pytest.mark.parametrize("theme", [LIGHT, DARK])
+def test_a_slow_edit_is_a_high_amber_bar_and_a_quick_one_a_low_bar(sparkline, theme):
+    sparkline.show_theme(theme)
+    sparkline.show_times((0.3, 0.008))
+    QApplication.processEvents()
+    picture = sparkline.grab().toImage()
+    last = picture.width() - 1
+    assert picture.pixelColor(last - 1, 1).name() == theme.warning
+    assert picture.pixelColor(last, 13).name() == theme.accent
+    assert picture.pixelColor(last, 10).name() not in (theme.accent, theme.warning)
+    assert picture.pixelColor(3, 8).name() == theme.dim
+
+
+def test_the_sparkline_is_painted_at_most_four_times_a_second(sparkline, qtbot):
+    painted = []
+    original = sparkline.paintEvent
+
+    def count(event):
+        painted.append(event)
+        original(event)
+
+    sparkline.paintEvent = count
+    for k in range(50):
+        sparkline.show_times((0.001 * k,) * 5)
+        QApplication.processEvents()
+    assert len(painted) <= 2
+    qtbot.waitUntil(lambda: not sparkline._waits)
+    QApplication.processEvents()
+    assert len(painted) in (2, 3)
+
+
+def test_the_sparkline_says_its_numbers_on_hover_and_to_screen_readers(sparkline):
+    sparkline.show_times((0.01,))
+    here = QPoint(5, 5)
+    QApplication.sendEvent(
+        sparkline, QHelpEvent(QEvent.Type.ToolTip, here, sparkline.mapToGlobal(here))
+    )
+    assert QToolTip.text() == "about them"
+    assert sparkline.accessibleDescription() == "about them"
+    QToolTip.hideText()
