@@ -92,7 +92,7 @@ def test_only_the_places_that_are_heard_are_read(studio):
 def test_waveforms_alone_need_no_response(studio):
     studio.show(FOUR, "input_waveforms", "response_time_s")
     assert studio.limb.bytes_read == 0
-    assert not {"others_spectrum", "pivot_spectrum", "surface"} & set(studio.graph.runs)
+    assert not {"others_spectrum", "pivot_drive", "surface"} & set(studio.graph.runs)
 
 
 def test_what_is_hidden_does_not_run(studio):

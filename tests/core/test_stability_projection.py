@@ -198,7 +198,7 @@ def test_moments_of_spectra_know_levels_along_axes_and_where_there_is_none(noted
     data[6:9] = np.random.default_rng(SEED).standard_normal((3, 3, 1300)) + 0.5
     n_fft = transform_length(1300)
     spectra = forward(data, n_fft)
-    moments = moments_of(spectra, spectra, n_fft, products=True)
+    moments = moments_of(spectra, n_fft, products=True)
     chosen = data[:, ["xyz".index(axis) for axis in axes]]
     expected = no_main_axis(covariance(chosen))
     np.testing.assert_array_equal(without_main_axis(moments, axes, "pca", 1300), expected)

@@ -15,6 +15,8 @@ from skinsource.rendering.transforms import Complexes, Floats
 #: Below this share of its terms a sum has lost too many digits, and is computed another way.  Above
 #: it the rounding of the terms, about 4e-16 of their size, keeps a level right to 1e-14.
 _CANCELLED = 0.05
+#: Different axes whose products are wanted.
+PAIRS = (0, 1), (0, 2), (1, 2)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -38,25 +40,17 @@ def needs_products(axes: Axes, method: Method) -> bool:
     return len(axes) > 1 and method != "mag"
 
 
-def moments_of(left: Complexes, right: Complexes, n_fft: int, *, products: bool) -> Moments:
-    """Moments between two fields from their spectra, symmetrised.
+def moments_of(spectra: Complexes, n_fft: int, *, products: bool) -> Moments:
+    """Moments of a field from its spectra, (n_outputs, 3, n_fft // 2 + 1).
 
-    Parameters
-    ----------
-    left, right : (n_outputs, 3, n_fft // 2 + 1)
-        Spectra; the same array twice gives the moments of one field.
-    products
-        Whether products of different axes are wanted.
+    Products of different axes only if ``products`` are wanted.
     """
-    second = np.zeros((*left.shape[:2], 3))
+    second = np.zeros((*spectra.shape[:2], 3))
     for a in range(3):
-        second[:, a, a] = _product_sum(left[:, a], right[:, a])
-    for a, b in ((0, 1), (0, 2), (1, 2)) if products else ():
-        value = _product_sum(left[:, a], right[:, b])
-        if left is not right:
-            value = 0.5 * (value + _product_sum(left[:, b], right[:, a]))
-        second[:, a, b] = second[:, b, a] = value
-    return Moments(second / n_fft, left[:, :, 0].real.copy())
+        second[:, a, a] = _product_sum(spectra[:, a], spectra[:, a])
+    for a, b in PAIRS if products else ():
+        second[:, a, b] = second[:, b, a] = _product_sum(spectra[:, a], spectra[:, b])
+    return Moments(second / n_fft, spectra[:, :, 0].real.copy())
 
 
 def _product_sum(left: Complexes, right: Complexes) -> Floats:

@@ -11,6 +11,11 @@ from skinsource.rendering.transforms import Complexes, Floats, forward, inverse
 Channel = tuple[int, int]
 
 
+def rows_of(spectrum: Complexes, channels: list[Channel]) -> Complexes:
+    """Some channels of (72 outputs, 3 axes, n_bins), one in a row."""
+    return np.array([spectrum[output - 1, axis] for output, axis in channels])
+
+
 class Part:
     """A field by its spectrum; single channels are brought back to time when asked for.
 
@@ -19,8 +24,8 @@ class Part:
 
     Parameters
     ----------
-    spectrum : (72 outputs, 3 axes, n_fft // 2 + 1)
-        Spectrum of the field.
+    spectra
+        Function from channels to their spectra, (n_channels, n_fft // 2 + 1).
     felt : (n_times,) of bool
         When the field can be felt at all; elsewhere it is exactly zero.
     exact_spectra
@@ -34,19 +39,19 @@ class Part:
         "_exact_spectra",
         "_felt",
         "_n_fft",
-        "_spectrum",
+        "_spectra",
         "_trace_spectra",
         "_traces",
     )
 
     def __init__(
         self,
-        spectrum: Complexes,
+        spectra: Callable[[list[Channel]], Complexes],
         n_fft: int,
         felt: Booleans,
         exact_spectra: Callable[[list[Channel]], Complexes] | None = None,
     ) -> None:
-        self._spectrum = spectrum
+        self._spectra = spectra
         self._n_fft = n_fft
         self._felt = felt
         self._exact_spectra = exact_spectra
@@ -57,8 +62,7 @@ class Part:
         """Acceleration of some outputs, (n_outputs, n_axes, n_times)."""
         missing = self._traces.missing(outputs, axes)
         if missing:
-            rows = np.array([self._spectrum[output - 1, axis] for output, axis in missing])
-            samples = inverse(rows, self._n_fft)[:, : self._felt.size]
+            samples = inverse(self._spectra(missing), self._n_fft)[:, : self._felt.size]
             self._traces.add(missing, np.where(self._felt, samples, 0.0))
         return self._traces.of(outputs, axes)
 

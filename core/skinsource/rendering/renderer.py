@@ -19,7 +19,7 @@ from skinsource.rendering.check import Heard, TraceError, exact_gains, trace_err
 from skinsource.rendering.drives import Booleans, Drive, Drives, Source, delayed, reach, source_of
 from skinsource.rendering.exact_spectra import ExactSpectra
 from skinsource.rendering.gains import Gains
-from skinsource.rendering.part import Part
+from skinsource.rendering.part import Part, rows_of
 from skinsource.rendering.response_spectra import ResponseSpectra, ResponseSpectrum
 from skinsource.rendering.segments import BLOCK_FFT, Played
 from skinsource.rendering.streaming import Stop, StreamedField
@@ -47,7 +47,8 @@ class Renderer:
             self.input_waveforms,
             self.stimulus_samples,
             self.others_spectrum,
-            self.pivot_unit_spectrum,
+            self.pivot_response,
+            self.pivot_drive,
             self.others_felt,
             self.pivot_felt,
             self.pivot_part,
@@ -88,21 +89,27 @@ class Renderer:
         """Field of all audible inputs but the selected one, (72, 3, n_bins); None: silence."""
         return None if n_fft is None else self._sum(limb_data, others, scaling, n_fft)
 
-    def pivot_unit_spectrum(
+    def pivot_response(
         self,
         limb_data: Limb,
         pivot_source: Source | None,
         scaling: Scaling,
         n_fft: int | None,
-    ) -> Complexes | None:
-        """Field of the selected input at amplitude 1 and onset 0, before any gain."""
+    ) -> ResponseSpectrum | None:
+        """Responses to the place of the selected input."""
         if pivot_source is None or n_fft is None:
             return None
-        if self._drives.drawn(pivot_source, limb_data.sample_rate_hz).silent:
+        return self._responses.of(limb_data, pivot_source.location, scaling, n_fft)
+
+    def pivot_drive(
+        self, pivot_source: Source | None, sample_rate_hz: float, n_fft: int | None
+    ) -> Complexes | None:
+        """Spectrum of what the selected input plays, from time 0 on, (n_bins,); None: silence."""
+        if pivot_source is None or n_fft is None:
             return None
-        drive = self._drives.spectrum(pivot_source, limb_data.sample_rate_hz, n_fft)
-        response = self._responses.of(limb_data, pivot_source.location, scaling, n_fft)
-        return sum_of_fields([response.values], [drive])
+        if self._drives.drawn(pivot_source, sample_rate_hz).silent:
+            return None
+        return self._drives.spectrum(pivot_source, sample_rate_hz, n_fft)
 
     def others_felt(
         self,
@@ -138,35 +145,38 @@ class Renderer:
         limb_data: Limb,
         pivot_source: Source | None,
         scaling: Scaling,
-        pivot_unit_spectrum: Complexes | None,
+        pivot_response: ResponseSpectrum | None,
+        pivot_drive: Complexes | None,
         pivot_felt: Booleans,
-        n_fft: int | None,
     ) -> Part | None:
         """Field of the selected input at amplitude 1 and onset 0, to be brought back to time."""
-        if pivot_unit_spectrum is None or pivot_source is None or n_fft is None:
+        if pivot_response is None or pivot_source is None or pivot_drive is None:
             return None
-        location = pivot_source.location
+        values, taps = pivot_response.values, pivot_response.taps
         samples = self._drives.drawn(pivot_source, limb_data.sample_rate_hz).samples
-        taps = self._responses.of(limb_data, location, scaling, n_fft).taps
-        name = ref(limb_data), location, scaling == "probe"
+        name = ref(limb_data), pivot_source.location, scaling == "probe"
         exact = self._exact_spectra.of(samples, taps, name, pivot_felt.size)
-        return Part(pivot_unit_spectrum, n_fft, pivot_felt, exact)
+        return Part(
+            lambda channels: rows_of(values, channels) * pivot_drive,
+            pivot_response.n_fft,
+            pivot_felt,
+            exact,
+        )
 
     def pivot_gain(
         self,
         limb_data: Limb,
         pivot_source: Source | None,
         scaling: Scaling,
-        n_fft: int | None,
+        pivot_response: ResponseSpectrum | None,
     ) -> float:
         """What the field of the selected input is multiplied with at amplitude 1."""
-        if pivot_source is None or n_fft is None:
+        if pivot_source is None or pivot_response is None:
             return 0.0
         drive = self._drives.drawn(pivot_source, limb_data.sample_rate_hz)
         if drive.silent:
             return drive.factor
-        response = self._responses.of(limb_data, pivot_source.location, scaling, n_fft)
-        return self._gains.of(limb_data, scaling, [pivot_source], [response])[0]
+        return self._gains.of(limb_data, scaling, [pivot_source], [pivot_response])[0]
 
     def streamed_field(
         self,

@@ -11,6 +11,7 @@ from skinsource.design import Input, audible_indices, audible_inputs
 from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS
 from skinsource.projection import Axes, Method, axis_numbers
 from skinsource.rendering.drives import Booleans, Source, delayed, source_of
+from skinsource.rendering.forms import CrossForms, OwnForms
 from skinsource.rendering.moments import (
     Moments,
     combined,
@@ -20,7 +21,8 @@ from skinsource.rendering.moments import (
     moments_of,
     needs_products,
 )
-from skinsource.rendering.part import Part
+from skinsource.rendering.part import Part, rows_of
+from skinsource.rendering.response_spectra import ResponseSpectrum
 from skinsource.rendering.segments import length_at_once
 from skinsource.rendering.streaming import Stop, StreamedField
 from skinsource.rendering.transforms import Complexes, Floats
@@ -53,13 +55,13 @@ def pivot_delay(pivot: Input | None, sample_rate_hz: float) -> int:
     return 0 if pivot is None else sample_count(pivot.onset_s, sample_rate_hz)
 
 
-def pivot_spectrum(
-    pivot_unit_spectrum: Complexes | None, pivot_delay: int, n_fft: int | None
+def pivot_delayed_drive(
+    pivot_drive: Complexes | None, pivot_delay: int, n_fft: int | None
 ) -> Complexes | None:
-    """Field of the selected input at amplitude 1, before any gain, (72, 3, n_bins)."""
-    if pivot_unit_spectrum is None or n_fft is None:
+    """Spectrum of what the selected input plays, from its onset on, (n_bins,)."""
+    if pivot_drive is None or n_fft is None:
         return None
-    return delayed(pivot_unit_spectrum, pivot_delay, n_fft)
+    return delayed(pivot_drive, pivot_delay, n_fft)
 
 
 def pivot_weight(pivot: Input | None, pivot_gain: float) -> float:
@@ -88,31 +90,54 @@ def others_part(
     """Field of all inputs but the selected one, to be brought back to time."""
     if others_spectrum is None or n_fft is None:
         return None
-    return Part(others_spectrum, n_fft, others_felt)
+    return Part(lambda channels: rows_of(others_spectrum, channels), n_fft, others_felt)
 
 
 def others_moments(
     others_spectrum: Complexes | None, n_fft: int | None, products_needed: bool
 ) -> Moments | None:
     """Moments of all inputs but the selected one."""
-    return _moments(others_spectrum, others_spectrum, n_fft, products_needed)
+    if others_spectrum is None or n_fft is None:
+        return None
+    return moments_of(others_spectrum, n_fft, products=products_needed)
+
+
+def own_forms(pivot_response: ResponseSpectrum | None) -> OwnForms | None:
+    """What moments of the selected input follow from, whatever it plays."""
+    return None if pivot_response is None else OwnForms(pivot_response.values)
+
+
+def cross_forms(
+    others_spectrum: Complexes | None, pivot_response: ResponseSpectrum | None
+) -> CrossForms | None:
+    """What moments between it and all others follow from, whatever it plays."""
+    if others_spectrum is None or pivot_response is None:
+        return None
+    return CrossForms(others_spectrum, pivot_response.values)
 
 
 def pivot_moments(
-    pivot_unit_spectrum: Complexes | None, n_fft: int | None, products_needed: bool
+    own_forms: OwnForms | None,
+    pivot_drive: Complexes | None,
+    n_fft: int | None,
+    products_needed: bool,
 ) -> Moments | None:
     """Moments of the selected input at amplitude 1, before any gain; its onset has no part."""
-    return _moments(pivot_unit_spectrum, pivot_unit_spectrum, n_fft, products_needed)
+    if own_forms is None or pivot_drive is None or n_fft is None:
+        return None
+    return own_forms.moments(pivot_drive, n_fft, products=products_needed)
 
 
 def cross_moments(
-    others_spectrum: Complexes | None,
-    pivot_spectrum: Complexes | None,
+    cross_forms: CrossForms | None,
+    pivot_delayed_drive: Complexes | None,
     n_fft: int | None,
     products_needed: bool,
 ) -> Moments | None:
     """Moments between the selected input and all others."""
-    return _moments(others_spectrum, pivot_spectrum, n_fft, products_needed)
+    if cross_forms is None or pivot_delayed_drive is None or n_fft is None:
+        return None
+    return cross_forms.moments(pivot_delayed_drive, n_fft, products=products_needed)
 
 
 def moments(
@@ -120,8 +145,8 @@ def moments(
     cross_moments: Moments | None,
     pivot_moments: Moments | None,
     pivot_weight: float,
-    others_spectrum: Complexes | None,
-    pivot_spectrum: Complexes | None,
+    cross_forms: CrossForms | None,
+    pivot_delayed_drive: Complexes | None,
     n_fft: int | None,
     products_needed: bool,
     streamed_field: StreamedField | None,
@@ -139,11 +164,11 @@ def moments(
     if others_moments is None or cross_moments is None:
         return Moments(pivot_weight**2 * pivot_moments.second, pivot_weight * pivot_moments.first)
     total, cancelled = combined(others_moments, cross_moments, pivot_moments, pivot_weight)
-    if others_spectrum is not None and pivot_spectrum is not None and cancelled.any():
-        field = others_spectrum[cancelled] + pivot_weight * pivot_spectrum[cancelled]
-        again = _moments(field, field, n_fft, products_needed)
-        if again is not None:
-            total.second[cancelled], total.first[cancelled] = again.second, again.first
+    if cancelled.any() and cross_forms and pivot_delayed_drive is not None and n_fft is not None:
+        unit = cross_forms.values[cancelled] * pivot_delayed_drive
+        field = cross_forms.others[cancelled] + pivot_weight * unit
+        again = moments_of(field, n_fft, products=products_needed)
+        total.second[cancelled], total.first[cancelled] = again.second, again.first
     return total
 
 
@@ -160,7 +185,8 @@ def output_rms(
     axes: Axes,
     response_samples: int,
     others_spectrum: Complexes | None,
-    pivot_spectrum: Complexes | None,
+    pivot_response: ResponseSpectrum | None,
+    pivot_delayed_drive: Complexes | None,
     pivot_weight: float,
     n_fft: int | None,
 ) -> Floats:
@@ -171,8 +197,12 @@ def output_rms(
     """
     energy, cancelled = energies(moments, directions, axes)
     if directions is not None and n_fft is not None and cancelled.any():
-        chosen = axis_numbers(axes)
-        field = _sum_of(others_spectrum, pivot_spectrum, pivot_weight, cancelled, chosen)
+        rows = np.ix_(np.flatnonzero(cancelled), np.array(axis_numbers(axes)))
+        field = np.zeros((int(cancelled.sum()), len(axes), n_fft // 2 + 1), np.complex128)
+        if others_spectrum is not None:
+            field += others_spectrum[rows]
+        if pivot_response is not None and pivot_delayed_drive is not None:
+            field += pivot_response.values[rows] * pivot_delayed_drive * pivot_weight
         projected = np.einsum("oa,oaf->of", directions[cancelled], field)
         energy[cancelled] = energies_of(projected, n_fft)
     return np.sqrt(energy / response_samples)
@@ -189,13 +219,15 @@ RULES = (
     others,
     pivot_source,
     pivot_delay,
-    pivot_spectrum,
+    pivot_delayed_drive,
     pivot_weight,
     response_samples,
     n_fft,
     products_needed,
     others_part,
     others_moments,
+    own_forms,
+    cross_forms,
     pivot_moments,
     cross_moments,
     moments,
@@ -203,29 +235,6 @@ RULES = (
     output_rms,
     output_levels_db,
 )
-
-
-def _moments(
-    left: Complexes | None, right: Complexes | None, n_fft: int | None, products: bool
-) -> Moments | None:
-    if left is None or right is None or n_fft is None:
-        return None
-    return moments_of(left, right, n_fft, products=products)
-
-
-def _sum_of(
-    others: Complexes | None,
-    pivot: Complexes | None,
-    weight: float,
-    outputs: Booleans,
-    axes: tuple[int, ...],
-) -> Complexes:
-    parts = [
-        factor * spectrum[outputs][:, list(axes)]
-        for factor, spectrum in ((1.0, others), (weight, pivot))
-        if spectrum is not None
-    ]
-    return sum(parts[1:], parts[0])
 
 
 def _silence() -> Moments:
