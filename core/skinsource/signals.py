@@ -4,6 +4,7 @@ Times are ``arange(n) / sample_rate_hz``; amplitude 1 is the peak of the recipe.
 """
 
 from fractions import Fraction
+from math import floor, isfinite
 from typing import Literal, get_args
 
 import numpy as np
@@ -32,9 +33,9 @@ def sample_count(duration_s: float, sample_rate_hz: float = SAMPLE_RATE_HZ) -> i
 
     The product is rounded first, because 0.35 s x 1300 Hz is 454.99999999999994 in binary.
     """
-    if not (duration_s >= 0 and np.isfinite(duration_s * sample_rate_hz)):
+    if not (duration_s >= 0 and isfinite(duration_s * sample_rate_hz)):
         raise InvalidInputError(f"duration_s is {duration_s}, expected a finite time of 0 or more")
-    return int(np.floor(round(duration_s * sample_rate_hz, 6) + 0.5))
+    return floor(round(duration_s * sample_rate_hz, 6) + 0.5)
 
 
 def window(name: WindowName, n: int) -> Floats:
@@ -94,7 +95,8 @@ def sinusoid(
         raise InvalidInputError(f"phase_rad is {phase_rad}, expected a finite number")
     n = sample_count(duration_s, sample_rate_hz)
     turns_per_sample = Fraction(float(frequency_hz)) / Fraction(float(sample_rate_hz))
-    starts = [float(k * turns_per_sample % 1) for k in range(0, n, _PHASE_BLOCK)]
+    above, below = turns_per_sample.as_integer_ratio()
+    starts = [k * above % below / below for k in range(0, n, _PHASE_BLOCK)]
     within = np.arange(_PHASE_BLOCK) * float(turns_per_sample)
     turns = np.add.outer(np.array(starts), within).ravel()[:n]
     return np.sin(2.0 * np.pi * turns + phase_rad) * window(window_name, n)

@@ -35,15 +35,17 @@ def channel_bounds(
     (n_pieces, 216)
     """
     starts = np.arange(0, spectra.shape[-1], BAND_BINS)
-    bands = np.add.reduceat(np.abs(spectra), starts, axis=-1)
-    norms = _largest_norms(samples)
-    peaks = np.abs(samples).max(axis=-1, initial=0.0)
-    found = np.empty((3, len(samples), len(responses[0].absolute_sums)))
-    for piece, response in enumerate(responses):
-        np.matmul(response.band_magnitudes, bands[piece], out=found[0, piece])
-        np.matmul(response.section_norms, norms[piece], out=found[1, piece])
-        np.multiply(response.absolute_sums, peaks[piece], out=found[2, piece])
-    bounds: Floats = found.min(axis=0) * _MARGIN
+    # The drives are scaled: their squares are far from over- and underflow.
+    magnitudes = np.sqrt(np.square(spectra.real) + np.square(spectra.imag))
+    bands = np.add.reduceat(magnitudes, starts, axis=-1)
+    by_frequency = np.empty((len(samples), len(responses[0].absolute_sums)))
+    for row, response, band in zip(by_frequency, responses, bands, strict=True):
+        np.matmul(response.band_magnitudes, band, out=row)
+    section_norms = np.array([response.section_norms for response in responses])
+    by_section = (section_norms @ _largest_norms(samples)[:, :, None])[:, :, 0]
+    by_peak = np.array([response.absolute_sums for response in responses])
+    by_peak *= np.abs(samples).max(axis=-1, initial=0.0)[:, None]
+    bounds: Floats = np.minimum(np.minimum(by_frequency, by_section), by_peak) * _MARGIN
     return bounds
 
 

@@ -52,9 +52,10 @@ class Field:
         """Acceleration of some outputs, (n_outputs, n_axes, n_times), in m/s²."""
         if self.streamed is not None:
             return self.streamed.traces(outputs, axes, stop)
-        total = np.zeros((len(outputs), len(axes), self.n_times))
         if self.others is not None:
-            total += self.others.traces(outputs, axes)
+            total = self.others.traces(outputs, axes).copy()
+        else:
+            total = np.zeros((len(outputs), len(axes), self.n_times))
         if self.pivot is not None and self.weight != 0.0:
             unit = self.pivot.traces(outputs, axes)
             started = self.n_times - self.delay_samples
@@ -67,9 +68,10 @@ class Field:
         """Their transforms over exactly n_times samples, (n_outputs, n_axes, n_times // 2 + 1)."""
         if self.streamed is not None:
             return one_by_one(self.streamed.traces(outputs, axes, stop), stop)
-        total = np.zeros((len(outputs), len(axes), self.n_times // 2 + 1), np.complex128)
         if self.others is not None:
-            total += self.others.trace_spectra(outputs, axes)
+            total = self.others.trace_spectra(outputs, axes).copy()
+        else:
+            total = np.zeros((len(outputs), len(axes), self.n_times // 2 + 1), np.complex128)
         if self.pivot is not None and self.weight != 0.0:
             unit = self.pivot.trace_spectra(outputs, axes)
             total += self.weight * delayed(unit, self.delay_samples, self.n_times)

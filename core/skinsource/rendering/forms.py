@@ -25,6 +25,11 @@ class OwnForms:
     values: Complexes
 
     @cached_property
+    def conjugates(self) -> Complexes:
+        """Conjugate spectra of the responses."""
+        return self.values.conj()
+
+    @cached_property
     def _squares(self) -> Floats:
         return np.square(self.values.real) + np.square(self.values.imag)
 
@@ -49,24 +54,22 @@ class OwnForms:
 class CrossForms:
     """What the field of the other inputs and the responses to one place make of a drive.
 
-    ``others`` is that field, ``values`` are the spectra of the responses, both (72, 3, n_bins).
+    ``others`` is that field, (72, 3, n_bins), ``own`` holds the responses.
     """
 
     others: Complexes
-    values: Complexes
+    own: OwnForms
 
     @cached_property
     def _squares(self) -> Floats:
-        found = np.conjugate(self.others)
-        found *= self.values
-        return found.view(np.float64)
+        return np.multiply(self.others, self.own.conjugates).view(np.float64)
 
     @cached_property
     def _products(self) -> Floats:
-        found = np.empty(self.values.shape, np.complex128)
+        found = np.empty(self.others.shape, np.complex128)
         for k, (a, b) in enumerate(PAIRS):
-            np.multiply(self.others[:, a].conj(), self.values[:, b], out=found[:, k])
-            found[:, k] += self.others[:, b].conj() * self.values[:, a]
+            np.multiply(self.others[:, a], self.own.conjugates[:, b], out=found[:, k])
+            found[:, k] += self.others[:, b] * self.own.conjugates[:, a]
         found *= 0.5
         return found.view(np.float64)
 
@@ -76,7 +79,7 @@ class CrossForms:
         There are none of first order between two fields.
         """
         # The real part of a product of complex numbers, as one of real rows and columns.
-        column = (drive.conj() * _weights(n_fft)).view(np.float64)
+        column = (drive * _weights(n_fft)).view(np.float64)
         second = _filled(self._squares @ column, self._products @ column if products else None)
         return Moments(second, np.zeros(second.shape[:2]))
 

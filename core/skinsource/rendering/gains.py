@@ -60,15 +60,15 @@ class Gains:
         limb: Limb,
         scaling: Scaling,
         sources: Sequence[Source],
+        drives: Sequence[Drive],
         responses: Sequence[ResponseSpectrum],
         stop: Callable[[], bool] = lambda: False,
     ) -> list[float]:
         """Gain of each source, none of them silent; what is not known is found together.
 
-        ``responses`` are those to the places of the sources, all of the length of blocks or all of
-        a length that holds each waveform and its response.
+        ``drives`` are what the sources play, ``responses`` those to their places: all of the
+        length of blocks, or all of a length that holds each waveform and its response.
         """
-        drives = [self._drives.drawn(one, limb.sample_rate_hz) for one in sources]
         if scaling != "upstream":
             return [drive.factor for drive in drives]
         pairs = zip(sources, (r.n_fft for r in responses), strict=True)

@@ -5,9 +5,11 @@ maximum found: the result is that of the full search.
 """
 
 from collections.abc import Callable, Sequence
+from itertools import chain, repeat
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from skinsource.graph import Stopped
 from skinsource.limb import N_TAPS
@@ -18,7 +20,7 @@ from skinsource.rendering.transforms import Complexes, Floats, forward, inverse
 from skinsource.work import tally
 
 #: Channels of an input that are transformed before its bounds are looked at again.
-_BATCHES = (5, 11, 16)
+_BATCHES = (4, 8, 8, 16)
 #: Blocks whose bounds are held together.
 _BLOCKS_AT_ONCE = 128
 
@@ -56,15 +58,49 @@ def peaks_of(
         pairs = zip(drives, responses, strict=True)
         return [_peak_by_blocks(drive, response, stop) for drive, response in pairs]
     padded = np.zeros((len(drives), max(drive.size for drive in drives)))
-    for row, drive in zip(padded, drives, strict=True):
-        row[: drive.size] = drive
+    for line, drive in zip(padded, drives, strict=True):
+        line[: drive.size] = drive
     bounds = channel_bounds(padded, np.array(spectra), responses)
-    searches = [
-        _Search(spectrum[None], response, bound, Peak(-np.inf))
-        for spectrum, response, bound in zip(spectra, responses, bounds, strict=True)
-    ]
-    _finish(searches, (0,), 0, stop)
-    return [search.peak for search in searches]
+    order = np.argsort(-bounds, axis=-1, kind="stable")
+    peaks = [Peak(-np.inf) for _ in spectra]
+    largest = np.full(len(peaks), -np.inf)
+    begin = 0
+    for batch in chain(_BATCHES, repeat(_BATCHES[-1])):
+        if stop():
+            raise Stopped
+        chosen = order[:, begin : begin + batch]
+        begin += batch
+        open_ones = np.take_along_axis(bounds, chosen, axis=-1) > largest[:, None]
+        if not open_ones.any():
+            return peaks
+        which = np.nonzero(open_ones)[0]
+        channel = chosen[open_ones]
+        signals = _signals(spectra, responses, np.bincount(which, minlength=len(peaks)), channel)
+        time = signals.argmax(axis=-1)
+        value = signals[np.arange(time.size), time]
+        for row in np.flatnonzero(value > largest[which]).tolist():
+            k = int(which[row])
+            if value[row] > largest[k]:
+                largest[k] = value[row]
+                peaks[k] = Peak(float(value[row]), int(channel[row]), int(time[row]))
+    return peaks
+
+
+def _signals(
+    spectra: Sequence[Complexes],
+    responses: Sequence[ResponseSpectrum],
+    counts: NDArray[np.int64],
+    channels: NDArray[np.int64],
+) -> Floats:
+    """Fields of drives at so many channels of each, (n_channels, n_fft)."""
+    found = np.empty((channels.size, spectra[0].size), np.complex128)
+    end = 0
+    for spectrum, response, count in zip(spectra, responses, counts.tolist(), strict=True):
+        begin, end = end, end + count
+        if count:
+            np.multiply(response.rows[channels[begin:end]], spectrum, out=found[begin:end])
+    tally(search_transforms=channels.size)
+    return inverse(found, responses[0].n_fft)
 
 
 def _peak_by_blocks(samples: Floats, response: ResponseSpectrum, stop: Callable[[], bool]) -> Peak:
@@ -81,68 +117,45 @@ def _peak_by_blocks(samples: Floats, response: ResponseSpectrum, stop: Callable[
             segments = np.array(list(felt.values()))
             spectra = forward(segments, BLOCK_FFT)
             bounds = channel_bounds(segments, spectra, [response] * len(segments))
-            search = _Search(spectra, response, bounds.ravel(), peak)
-            _finish([search], tuple(felt), N_TAPS - 1, stop)
-            peak = search.peak
+            peak = _search(spectra, response, bounds, list(felt), peak, stop)
     return peak
 
 
-class _Search:
-    """How far the search for the maximum of a unit field has come.
+def _search(
+    spectra: Complexes,
+    response: ResponseSpectrum,
+    bounds: Floats,
+    starts: list[int],
+    peak: Peak,
+    stop: Callable[[], bool],
+) -> Peak:
+    """Largest sample of blocks of a field, or ``peak`` if none exceeds it.
 
     Parameters
     ----------
-    spectra : (n_pieces, n_bins)
-        Spectra of the pieces of the drive.
-    bounds : (n_pieces * 216,)
-        What no sample of a piece and channel exceeds.
-    peak
-        The largest found before.
+    spectra : (n_blocks, n_bins)
+        Spectra of the blocks of the drive.
+    bounds : (n_blocks, 216)
+        What no sample of a block and channel exceeds.
+    starts
+        First sample of the response in each block.
     """
-
-    def __init__(
-        self, spectra: Complexes, response: ResponseSpectrum, bounds: Floats, peak: Peak
-    ) -> None:
-        self._spectra, self._response, self._bounds = spectra, response, bounds
-        self._order = np.argsort(-bounds, kind="stable")
-        self._start = self._step = 0
-        self._piece = self._channel = self._order[:0]
-        self.peak = peak
-
-    def next_rows(self) -> Complexes:
-        """Spectra of what is to be transformed next, (n, n_bins); none: the maximum is found."""
-        batch = _BATCHES[min(self._step, len(_BATCHES) - 1)]
-        chosen = self._order[self._start : self._start + batch]
-        chosen = np.sort(chosen[self._bounds[chosen] > self.peak.value])
-        self._start, self._step = self._start + batch, self._step + 1
-        self._piece, self._channel = np.divmod(chosen, len(self._response.rows))
-        return self._response.rows[self._channel] * self._spectra[self._piece]
-
-    def note(self, signals: Floats, starts: Sequence[int]) -> None:
-        """Take over what the rows are in time, (n, n_times), of pieces that start at ``starts``."""
-        row, time = divmod(int(signals.argmax()), signals.shape[-1])
-        value = float(signals[row, time])
-        if value > self.peak.value:
-            first = starts[self._piece[row]]
-            self.peak = Peak(value, int(self._channel[row]), first + time)
-
-
-def _finish(
-    searches: list[_Search], starts: Sequence[int], skipped: int, stop: Callable[[], bool]
-) -> None:
-    """Transform what is needed, for all searches together; the first samples do not count."""
-    while searches:
+    flat = bounds.ravel()
+    order = np.argsort(-flat, kind="stable")
+    begin = 0
+    for batch in chain(_BATCHES, repeat(_BATCHES[-1])):
         if stop():
             raise Stopped
-        chosen = [(search, search.next_rows()) for search in searches]
-        unfinished = [(search, rows) for search, rows in chosen if len(rows)]
-        if not unfinished:
-            return
-        spectra = np.concatenate([rows for _, rows in unfinished])
-        signals = inverse(spectra, 2 * (spectra.shape[-1] - 1))[:, skipped:]
-        tally(search_transforms=len(signals))
-        end = 0
-        for search, rows in unfinished:
-            begin, end = end, end + len(rows)
-            search.note(signals[begin:end], starts)
-        searches = [search for search, _ in unfinished]
+        chosen = order[begin : begin + batch]
+        begin += batch
+        chosen = np.sort(chosen[flat[chosen] > peak.value])
+        if chosen.size == 0:
+            break
+        block, channel = np.divmod(chosen, bounds.shape[-1])
+        signals = inverse(response.rows[channel] * spectra[block], BLOCK_FFT)[:, N_TAPS - 1 :]
+        tally(search_transforms=chosen.size)
+        row, time = divmod(int(signals.argmax()), signals.shape[-1])
+        if signals[row, time] > peak.value:
+            first = starts[block[row]]
+            peak = Peak(float(signals[row, time]), int(channel[row]), first + time)
+    return peak

@@ -26,9 +26,12 @@ class Memory(Generic[V]):
 
     def find(self, key: Hashable) -> V | None:
         """Return the value of ``key``, or None."""
-        if key in self._values:
+        # A key takes longer to hash than to find: no more often than needed.
+        try:
             self._values.move_to_end(key)
-        return self._values.get(key)
+        except KeyError:
+            return None
+        return self._values[key]
 
     def add(self, key: Hashable, value: V) -> None:
         """Remember ``value``, which was not known."""

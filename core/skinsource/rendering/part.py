@@ -88,18 +88,21 @@ class _Channels:
     def __init__(self, length: int) -> None:
         self._length = length
         self.known: dict[Channel, np.ndarray] = {}
-        self._latest: tuple[object, np.ndarray] | None = None
+        self._latest: tuple[list[Channel], np.ndarray] | None = None
 
     def missing(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> list[Channel]:
-        channels = [(output, axis) for output in outputs for axis in axes]
-        return [channel for channel in channels if channel not in self.known]
+        return [channel for channel in _all(outputs, axes) if channel not in self.known]
 
     def add(self, channels: list[Channel], rows: np.ndarray) -> None:
         self.known.update(zip(channels, rows, strict=True))
+        self._latest = channels, rows
 
     def of(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> np.ndarray:
-        asked = outputs, axes
+        asked = _all(outputs, axes)
         if self._latest is None or self._latest[0] != asked:
-            rows = np.array([self.known[output, axis] for output in outputs for axis in axes])
-            self._latest = asked, rows.reshape(len(outputs), len(axes), self._length)
-        return self._latest[1]
+            self._latest = asked, np.array([self.known[channel] for channel in asked])
+        return self._latest[1].reshape(len(outputs), len(axes), self._length)
+
+
+def _all(outputs: tuple[int, ...], axes: tuple[int, ...]) -> list[Channel]:
+    return [(output, axis) for output in outputs for axis in axes]

@@ -176,7 +176,7 @@ class Renderer:
         drive = self._drives.drawn(pivot_source, limb_data.sample_rate_hz)
         if drive.silent:
             return drive.factor
-        return self._gains.of(limb_data, scaling, [pivot_source], [pivot_response])[0]
+        return self._gains.of(limb_data, scaling, [pivot_source], [drive], [pivot_response])[0]
 
     def streamed_field(
         self,
@@ -199,7 +199,8 @@ class Renderer:
         stack = self._responses.stack(limb_data, used, scaling, BLOCK_FFT)
         sources = [source_of(one) for one, _ in heard]
         responses = [stack.responses[one.location] for one, _ in heard]
-        gains = self._gains.of(limb_data, scaling, sources, responses, stop)
+        drives = [drive for _, drive in heard]
+        gains = self._gains.of(limb_data, scaling, sources, drives, responses, stop)
         played = [
             Played(
                 drive=drive,
@@ -247,17 +248,19 @@ class Renderer:
         self, limb: Limb, inputs: tuple[Input, ...], scaling: Scaling, n_fft: int
     ) -> Complexes | None:
         rate = limb.sample_rate_hz
-        heard = [one for one in inputs if _is_heard(one, self._drives.drawn(one, rate))]
+        drawn = [(one, self._drives.drawn(one, rate)) for one in inputs]
+        heard = [one for one, drive in drawn if _is_heard(one, drive)]
         if not heard:
             return None
+        drives = [drive for one, drive in drawn if _is_heard(one, drive)]
         responses = self._responses_to(limb, heard, scaling, n_fft)
-        gains = self._gains.of(limb, scaling, [*map(source_of, heard)], responses)
-        drives = []
+        gains = self._gains.of(limb, scaling, [*map(source_of, heard)], drives, responses)
+        spectra = []
         for one, gain in zip(heard, gains, strict=True):
-            drive = self._drives.spectrum(one, rate, n_fft)
+            spectrum = self._drives.spectrum(one, rate, n_fft)
             onset = sample_count(one.onset_s, rate)
-            drives.append(delayed(drive, onset, n_fft) * (one.amplitude * gain))
-        return sum_of_fields([response.values for response in responses], drives)
+            spectra.append(delayed(spectrum, onset, n_fft) * (one.amplitude * gain))
+        return sum_of_fields([response.values for response in responses], spectra)
 
     def _responses_to(
         self, limb: Limb, inputs: list[Input], scaling: Scaling, n_fft: int | None

@@ -107,13 +107,11 @@ def own_forms(pivot_response: ResponseSpectrum | None) -> OwnForms | None:
     return None if pivot_response is None else OwnForms(pivot_response.values)
 
 
-def cross_forms(
-    others_spectrum: Complexes | None, pivot_response: ResponseSpectrum | None
-) -> CrossForms | None:
+def cross_forms(others_spectrum: Complexes | None, own_forms: OwnForms | None) -> CrossForms | None:
     """What moments between it and all others follow from, whatever it plays."""
-    if others_spectrum is None or pivot_response is None:
+    if others_spectrum is None or own_forms is None:
         return None
-    return CrossForms(others_spectrum, pivot_response.values)
+    return CrossForms(others_spectrum, own_forms)
 
 
 def pivot_moments(
@@ -165,7 +163,7 @@ def moments(
         return Moments(pivot_weight**2 * pivot_moments.second, pivot_weight * pivot_moments.first)
     total, cancelled = combined(others_moments, cross_moments, pivot_moments, pivot_weight)
     if cancelled.any() and cross_forms and pivot_delayed_drive is not None and n_fft is not None:
-        unit = cross_forms.values[cancelled] * pivot_delayed_drive
+        unit = cross_forms.own.values[cancelled] * pivot_delayed_drive
         field = cross_forms.others[cancelled] + pivot_weight * unit
         again = moments_of(field, n_fft, products=products_needed)
         total.second[cancelled], total.first[cancelled] = again.second, again.first

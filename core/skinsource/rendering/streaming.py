@@ -6,7 +6,6 @@ Blocks in which all inputs are silent cost nothing.
 """
 
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
@@ -16,6 +15,7 @@ from skinsource.rendering.drives import Booleans, reach
 from skinsource.rendering.moments import Moments
 from skinsource.rendering.response_spectra import Stack
 from skinsource.rendering.segments import BLOCK_FFT, BLOCK_SAMPLES, Played
+from skinsource.rendering.side_by_side import side_by_side
 from skinsource.rendering.transforms import Complexes, Floats, forward, inverse
 
 Stop = Callable[[], bool]
@@ -126,10 +126,7 @@ class StreamedField:
         def multiply(part: slice) -> None:
             np.matmul(drives[part], values[part], out=spectra[part])
 
-        with ThreadPoolExecutor(1) as helper:
-            other = helper.submit(multiply, slice(0, half))
-            multiply(slice(half, n_bins))
-            other.result()
+        side_by_side(lambda: multiply(slice(0, half)), lambda: multiply(slice(half, n_bins)))
         return spectra.reshape(n_bins, -1).T
 
 

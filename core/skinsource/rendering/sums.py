@@ -1,10 +1,10 @@
 """Sums of fields, written so that memory is read once, by two threads."""
 
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
+from skinsource.rendering.side_by_side import side_by_side
 from skinsource.rendering.transforms import Complexes
 
 # Outputs at a time: what is summed and what is added to it stay in a core's own cache.
@@ -41,8 +41,8 @@ def sum_of_fields(responses: Sequence[Complexes], drives: Sequence[Complexes]) -
         fill(range(0, len(total), _OUTPUTS_AT_ONCE))
         return total
     half = len(total) // 2
-    with ThreadPoolExecutor(1) as helper:
-        other = helper.submit(fill, range(0, half, _OUTPUTS_AT_ONCE))
-        fill(range(half, len(total), _OUTPUTS_AT_ONCE))
-        other.result()
+    side_by_side(
+        lambda: fill(range(0, half, _OUTPUTS_AT_ONCE)),
+        lambda: fill(range(half, len(total), _OUTPUTS_AT_ONCE)),
+    )
     return total
