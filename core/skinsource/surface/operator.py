@@ -1,6 +1,7 @@
 """The heatmap: from one value per output to a picture of the back of the hand and arm."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -38,7 +39,7 @@ Floats = NDArray[np.float64]
 Booleans = NDArray[np.bool_]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class SurfaceOperator:
     """Spreads one value per output over the outline of the limb.
 
@@ -103,9 +104,7 @@ class SurfaceOperator:
                 f"output, ({n_outputs},) or ({n_outputs}, n_frames)."
             )
         given = np.where(np.isneginf(given), FLOOR_DB, given)
-        carries_weight = np.zeros(n_outputs, dtype=bool)
-        carries_weight[self.weights.indices] = True
-        bad = ~np.isfinite(given).reshape(n_outputs, -1).all(axis=1) & carries_weight
+        bad = ~np.isfinite(given).reshape(n_outputs, -1).all(axis=1) & self._placed
         if bad.any():
             names = ", ".join(str(output) for output in np.flatnonzero(bad) + 1)
             raise InvalidInputError(
@@ -115,10 +114,22 @@ class SurfaceOperator:
             )
         refuse_two_values_for_one_place(given, self.same_place)
         # Zero times NaN must not reach the outputs that do have a place.
-        usable = np.where(carries_weight.reshape(-1, *[1] * (given.ndim - 1)), given, 0.0)
-        surface = self.weights @ usable
-        surface[~self.mask.ravel()] = np.nan
-        return np.asarray(surface.reshape(*self.mask.shape, *given.shape[1:]))
+        usable = np.where(self._placed.reshape(-1, *[1] * (given.ndim - 1)), given, 0.0)
+        surface = np.full((*self.mask.shape, *given.shape[1:]), np.nan)
+        surface[self.mask] = self._inside @ usable
+        return surface
+
+    @cached_property
+    def _placed(self) -> Booleans:
+        """Outputs that have a place on the map, (n_outputs,)."""
+        placed = np.zeros(self.weights.shape[1], bool)
+        placed[self.weights.indices] = True
+        return placed
+
+    @cached_property
+    def _inside(self) -> "csr_array[np.float64]":
+        """Weights of the pixels inside the mask alone, (n_inside, n_outputs)."""
+        return self.weights[np.flatnonzero(self.mask)]
 
 
 def surface_operator(limb: Limb, spacing_mm: float = 1.0) -> SurfaceOperator:
