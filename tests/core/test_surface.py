@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.sparse import csr_array
 
-import skinsource.surface.operator as surface_module
+import skinsource.surface.building as surface_module
 from skinsource.limb import VOLAR_OUTPUTS, LimbMap
 from skinsource.surface import surface_operator, surface_operator_from_map
 from skinsource.synthetic import load_synthetic_limb
