@@ -2,7 +2,9 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: run test fix pictures bench clean
+BENCHMARKS := "engine_speed.py --long" frequency_drag.py slider_storm.py start.py long_design.py
+
+.PHONY: run test fix pictures bench growth clean
 
 run: .venv/ready-to-run  ## open the studio
 	@$(BIN)/python -m skinsource_gui
@@ -22,8 +24,13 @@ fix: .venv/ready-to-test  ## let ruff mend what it can
 pictures: .venv/ready-to-test  ## pictures of the window, light and dark, in build/pictures
 	QT_QPA_PLATFORM=offscreen $(BIN)/python benchmarks/pictures.py
 
-bench: .venv/ready-to-test  ## how fast a drag is painted
-	QT_QPA_PLATFORM=offscreen $(BIN)/python benchmarks/frequency_drag.py
+bench: .venv/ready-to-test  ## every promise of speed and memory, measured (5 minutes)
+	@failed=0; for each in $(BENCHMARKS); do \
+	  echo "== $$each"; QT_QPA_PLATFORM=offscreen $(BIN)/python benchmarks/$$each || failed=1; \
+	done; exit $$failed
+
+growth: .venv/ready-to-test  ## how cost grows with length, inputs and outputs: build/growth
+	$(BIN)/python benchmarks/growth.py
 
 clean:
 	rm -rf .venv build dist

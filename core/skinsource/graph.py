@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from difflib import get_close_matches
 from inspect import signature
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -51,7 +51,8 @@ class Graph:
             name: tuple(signature(rule).parameters) for name, rule in self._rules.items()
         }
         self._refuse_circles()
-        self._memo: dict[str, tuple[tuple[Any, ...], Any]] = {}
+        self._orders: dict[tuple[frozenset[str], frozenset[str]], tuple[_Step, ...]] = {}
+        self._memo: dict[str, tuple[list[Any], Any]] = {}
         self.runs: Counter[str] = Counter()
         self.work = Work()
 
@@ -67,33 +68,51 @@ class Graph:
         long has a parameter ``stop`` and asks itself.
         """
         known = {"stop": stop, **given}
+        wanted = frozenset(wanted)
         with counting() as self.work:
-            return {name: self._value(name, known) for name in wanted}
+            for step in self._order(wanted, frozenset(known)):
+                known[step.name] = self._refresh(step, known)
+        return {name: known[name] for name in wanted}
 
-    def _value(self, name: str, known: dict[str, Any]) -> Any:
-        # A method, not a function within `evaluate`: that would refer to itself, and keep all
-        # results until the garbage collector comes by.
-        if name not in known:
-            known[name] = self._refresh(name, known)
-        return known[name]
+    def _order(self, wanted: frozenset[str], known: frozenset[str]) -> "tuple[_Step, ...]":
+        """Rules that lead from what is known to what is wanted, each after those it needs."""
+        if (wanted, known) not in self._orders:
+            steps: dict[str, _Step] = {}
+            for name in sorted(wanted):
+                self._add(name, known, steps)
+            self._orders[wanted, known] = tuple(steps.values())
+        return self._orders[wanted, known]
 
-    def _refresh(self, name: str, known: dict[str, Any]) -> Any:
+    def _add(self, name: str, known: frozenset[str], steps: "dict[str, _Step]") -> None:
+        if name in known or name in steps:
+            return
         if name not in self._rules:
             raise UnknownQuantity(_unknown(name, self._rules))
-        given = {need: self._value(need, known) for need in self._needs[name]}
+        for need in self._needs[name]:
+            self._add(need, known, steps)
         # How to stop is handed on, but is no part of what the result depends on.
-        inputs = tuple(value for need, value in given.items() if need != "stop")
-        if name not in self._memo or not _same(self._memo[name][0], inputs):
-            if known["stop"]():
-                raise Stopped
-            result = self._rules[name](**given)
-            self.runs[name] += 1
-            tally(rules_run=1)
-            _freeze(result)  # it is remembered, and shared with other threads
-            if name in self._memo and _same(self._memo[name][1], result):
-                result = self._memo[name][1]  # equal, so what follows from it stands
-            self._memo[name] = inputs, result
-        return self._memo[name][1]
+        needs = tuple(need for need in self._needs[name] if need != "stop")
+        steps[name] = _Step(name, self._rules[name], needs, "stop" in self._needs[name])
+
+    def _refresh(self, step: "_Step", known: dict[str, Any]) -> Any:
+        name = step.name
+        inputs = [known[need] for need in step.needs]
+        memo = self._memo.get(name)
+        if memo is not None and _all_same(memo[0], inputs):
+            return memo[1]
+        if known["stop"]():
+            raise Stopped
+        given = dict(zip(step.needs, inputs, strict=True))
+        if step.takes_stop:
+            given["stop"] = known["stop"]
+        result = step.rule(**given)
+        self.runs[name] += 1
+        tally(rules_run=1)
+        _freeze(result)  # it is remembered, and shared with other threads
+        if memo is not None and _same(memo[1], result):
+            result = memo[1]  # equal, so what follows from it stands
+        self._memo[name] = inputs, result
+        return result
 
     def _refuse_circles(self) -> None:
         settled: set[str] = set()
@@ -109,6 +128,19 @@ class Graph:
 
         for name in self._rules:
             visit(name, ())
+
+
+class _Step(NamedTuple):
+    """A rule, and what it needs."""
+
+    name: str
+    rule: Callable[..., Any]
+    needs: tuple[str, ...]
+    takes_stop: bool
+
+
+def _all_same(old: list[Any], new: list[Any]) -> bool:
+    return all(a is b or _same(a, b) for a, b in zip(old, new, strict=True))
 
 
 def _name(rule: Callable[..., Any]) -> str:
