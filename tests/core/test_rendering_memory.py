@@ -2,15 +2,18 @@
 
 import subprocess
 import sys
+import tracemalloc
 
 import pytest
 
 from skinsource.limb import N_AXES, N_OUTPUTS
 from skinsource.rendering import drives, exact_spectra, gains, response_spectra
-from skinsource.rendering.memory import Memory
+from skinsource.rendering.drives import Source
+from skinsource.rendering.memory import ENTRY_BYTES, Memory
 from skinsource.rendering.response_spectra import ResponseSpectra
 from skinsource.rendering.segments import length_at_once
 from skinsource.synthetic import load_synthetic_limb
+from skinsource.waveforms import Tone
 
 
 def test_all_memories_together_hold_at_most_256_mebibytes():
@@ -35,13 +38,27 @@ def test_whatever_is_transformed_at_once_fits(n_places):
 
 
 def test_the_least_recently_used_goes_first():
-    memory = Memory[bytes](budget_bytes=10, size_of=len)
+    memory = Memory[bytes](budget_bytes=2 * ENTRY_BYTES + 10, size_of=len)
     memory.add("a", b"1234")
     memory.add("b", b"1234")
     assert memory.find("a") == b"1234"
     memory.add("c", b"1234")
     assert (memory.find("a"), memory.find("b"), memory.find("c")) == (b"1234", None, b"1234")
-    assert memory.held_bytes == 8
+    assert memory.held_bytes == 2 * ENTRY_BYTES + 8
+
+
+def test_many_small_values_do_not_exceed_the_budget_by_their_keys():
+    # Traced, not counted: what Python takes for a key like those of the engine.
+    tracemalloc.start()
+    try:
+        memory = Memory[float](budget_bytes=10**6, size_of=sys.getsizeof)
+        for k in range(5000):
+            source = Source(waveform=Tone(frequency_hz=100 + k / 100, duration_s=0.1), location=7)
+            memory.add((source, 1920), k / 7)
+        taken, _ = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert taken < 10**6
 
 
 def test_spectra_of_lengths_not_in_use_go_before_the_budget_is_exceeded():
@@ -74,6 +91,7 @@ def test_places_that_were_never_asked_for_take_no_memory():
 from skinsource.allocation import keep_freed_memory
 from skinsource.rendering.response_spectra import ResponseSpectra
 from skinsource.synthetic import load_synthetic_limb
+from skinsource.waveforms import Tone
 import numpy as np
 keep_freed_memory()
 limb = load_synthetic_limb(1)

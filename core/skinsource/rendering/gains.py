@@ -1,6 +1,7 @@
 """What unit fields are multiplied with, so that an amplitude means what its scaling says."""
 
 from collections.abc import Callable, Sequence
+from sys import getsizeof
 from weakref import ref
 
 import numpy as np
@@ -52,8 +53,7 @@ class Gains:
 
     def __init__(self, drives: Drives) -> None:
         self._drives = drives
-        # A key and a number: about a hundred bytes.
-        self._known = Memory[float](BUDGET_BYTES, lambda _: 100)
+        self._known = Memory[float](BUDGET_BYTES, getsizeof)
 
     def of(
         self,

@@ -6,6 +6,9 @@ from typing import Generic, TypeVar
 
 V = TypeVar("V")
 
+#: What an entry takes beside its value: key, and a place in the dictionary.
+ENTRY_BYTES = 1000
+
 
 class Memory(Generic[V]):
     """Values by key; it belongs to one thread.
@@ -13,7 +16,7 @@ class Memory(Generic[V]):
     Parameters
     ----------
     budget_bytes
-        What all values together may take.
+        What all entries together may take.
     size_of
         Bytes of one value.
     """
@@ -36,10 +39,10 @@ class Memory(Generic[V]):
     def add(self, key: Hashable, value: V) -> None:
         """Remember ``value``, which was not known."""
         self._values[key] = value
-        self.held_bytes += self._size_of(value)
+        self.held_bytes += self._size_of(value) + ENTRY_BYTES
         while self.held_bytes > self._budget_bytes and self._values:
             _, oldest = self._values.popitem(last=False)
-            self.held_bytes -= self._size_of(oldest)
+            self.held_bytes -= self._size_of(oldest) + ENTRY_BYTES
 
     def get(self, key: Hashable, compute: Callable[[], V]) -> V:
         """Return the value of ``key``; ``compute`` it where it is not remembered."""
