@@ -1,6 +1,6 @@
 """Hands for the walkthrough: mouse, keys, pictures, and what was expected of them."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from unittest.mock import patch
@@ -16,6 +16,7 @@ NONE = Qt.KeyboardModifier.NoModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 CONTROL = Qt.KeyboardModifier.ControlModifier
 LEFT = Qt.MouseButton.LeftButton
+_PATIENCE_MS, _LOOK_MS = 30_000, 20
 
 
 class Driver:
@@ -46,6 +47,14 @@ class Driver:
             QApplication.processEvents()
             self.window.catch_up()
         QApplication.processEvents()
+
+    def waited(self, holds: Callable[[], bool]) -> bool:
+        """Whether ``holds`` comes true within half a minute; the window lives meanwhile."""
+        for _ in range(_PATIENCE_MS // _LOOK_MS):
+            if holds():
+                return True
+            QTest.qWait(_LOOK_MS)
+        return holds()
 
     def picture(self, words: str, widget: QWidget | None = None) -> None:
         """Photograph the window, or a part or dialog of it."""

@@ -4,10 +4,12 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 from driver import CONTROL, SHIFT, Driver
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDialog, QMessageBox
 
+from skinsource.waveforms import Tone
 from skinsource_gui.palette import Palette
 
 KEY = Qt.Key
@@ -50,6 +52,40 @@ def keep_files(you: Driver, folder: Path) -> None:
     document.undo_stack.setClean()
 
 
+def export_field(you: Driver, folder: Path) -> None:
+    """The whole field, written and read back; another one given up by keyboard."""
+    window, document = you.window, you.window.document
+    path = folder / "field.npz"
+    window.commands.arrange_design()
+    with you.answering(path):
+        window.commands.export_field()
+    you.picture("exporting the field")
+    you.expect(you.waited(lambda: not window.commands.exports.jobs.busy), "the export ends")
+    you.picture("exported")
+    you.expect(path.name in window.statusBar().currentMessage(), "the status bar tells of it")
+    with np.load(path, allow_pickle=False) as archive:
+        field = archive["acceleration_m_per_s2"]
+        rate_hz = float(archive["sample_rate_hz"])
+    you.expect(field.shape[:2] == (72, 3), f"it holds 72 outputs on 3 axes, not {field.shape}")
+    you.expect(bool(np.isfinite(field).all() and field.any()), "it holds finite numbers")
+    longest_s = max(one.onset_s for one in document.design.inputs)
+    you.expect(field.shape[2] > longest_s * rate_hz, "it reaches to the end of the design")
+    long = replace(document.design.inputs[0], waveform=Tone(duration_s=300.0))
+    document.edit("Add a long input", document.design.adding(long))
+    you.settle()
+    with you.answering(folder / "long.npz"):
+        window.commands.export_field()
+    you.focus(window.spectra)
+    you.key(KEY.Key_Tab)
+    you.picture("the keyboard on Cancel")
+    you.key(KEY.Key_Space)
+    you.expect(you.waited(lambda: not window.commands.exports.jobs.busy), "Cancel ends it")
+    you.picture("an export given up")
+    you.expect(not (folder / "long.npz").exists(), "nothing is left of it")
+    you.key(KEY.Key_Z, CONTROL)
+    document.undo_stack.setClean()
+
+
 def arrange(you: Driver, _: Path) -> None:
     """Arrangements, themes, docks, palette, pages, full screen."""
     window = you.window
@@ -74,13 +110,18 @@ def arrange(you: Driver, _: Path) -> None:
         window.commands.show_keys,
         window.commands.show_dataset_help,
         window.commands.show_about,
+        window.commands.show_accuracy,
     )
     for page in pages:
         page()
         QApplication.processEvents()
         dialog = next(one for one in window.findChildren(QDialog) if one.isVisible())
+        dialog.activateWindow()
         you.picture(f"page {dialog.windowTitle()}", dialog)
-        dialog.close()
+        you.key(KEY.Key_Escape)
+        you.expect(not dialog.isVisible(), f"Esc closes {dialog.windowTitle()}")
+    window.activateWindow()
+    you.settle()
     you.key(KEY.Key_F11)
     you.expect(window.isFullScreen(), "F11 fills the screen")
     you.key(KEY.Key_F11)

@@ -16,8 +16,10 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 
 from driver import Driver
+from PySide6.QtWidgets import QMessageBox
 from walk_editing import edit_list, edit_numbers, place_inputs
-from walk_keeping import arrange, keep_files
+from walk_keeping import arrange, export_field, keep_files
+from walk_keyboard import go_by_keyboard
 from walk_looking import change_setup, colour_the_map, read_plots, select_outputs
 
 from skinsource.catalogue import available_limbs, default_limb
@@ -35,6 +37,8 @@ CHAPTERS = (
     colour_the_map,
     change_setup,
     keep_files,
+    export_field,
+    go_by_keyboard,
     arrange,
 )
 
@@ -68,7 +72,9 @@ def main() -> int:
                 chapter(you, Path(scratch))
         finally:
             window.document.undo_stack.setClean()
-            window.close()
+            # Whatever it asks, such as whether to stop an export.
+            with you.answering(answer=QMessageBox.StandardButton.Yes):
+                window.close()
     return len(you.disappointments)
 
 

@@ -16,6 +16,7 @@ from skinsource_gui import pages
 from skinsource_gui.actions import ACTIONS
 from skinsource_gui.arrangements import arrange_analysis, arrange_design, arrange_presentation
 from skinsource_gui.export_actions import ExportActions
+from skinsource_gui.focus_order import tab_stops
 from skinsource_gui.palette import Palette
 from skinsource_gui.pictures import save_picture
 
@@ -192,14 +193,17 @@ class Commands(QObject):
             document.edit(f"{verb} input {place}", changed)
 
     def _go_to_panel(self, step: int) -> None:
-        visible = [panel for panel in self._window.panels if panel.isVisible()]
+        # A panel that only says what to do has nothing for the keyboard.
+        panels = [panel for panel in self._window.panels if tab_stops(panel, ())]
         focused = QApplication.focusWidget()
-        here = [k for k, panel in enumerate(visible) if focused and panel.isAncestorOf(focused)]
-        if visible:
+        here = [k for k, panel in enumerate(panels) if focused and panel.isAncestorOf(focused)]
+        if panels:
             start = here[0] if here else -min(step, 0) - 1
-            panel = visible[(start + step) % len(visible)]
+            panel = panels[(start + step) % len(panels)]
             panel.activateWindow()
-            panel.setFocus(Qt.FocusReason.ShortcutFocusReason)
+            stops = tab_stops(panel, ())
+            first = panel.focusProxy()
+            (first if first in stops else stops[0]).setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def _exported(self, path: Path, save: Callable[[], None]) -> None:
         try:

@@ -1,9 +1,15 @@
 """The line that says that a limb is not a measured one."""
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QFocusEvent
 from PySide6.QtWidgets import QLabel, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme
+
+_LINKS = (
+    Qt.TextInteractionFlag.LinksAccessibleByMouse | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
+)
+_TAB_REASONS = (Qt.FocusReason.TabFocusReason, Qt.FocusReason.BacktabFocusReason)
 
 
 class LimbNote(QLabel):
@@ -18,10 +24,6 @@ class LimbNote(QLabel):
         self._theme = LIGHT
         self._synthetic = False
         self.setTextFormat(Qt.TextFormat.RichText)
-        self.setTextInteractionFlags(
-            Qt.TextInteractionFlag.LinksAccessibleByMouse
-            | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
-        )
         self.setToolTip("Computed from a model of the arm, not measured on a person")
         self.setAccessibleName("Kind of limb")
         self.linkActivated.connect(self.help_wanted)
@@ -41,6 +43,12 @@ class LimbNote(QLabel):
         self._theme = theme
         self._say()
 
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        if event.reason() in _TAB_REASONS:
+            # Straight to the link, which Enter follows then.
+            super().focusNextPrevChild(True)
+
     def _say(self) -> None:
         self.setVisible(self._synthetic)
         colour = self._theme.warning
@@ -52,4 +60,6 @@ class LimbNote(QLabel):
                 f"<a href='#get' style='color:{colour}'>how to get them</a>"
             )
         )
+        # Without a link there is nothing for the keyboard.
+        self.setTextInteractionFlags(_LINKS if link else Qt.TextInteractionFlag.NoTextInteraction)
         self.setText(f"<span style='color:{colour}'><b>SYNTHETIC LIMB</b>{link}</span>")

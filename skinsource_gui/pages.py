@@ -19,7 +19,8 @@ _MOUSE = (
     ("Drag across a plot", "zoom to that stretch"),
 )
 _KEYS = (
-    ("Tab", "go from panel to panel and field to field"),
+    ("Tab, Shift+Tab", "go from control to control through all panels, and back"),
+    ("Left and Right on Overlaid", "change to Stacked; so for all buttons of which one is on"),
     ("Arrow keys on the hand or the skin", "move the ring from place to place"),
     ("Enter or Space", "place or select there"),
     ("Shift and arrow keys on the hand", "move the selected input"),

@@ -20,6 +20,7 @@ from skinsource_gui.conductor import Conductor
 from skinsource_gui.document import Document
 from skinsource_gui.engine import Outcome
 from skinsource_gui.file_actions import FileActions
+from skinsource_gui.focus_order import move_focus
 from skinsource_gui.installed_limbs import InstalledLimbs
 from skinsource_gui.limb_note import LimbNote
 from skinsource_gui.menus import build_menus
@@ -68,11 +69,12 @@ class MainWindow(QMainWindow):
         self.hand, self.skin = HandPanel(), SurfacePanel()
         self.inputs, self.inspector = InputsPanel(), InspectorPanel()
         self.traces, self.spectra = TracesPanel(), SpectraPanel()
+        # In the order in which the keyboard reaches them.
         self.panels: tuple[Panel, ...] = (
             self.hand,
-            self.skin,
-            self.inspector,
             self.inputs,
+            self.inspector,
+            self.skin,
             self.traces,
             self.spectra,
         )
@@ -265,6 +267,10 @@ class MainWindow(QMainWindow):
             self.resize(min(1600, screen.width()), min(940, screen.height()))
         arrange_design(self, self.docks)
         self.restore_arrangement(layout.data())
+
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        regions = (self._notices, self.setup_bar, *self.panels, self.statusBar())
+        return move_focus(self, regions, forward=forward)
 
     def dragEnterEvent(self, event) -> None:
         if any(url.isLocalFile() for url in event.mimeData().urls()):

@@ -101,7 +101,7 @@ class TracesPanel(Panel):
         self._plot.show_curves(
             curves,
             synthetic=results["limb"].startswith("synthetic"),
-            notes=_axis_notes(results.get("selected_without_main_axis", ())),
+            notes=_axis_notes(_heard(results.get("selected_without_main_axis", ()), results)),
         )
 
     def show_stale(self, stale: bool) -> None:
@@ -140,6 +140,15 @@ class TracesPanel(Panel):
         changed = replace(self._view, **changes)
         if changed != self._view:
             self.view_changed.emit(changed)
+
+
+def _heard(outputs: tuple[int, ...], results: Mapping[str, Any]) -> tuple[int, ...]:
+    # Silence moves along no axis, and nobody misses one.
+    if not outputs:
+        return ()
+    pairs = zip(results["outputs"], results["selected_traces"], strict=True)
+    loud = {output for output, trace in pairs if trace.any()}
+    return tuple(output for output in outputs if output in loud)
 
 
 def _axis_notes(outputs: tuple[int, ...]) -> tuple[str, ...]:

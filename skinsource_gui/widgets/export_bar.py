@@ -73,5 +73,7 @@ class ExportBar(QWidget):
         """Show how far it is; a total of 0 while that is not known."""
         self._bar.setRange(0, _STEPS if total else 0)
         self._bar.setValue(_STEPS * done // total if total else 0)
-        self._percent.setText(f"{100 * done // total} %" if total else "")
+        # A bar that only moves looks full.
+        self._bar.setVisible(bool(total))
+        self._percent.setText(f"{100 * done // total} %" if total else f"{text.lower()}…")
         self._bar.setToolTip(text)

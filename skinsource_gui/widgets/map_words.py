@@ -46,7 +46,8 @@ def paint_synthetic_mark(painter: QPainter, area: QRectF, theme: Theme) -> None:
 
 def _paint_message(painter: QPainter, area: QRectF, words: str, theme: Theme) -> None:
     flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-    needed = QFontMetricsF(painter.font()).boundingRect(area, int(flags), words)
+    inside = area.adjusted(10, 7, -10, -7)
+    needed = QFontMetricsF(painter.font()).boundingRect(inside, int(flags), words)
     card = needed.adjusted(-10, -7, 10, 7)
     painter.setPen(QColor(theme.border))
     painter.setBrush(QColor(theme.base))

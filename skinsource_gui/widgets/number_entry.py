@@ -1,7 +1,15 @@
 """A number with its unit, that can be typed."""
 
-from PySide6.QtCore import QEvent, QPoint, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QGuiApplication, QKeyEvent, QKeySequence, QPainter, QPen
+from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QGuiApplication,
+    QKeyEvent,
+    QKeySequence,
+    QPainter,
+    QPen,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import QLineEdit, QStyle, QStyleOptionFrame, QToolTip, QWidget
 
 from skinsource.errors import InvalidInputError
@@ -11,6 +19,7 @@ from skinsource_gui.widgets.level_text import minus
 from skinsource_gui.widgets.number_steps import clamped
 from skinsource_gui.widgets.units import (
     EDITED_DIGITS,
+    SHOWN_DIGITS,
     display_unit,
     number_text,
     parse_number,
@@ -19,6 +28,8 @@ from skinsource_gui.widgets.units import (
 )
 
 _UNIT_GAP_PX = 4
+# Qt leaves this at each side of the text of a line edit.
+_TEXT_EDGE_PX = 2
 #: Fields that stand below each other leave the same room for units, so that digits align.
 WIDEST_UNIT = "m/s²"
 _STARTERS = frozenset("0123456789.,+-−")
@@ -177,12 +188,14 @@ class NumberEntry(QLineEdit):
         else:
             self.commit()
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._show_value()
+
     def paintEvent(self, event) -> None:
         super().paintEvent(event)
         painter = QPainter(self)
-        option = QStyleOptionFrame()
-        self.initStyleOption(option)
-        inside = self.style().subElementRect(QStyle.SubElement.SE_LineEditContents, option, self)
+        inside = self._inside()
         has_own_unit = self.editing and any(c.isalpha() or c in "°×²" for c in self.text())
         if not has_own_unit:
             painter.setPen(QColor(self._theme.dim))
@@ -228,8 +241,23 @@ class NumberEntry(QLineEdit):
 
     def _show_value(self) -> None:
         if not self.editing:
-            self.setText(minus(self._short_text()))
+            self.setText(self._fitting_text())
             self.update()
+
+    def _fitting_text(self) -> str:
+        # A number whose first digits are out of sight is another number.
+        room = self._inside().width() - self.textMargins().right() - 2 * _TEXT_EDGE_PX
+        texts = [
+            minus(number_text(self._value_si, self._spec.unit, digits))
+            for digits in range(SHOWN_DIGITS, 0, -1)
+        ]
+        widths = map(self.fontMetrics().horizontalAdvance, texts)
+        return next((text for text, px in zip(texts, widths, strict=True) if px <= room), texts[-1])
+
+    def _inside(self) -> QRect:
+        option = QStyleOptionFrame()
+        self.initStyleOption(option)
+        return self.style().subElementRect(QStyle.SubElement.SE_LineEditContents, option, self)
 
     def _short_text(self) -> str:
         return number_text(self._value_si, self._spec.unit)

@@ -77,11 +77,13 @@ class WaveformPreview(QWidget):
         if same and not self._words and self._sample_rate_hz == sample_rate_hz:
             return
         self._sample_rate_hz, self._words = sample_rate_hz, ""
+        self.setToolTip("")
         self.update()
 
     def show_words(self, words: str) -> None:
         """Draw no curve, and say why."""
         self._samples, self._words = None, words
+        self.setToolTip(words)
         self.update()
 
     def set_look(self, colour: QColor, *, flipped: bool = False) -> None:
@@ -106,7 +108,7 @@ class WaveformPreview(QWidget):
         if self._words:
             painter.setPen(QColor(self._theme.dim))
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-            painter.drawText(self.rect(), flags, self._words)
+            painter.drawText(self.rect(), flags, self._words_that_fit(flags))
             return
         if self._samples is None or not self._samples.size:
             return
@@ -121,6 +123,15 @@ class WaveformPreview(QWidget):
         painter.setPen(QPen(QColor(self._theme.border), 1))
         painter.drawLine(QLineF(plot.left(), plot.center().y(), plot.right(), plot.center().y()))
         self._paint_curve(painter, plot)
+
+    def _words_that_fit(self, flags: int) -> str:
+        # The whole is in the tooltip, and where it concerns the whole window, at its top.
+        shown, words = self._words, self._words.split(" ")
+        room, metrics = self.rect(), self.fontMetrics()
+        while words and metrics.boundingRect(room, flags, shown).height() > room.height():
+            words.pop()
+            shown = " ".join(words) + " …"
+        return shown
 
     def _span_s(self) -> float:
         return max(self._samples.size / self._sample_rate_hz, _SHORTEST_S)

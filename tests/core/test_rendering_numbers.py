@@ -230,3 +230,20 @@ def test_outputs_that_move_alike_in_all_directions_are_named(limb_of):
         given = sources(design, view) | {"limb_data": limb}
         found = new_graph().evaluate({"selected_without_main_axis"}, given)
         assert found["selected_without_main_axis"] == expected
+
+
+@pytest.mark.parametrize("onset_s", [0.0, 0.1])
+@pytest.mark.parametrize("axes", ["xyz", "z"])
+def test_no_selected_outputs_give_empty_traces_and_spectra_also_after_some(onset_s, axes):
+    design = DESIGN.with_input(0, onset_s=onset_s)
+    graph = new_graph()
+    wanted = ("axis_traces", "axis_spectra", "selected_traces", "selected_spectra")
+    for outputs in ((), OUTPUTS, ()):
+        view = View(outputs=outputs, axes=axes, method="pca", selected_input=0)
+        found = graph.evaluate(wanted, sources(design, view))
+        n_times = found["selected_traces"].shape[-1]
+        assert found["selected_traces"].shape == (len(outputs), n_times)
+        assert found["axis_traces"].shape == (len(outputs), len(axes), n_times)
+        assert found["axis_spectra"].shape == (len(outputs), len(axes), n_times // 2 + 1)
+        assert found["axis_spectra"].dtype == np.complex128
+        assert found["selected_spectra"][1].shape == (len(outputs), n_times // 2 + 1)

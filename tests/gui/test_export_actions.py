@@ -21,6 +21,7 @@ from skinsource.rendering import renderer
 from skinsource.rendering.check import TraceError
 from skinsource.waveforms import Noise, Tone
 from skinsource_gui import export_actions
+from skinsource_gui.widgets.export_bar import ExportBar
 
 YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
 #: Written in some seconds.
@@ -94,6 +95,18 @@ def test_traces_levels_and_field_hold_the_present_design(window, wait, answers, 
         assert archive["acceleration_m_per_s2"].shape[:2] == (72, 3)
     assert "field.npz" in window.statusBar().currentMessage()
     assert window.preferences.folder == tmp_path
+
+
+def test_a_bar_is_shown_only_when_it_is_known_how_far_an_export_is(qtbot):
+    bar = ExportBar()
+    qtbot.addWidget(bar)
+    bar.show_order("/home/you/field.npz", "field.npz", 0)
+    bar.show_progress(0, 0, "Computing")
+    assert part(bar, QLabel, "export_percent").text() == "computing…"
+    assert not part(bar, QProgressBar, "export_progress").isVisible()
+    bar.show_progress(1, 4, "Writing")
+    assert part(bar, QLabel, "export_percent").text() == "25 %"
+    assert part(bar, QProgressBar, "export_progress").isVisible()
 
 
 def test_traces_of_no_outputs_cannot_be_exported(window, answers):

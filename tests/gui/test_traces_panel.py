@@ -215,6 +215,13 @@ def test_outputs_without_a_main_axis_are_named_in_the_plot(show):
     assert "no main axis at 29" in canvas_of(panel).frame.notes[0]
 
 
+def test_silence_misses_no_main_axis(show):
+    panel = show(
+        View(axes="xyz", method="pca", outputs=(29, 52)), amplitude=0.0, without_axis=(29, 52)
+    )
+    assert canvas_of(panel).frame.notes == ()
+
+
 def test_a_projection_on_a_fixed_axis_asks_for_no_main_axis(show):
     for view in (View(axes="z"), View(axes="xyz", method="soc")):
         assert "selected_without_main_axis" not in show(view).needs

@@ -153,7 +153,7 @@ def open_store(path: Path) -> Iterator[Contents]:
         raise
     except FileNotFoundError as error:
         raise DatasetMissingError(
-            f"the measured dataset is not installed (no {path}). {HOW_TO_GET}"
+            f"The measured dataset is not installed (no {path}). {HOW_TO_GET}"
         ) from error
     except PermissionError as error:
         raise StorageError(f"{path}: may not be read. Change its permissions.") from error

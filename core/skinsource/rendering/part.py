@@ -55,8 +55,8 @@ class Part:
         self._n_fft = n_fft
         self._felt = felt
         self._exact_spectra = exact_spectra
-        self._traces = _Channels(felt.size)
-        self._trace_spectra = _Channels(felt.size // 2 + 1)
+        self._traces = _Channels(np.empty((0, felt.size)))
+        self._trace_spectra = _Channels(np.empty((0, felt.size // 2 + 1), np.complex128))
 
     def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Floats:
         """Acceleration of some outputs, (n_outputs, n_axes, n_times)."""
@@ -83,12 +83,11 @@ class Part:
 class _Channels:
     """Remembers single channels, and the latest selection of them as one array."""
 
-    __slots__ = ("_latest", "_length", "known")
+    __slots__ = ("_latest", "known")
 
-    def __init__(self, length: int) -> None:
-        self._length = length
+    def __init__(self, none: np.ndarray) -> None:
         self.known: dict[Channel, np.ndarray] = {}
-        self._latest: tuple[list[Channel], np.ndarray] | None = None
+        self._latest: tuple[list[Channel], np.ndarray] = [], none
 
     def missing(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> list[Channel]:
         return [channel for channel in _all(outputs, axes) if channel not in self.known]
@@ -99,9 +98,12 @@ class _Channels:
 
     def of(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> np.ndarray:
         asked = _all(outputs, axes)
-        if self._latest is None or self._latest[0] != asked:
-            self._latest = asked, np.array([self.known[channel] for channel in asked])
-        return self._latest[1].reshape(len(outputs), len(axes), self._length)
+        channels, rows = self._latest
+        if channels != asked:
+            rows = np.array([self.known[channel] for channel in asked], rows.dtype)
+            rows = rows.reshape(len(asked), self._latest[1].shape[-1])
+            self._latest = asked, rows
+        return rows.reshape(len(outputs), len(axes), rows.shape[-1])
 
 
 def _all(outputs: tuple[int, ...], axes: tuple[int, ...]) -> list[Channel]:

@@ -1,8 +1,9 @@
 import math
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from skinsource.errors import InvalidInputError
 from skinsource_gui.widgets.units import number_text, parse_number, value_text
@@ -166,3 +167,19 @@ def test_setting_the_value_tells_nobody_and_leaves_an_open_editor_alone(bench):
     assert (one.field.text(), one.edits) == ("7", [])
     QTest.keyClick(one.field, Qt.Key.Key_Escape)
     assert one.field.text() == "300"
+
+
+@pytest.mark.parametrize("width_px", [400, 110, 96, 84])
+@pytest.mark.parametrize("value", [8 / 3, -8 / 3, 1000 / 3, -999.995, 0.0123456])
+def test_a_narrow_field_shows_fewer_digits_and_never_hides_the_first(bench, width_px, value):
+    shown = bench(AMPLITUDE, value)
+    field = shown.field
+    field.setStyleSheet("QLineEdit { padding: 0 4px; }")
+    field.setFixedWidth(width_px)
+    QApplication.processEvents()
+    field.end(False)
+    assert field.cursorPositionAt(QPoint(1, field.height() // 2)) == 0, field.text()
+    assert float(field.text().replace("−", "-")) == pytest.approx(value, rel=0.05)
+    assert field.value_si == value
+    if width_px == 400:
+        assert field.text().replace("−", "-") == number_text(value, "m/s²")

@@ -1,0 +1,77 @@
+"""The way of the Tab key through a window.
+
+Qt follows the order in which widgets were made, and a panel that hands its focus on to its
+picture makes it skip what stands between.
+"""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QAbstractButton, QMainWindow, QScrollArea, QWidget
+
+
+def tab_stops(top: QWidget, regions: Sequence[QWidget]) -> list[QWidget]:
+    """Widgets inside ``top`` that Tab reaches now, region by region.
+
+    Parameters
+    ----------
+    top
+        A window, or a part of one; what floats in a window of its own does not belong to it.
+    regions
+        Parts of ``top`` in the order of reading.  What lies in none of them comes last.
+    """
+    found = [one for one in _chain(top) if top.isAncestorOf(one) and _takes_tab(one)]
+
+    def region_of(stop: QWidget) -> int:
+        inside = (k for k, part in enumerate(regions) if part is stop or part.isAncestorOf(stop))
+        return next(inside, len(regions))
+
+    return sorted(found, key=region_of)
+
+
+def move_focus(window: QMainWindow, regions: Sequence[QWidget], *, forward: bool) -> bool:
+    """Give the keyboard to the next stop, or the one before; return whether there is any."""
+    stops = tab_stops(window, regions)
+    if not stops:
+        return False
+    here: QWidget | None = window.focusWidget()
+    while here is not None and here not in stops:
+        # What is clicked but no stop, such as a number in a row that is not selected.
+        here = here.parentWidget()
+    if here is None:
+        target = stops[0 if forward else -1]
+    else:
+        target = stops[(stops.index(here) + (1 if forward else -1)) % len(stops)]
+    reason = Qt.FocusReason.TabFocusReason if forward else Qt.FocusReason.BacktabFocusReason
+    target.setFocus(reason)
+    _bring_into_sight(target)
+    return True
+
+
+def _chain(top: QWidget) -> list[QWidget]:
+    # Within one region, Qt's order is the right one.
+    chain, widget = [top], top.nextInFocusChain()
+    while widget is not top:
+        chain.append(widget)
+        widget = widget.nextInFocusChain()
+    return chain
+
+
+def _takes_tab(widget: QWidget) -> bool:
+    tab = Qt.FocusPolicy.TabFocus
+    if widget.focusPolicy() & tab != tab or widget.focusProxy() is not None:
+        return False
+    if isinstance(widget, QAbstractButton) and widget.isCheckable() and not widget.isChecked():
+        # Of buttons that exclude each other Tab reaches the one that is on; arrows do the rest.
+        group = widget.group()
+        if group is not None and group.exclusive() and group.checkedButton() is not None:
+            return False
+    return widget.isVisible() and widget.isEnabled()
+
+
+def _bring_into_sight(widget: QWidget) -> None:
+    around = widget.parentWidget()
+    while around is not None:
+        if isinstance(around, QScrollArea):
+            around.ensureWidgetVisible(widget)
+        around = around.parentWidget()

@@ -1,0 +1,223 @@
+import threading
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QDialog, QFileDialog
+
+from skinsource.design import Design, Input
+from skinsource.graph import Stopped
+from skinsource.view import View
+from skinsource.waveforms import Tone
+from skinsource_gui import export_actions
+
+KEY = Qt.Key
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+PLAIN = Qt.KeyboardModifier.NoModifier
+
+
+@pytest.fixture
+def at_work(qtbot, window):
+    """The window, with the keyboard in the hand."""
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    window.hand.setFocus()
+    return window
+
+
+def press(window, key, modifiers=PLAIN):
+    QTest.keyClick(QApplication.focusWidget() or window, key, modifiers)
+    QApplication.processEvents()
+    return QApplication.focusWidget()
+
+
+def walk(window, modifiers=PLAIN):
+    """Names of the controls that Tab reaches, until it is back."""
+    start = QApplication.focusWidget()
+    names = []
+    for _ in range(100):
+        focused = press(window, KEY.Key_Tab, modifiers)
+        names.append((region_of(window, focused), focused.objectName()))
+        if focused is start:
+            return names
+    raise AssertionError(f"Tab does not come back: {names}")
+
+
+def region_of(window, widget):
+    parts = {
+        "notice": window.notice,
+        "setup": window.setup_bar,
+        "status": window.statusBar(),
+        **{panel.name: panel for panel in window.panels},
+    }
+    return next(name for name, part in parts.items() if part.isAncestorOf(widget))
+
+
+def in_turn(names):
+    regions = [region for region, _ in names]
+    return [one for k, one in enumerate(regions) if k == 0 or regions[k - 1] != one]
+
+
+def test_tab_goes_through_all_panels_in_the_order_of_the_work(at_work):
+    names = walk(at_work)
+    assert in_turn(names) == [
+        "inputs",
+        "inspector",
+        "skin",
+        "traces",
+        "spectra",
+        "status",  # how to get the measured limbs
+        "setup",
+        "hand",
+    ]
+    assert len(set(names)) == len(names)
+    assert {
+        ("setup", "limb"),
+        ("setup", "method"),
+        ("inputs", "amplitude_field"),
+        ("inspector", "kind_field"),
+        ("inspector", "location_field"),
+        ("skin", "map_fit_hand"),
+        ("skin", "range_auto"),
+        ("traces", "overlaid"),
+        ("traces", "remove-delay"),
+        ("traces", "traces-plot"),
+        ("spectra", "log-magnitude"),
+        ("spectra", "spectra-plot"),
+    } <= set(names)
+
+
+def test_shift_tab_goes_the_same_way_back(at_work):
+    there, back = walk(at_work), walk(at_work, SHIFT)
+    assert back[:-1] == there[-2::-1]
+
+
+def test_what_is_disabled_or_hidden_is_left_out(at_work, settle):
+    at_work.document.look(replace(at_work.document.view, axes="z"))
+    at_work.docks["inspector"].close()
+    settle()
+    names = walk(at_work)
+    assert ("setup", "axes") in names
+    assert ("setup", "method") not in names
+    assert "inspector" not in in_turn(names)
+
+
+@pytest.mark.parametrize("arrangement", ["design", "analysis", "presentation"])
+def test_each_arrangement_has_its_own_round(at_work, arrangement):
+    getattr(at_work.commands, f"arrange_{arrangement}")()
+    QApplication.processEvents()
+    at_work.skin.setFocus()
+    visible = {panel.name for panel in at_work.panels if panel.isVisible()}
+    assert {region for region, _ in walk(at_work)} == visible | {"setup", "status"}
+
+
+def test_a_notice_comes_first(at_work):
+    at_work.complain("Something went wrong")
+    at_work.setup_bar._limb.setFocus()
+    assert press(at_work, KEY.Key_Tab, SHIFT).objectName() == "close_notice"
+    press(at_work, KEY.Key_Space)
+    assert at_work.notice.text == ""
+
+
+def test_the_row_that_is_selected_has_the_stops(make_window, qtbot):
+    inputs = tuple(Input(location=k, waveform=Tone()) for k in (3, 7, 9))
+    window = make_window(Design(limb="synthetic-1", inputs=inputs), View(selected_input=1))
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    window.inputs.setFocus()
+    amplitude = press(window, KEY.Key_Tab)
+    assert amplitude is window.inputs._list.rows.rows[1].amplitude
+
+
+def test_tab_ends_typing_and_goes_on(at_work):
+    field = next(
+        one for one in at_work.inspector._cells() if one.field.objectName() == "duration_s_field"
+    ).field
+    field.setFocus()
+    QTest.keyClicks(field, "300")
+    assert press(at_work, KEY.Key_Tab).objectName() == "window_field"
+    assert at_work.document.design.inputs[0].waveform.duration_s == 0.3
+
+
+def test_arrows_choose_among_buttons_that_exclude_each_other(at_work):
+    at_work.traces.setFocus()
+    while QApplication.focusWidget().objectName() != "overlaid":
+        press(at_work, KEY.Key_Tab, SHIFT)
+    press(at_work, KEY.Key_Right)
+    assert at_work.document.view.traces_layout == "stacked"
+    assert QApplication.focusWidget().objectName() == "stacked"
+
+
+def test_a_field_that_tab_reaches_scrolls_into_sight(at_work):
+    at_work.resize(1366, 500)
+    QApplication.processEvents()
+    at_work.skin.toolbar.setFocus()
+    while QApplication.focusWidget().objectName() != "location_field":
+        press(at_work, KEY.Key_Tab, SHIFT)
+    place = QApplication.focusWidget()
+    assert place.visibleRegion().boundingRect() == place.rect()
+
+
+def test_a_running_export_is_reached_and_cancelled_with_tab(at_work, qtbot, monkeypatch, tmp_path):
+    def write(path, *_, stop, **__):
+        while not stop():
+            threading.Event().wait(0.001)
+        raise Stopped
+
+    monkeypatch.setattr(export_actions, "export_field", write)
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "f.npz"), ""))
+    at_work.commands.export_field()
+    at_work.spectra.setFocus()
+    assert press(at_work, KEY.Key_Tab).objectName() == "cancel_exporting"
+    press(at_work, KEY.Key_Space)
+    qtbot.waitUntil(lambda: not at_work.commands.exports.jobs.busy)
+    assert not at_work.commands.exports.bar.isVisible()
+
+
+def test_the_way_to_the_measured_limbs_is_followed_with_enter(at_work):
+    at_work.spectra.setFocus()
+    assert press(at_work, KEY.Key_Tab).objectName() == "limb_note"
+    press(at_work, KEY.Key_Return)
+    page = next(one for one in at_work.findChildren(QDialog) if one.isVisible())
+    assert page.windowTitle() == "Get the measured limbs"
+    page.close()
+
+
+def test_a_note_without_a_link_is_no_stop(at_work):
+    at_work._limb_note.show_available(("measured-1", "synthetic-1"))
+    assert at_work._limb_note.isVisible()
+    assert "status" not in in_turn(walk(at_work))
+
+
+def test_f6_goes_from_panel_to_panel_in_the_same_order(at_work):
+    went = [region_of(at_work, press(at_work, KEY.Key_F6)) for _ in at_work.panels]
+    assert went == ["inputs", "inspector", "skin", "traces", "spectra", "hand"]
+    back = [region_of(at_work, press(at_work, KEY.Key_F6, SHIFT)) for _ in at_work.panels]
+    assert back == ["spectra", "traces", "skin", "inspector", "inputs", "hand"]
+
+
+def test_f6_passes_by_panels_that_have_nothing_for_the_keyboard(at_work, settle):
+    at_work.commands.clear_inputs()
+    settle()
+    at_work.hand.setFocus()
+    went = [region_of(at_work, press(at_work, KEY.Key_F6)) for _ in range(4)]
+    assert went == ["skin", "traces", "spectra", "hand"]
+
+
+def test_f6_goes_to_a_panel_that_floats_and_back_and_tab_stays_in_it(at_work, qtbot):
+    at_work.docks["traces"].setFloating(True)
+    at_work.activateWindow()
+    qtbot.waitUntil(at_work.isActiveWindow)
+    at_work.skin.setFocus()
+    press(at_work, KEY.Key_F6)
+    qtbot.waitUntil(lambda: region_with_keyboard(at_work) == "traces")
+    for _ in range(6):
+        assert region_of(at_work, press(at_work, KEY.Key_Tab)) == "traces"
+    press(at_work, KEY.Key_F6)
+    qtbot.waitUntil(lambda: region_with_keyboard(at_work) == "spectra")
+
+
+def region_with_keyboard(window):
+    focused = QApplication.focusWidget()
+    return None if focused is None else region_of(window, focused)
