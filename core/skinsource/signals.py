@@ -3,7 +3,6 @@
 Times are ``arange(n) / sample_rate_hz``; amplitude 1 is the peak of the recipe.
 """
 
-from fractions import Fraction
 from math import floor, isfinite
 from typing import Literal, get_args
 
@@ -94,12 +93,18 @@ def sinusoid(
     if not np.isfinite(phase_rad):
         raise InvalidInputError(f"phase_rad is {phase_rad}, expected a finite number")
     n = sample_count(duration_s, sample_rate_hz)
-    turns_per_sample = Fraction(float(frequency_hz)) / Fraction(float(sample_rate_hz))
-    above, below = turns_per_sample.as_integer_ratio()
+    # Turns per sample as a fraction of whole numbers; dividing those rounds once.
+    (hz, per_hz), (rate, per_rate) = (
+        float(value).as_integer_ratio() for value in (frequency_hz, sample_rate_hz)
+    )
+    above, below = hz * per_rate, per_hz * rate
     starts = [k * above % below / below for k in range(0, n, _PHASE_BLOCK)]
-    within = np.arange(_PHASE_BLOCK) * float(turns_per_sample)
+    within = np.arange(_PHASE_BLOCK) * (above / below)
     turns = np.add.outer(np.array(starts), within).ravel()[:n]
-    return np.sin(2.0 * np.pi * turns + phase_rad) * window(window_name, n)
+    samples = np.sin(2.0 * np.pi * turns + phase_rad)
+    if window_name != "none":
+        samples *= window(window_name, n)
+    return samples
 
 
 def tap(time_s: float = 0.0, *, sample_rate_hz: float = SAMPLE_RATE_HZ) -> Floats:

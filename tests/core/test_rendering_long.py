@@ -92,7 +92,8 @@ def test_a_drive_that_is_in_use_is_not_drawn_again_however_small_the_memory():
     np.testing.assert_array_equal(drives.drawn(one, 1300.0).samples, samples)
 
 
-def test_each_long_waveform_is_drawn_once():
+def test_each_long_waveform_is_drawn_once_whatever_is_asked_first(monkeypatch):
+    monkeypatch.setattr("skinsource.rendering.renderer.Drives", lambda: Drives(budget_bytes=0))
     graph = new_graph()
     graph.evaluate((*ALL, "input_waveforms", "trace_error"), sources(LONG, VIEW))
     drawn = sum(one.waveform.samples(1300.0).size for one in LONG.inputs)

@@ -45,7 +45,7 @@ class OwnForms:
         """Moments of the field of ``drive``, (n_bins,); of different axes only if wanted."""
         power = (np.square(drive.real) + np.square(drive.imag)) * _weights(n_fft)
         return Moments(
-            _filled(self._squares @ power, self._products @ power if products else None),
+            _filled(_by(self._squares, power), _by(self._products, power) if products else None),
             self.values[:, :, 0].real * drive[0].real,
         )
 
@@ -80,8 +80,15 @@ class CrossForms:
         """
         # The real part of a product of complex numbers, as one of real rows and columns.
         column = (drive * _weights(n_fft)).view(np.float64)
-        second = _filled(self._squares @ column, self._products @ column if products else None)
+        squares = _by(self._squares, column)
+        second = _filled(squares, _by(self._products, column) if products else None)
         return Moments(second, np.zeros(second.shape[:2]))
+
+
+def _by(form: Floats, column: Floats) -> Floats:
+    """One product of a matrix and a column, (72, 3): faster than one for each output."""
+    found: Floats = form.reshape(-1, column.size) @ column
+    return found.reshape(form.shape[:2])
 
 
 def _weights(n_fft: int) -> Floats:

@@ -40,6 +40,7 @@ class Renderer:
         self._drives = Drives()
         self._gains = Gains(self._drives)
         self._exact_spectra = ExactSpectra()
+        self._shown: list[Drive] = []
 
     def rules(self) -> tuple[Callable[..., Any], ...]:
         """The methods that are rules."""
@@ -62,6 +63,8 @@ class Renderer:
     ) -> tuple[Floats, ...]:
         """What each input plays, muted or not: one (n_times,) each, of peak 1."""
         drives = [self._drawn(one, sample_rate_hz, stop) for one in inputs]
+        # Where they exceed the memory of drives, the field would draw them again.
+        self._shown = drives
         # Long ones are not held twice: most have a peak of exactly 1.
         return tuple(
             drive.samples if drive.factor in (0.0, 1.0) else drive.samples * drive.factor
