@@ -47,13 +47,19 @@ class StatusLine(QWidget):
         self._heard = ""
         self._pause = QTimer(self, singleShot=True, interval=_PAUSE_MS)
         self._pause.timeout.connect(self._say)
+        # Until something is edited there is no time to tell.
+        self._times = QWidget()
+        self._times.hide()
+        times = QHBoxLayout(self._times)
+        times.setContentsMargins(0, 0, UNIT_PX // 2, 0)
+        times.setSpacing(UNIT_PX)
+        times.addWidget(self.timing)
+        times.addWidget(self._sparkline)
         row = QHBoxLayout(self)
         row.setContentsMargins(UNIT_PX, 0, 0, 0)
         # As wide as the blank after the dot that the error starts with.
         row.setSpacing(UNIT_PX // 2)
-        for widget in (self.timing, self._sparkline):
-            row.addWidget(widget)
-            row.addSpacing(UNIT_PX // 2)
+        row.addWidget(self._times)
         row.addWidget(self._work)
         row.addWidget(self.error)
         row.addStretch(1)
@@ -98,6 +104,7 @@ class StatusLine(QWidget):
         return self.timing.last, self.timing.times.seconds()
 
     def _note_times(self) -> None:
+        self._times.show()
         self._sparkline.show_times(self.timing.times.seconds())
 
     def _about_times(self) -> str:
