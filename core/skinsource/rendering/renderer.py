@@ -1,8 +1,8 @@
 """Rules that turn the inputs of a scene into parts: the selected input, and all others.
 
-The selected input is the one that is being edited.  Its field is kept at amplitude 1, apart from
-the sum of the others, so that a change of its amplitude transforms nothing, and a change of its
-waveform or onset leaves the others alone.  What comes out is a function of design and view.
+The selected input is the one that is being edited.  It is kept at amplitude 1, apart from the sum
+of the others, so that a change of its amplitude transforms nothing, and a change of its waveform or
+onset leaves the others alone.  What comes out is a function of design and view.
 """
 
 from collections.abc import Callable
