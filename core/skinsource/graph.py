@@ -102,6 +102,10 @@ class Graph:
             return memo[1]
         if known["stop"]():
             raise Stopped
+        if memo is not None and isinstance(memo[1], np.ndarray):
+            # No array equals another: this one goes before the next is made, long ones are large.
+            del self._memo[name]
+            memo = None
         given = dict(zip(step.needs, inputs, strict=True))
         if step.takes_stop:
             given["stop"] = known["stop"]

@@ -1,3 +1,5 @@
+import weakref
+
 import numpy as np
 import pytest
 
@@ -178,3 +180,19 @@ def test_methods_are_rules_too():
     graph = Graph(counter.counted)
     assert graph.evaluate(["counted"], {"number": 1}) == {"counted": 2}
     assert counter.calls == 1
+
+
+def test_an_array_goes_before_the_next_one_is_made():
+    alive = []
+
+    def large(size: int) -> np.ndarray:
+        alive.append([reference() is not None for reference in references])
+        made = np.zeros(size)
+        references.append(weakref.ref(made))
+        return made
+
+    references: list = []
+    graph = Graph(large)
+    for size in (3, 4, 5):
+        graph.evaluate({"large"}, {"size": size})
+    assert alive == [[], [False], [False, False]]
