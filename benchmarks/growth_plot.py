@@ -154,5 +154,5 @@ def write(points: Sequence[Point], machine: Machine, limb: str, folder: Path) ->
             for row in rows
         )
     with matplotlib.rc_context({"svg.fonttype": "none", "svg.hashsalt": "skinsource"}):
-        figure.savefig(folder / "growth.svg", metadata={"Date": None})
+        figure.savefig(folder / "growth.svg", metadata={"Creator": None, "Date": None})
         figure.savefig(folder / "growth.png")

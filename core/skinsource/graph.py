@@ -14,6 +14,14 @@ import numpy as np
 
 from skinsource.work import Work, counting, tally
 
+#: Asked now and then by what takes long; once true, `Stopped` is raised.
+Stop = Callable[[], bool]
+
+
+def never() -> bool:
+    """Do not stop."""
+    return False
+
 
 class UnknownQuantity(LookupError):
     """Nothing computes the quantity that was asked for."""
@@ -60,7 +68,7 @@ class Graph:
         self,
         wanted: Iterable[str],
         given: Mapping[str, Any],
-        stop: Callable[[], bool] = lambda: False,
+        stop: Stop = never,
     ) -> dict[str, Any]:
         """Return the ``wanted`` quantities, starting from the ``given`` ones.
 

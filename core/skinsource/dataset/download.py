@@ -5,10 +5,11 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import IO, Any
 
-from skinsource.dataset.job import Stop, stop_if
+from skinsource.dataset.job import stop_if
 from skinsource.dataset.optional import optional_package
 from skinsource.dataset.published import RemoteFile
 from skinsource.errors import DownloadError, StorageError
+from skinsource.graph import Stop
 
 STOPPED = (
     "Downloading was stopped; what has arrived is kept, and 'skinsource dataset fetch' goes on "

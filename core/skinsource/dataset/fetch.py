@@ -7,13 +7,14 @@ from typing import Any
 
 from skinsource.dataset.download import download
 from skinsource.dataset.install import install
-from skinsource.dataset.job import Progress, Stop, never, silent
+from skinsource.dataset.job import Progress, silent
 from skinsource.dataset.optional import optional_package
 from skinsource.dataset.published import RemoteFile, published_files
 from skinsource.dataset.source import download_folder
 from skinsource.dataset.store import StoreInfo
 from skinsource.errors import DownloadError, StorageError
 from skinsource.files import make_folder
+from skinsource.graph import Stop, never
 
 
 def fetch(

@@ -13,13 +13,14 @@ from numpy.typing import NDArray
 from skinsource import hdf5
 from skinsource.assets import user_folder
 from skinsource.dataset import layout
-from skinsource.dataset.job import Progress, Stop, never, silent, stop_if
+from skinsource.dataset.job import Progress, silent, stop_if
 from skinsource.dataset.mapfiles import MapFiles, read_map_files
 from skinsource.dataset.responses import N_ROWS, Responses, read_responses
 from skinsource.dataset.source import find_source
 from skinsource.dataset.store import StoreInfo, describe
 from skinsource.errors import StorageError
 from skinsource.files import make_folder, replacing
+from skinsource.graph import Stop, never
 
 STOPPED = "Installing was stopped; nothing was changed."
 _PIECE_BYTES = 4 * 2**20

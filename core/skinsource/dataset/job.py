@@ -3,20 +3,14 @@
 from collections.abc import Callable
 
 from skinsource.errors import Cancelled
+from skinsource.graph import Stop
 
 #: Called with (done, total, what is being done).
 Progress = Callable[[int, int, str], None]
-#: Asked between steps; True stops the job.
-Stop = Callable[[], bool]
 
 
 def silent(done: int, total: int, text: str) -> None:
     """Show no progress."""
-
-
-def never() -> bool:
-    """Do not stop."""
-    return False
 
 
 def stop_if(cancelled: Stop, text: str) -> None:

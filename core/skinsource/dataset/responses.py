@@ -6,9 +6,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.dataset.job import Progress, Stop, stop_if
+from skinsource.dataset.job import Progress, stop_if
 from skinsource.dataset.matfile import WHAT_TO_DO, read_variable
 from skinsource.errors import DatasetError
+from skinsource.graph import Stop
 from skinsource.limb import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS, Floats
 
 TABLE = "dataTable"

@@ -6,10 +6,11 @@ from pathlib import Path
 
 from skinsource.dataset import layout
 from skinsource.dataset.contents import Contents
-from skinsource.dataset.job import Progress, Stop, never, silent, stop_if
+from skinsource.dataset.job import Progress, silent, stop_if
 from skinsource.dataset.source import MAP_FILES, MAP_FOLDER, RESPONSES_FILE, download_folder
 from skinsource.dataset.store import open_store, store_path
 from skinsource.errors import StorageError
+from skinsource.graph import Stop, never
 from skinsource.limb import N_INPUTS
 
 

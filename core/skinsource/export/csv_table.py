@@ -6,8 +6,7 @@ from typing import BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.dataset.job import Stop
-from skinsource.graph import Stopped
+from skinsource.graph import Stop, Stopped
 
 Floats = NDArray[np.float64]
 

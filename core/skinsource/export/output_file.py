@@ -7,9 +7,8 @@ from io import BufferedRandom, FileIO
 from pathlib import Path
 from typing import TYPE_CHECKING, BinaryIO
 
-from skinsource.dataset.job import Stop
 from skinsource.files import replacing
-from skinsource.graph import Stopped
+from skinsource.graph import Stop, Stopped
 
 if TYPE_CHECKING:
     from _typeshed import ReadableBuffer

@@ -6,8 +6,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.dataset.job import Progress, Stop
+from skinsource.dataset.job import Progress
 from skinsource.design import Design
+from skinsource.graph import Stop
 from skinsource.limb import N_AXES, N_OUTPUTS, Limb
 from skinsource.projection import Axes
 from skinsource.quantities import new_graph, sources

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from skinsource.dataset.job import Progress, Stop, never, silent
+from skinsource.dataset.job import Progress, silent
 from skinsource.design import Design
 from skinsource.errors import StorageError
 from skinsource.export.figures import (
@@ -19,7 +19,7 @@ from skinsource.export.figures import (
 from skinsource.export.npz_archive import NpzArchive
 from skinsource.export.output_file import output_file
 from skinsource.export.scene import ALL_OUTPUTS, Scene
-from skinsource.graph import Stopped
+from skinsource.graph import Stop, Stopped, never
 from skinsource.limb import N_AXES, N_OUTPUTS
 from skinsource.view import View
 

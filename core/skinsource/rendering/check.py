@@ -5,11 +5,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from skinsource.graph import Stop
 from skinsource.limb import N_AXES
 from skinsource.rendering.drives import Drive
 from skinsource.rendering.maxima import peaks_of
 from skinsource.rendering.response_spectra import ResponseSpectrum
-from skinsource.rendering.streaming import Stop
 from skinsource.rendering.transforms import Complexes, Floats
 
 #: Samples that are computed again, and the factor from their largest error to the estimate.

@@ -4,10 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skinsource.graph import Stopped
+from skinsource.graph import Stop, Stopped, never
 from skinsource.rendering.drives import delayed
 from skinsource.rendering.part import Part
-from skinsource.rendering.streaming import Stop, StreamedField, never
+from skinsource.rendering.streaming import StreamedField
 from skinsource.rendering.transforms import Complexes, Floats, forward
 
 

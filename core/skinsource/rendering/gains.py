@@ -1,11 +1,12 @@
 """What unit fields are multiplied with, so that an amplitude means what its scaling says."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from sys import getsizeof
 from weakref import ref
 
 import numpy as np
 
+from skinsource.graph import Stop, never
 from skinsource.limb import Limb
 from skinsource.rendering.drives import Drive, Drives, Source
 from skinsource.rendering.maxima import peaks_of
@@ -24,7 +25,7 @@ def unit_gains(
     drives: Sequence[Drive],
     spectra: Sequence[Complexes],
     responses: Sequence[ResponseSpectrum],
-    stop: Callable[[], bool] = lambda: False,
+    stop: Stop = never,
 ) -> list[float]:
     """What fields of the scaled samples of drives are multiplied with under upstream's scaling.
 
@@ -62,7 +63,7 @@ class Gains:
         sources: Sequence[Source],
         drives: Sequence[Drive],
         responses: Sequence[ResponseSpectrum],
-        stop: Callable[[], bool] = lambda: False,
+        stop: Stop = never,
     ) -> list[float]:
         """Gain of each source, none of them silent; what is not known is found together.
 

@@ -4,14 +4,14 @@ Channels are transformed in the order of what bounds their samples, until no bou
 maximum found: the result is that of the full search.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from itertools import chain, repeat
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.graph import Stopped
+from skinsource.graph import Stop, Stopped, never
 from skinsource.limb import N_TAPS
 from skinsource.rendering.bounds import channel_bounds
 from skinsource.rendering.response_spectra import ResponseSpectrum
@@ -40,7 +40,7 @@ def peaks_of(
     drives: Sequence[Floats],
     spectra: Sequence[Complexes],
     responses: Sequence[ResponseSpectrum],
-    stop: Callable[[], bool] = lambda: False,
+    stop: Stop = never,
 ) -> list[Peak]:
     """Signed maximum of each drive convolved with its responses, over channels and times.
 
@@ -103,7 +103,7 @@ def _signals(
     return inverse(found, responses[0].n_fft)
 
 
-def _peak_by_blocks(samples: Floats, response: ResponseSpectrum, stop: Callable[[], bool]) -> Peak:
+def _peak_by_blocks(samples: Floats, response: ResponseSpectrum, stop: Stop) -> Peak:
     peak = Peak(-np.inf)
     starts = range(0, samples.size + N_TAPS - 1, BLOCK_SAMPLES)
     for k in range(0, len(starts), _BLOCKS_AT_ONCE):
@@ -127,7 +127,7 @@ def _search(
     bounds: Floats,
     starts: list[int],
     peak: Peak,
-    stop: Callable[[], bool],
+    stop: Stop,
 ) -> Peak:
     """Largest sample of blocks of a field, or ``peak`` if none exceeds it.
 

@@ -12,7 +12,7 @@ from weakref import ref
 import numpy as np
 
 from skinsource.design import Input
-from skinsource.graph import Stopped
+from skinsource.graph import Stop, Stopped, never
 from skinsource.limb import N_TAPS, Limb
 from skinsource.projection import Axes, axis_numbers
 from skinsource.rendering.check import Heard, TraceError, exact_gains, trace_error_of
@@ -22,7 +22,7 @@ from skinsource.rendering.gains import Gains
 from skinsource.rendering.part import Part, rows_of
 from skinsource.rendering.response_spectra import ResponseSpectra, ResponseSpectrum
 from skinsource.rendering.segments import BLOCK_FFT, Played
-from skinsource.rendering.streaming import Stop, StreamedField
+from skinsource.rendering.streaming import StreamedField
 from skinsource.rendering.sums import sum_of_fields
 from skinsource.rendering.transforms import Complexes, Floats
 from skinsource.response_scaling import Scaling
@@ -194,8 +194,7 @@ class Renderer:
         if n_fft is not None:
             return None
         rate = limb_data.sample_rate_hz
-        drawn = [(one, self._drawn(one, rate, stop)) for one in audible]
-        heard = [(one, drive) for one, drive in drawn if _is_heard(one, drive)]
+        heard = self._heard(audible, rate, stop)
         if not heard:
             return StreamedField([], None, response_samples)
         used = tuple(sorted({one.location for one, _ in heard}))
@@ -228,8 +227,7 @@ class Renderer:
     ) -> TraceError | None:
         """Error of the selected traces; None where there is nothing to check."""
         rate = limb_data.sample_rate_hz
-        drawn = [(one, self._drawn(one, rate, stop)) for one in audible]
-        heard = [(one, drive) for one, drive in drawn if _is_heard(one, drive)]
+        heard = self._heard(audible, rate, stop)
         responses = self._responses_to(limb_data, [one for one, _ in heard], scaling, n_fft)
         spectra = [self._drives.spectrum(one, rate, n_fft) for one, _ in heard if n_fft is not None]
         drives = [drive for _, drive in heard]
@@ -251,15 +249,14 @@ class Renderer:
         self, limb: Limb, inputs: tuple[Input, ...], scaling: Scaling, n_fft: int
     ) -> Complexes | None:
         rate = limb.sample_rate_hz
-        drawn = [(one, self._drives.drawn(one, rate)) for one in inputs]
-        heard = [one for one, drive in drawn if _is_heard(one, drive)]
+        heard = self._heard(inputs, rate)
         if not heard:
             return None
-        drives = [drive for one, drive in drawn if _is_heard(one, drive)]
-        responses = self._responses_to(limb, heard, scaling, n_fft)
-        gains = self._gains.of(limb, scaling, [*map(source_of, heard)], drives, responses)
+        played, drives = [one for one, _ in heard], [drive for _, drive in heard]
+        responses = self._responses_to(limb, played, scaling, n_fft)
+        gains = self._gains.of(limb, scaling, [*map(source_of, played)], drives, responses)
         spectra = []
-        for one, gain in zip(heard, gains, strict=True):
+        for one, gain in zip(played, gains, strict=True):
             spectrum = self._drives.spectrum(one, rate, n_fft)
             onset = sample_count(one.onset_s, rate)
             spectra.append(delayed(spectrum, onset, n_fft) * (one.amplitude * gain))
@@ -277,11 +274,14 @@ class Renderer:
         stack = self._responses.stack(limb, used, scaling, BLOCK_FFT)
         return [stack.responses[one.location] for one in inputs]
 
+    def _heard(
+        self, inputs: tuple[Input, ...], sample_rate_hz: float, stop: Stop = never
+    ) -> list[tuple[Input, Drive]]:
+        """Inputs that can be felt, and what they play."""
+        drawn = [(one, self._drawn(one, sample_rate_hz, stop)) for one in inputs]
+        return [(one, drive) for one, drive in drawn if one.amplitude and not drive.silent]
+
     def _drawn(self, one: Input, sample_rate_hz: float, stop: Stop) -> Drive:
         if stop():
             raise Stopped
         return self._drives.drawn(one, sample_rate_hz)
-
-
-def _is_heard(one: Input, drive: Drive) -> bool:
-    return one.amplitude != 0.0 and not drive.silent

@@ -8,6 +8,7 @@ import numpy as np
 
 from skinsource.decibels import decibels
 from skinsource.design import Input, audible_indices, audible_inputs
+from skinsource.graph import Stop
 from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS
 from skinsource.projection import Axes, Method, axis_numbers
 from skinsource.rendering.drives import Booleans, Source, delayed, source_of
@@ -24,7 +25,7 @@ from skinsource.rendering.moments import (
 from skinsource.rendering.part import Part, rows_of
 from skinsource.rendering.response_spectra import ResponseSpectrum
 from skinsource.rendering.segments import length_at_once
-from skinsource.rendering.streaming import Stop, StreamedField
+from skinsource.rendering.streaming import StreamedField
 from skinsource.rendering.transforms import Complexes, Floats
 from skinsource.signals import sample_count
 

@@ -5,11 +5,11 @@ response.  At each frequency the fields of all inputs, in some blocks, are one m
 Blocks in which all inputs are silent cost nothing.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from skinsource.graph import Stopped
+from skinsource.graph import Stop, Stopped, never
 from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS
 from skinsource.rendering.drives import Booleans, reach
 from skinsource.rendering.moments import Moments
@@ -18,15 +18,8 @@ from skinsource.rendering.segments import BLOCK_FFT, BLOCK_SAMPLES, Played
 from skinsource.rendering.side_by_side import side_by_side
 from skinsource.rendering.transforms import Complexes, Floats, forward, inverse
 
-Stop = Callable[[], bool]
-
 # Blocks whose spectra are made together: enough for matrix products to be worth it.
 _GROUP = 4
-
-
-def never() -> bool:
-    """Do not stop."""
-    return False
 
 
 class StreamedField:

@@ -2,11 +2,12 @@
 
 import numpy as np
 
+from skinsource.graph import Stop
 from skinsource.projection import Axes, Method, axis_numbers, magnitude
 from skinsource.rendering.field import Field, one_by_one
 from skinsource.rendering.moments import Moments, without_main_axis
 from skinsource.rendering.part import Part
-from skinsource.rendering.streaming import Stop, StreamedField
+from skinsource.rendering.streaming import StreamedField
 from skinsource.rendering.transforms import Complexes, Floats, forward
 from skinsource.spectra import one_sided_magnitude
 
