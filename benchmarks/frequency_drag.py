@@ -30,11 +30,11 @@ from skinsource.catalogue import available_limbs, default_limb
 from skinsource.design import Design, Input
 from skinsource.view import View
 from skinsource.waveforms import Tone
-from skinsource_gui.app import exempt_from_collection, make_application
-from skinsource_gui.engine import Outcome
-from skinsource_gui.preferences import Preferences
-from skinsource_gui.widgets.number_field import PIXELS_PER_STEP, NumberField
-from skinsource_gui.window import MainWindow
+from skinsource_gui.shell.app import exempt_from_collection, make_application
+from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.engine import Outcome
+from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.widgets.fields.number_field import PIXELS_PER_STEP, NumberField
 
 OUTPUTS = (29, 30, 33, 35, 38, 52)
 #: Median and 95th percentile that are promised, in ms, for each length of the inputs in s.

@@ -33,10 +33,10 @@ from skinsource.design import Design, Input, start_design
 from skinsource.quantities import new_graph, sources
 from skinsource.view import View
 from skinsource.waveforms import Tone
-from skinsource_gui.app import make_application
-from skinsource_gui.document import Document
-from skinsource_gui.preferences import Preferences
-from skinsource_gui.window import MainWindow
+from skinsource_gui.shell.app import make_application
+from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.preferences import Preferences
 
 #: What the panels of the window show, and the check of it.
 SHOWN = frozenset(

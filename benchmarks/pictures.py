@@ -17,9 +17,9 @@ from skinsource.catalogue import available_limbs, default_limb
 from skinsource.design import Design, Input, start_design
 from skinsource.view import View
 from skinsource.waveforms import Noise, Tap, Tone
-from skinsource_gui.app import make_application
-from skinsource_gui.preferences import Preferences
-from skinsource_gui.window import MainWindow
+from skinsource_gui.shell.app import make_application
+from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.preferences import Preferences
 
 SIZES = ((1366, 768), (1920, 1080))
 FOLDER = Path("build/pictures")

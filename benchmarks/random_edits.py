@@ -11,7 +11,7 @@ from skinsource.limb import N_INPUTS, N_OUTPUTS
 from skinsource.projection import AXES, METHODS
 from skinsource.response_scaling import SCALINGS
 from skinsource.waveforms import Impulse, Noise, Tap, Tone
-from skinsource_gui.document import Document
+from skinsource_gui.state.document import Document
 
 _MOST_INPUTS = 8
 _DURATIONS_S = (0.05, 0.1, 0.2, 0.5, 1.0)

@@ -16,9 +16,9 @@ os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 from PySide6.QtCore import QEventLoop, Qt, QTimer
 
 from skinsource.graph import Graph
-from skinsource_gui.app import make_application
-from skinsource_gui.conductor import PATIENCE_S
-from skinsource_gui.engine import Engine, Outcome, Request
+from skinsource_gui.shell.app import make_application
+from skinsource_gui.state.conductor import PATIENCE_S
+from skinsource_gui.state.engine import Engine, Outcome, Request
 
 CHANGES, PERIOD_MS, EVALUATION_S = 1000, 5, 0.04
 

@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDialog, QMessageBox
 
 from skinsource.waveforms import Tone
-from skinsource_gui.palette import Palette
+from skinsource_gui.shell.palette import Palette
 
 KEY = Qt.Key
 

@@ -24,9 +24,9 @@ from walk_looking import change_setup, colour_the_map, read_plots, select_output
 
 from skinsource.catalogue import available_limbs, default_limb
 from skinsource.design import start_design
-from skinsource_gui.app import make_application
-from skinsource_gui.preferences import Preferences
-from skinsource_gui.window import MainWindow
+from skinsource_gui.shell.app import make_application
+from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.preferences import Preferences
 
 CHAPTERS = (
     place_inputs,

@@ -32,14 +32,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     # studio collects again once its window stands, and rendering to files is over by then.
     gc.disable()
     if on_a_screen:
-        return int(importlib.import_module("skinsource_gui.app").run(options.design))
+        return int(importlib.import_module("skinsource_gui.shell.app").run(options.design))
     folder = options.render or _FIRST_RUN
     if options.render is None:
         sys.stdout.write(
             f"There is no display here: the start design is rendered to {folder} instead.\n"
         )
     os.environ["QT_QPA_PLATFORM"] = "offscreen"
-    return int(importlib.import_module("skinsource_gui.first_run").run(folder, options.design))
+    return int(importlib.import_module("skinsource_gui.headless").run(folder, options.design))
 
 
 def _parser() -> argparse.ArgumentParser:

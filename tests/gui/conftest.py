@@ -7,8 +7,8 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource.catalogue import available_limbs
 from skinsource.design import start_design
-from skinsource_gui.preferences import Preferences
-from skinsource_gui.window import MainWindow
+from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.preferences import Preferences
 
 
 @pytest.fixture

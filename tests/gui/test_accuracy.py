@@ -3,7 +3,7 @@
 import pytest
 
 from skinsource.rendering.check import TraceError
-from skinsource_gui.error_label import ErrorLabel, one_digit_up
+from skinsource_gui.status.error_label import ErrorLabel, one_digit_up
 from skinsource_gui.theme import LIGHT
 
 

@@ -21,8 +21,8 @@ from PySide6.QtWidgets import (
 from skinsource.bench.table import read_table
 from skinsource.command_line import _parser
 from skinsource.rendering.check import TraceError
-from skinsource_gui import bench_run
-from skinsource_gui.widgets.picture_view import PictureView
+from skinsource_gui.accuracy_page import bench_run
+from skinsource_gui.accuracy_page.picture_view import PictureView
 
 CHILD = """
 import os, sys, time

@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import Qt
 
 from skinsource.bench.table import Row
-from skinsource_gui.bench_table import BenchTable, verdict
+from skinsource_gui.accuracy_page.bench_table import BenchTable, verdict
 from skinsource_gui.theme import DARK
 
 KEPT = Row(

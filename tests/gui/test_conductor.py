@@ -8,10 +8,10 @@ from skinsource.design import Design, Input
 from skinsource.errors import InvalidInputError
 from skinsource.graph import Graph
 from skinsource.view import View
-from skinsource_gui.conductor import Conductor
-from skinsource_gui.document import Document
-from skinsource_gui.engine import Engine
 from skinsource_gui.panel import Panel
+from skinsource_gui.state.conductor import Conductor
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.engine import Engine
 
 
 def loudness(inputs):

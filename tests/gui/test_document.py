@@ -5,7 +5,7 @@ import pytest
 from skinsource.design import Design, Input
 from skinsource.view import View
 from skinsource.waveforms import Tone
-from skinsource_gui.document import Document
+from skinsource_gui.state.document import Document
 
 ONE_TONE = Design(limb="synthetic-1", inputs=(Input(location=7, waveform=Tone()),))
 

@@ -4,7 +4,7 @@ from time import perf_counter
 import pytest
 
 from skinsource.graph import Graph, Stopped
-from skinsource_gui.engine import Engine, Request
+from skinsource_gui.state.engine import Engine, Request
 
 
 @pytest.fixture

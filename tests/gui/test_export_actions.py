@@ -20,8 +20,8 @@ from skinsource.graph import Stopped
 from skinsource.rendering import renderer
 from skinsource.rendering.check import TraceError
 from skinsource.waveforms import Noise, Tone
-from skinsource_gui import export_actions
-from skinsource_gui.widgets.export_bar import ExportBar
+from skinsource_gui.files import export_actions
+from skinsource_gui.files.export_bar import ExportBar
 
 YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
 #: Written in some seconds.

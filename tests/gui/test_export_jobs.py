@@ -7,7 +7,7 @@ from PySide6.QtCore import QThread
 from skinsource.design import Design
 from skinsource.graph import Stopped
 from skinsource.view import View
-from skinsource_gui.export_jobs import ExportJobs, ExportOrder
+from skinsource_gui.files.export_jobs import ExportJobs, ExportOrder
 
 
 class Writer:

@@ -10,7 +10,7 @@ from skinsource.design import Design, Input
 from skinsource.graph import Stopped
 from skinsource.view import View
 from skinsource.waveforms import Tone
-from skinsource_gui import export_actions
+from skinsource_gui.files import export_actions
 
 KEY = Qt.Key
 SHIFT = Qt.KeyboardModifier.ShiftModifier

@@ -4,7 +4,7 @@ from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication, QComboBox
 
 from skinsource.dataset.install import install
-from skinsource_gui.limb_note import LimbNote
+from skinsource_gui.status.limb_note import LimbNote
 
 
 def come_back_to(window):

@@ -1,7 +1,7 @@
 import gc
 
 from skinsource.design import start_design
-from skinsource_gui.document import MOST_STEPS, Document
+from skinsource_gui.state.document import MOST_STEPS, Document
 
 
 def steps_in_memory():

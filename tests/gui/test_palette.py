@@ -5,8 +5,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDialog
 
-from skinsource_gui.actions import ACTIONS
-from skinsource_gui.palette import Palette, matching, score
+from skinsource_gui.shell.actions import ACTIONS
+from skinsource_gui.shell.palette import Palette, matching, score
 
 
 @pytest.mark.parametrize(

@@ -4,8 +4,8 @@ import pytest
 from PySide6.QtWidgets import QWidget
 
 from skinsource.graph import Graph
-from skinsource_gui.engine import Request
-from skinsource_gui.patient_engine import PatientEngine
+from skinsource_gui.state.engine import Request
+from skinsource_gui.state.patient_engine import PatientEngine
 
 
 @pytest.fixture

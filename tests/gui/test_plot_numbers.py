@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from skinsource_gui.widgets.curves import Curves, output_names
-from skinsource_gui.widgets.decimation import MOST_IN_COLUMN, in_rows, visible_points
-from skinsource_gui.widgets.plot_axis import linear_ticks, log_ticks, number_text, value_unit
-from skinsource_gui.widgets.plot_rows import Rows
-from skinsource_gui.widgets.ranges import HeldRange, within, zoomed
+from skinsource_gui.widgets.plot.curves import Curves, output_names
+from skinsource_gui.widgets.plot.decimation import MOST_IN_COLUMN, in_rows, visible_points
+from skinsource_gui.widgets.plot.plot_axis import linear_ticks, log_ticks, number_text, value_unit
+from skinsource_gui.widgets.plot.plot_rows import Rows
+from skinsource_gui.widgets.plot.ranges import HeldRange, within, zoomed
 
 
 def test_a_range_grows_at_once_and_shrinks_only_below_60_percent():

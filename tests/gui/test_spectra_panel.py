@@ -12,8 +12,8 @@ from skinsource.design import start_design
 from skinsource.quantities import RULES, sources
 from skinsource.spectra import magnitude_spectrum
 from skinsource.view import View
-from skinsource_gui.panels.spectra import SpectraPanel
-from skinsource_gui.widgets.signal_plot import SignalPlot
+from skinsource_gui.panels.spectra.panel import SpectraPanel
+from skinsource_gui.widgets.plot.signal_plot import SignalPlot
 
 LINEAR = View(method="pca", outputs=(29, 52), log_magnitude=False)
 

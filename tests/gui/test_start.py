@@ -9,8 +9,8 @@ from skinsource.catalogue import available_limbs
 from skinsource.design import start_design
 from skinsource_gui import __main__ as start
 from skinsource_gui import system_libraries
-from skinsource_gui.app import exempt_from_collection
-from skinsource_gui.window import MainWindow
+from skinsource_gui.shell.app import exempt_from_collection
+from skinsource_gui.shell.window import MainWindow
 
 UNNEEDED = ("scipy.signal", "matplotlib", "pandas", "matio", "pooch", "requests")
 #: What only the worker needs, once the window is painted.
@@ -83,7 +83,7 @@ def test_a_display_is_recognised(monkeypatch, environment, expected):
     assert system_libraries.has_display() == expected
 
 
-@pytest.mark.parametrize("module", ["skinsource", "skinsource_gui.app"])
+@pytest.mark.parametrize("module", ["skinsource", "skinsource_gui.shell.app"])
 def test_starting_imports_nothing_that_takes_long_and_is_not_needed(module):
     probe = f"import sys, {module}; print([m for m in {UNNEEDED} if m in sys.modules])"
     done = subprocess.run(
@@ -97,8 +97,8 @@ import os, sys
 from pathlib import Path
 from PySide6.QtCore import QEvent, QObject, QTimer
 from PySide6.QtWidgets import QWidget
-from skinsource_gui.app import make_application, make_window
-from skinsource_gui.preferences import Preferences
+from skinsource_gui.shell.app import make_application, make_window
+from skinsource_gui.state.preferences import Preferences
 
 names, application = sys.argv[2].split(), make_application()
 window = make_window(None, Preferences(Path(sys.argv[1])))

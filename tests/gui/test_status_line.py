@@ -14,11 +14,11 @@ from skinsource.rendering.segments import BLOCK_FFT
 from skinsource.view import View
 from skinsource.waveforms import Tone
 from skinsource.work import Work
-from skinsource_gui.edit_times import EditTime, EditTimes, milliseconds, most_within, summary
-from skinsource_gui.scope import Scope
+from skinsource_gui.status.edit_times import EditTime, EditTimes, milliseconds, most_within, summary
+from skinsource_gui.status.fitting_label import FittingLabel
+from skinsource_gui.status.scope import Scope
+from skinsource_gui.status.sparkline import Sparkline
 from skinsource_gui.theme import DARK, LIGHT
-from skinsource_gui.widgets.fitting_label import FittingLabel
-from skinsource_gui.widgets.sparkline import Sparkline
 
 
 def label(window, name):

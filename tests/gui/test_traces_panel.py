@@ -11,8 +11,8 @@ from PySide6.QtWidgets import QToolButton
 from skinsource.design import start_design
 from skinsource.quantities import RULES, sources
 from skinsource.view import View
-from skinsource_gui.panels.traces import TracesPanel
-from skinsource_gui.widgets.signal_plot import SignalPlot
+from skinsource_gui.panels.traces.panel import TracesPanel
+from skinsource_gui.widgets.plot.signal_plot import SignalPlot
 
 SIGNED = View(method="pca", outputs=(29, 52, 7))
 

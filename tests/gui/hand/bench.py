@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QApplication, QMenu
 from skinsource.design import Design, Input
 from skinsource.locations import input_place
 from skinsource.view import View
-from skinsource_gui.panels.hand import HandPanel
+from skinsource_gui.panels.hand.panel import HandPanel
 
 KEY, LEFT = Qt.Key, Qt.MouseButton.LeftButton
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from skinsource_gui.panels.hand import HandPanel
+from skinsource_gui.panels.hand.panel import HandPanel
 from tests.gui.hand.bench import Studio
 
 

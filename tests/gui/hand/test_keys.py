@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
 
 from skinsource.design import Design, Input
 from skinsource.view import View
-from skinsource_gui.panels.hand import HandPanel
+from skinsource_gui.panels.hand.panel import HandPanel
 from tests.gui.hand.bench import CONTROL, KEY, NONE, SHIFT
 
 # Keyboard

@@ -6,8 +6,8 @@ from PySide6.QtGui import QHelpEvent
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from skinsource.design import Input
+from skinsource_gui.panels.hand.site_marker import contrast, readable_on
 from skinsource_gui.theme import DARK, LIGHT, Theme
-from skinsource_gui.widgets.site_marker import contrast, readable_on
 from tests.gui.hand.bench import KEY
 
 # Showing

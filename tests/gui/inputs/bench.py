@@ -6,8 +6,8 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource.design import Design, Input
 from skinsource.view import View
-from skinsource_gui.panels.inputs import InputsPanel
-from skinsource_gui.widgets.input_list import InputRows
+from skinsource_gui.panels.inputs.input_list import InputRows
+from skinsource_gui.panels.inputs.panel import InputsPanel
 
 PLACES = (7, 2, 15)
 

@@ -4,7 +4,7 @@ from PySide6.QtWidgets import QLabel
 
 from skinsource.waveforms import Impulse, Noise, Tone
 from skinsource_gui.theme import DARK
-from skinsource_gui.widgets.waveform_preview import extremes
+from skinsource_gui.widgets.inputs.waveform_preview import extremes
 from tests.gui.inputs.bench import Bench, design_of, waveforms_of
 
 

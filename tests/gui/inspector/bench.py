@@ -8,10 +8,10 @@ from PySide6.QtWidgets import QLabel
 
 from skinsource.design import Design, Input
 from skinsource.view import View
-from skinsource_gui.panels.inspector import InspectorPanel
-from skinsource_gui.widgets.choice_field import ChoiceField
-from skinsource_gui.widgets.number_field import NumberField
-from skinsource_gui.widgets.waveform_preview import WaveformPreview
+from skinsource_gui.panels.inspector.panel import InspectorPanel
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
 
 
 class Bench:

@@ -4,7 +4,7 @@ from PySide6.QtTest import QTest
 
 from skinsource.design import Design
 from skinsource.waveforms import KINDS, Noise, Tone
-from skinsource_gui.widgets.waveform_kinds import as_kind
+from skinsource_gui.panels.inspector.waveform_kinds import as_kind
 
 
 def test_the_heading_names_the_place(bench):

@@ -8,7 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
 
 from skinsource.fields import NumberSpec
-from skinsource_gui.widgets.number_field import NumberField
+from skinsource_gui.widgets.fields.number_field import NumberField
 
 DURATION = NumberSpec(label="Duration", unit="s", minimum=0.001, maximum=600.0, step=0.01)
 

@@ -6,9 +6,9 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource_gui.widgets.number_field import PIXELS_PER_STEP
-from skinsource_gui.widgets.number_steps import stepped
-from skinsource_gui.widgets.units import display_unit, number_text
+from skinsource_gui.widgets.fields.number_field import PIXELS_PER_STEP
+from skinsource_gui.widgets.fields.number_steps import stepped
+from skinsource_gui.widgets.fields.units import display_unit, number_text
 from tests.gui.number_field.bench import AMPLITUDE, DURATION, FREQUENCY, PHASE, SEED, move_event
 
 

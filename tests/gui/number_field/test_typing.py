@@ -6,7 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from skinsource.errors import InvalidInputError
-from skinsource_gui.widgets.units import number_text, parse_number, value_text
+from skinsource_gui.widgets.fields.units import number_text, parse_number, value_text
 from tests.gui.number_field.bench import (
     AMPLITUDE,
     DURATION,

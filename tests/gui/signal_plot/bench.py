@@ -5,8 +5,8 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication
 
-from skinsource_gui.widgets.curves import Curves, output_names
-from skinsource_gui.widgets.plot_axis import (
+from skinsource_gui.widgets.plot.curves import Curves, output_names
+from skinsource_gui.widgets.plot.plot_axis import (
     XAxis,
 )
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from skinsource_gui.widgets.signal_plot import SignalPlot
+from skinsource_gui.widgets.plot.signal_plot import SignalPlot
 from tests.gui.signal_plot.bench import TIME
 
 

@@ -6,9 +6,9 @@ from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPolygonF
 
 from skinsource_gui.theme import LIGHT
-from skinsource_gui.widgets import plot_canvas
-from skinsource_gui.widgets.curve_lines import CurveLine, paint_lines
-from skinsource_gui.widgets.curves import Curves
+from skinsource_gui.widgets.plot import plot_canvas
+from skinsource_gui.widgets.plot.curve_lines import CurveLine, paint_lines
+from skinsource_gui.widgets.plot.curves import Curves
 from tests.gui.signal_plot.bench import TIME, waves
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from skinsource_gui.theme import DARK, LIGHT
-from skinsource_gui.widgets.curves import Curves
+from skinsource_gui.widgets.plot.curves import Curves
 from tests.gui.signal_plot.bench import waves
 
 

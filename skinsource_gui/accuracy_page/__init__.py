@@ -1,0 +1,1 @@
+"""Help > Accuracy and speed."""

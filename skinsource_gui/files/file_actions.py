@@ -1,0 +1,140 @@
+"""New, open, save, recent files, and the question before work is lost."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+
+from skinsource.design import Design
+from skinsource.design_file import SUFFIX, DesignFile, open_design, save_design
+from skinsource.errors import SkinSourceError
+from skinsource.view import View
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.preferences import Preferences
+
+_FILTER = f"SkinSource designs (*{SUFFIX})"
+_Answer = QMessageBox.StandardButton
+
+
+class FileActions(QObject):
+    """Moves designs between the document and files."""
+
+    failed = Signal(str)
+    #: What went well, in a few words.
+    done = Signal(str)
+    #: A file was opened; the bytes are the window's arrangement that it holds.
+    opened = Signal(bytes)
+    recent_changed = Signal()
+
+    def __init__(
+        self,
+        document: Document,
+        preferences: Preferences,
+        window: QWidget,
+        arrangement: Callable[[], bytes],
+    ):
+        super().__init__(window)
+        self._document, self._preferences, self._window = document, preferences, window
+        self._arrangement = arrangement
+
+    def new(self) -> None:
+        """Start over with an empty design on the same limb."""
+        if self.may_lose_changes():
+            limb = self._document.design.limb
+            self._document.start_over(Design(limb=limb), View(), None)
+
+    def ask_and_open(self) -> None:
+        """Ask for a file and open it."""
+        folder = self._document.path.parent if self._document.path else self._preferences.folder
+        name, _ = QFileDialog.getOpenFileName(self._window, "Open a design", str(folder), _FILTER)
+        if name:
+            self.open(Path(name))
+
+    def open(self, path: Path) -> None:
+        """Open ``path``; on any fault say so and keep what is open."""
+        if not self.may_lose_changes():
+            return
+        try:
+            content = open_design(path)
+        except SkinSourceError as error:
+            self._preferences.forget_file(path)
+            self.recent_changed.emit()
+            self.failed.emit(str(error))
+            return
+        self._document.start_over(content.design, content.view, path)
+        self._preferences.remember_file(path)
+        self._preferences.folder = path.absolute().parent
+        self.recent_changed.emit()
+        self.opened.emit(content.layout)
+        self.done.emit(f"Opened {path.name}")
+
+    def save(self) -> bool:
+        """Save where it was saved before, or ask; whether it is saved now."""
+        if self._document.path is None:
+            return self.ask_and_save()
+        return self._save_to(self._document.path)
+
+    def ask_and_save(self) -> bool:
+        """Ask for a name and save there; whether it is saved now."""
+        start = self._document.path or self._preferences.folder / f"design{SUFFIX}"
+        path = self.ask_where("Save the design", start, _FILTER)
+        return path is not None and self._save_to(path)
+
+    def ask_where(self, title: str, start: Path, kinds: str) -> Path | None:
+        """Ask for a file to write, with the ending of ``start``; None if there shall be none."""
+        name, _ = QFileDialog.getSaveFileName(self._window, title, str(start), kinds)
+        if not name:
+            return None
+        path = Path(name)
+        if path.suffix.lower() != start.suffix.lower():
+            # The dialog asked about the name as it was typed.
+            path = path.with_name(path.name + start.suffix)
+            if path.exists() and not self._may_replace(path):
+                return None
+        return path
+
+    def note_written(self, path: Path) -> None:
+        """Remember the folder of a file that was written, and tell that all went well."""
+        self._preferences.folder = path.absolute().parent
+        self.done.emit(f"Saved {path}")
+
+    def may_lose_changes(self) -> bool:
+        """Whether unsaved edits may go: there are none, they are saved now, or the user agrees."""
+        if not self._document.modified:
+            return True
+        answer = QMessageBox.question(
+            self._window,
+            "Unsaved design",
+            "The design has edits that are not saved. Save them?",
+            _Answer.Save | _Answer.Discard | _Answer.Cancel,
+            _Answer.Save,
+        )
+        if answer == _Answer.Save:
+            return self.save()
+        return answer == _Answer.Discard
+
+    def _may_replace(self, path: Path) -> bool:
+        answer = QMessageBox.question(
+            self._window,
+            "Replace the file?",
+            f"{path.name} exists already. Replace it?",
+            _Answer.Yes | _Answer.Cancel,
+            _Answer.Cancel,
+        )
+        return answer == _Answer.Yes
+
+    def _save_to(self, path: Path) -> bool:
+        content = DesignFile(
+            design=self._document.design, view=self._document.view, layout=self._arrangement()
+        )
+        try:
+            save_design(path, content)
+        except SkinSourceError as error:
+            self.failed.emit(str(error))
+            return False
+        self._document.mark_saved(path)
+        self._preferences.remember_file(path)
+        self.recent_changed.emit()
+        self.note_written(path)
+        return True

@@ -1,0 +1,104 @@
+"""Where the hand and its sites lie in a widget of a given size."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QTransform
+
+from skinsource_gui.panels.hand.hand_drawing import HandDrawing
+
+#: Smallest and largest radius of a site, px; no hit area is narrower than the smallest.
+_RADIUS_PX = (11.0, 26.0)
+_RADIUS_PER_SCALE = 17.0
+# Room beside and above the hand for the markers off its fingertips, in radii.
+_SIDE_RADII, _TOP_RADII = 1.6, 2.9
+#: An in-axis marker is this far off its fingertip, in radii.
+_OFF_TIP_RADII = 1.32
+# A click may miss a site by this factor of its radius; a drag snaps from farther, so that between
+# neighbouring sites there is no gap in which it would be cancelled.
+_HIT_RADII, _SNAP_RADII, _SNAP_OUTLINE_PX = 1.25, 2.6, 45.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class HandLayout:
+    """The hand in a widget.
+
+    Attributes
+    ----------
+    transform
+        From the drawing's outline pixels to the widget's pixels.
+    radius_px
+        Of a site's circle.
+    centres : (20, 2)
+        Of the sites' markers, in widget pixels.
+    pushes : (20, 2)
+        As in `HandDrawing`.
+    """
+
+    transform: QTransform
+    radius_px: float
+    centres: NDArray[np.float64]
+    pushes: NDArray[np.float64]
+
+    def centre(self, site: int) -> QPointF:
+        """Middle of the marker of ``site``, 1 to 20."""
+        x, y = self.centres[site - 1]
+        return QPointF(float(x), float(y))
+
+    def push(self, site: int) -> QPointF | None:
+        """Direction in which an in-axis contact pushes; ``None`` for a perpendicular one."""
+        x, y = self.pushes[site - 1]
+        return QPointF(float(x), float(y)) if x or y else None
+
+    def marker_area(self, site: int) -> QRectF:
+        """Square around the marker of ``site``."""
+        half = QPointF(1.0, 1.0) * self.radius_px
+        return QRectF(self.centre(site) - half, self.centre(site) + half)
+
+    def site_at(self, position: QPointF) -> int | None:
+        """Site under the mouse."""
+        return self._nearest(position, _HIT_RADII * self.radius_px)
+
+    def site_to_snap_to(self, position: QPointF) -> int | None:
+        """Site that takes what is dropped at ``position``."""
+        own, drawn = _SNAP_RADII * self.radius_px, _SNAP_OUTLINE_PX * self.transform.m11()
+        return self._nearest(position, max(own, drawn))
+
+    def neighbour(self, site: int, direction: tuple[int, int]) -> int:
+        """The nearest site in ``direction`` (x right, y down); ``site`` where there is none."""
+        x, y = (self.centres - self.centres[site - 1]).T
+        along = x * direction[0] + y * direction[1]
+        across = np.abs(x * direction[1] - y * direction[0])
+        ahead = (along > 1.0) & (across < 2.0 * along)
+        if not ahead.any():
+            return site
+        return int(np.argmin(np.where(ahead, along + 2.0 * across, np.inf))) + 1
+
+    def _nearest(self, position: QPointF, reach_px: float) -> int | None:
+        distances = np.hypot(*(self.centres - (position.x(), position.y())).T)
+        nearest = int(np.argmin(distances))
+        return nearest + 1 if distances[nearest] <= reach_px else None
+
+
+def hand_layout(drawing: HandDrawing, area: QRectF) -> HandLayout:
+    """Fit the hand and the markers off its fingertips into ``area``, as large as they go."""
+    radius = _RADIUS_PX[0]
+    for _ in range(2):  # The room for markers depends on the scale and the scale on the room.
+        width = area.width() - 2 * _SIDE_RADII * radius
+        height = area.height() - _TOP_RADII * radius
+        scale = max(
+            min(width / drawing.bounds.width(), height / drawing.bounds.height()),
+            0.1,
+        )
+        radius = float(np.clip(_RADIUS_PER_SCALE * scale, *_RADIUS_PX))
+    centre = drawing.bounds.center().x()
+    spare = area.height() - _TOP_RADII * radius - scale * drawing.bounds.height()
+    top = area.top() + _TOP_RADII * radius + spare / 2
+    transform = QTransform.fromTranslate(
+        area.center().x() - scale * centre, top - scale * drawing.bounds.top()
+    ).scale(scale, scale)
+    shift = np.array([transform.dx(), transform.dy()])
+    centres = drawing.sites * scale + shift - drawing.pushes * radius * _OFF_TIP_RADII
+    return HandLayout(transform=transform, radius_px=radius, centres=centres, pushes=drawing.pushes)

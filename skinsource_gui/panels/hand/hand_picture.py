@@ -1,0 +1,229 @@
+"""What the hand diagram shows, and how it is painted."""
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPixmap
+
+from skinsource.locations import INPUTS, input_place
+from skinsource_gui.panels.hand.hand_drawing import HandDrawing, hand_pixmap
+from skinsource_gui.panels.hand.hand_layout import HandLayout, hand_layout
+from skinsource_gui.panels.hand.site_marker import (
+    Place,
+    paint_cursor,
+    paint_empty,
+    paint_hovered,
+    paint_occupied,
+    paint_selection,
+)
+from skinsource_gui.theme import UNIT_PX, Theme
+
+#: What an empty hand asks for.
+HINT = "Click a place on the hand"
+_SIDE = "Right hand,\npalm side"
+_SIDE_ALIGNMENT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
+_LEGEND = (("perpendicular", None), ("in-axis", QPointF(0.0, 1.0)))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Mark:
+    """One input as the diagram shows it.
+
+    Attributes
+    ----------
+    site
+        Where it is placed, 1 to 20.
+    colour
+        Its colour everywhere.
+    silent
+        Whether it is not heard: muted, or others are solo.
+    words
+        What it plays, for tooltips.
+    """
+
+    site: int
+    colour: QColor
+    silent: bool = False
+    words: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HandState:
+    """Everything that the picture depends on, besides size and theme.
+
+    Attributes
+    ----------
+    marks, selected
+        The inputs, and the number of the selected one.
+    hovered, cursor
+        Site under the mouse; site of the keyboard's cursor where it is shown.
+    moving, ghost, target
+        Number of the input that is being moved, where it floats, and the site that takes it.
+    note
+        A line that replaces the caption.
+    """
+
+    marks: tuple[Mark, ...] = ()
+    selected: int | None = None
+    hovered: int | None = None
+    cursor: int | None = None
+    moving: int | None = None
+    ghost: QPointF | None = None
+    target: int | None = None
+    note: str = ""
+
+    def at(self, site: int) -> tuple[int, ...]:
+        """Numbers of the inputs at ``site``."""
+        return tuple(k for k, mark in enumerate(self.marks) if mark.site == site)
+
+    def front_at(self, site: int) -> int | None:
+        """The input that a click at ``site`` means: the selected one, else the latest."""
+        present = self.at(site)
+        if self.selected in present:
+            return self.selected
+        return present[-1] if present else None
+
+    def next_at(self, site: int) -> int | None:
+        """The input after the selected one at ``site``, around and around."""
+        present = self.at(site)
+        if self.selected not in present:
+            return self.front_at(site)
+        return present[(present.index(self.selected) + 1) % len(present)]
+
+
+class HandPicture:
+    """Paints the hand; keeps what changes with the size only.
+
+    Parameters
+    ----------
+    drawing
+        The hand.
+    theme
+        Its colours.
+    """
+
+    def __init__(self, drawing: HandDrawing, theme: Theme) -> None:
+        self.theme = theme
+        self.layout: HandLayout = hand_layout(drawing, QRectF(0.0, 0.0, 260.0, 330.0))
+        self._drawing = drawing
+        self._size = QSize()
+        self._line_px = 0.0
+        self._hand: tuple[object, QPixmap] | None = None
+
+    def resize(self, size: QSize, metrics: QFontMetricsF) -> None:
+        """Fit everything into ``size``; below the hand there are two lines of text."""
+        self._size = size
+        self._line_px = metrics.height() + 2.0
+        self._hand = None
+        height = size.height() - 2 * self._line_px - UNIT_PX
+        self.layout = hand_layout(self._drawing, QRectF(0.0, 2.0, size.width(), height))
+
+    def paint(self, painter: QPainter, state: HandState, ratio: float) -> None:
+        """Paint all; ``ratio`` is device pixels per widget pixel."""
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.drawPixmap(0, 0, self._hand_at(ratio))
+        font = painter.font()
+        for place in INPUTS:
+            self._paint_site(painter, place.number, state)
+        if state.selected is not None:
+            # Above its neighbours, as the selected one.
+            self._paint_site(painter, state.marks[state.selected].site, state)
+        if state.cursor is not None:
+            paint_cursor(painter, self._place(state.cursor), self.theme)
+        if state.ghost is not None and state.moving is not None:
+            self._paint_ghost(painter, state.ghost, state.marks[state.moving])
+        painter.setFont(font)
+        self._paint_side(painter)
+        self._paint_caption(painter, state)
+        self._paint_legend(painter)
+
+    def _hand_at(self, ratio: float) -> QPixmap:
+        key = (ratio, self.theme)
+        if self._hand is None or self._hand[0] != key:
+            drawn = hand_pixmap(self._drawing, self.layout.transform, self._size, ratio, self.theme)
+            self._hand = (key, drawn)
+        return self._hand[1]
+
+    def _place(self, site: int) -> Place:
+        return Place(
+            site=site,
+            centre=self.layout.centre(site),
+            radius_px=self.layout.radius_px,
+            push=self.layout.push(site),
+        )
+
+    def _paint_site(self, painter: QPainter, site: int, state: HandState) -> None:
+        place, front = self._place(site), state.front_at(site)
+        chosen = site in (state.hovered, state.target)
+        if front is None:
+            if chosen:
+                paint_hovered(painter, place, self.theme)
+            else:
+                paint_empty(painter, place, self.theme, inviting=state.moving is not None)
+            return
+        if front == state.selected:
+            paint_selection(painter, place, self.theme)
+        elif chosen:
+            paint_hovered(painter, place, self.theme)
+        order = (front, *(k for k in state.at(site) if k != front))
+        colours = [state.marks[k].colour for k in order]
+        paint_occupied(painter, place, self.theme, colours, silent=state.marks[front].silent)
+
+    def _paint_ghost(self, painter: QPainter, centre: QPointF, mark: Mark) -> None:
+        radius = self.layout.radius_px
+        ghost = Place(
+            site=mark.site, centre=centre, radius_px=radius, push=self.layout.push(mark.site)
+        )
+        painter.setOpacity(0.6)
+        paint_occupied(painter, ghost, self.theme, [mark.colour], silent=mark.silent)
+        painter.setOpacity(1.0)
+
+    def _paint_caption(self, painter: QPainter, state: HandState) -> None:
+        site = state.target or state.hovered or state.cursor
+        asking = not state.marks and site is None
+        if site is None and state.selected is not None:
+            site = state.marks[state.selected].site
+        metrics = QFontMetricsF(painter.font())
+        area = self._line_area(2)
+        text = state.note
+        if not text and site is not None:
+            place = input_place(site)
+            text = f"{site} · {place.name}"
+            if metrics.horizontalAdvance(text) > area.width():
+                text = f"{site} · {place.short_name}"
+        elif not text and asking:
+            text = HINT
+        text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, area.width())
+        painter.setPen(QColor(self.theme.accent if asking else self.theme.text))
+        painter.drawText(area, Qt.AlignmentFlag.AlignCenter, text)
+
+    def _paint_side(self, painter: QPainter) -> None:
+        """Which hand this is, in the free corner below the thumb."""
+        bottom = self._line_area(2).bottomRight() - QPointF(0.0, 1.5 * self._line_px)
+        area = QRectF(bottom - QPointF(200.0, 4 * self._line_px), bottom)
+        painter.setPen(QColor(self.theme.dim))
+        painter.drawText(area, _SIDE_ALIGNMENT, _SIDE)
+
+    def _paint_legend(self, painter: QPainter) -> None:
+        metrics, area = QFontMetricsF(painter.font()), self._line_area(1)
+        radius = 0.36 * metrics.height()
+        advance = 2 * radius + UNIT_PX
+        widths = [advance + metrics.horizontalAdvance(words) for words, _ in _LEGEND]
+        left = area.center().x() - (sum(widths) + 2 * UNIT_PX) / 2
+        for (words, push), width in zip(_LEGEND, widths, strict=True):
+            sign = Place(
+                site=0,
+                centre=QPointF(left + radius, area.center().y() - (0 if push is None else 1)),
+                radius_px=radius * (1.0 if push is None else 0.85),
+                push=push,
+            )
+            painter.setPen(QColor(self.theme.dim))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.drawPath(sign.path())
+            at = QRectF(QPointF(left + advance, area.top()), QSizeF(width, area.height()))
+            painter.drawText(at, Qt.AlignmentFlag.AlignVCenter, words)
+            left += width + 2 * UNIT_PX
+
+    def _line_area(self, from_bottom: int) -> QRectF:
+        top = self._size.height() - from_bottom * self._line_px - UNIT_PX / 2
+        return QRectF(UNIT_PX, top, max(0.0, self._size.width() - 2.0 * UNIT_PX), self._line_px)

@@ -1,0 +1,104 @@
+"""What keys mean on the hand diagram."""
+
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent
+
+from skinsource.limb import N_INPUTS
+from skinsource_gui.widgets.fields.gesture import new_gesture
+
+#: Two digits typed within this time make one number, ms.
+TYPING_MS = 800
+
+_Key = Qt.Key
+_STEPS = {
+    _Key.Key_Left: (-1, 0),
+    _Key.Key_Right: (1, 0),
+    _Key.Key_Up: (0, -1),
+    _Key.Key_Down: (0, 1),
+}
+_ENDS = {_Key.Key_Home: 1, _Key.Key_End: N_INPUTS}
+_ENTER = (_Key.Key_Return, _Key.Key_Enter, _Key.Key_Space)
+_ADD = (_Key.Key_Insert, _Key.Key_Plus)
+_REMOVE = (_Key.Key_Delete, _Key.Key_Backspace)
+_DIGITS = {_Key(_Key.Key_0 + digit): digit for digit in range(10)}
+_OTHERS = (*_STEPS, *_ENDS, *_ENTER, *_ADD, *_REMOVE, *_DIGITS)
+_MODIFIERS = (
+    Qt.KeyboardModifier.ShiftModifier
+    | Qt.KeyboardModifier.ControlModifier
+    | Qt.KeyboardModifier.AltModifier
+    | Qt.KeyboardModifier.MetaModifier
+)
+
+
+class SiteKeys(QObject):
+    """Turns key presses into what they mean.
+
+    A number of two digits may be typed; all Shift+arrow presses until Shift is let go are one
+    gesture.
+    """
+
+    #: Direction (x right, y down).
+    stepped = Signal(int, int)
+    jumped = Signal(int)
+    #: Whether a further input is wanted.
+    activated = Signal(bool)
+    #: Direction and gesture.
+    shifted = Signal(int, int, int)
+    removed = Signal()
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._typed = 0
+        self._gesture: int | None = None
+        self._pause = QTimer(self, singleShot=True, interval=TYPING_MS)
+        self._pause.setObjectName("typing")
+        self._pause.timeout.connect(self._forget_digits)
+
+    def claims(self, event: QKeyEvent) -> bool:
+        """Whether the diagram wants this key for itself, before any shortcut of the window."""
+        held = event.modifiers() & _MODIFIERS
+        key = _Key(event.key())
+        if key in _ENTER:
+            return not held & (Qt.KeyboardModifier.AltModifier | Qt.KeyboardModifier.MetaModifier)
+        if key in _ADD or key in _STEPS:
+            return held in (Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier)
+        return key in _OTHERS and held == Qt.KeyboardModifier.NoModifier
+
+    def press(self, event: QKeyEvent) -> bool:
+        """Tell by a signal what the key means; return whether it means anything here."""
+        if not self.claims(event):
+            return False
+        key, held = _Key(event.key()), event.modifiers() & _MODIFIERS
+        if key in _STEPS and held:
+            self._gesture = self._gesture or new_gesture()
+            self.shifted.emit(*_STEPS[key], self._gesture)
+        elif key in _STEPS:
+            self.stepped.emit(*_STEPS[key])
+        elif key in _ENDS:
+            self.jumped.emit(_ENDS[key])
+        elif key in _DIGITS:
+            self._type(_DIGITS[key])
+        elif key in _REMOVE:
+            self.removed.emit()
+        else:
+            self.activated.emit(key in _ADD or bool(held))
+        return True
+
+    def release(self, event: QKeyEvent) -> None:
+        """Letting Shift go ends the gesture."""
+        if event.key() == _Key.Key_Shift:
+            self.end_gesture()
+
+    def end_gesture(self) -> None:
+        """The next Shift+arrow press is an undo step of its own."""
+        self._gesture = None
+
+    def _type(self, digit: int) -> None:
+        number = 10 * self._typed + digit
+        self._typed = number if number <= N_INPUTS else digit
+        self._pause.start()
+        if self._typed:
+            self.jumped.emit(self._typed)
+
+    def _forget_digits(self) -> None:
+        self._typed = 0

@@ -1,0 +1,158 @@
+"""What the mouse means on the hand diagram."""
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QObject, QPointF, Qt, Signal
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtWidgets import QApplication
+
+from skinsource_gui.panels.hand.hand_canvas import HandCanvas
+from skinsource_gui.panels.hand.hand_picture import Mark
+from skinsource_gui.widgets.fields.gesture import new_gesture
+
+_LEFT = Qt.MouseButton.LeftButton
+_FURTHER = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier
+
+
+@dataclass(slots=True, kw_only=True)
+class _Press:
+    """The left button, held since it went down on a site, and the drag that this became.
+
+    ``index`` is the input it is about, ``target`` the site which that input was sent to last.
+    """
+
+    site: int
+    at: QPointF
+    index: int | None
+    was_selected: bool
+    further: bool
+    target: int
+    gesture: int | None = None
+
+
+class SiteMouse(QObject):
+    """Turns presses, moves and releases on a hand into what they mean.
+
+    A press selects an input, or at release places one; moving farther drags the input, live, in
+    one gesture.  Dropped far from every site, or cancelled, it goes back where it came from.
+
+    Parameters
+    ----------
+    canvas
+        The hand; its hover, ghost and target are changed here.
+    """
+
+    #: Site on which the button went down.
+    pressed = Signal(int)
+    #: Site of a new input.
+    placed = Signal(int)
+    #: Number of an input.
+    selected = Signal(int)
+    #: Number of an input, its new site, gesture.
+    moved = Signal(int, int, int)
+
+    def __init__(self, canvas: HandCanvas) -> None:
+        super().__init__(canvas)
+        self._canvas = canvas
+        self._press: _Press | None = None
+
+    @property
+    def busy(self) -> bool:
+        """Whether the button is held on a site."""
+        return self._press is not None
+
+    def press(self, event: QMouseEvent) -> None:
+        """The left button goes down."""
+        self.cancel()  # a release that never came
+        site = self._canvas.hand.site_at(event.position())
+        if site is None:
+            return
+        state = self._canvas.state
+        front = state.front_at(site)
+        press = _Press(
+            site=site,
+            at=event.position(),
+            index=front,
+            was_selected=front is not None and front == state.selected,
+            further=bool(event.modifiers() & _FURTHER),
+            target=site,
+        )
+        self._press = press
+        self.pressed.emit(site)
+        if front is not None and not press.was_selected and not press.further:
+            self.selected.emit(front)
+
+    def move(self, event: QMouseEvent) -> None:
+        """The mouse moves, whether or not the button is held."""
+        press = self._press
+        if press is None or not event.buttons() & _LEFT:
+            self.hover(self._canvas.hand.site_at(event.position()))
+        elif press.index is not None and not press.further:
+            way = (event.position() - press.at).manhattanLength()
+            if press.gesture is None and way >= QApplication.startDragDistance():
+                press.gesture = new_gesture()
+                self._canvas.setCursor(Qt.CursorShape.ClosedHandCursor)
+            if press.gesture is not None:
+                self._drag(press, event.position())
+
+    def release(self, event: QMouseEvent) -> None:
+        """The left button goes up."""
+        press, self._press = self._press, None
+        site = self._canvas.hand.site_at(event.position())
+        if press is not None and press.gesture is not None:
+            self._drop()
+        elif press is not None and site == press.site:
+            self._click(press)
+        self.hover(site)
+
+    def hover(self, site: int | None) -> None:
+        """Show which site is under the mouse."""
+        self._canvas.change(hovered=site)
+        if site is None:
+            self._canvas.unsetCursor()
+        elif self._canvas.state.at(site):
+            self._canvas.setCursor(Qt.CursorShape.OpenHandCursor)
+        else:
+            self._canvas.setCursor(Qt.CursorShape.PointingHandCursor)
+
+    def cancel(self) -> None:
+        """Send what is being dragged back where it came from."""
+        press, self._press = self._press, None
+        if press is not None:
+            self._drop()
+            self._send(press, press.site)
+
+    def check(self, marks: tuple[Mark, ...]) -> None:
+        """End the drag if these inputs are not the ones it began with, by an undo perhaps."""
+        press = self._press
+        if press is None or press.index is None:
+            return
+        lost = press.index >= len(marks)
+        if lost or marks[press.index].site not in (press.site, press.target):
+            self._press = None
+            self._drop()
+
+    def _drag(self, press: _Press, position: QPointF) -> None:
+        hand = self._canvas.hand
+        ghost = position + hand.centre(press.site) - press.at
+        target = hand.site_to_snap_to(ghost) or press.site
+        self._canvas.change(hovered=None, moving=press.index, ghost=ghost, target=target)
+        self._send(press, target)
+
+    def _drop(self) -> None:
+        self._canvas.change(moving=None, ghost=None, target=None)
+        self._canvas.unsetCursor()
+
+    def _send(self, press: _Press, site: int) -> None:
+        if site != press.target and press.index is not None and press.gesture is not None:
+            press.target = site
+            self.pressed.emit(site)
+            self.moved.emit(press.index, site, press.gesture)
+
+    def _click(self, press: _Press) -> None:
+        if press.index is None or press.further:
+            self.placed.emit(press.site)
+            return
+        following = self._canvas.state.next_at(press.site)
+        if press.was_selected and following not in (None, press.index):
+            self.selected.emit(following)

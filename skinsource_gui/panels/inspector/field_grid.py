@@ -1,0 +1,66 @@
+"""Labelled fields in aligned columns."""
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QGridLayout, QWidget
+
+from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.widgets.fields.field_cell import LabelledCell
+
+#: From this width on, two fields stand side by side.
+WIDE_PX = 440
+_MOST_PAIRS = 2
+
+
+class FieldGrid(QWidget):
+    """Cells with their labels beside them: one column of pairs, or two where there is room."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._cells: tuple[LabelledCell, ...] = ()
+        self._pairs = 1
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setHorizontalSpacing(UNIT_PX)
+        self._grid.setVerticalSpacing(UNIT_PX // 4)
+
+    @property
+    def pairs(self) -> int:
+        """Fields side by side."""
+        return self._pairs
+
+    def show_cells(self, cells: Sequence[LabelledCell]) -> None:
+        """Show these cells, in reading order; others are taken off and left to the caller."""
+        for cell in self._cells:
+            if cell not in cells:
+                for part in (cell.label, cell):
+                    self._grid.removeWidget(part)
+                    part.hide()
+        self._cells = tuple(cells)
+        self._arrange()
+        stops = [cell.focusProxy() for cell in cells if cell.focusProxy() is not None]
+        for before, after in pairwise(stops):
+            self.setTabOrder(before, after)
+        for cell in cells:
+            cell.label.show()
+            cell.show()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        pairs = _MOST_PAIRS if self.width() >= WIDE_PX else 1
+        if pairs != self._pairs:
+            self._pairs = pairs
+            self._arrange()
+
+    def _arrange(self) -> None:
+        for part in (widget for cell in self._cells for widget in (cell.label, cell)):
+            self._grid.removeWidget(part)
+        for position, cell in enumerate(self._cells):
+            row, pair = divmod(position, self._pairs)
+            self._grid.addWidget(cell.label, row, 2 * pair, Qt.AlignmentFlag.AlignTop)
+            self._grid.addWidget(cell, row, 2 * pair + 1, Qt.AlignmentFlag.AlignTop)
+        for pair in range(_MOST_PAIRS):
+            self._grid.setColumnStretch(2 * pair + 1, 1 if pair < self._pairs else 0)

@@ -1,0 +1,76 @@
+"""Which input is being edited."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QFont, QResizeEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
+
+from skinsource.design import Input
+from skinsource.locations import InputPlace, input_place
+from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.inputs.letter_button import mute_button, solo_button
+from skinsource_gui.widgets.inputs.swatch import Swatch
+
+
+class InputHeading(QWidget):
+    """Colour, number and name of an input's place, with its mute and solo buttons."""
+
+    mute_toggled = Signal()
+    solo_toggled = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._place: InputPlace | None = None
+        self._swatch = Swatch()
+        self._words = QLabel()
+        self._words.setObjectName("inspector_heading")
+        self._words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        font = QFont(self.font())
+        font.setWeight(QFont.Weight.DemiBold)
+        self._words.setFont(font)
+        self._state = QLabel()
+        self._mute, self._solo = mute_button(), solo_button()
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(UNIT_PX // 2)
+        layout.addWidget(self._swatch)
+        layout.addSpacing(UNIT_PX // 2)
+        layout.addWidget(self._words, 1)
+        layout.addWidget(self._state)
+        layout.addWidget(self._mute)
+        layout.addWidget(self._solo)
+        self._mute.clicked.connect(self.mute_toggled)
+        self._solo.clicked.connect(self.solo_toggled)
+
+    def show_input(self, shown: Input, *, silent: bool) -> None:
+        """Show an input; ``silent`` unless it is heard."""
+        place = input_place(shown.location)
+        self._place = place
+        self._swatch.show_input(shown.location, shown.colour, silent=silent)
+        self._words.setToolTip(f"Input place {place.number}: {place.name} ({place.contact})")
+        self._state.setText("silent" if silent else "")
+        self._mute.setChecked(shown.muted)
+        self._solo.setChecked(shown.solo)
+        self._fit_words()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit_words()
+
+    def _fit_words(self) -> None:
+        if self._place is None:
+            return
+        self.layout().activate()
+        metrics, room = self._words.fontMetrics(), self._words.width()
+        name = self._place.name
+        if metrics.horizontalAdvance(name) > room:
+            short = self._place.short_name
+            name = metrics.elidedText(
+                short[0].upper() + short[1:], Qt.TextElideMode.ElideRight, room
+            )
+        self._words.setText(name)
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        for part in (self._swatch, self._mute, self._solo):
+            part.show_theme(theme)
+        self._state.setStyleSheet(f"color: {theme.warning};")

@@ -1,0 +1,259 @@
+"""Everything about the selected input."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtWidgets import (
+    QApplication,
+    QLabel,
+    QScrollArea,
+    QStackedLayout,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.design import AMPLITUDE, ONSET, Design, Input, amplitude_unit, audible_inputs
+from skinsource.errors import InvalidInputError
+from skinsource.fields import ChoiceSpec, specs_of
+from skinsource.locations import INPUTS
+from skinsource.view import View
+from skinsource.waveforms import Waveform
+from skinsource_gui.panel import Panel
+from skinsource_gui.panels.inspector.field_grid import FieldGrid
+from skinsource_gui.panels.inspector.input_heading import InputHeading
+from skinsource_gui.panels.inspector.waveform_kinds import KIND_SPEC, as_kind, kind_name
+from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.widgets.fields.field_cell import FieldCell, LabelledCell, WordsCell
+from skinsource_gui.widgets.inputs.input_words import fixed_length_text
+from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
+
+_STALE_AFTER_MS = 150
+_PLACE = ChoiceSpec(
+    label="Place",
+    options=tuple((str(place.number), f"{place.number} · {place.name}") for place in INPUTS),
+    hint="Where the actuator touches",
+)
+
+
+class InspectorPanel(Panel):
+    """Edits the selected input: place, waveform, the waveform's own fields, amplitude, onset."""
+
+    title = "Inspector"
+    name = "inspector"
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._design: Design | None = None
+        self._view = View()
+        self._theme = LIGHT
+        self._shown: tuple[int, int] | None = None
+        self._own_cells: tuple[LabelledCell, ...] = ()
+        self._built_for: type[Waveform] | None = None
+        self._kind = FieldCell("kind", KIND_SPEC)
+        self._place = FieldCell("location", _PLACE)
+        self._amplitude = FieldCell("amplitude", AMPLITUDE)
+        self._onset = FieldCell("onset_s", ONSET)
+        self._kind.edited.connect(self._change_kind)
+        self._place.edited.connect(self._change_place)
+        self._amplitude.edited.connect(self._change_number)
+        self._onset.edited.connect(self._change_number)
+        self._heading = InputHeading()
+        self._heading.mute_toggled.connect(self._toggle_mute)
+        self._heading.solo_toggled.connect(self._toggle_solo)
+        self._preview = WaveformPreview(axis=True)
+        self._preview.setMinimumHeight(64)
+        self._preview.setMaximumHeight(160)
+        self._grid = FieldGrid()
+        self._lay_out()
+        self._stale = QTimer(self)
+        self._stale.setSingleShot(True)
+        self._stale.setInterval(_STALE_AFTER_MS)
+        self._stale.timeout.connect(self._show_pale)
+
+    @property
+    def needs(self) -> frozenset[str]:
+        """What each input plays, and its rate."""
+        return frozenset({"input_waveforms", "sample_rate_hz"})
+
+    @property
+    def selected(self) -> Input | None:
+        """The selected input."""
+        index = self._view.selected_input
+        if self._design is None or index is None or not 0 <= index < len(self._design.inputs):
+            return None
+        return self._design.inputs[index]
+
+    def show_state(self, design: Design, view: View) -> None:
+        self._design, self._view = design, view
+        one = self.selected
+        if one is None:
+            self._forget_typing()
+            self._shown = None
+            self._empty.setText(
+                "Select an input, on the hand or in the list, to edit it"
+                if design.inputs
+                else "Click a place on the hand to add an input"
+            )
+            self._stack.setCurrentWidget(self._empty)
+            return
+        if self._shown != (view.selected_input, one.colour):
+            # What was being typed was meant for another input.
+            self._forget_typing()
+            self._preview.show_words("")
+            self._shown = (view.selected_input, one.colour)
+        self._show_input(
+            one, silent=all(one is not heard for heard in audible_inputs(design.inputs))
+        )
+        self._stack.setCurrentWidget(self._editor)
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        self.show_stale(False)
+        waveforms, index = results["input_waveforms"], self._view.selected_input
+        # Results of an older design may have another number of inputs; the next ones come soon.
+        if self.selected is not None and len(waveforms) == len(self._design.inputs):
+            self._preview.show_samples(waveforms[index], results["sample_rate_hz"])
+
+    def show_stale(self, stale: bool) -> None:
+        if stale:
+            if not self._stale.isActive():
+                self._stale.start()
+            return
+        self._stale.stop()
+        self._preview.set_pale(False)
+
+    def show_problem(self, reason: str) -> None:
+        self.show_stale(False)
+        self._preview.show_words(reason)
+
+    def show_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        self._empty.setStyleSheet(f"color: {theme.dim};")
+        for part in (self._heading, self._preview, *self._cells()):
+            part.show_theme(theme)
+        if self.selected is not None:
+            self._show_look(self.selected)
+
+    def _lay_out(self) -> None:
+        inside = QWidget()
+        fields = QVBoxLayout(inside)
+        fields.setContentsMargins(UNIT_PX, 0, UNIT_PX, UNIT_PX)
+        fields.addWidget(self._grid)
+        fields.addStretch(1)
+        scroll = QScrollArea()
+        scroll.setObjectName("inspector_fields")
+        scroll.setWidgetResizable(True)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        scroll.setWidget(inside)
+        self._editor = QWidget()
+        column = QVBoxLayout(self._editor)
+        column.setContentsMargins(0, UNIT_PX // 2, 0, 0)
+        column.setSpacing(UNIT_PX // 2)
+        top = QVBoxLayout()
+        top.setContentsMargins(UNIT_PX, 0, UNIT_PX, 0)
+        top.addWidget(self._heading)
+        top.addWidget(self._preview)
+        column.addLayout(top, 1)
+        column.addWidget(scroll, 3)
+        self._empty = QLabel()
+        self._empty.setObjectName("inspector_empty")
+        self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._empty.setWordWrap(True)
+        self._stack = QStackedLayout(self)
+        self._stack.addWidget(self._empty)
+        self._stack.addWidget(self._editor)
+        self.setMinimumSize(300, 224)
+        self.setFocusProxy(self._kind)
+
+    def _cells(self) -> tuple[LabelledCell, ...]:
+        return (self._kind, *self._own_cells, self._amplitude, self._onset, self._place)
+
+    def _show_input(self, one: Input, *, silent: bool) -> None:
+        self._heading.show_input(one, silent=silent)
+        if type(one.waveform) is not self._built_for:
+            self._build_own_cells(one.waveform)
+        self._kind.set_value(kind_name(one.waveform))
+        self._place.set_value(str(one.location))
+        unit = amplitude_unit(self._design.scaling)
+        self._amplitude.set_spec(replace(AMPLITUDE, unit=unit))
+        self._amplitude.set_value(one.amplitude)
+        self._onset.set_value(one.onset_s)
+        for cell in self._own_cells:
+            if isinstance(cell, FieldCell):
+                cell.set_value(getattr(one.waveform, cell.name))
+        self._show_look(one)
+
+    def _show_look(self, one: Input) -> None:
+        self._preview.set_look(self._theme.input_colour(one.colour), flipped=one.amplitude < 0)
+
+    def _build_own_cells(self, waveform: Waveform) -> None:
+        old, cells = self._own_cells, []
+        for name, spec in specs_of(waveform).items():
+            cell = FieldCell(name, spec)
+            cell.edited.connect(self._change_own_field)
+            cells.append(cell)
+        if fixed_length_text(waveform):
+            cells.append(WordsCell("Duration", fixed_length_text(waveform)))
+        self._own_cells = tuple(cells)
+        self._built_for = type(waveform)
+        for cell in cells:
+            cell.show_theme(self._theme)
+        focused = QApplication.focusWidget()
+        if focused is not None and any(cell.isAncestorOf(focused) for cell in old):
+            self._kind.field.setFocus(Qt.FocusReason.OtherFocusReason)
+        self._grid.show_cells(self._cells())
+        for part in (widget for cell in old for widget in (cell.label, cell)):
+            part.deleteLater()
+
+    def _field_cells(self) -> list[FieldCell]:
+        return [cell for cell in self._cells() if isinstance(cell, FieldCell)]
+
+    def _forget_typing(self) -> None:
+        for cell in self._field_cells():
+            cell.forget_typing()
+
+    def _change_kind(self, _: str, kind: str, gesture: int | None) -> None:
+        waveform = as_kind(self.selected.waveform, kind)
+        self._edit("Change waveform of", gesture, waveform=waveform)
+
+    def _change_place(self, _: str, number: str, gesture: int | None) -> None:
+        location = self.selected.location
+        if int(number) != location:
+            design = self._design.with_input(self._view.selected_input, location=int(number))
+            self.design_edited.emit(f"Move input {location} to {number}", design, gesture)
+
+    def _change_number(self, name: str, value: float, gesture: int | None) -> None:
+        spec = specs_of(Input)[name]
+        self._edit(f"Change {spec.label.lower()} of", gesture, **{name: value})
+
+    def _change_own_field(self, name: str, value: float | str, gesture: int | None) -> None:
+        waveform = self.selected.waveform
+        spec = specs_of(waveform)[name]
+        try:
+            changed = replace(waveform, **{name: value})
+        except InvalidInputError as error:
+            # Each number is allowed alone, but not together with the others.
+            cell = next(cell for cell in self._field_cells() if cell.name == name)
+            cell.set_value(getattr(waveform, name))
+            cell.show_reason(str(error))
+            return
+        self._edit(f"Change {spec.label.lower()} of", gesture, waveform=changed)
+
+    def _toggle_mute(self) -> None:
+        muted = self.selected.muted
+        self._edit("Unmute" if muted else "Mute", None, muted=not muted)
+
+    def _toggle_solo(self) -> None:
+        solo = self.selected.solo
+        self._edit("End solo of" if solo else "Solo", None, solo=not solo)
+
+    def _edit(self, verb: str, gesture: int | None, **changes: Any) -> None:
+        location = self.selected.location
+        design = self._design.with_input(self._view.selected_input, **changes)
+        if design != self._design:
+            self.design_edited.emit(f"{verb} input {location}", design, gesture)
+
+    def _show_pale(self) -> None:
+        self._preview.set_pale(True)

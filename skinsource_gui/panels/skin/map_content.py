@@ -1,0 +1,75 @@
+"""What the map shows."""
+
+from dataclasses import dataclass, fields
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource.limb import LimbMap
+from skinsource_gui.panels.skin.field_image import FieldImage
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class MapContent:
+    """What the map shows.
+
+    Attributes
+    ----------
+    limb_map
+        Outline and places; ``None`` before there are any.
+    levels_db : (72,) or None
+        Level of each output; ``None``: no colours.
+    field, field_levels_db
+        Interpolated map and its levels, (rows, columns); ``None``: sensors carry the colours.
+    range_db
+        Levels of the lowest and the highest colour.
+    outputs
+        Selected outputs.
+    sensors_shown
+        Whether sensors are marked on the interpolated map.
+    synthetic
+        Whether the responses are computed, not measured.
+    title
+        For pictures.
+    message
+        Why there is no map; shown in its middle, instead of it.
+    note
+        What one should know about the map.
+    outdated
+        Whether something newer is being computed.
+    """
+
+    limb_map: LimbMap | None = None
+    levels_db: Floats | None = None
+    field: FieldImage | None = None
+    field_levels_db: Floats | None = None
+    range_db: tuple[float, float] = (-50.0, 0.0)
+    outputs: tuple[int, ...] = ()
+    sensors_shown: bool = True
+    synthetic: bool = False
+    title: str = ""
+    message: str = ""
+    note: str = ""
+    outdated: bool = False
+
+    def same_as(self, other: "MapContent") -> bool:
+        """Whether ``other`` looks the same; arrays are compared by identity."""
+        return all(
+            mine is theirs
+            or (type(mine) in (tuple, bool, str) and type(mine) is type(theirs) and mine == theirs)
+            for mine, theirs in (
+                (getattr(self, field.name), getattr(other, field.name)) for field in fields(self)
+            )
+        )
+
+    @property
+    def coloured_levels_db(self) -> Floats | None:
+        """Levels that may be shown, (72,); none while a message stands in their place."""
+        return None if self.message else self.levels_db
+
+    @property
+    def shown_field(self) -> FieldImage | None:
+        """The interpolated map, where it may be shown."""
+        return None if self.message or self.field_levels_db is None else self.field

@@ -1,0 +1,222 @@
+"""Draws the dorsal map."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontMetricsF,
+    QPainter,
+    QPainterPath,
+    QPen,
+    QPolygonF,
+)
+
+from skinsource.limb import VOLAR_OUTPUTS, LimbMap
+from skinsource_gui.panels.skin.colour_maps import is_light, level_colours
+from skinsource_gui.panels.skin.map_content import MapContent
+from skinsource_gui.panels.skin.map_layout import PALMAR_TITLE, MapLayout
+from skinsource_gui.panels.skin.output_labels import output_labels, square
+from skinsource_gui.panels.skin.output_picking import DORSAL_OUTPUTS
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.kept_picture import KeptPicture
+
+_HINTS = QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
+
+
+class MapPainter:
+    """Draws maps, and keeps what stays the same from one frame to the next.
+
+    Parameters
+    ----------
+    limb_map
+        Outline and places.
+    table
+        Colours, see `colour_table`.
+    """
+
+    def __init__(self, limb_map: LimbMap, table: NDArray[np.uint32]) -> None:
+        self._outline = QPainterPath()
+        self._outline.addPolygon(QPolygonF([QPointF(x, y) for x, y in limb_map.outline]))
+        self._outline.closeSubpath()
+        self._table = table
+        self._layout: MapLayout | None = None
+        self._screen_outline = QPainterPath()
+        self._still, self._selection = KeptPicture(), KeptPicture()
+
+    def paint(
+        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+    ) -> None:
+        """Draw ``content``; the painter's font is that of labels."""
+        if layout is not self._layout:
+            self._layout = layout
+            self._screen_outline = layout.frame.transform().map(self._outline)
+            self._still, self._selection = KeptPicture(), KeptPicture()
+        painter.setRenderHints(_HINTS)
+        self._paint_ground(painter, content, layout, theme)
+        self._paint_still(painter, content, layout, theme)
+        if content.shown_field is None:
+            self._paint_discs(painter, content, layout, theme)
+            _paint_palmar_card(painter, layout, theme)
+        self._paint_palmar(painter, content, layout, theme)
+        self._paint_selection(painter, content, layout, theme)
+
+    def _paint_ground(
+        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+    ) -> None:
+        """The field, a little beyond the outline, or the bare skin."""
+        field, levels = content.shown_field, content.field_levels_db
+        if field is None or levels is None:
+            painter.fillPath(self._screen_outline, QColor(theme.skin))
+            return
+        # The picture's first line is the highest y: it is drawn downwards from there.
+        area = layout.frame.transform().mapRect(field.rect)
+        painter.drawImage(area, field.image(levels, content.range_db, self._table))
+
+    def _paint_still(
+        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+    ) -> None:
+        """Outline; on a field also sensor dots, the card of the palm, and all that is outside."""
+        on_field = content.shown_field is not None
+        dots = content.sensors_shown and on_field
+
+        def paint(on_image: QPainter) -> None:
+            if on_field:
+                # To cover what is outside is far quicker than to clip what is inside.
+                outside = QPainterPath(self._screen_outline)
+                outside.addRect(layout.room)
+                on_image.fillPath(outside, QColor(theme.base))
+            line = QPen(QColor(theme.skin_line), 1.25 * layout.unit)
+            on_image.strokePath(self._screen_outline, line)
+            if dots:
+                _paint_dots(on_image, layout)
+            if on_field:
+                _paint_palmar_card(on_image, layout, theme)
+
+        self._still.paint(painter, layout.room, (theme.name, dots, on_field), paint)
+
+    def _paint_selection(
+        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+    ) -> None:
+        """Rings in the colours of the curves, and numbers."""
+        if not content.outputs:
+            return
+
+        def paint(on_image: QPainter) -> None:
+            _paint_rings(on_image, content, layout, theme)
+            _paint_labels(on_image, content, layout, theme)
+
+        on_field = content.shown_field is not None
+        key = (theme.name, content.outputs, on_field)
+        self._selection.paint(painter, layout.room, key, paint)
+
+    def _paint_discs(
+        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+    ) -> None:
+        painter.setPen(QPen(QColor(theme.skin_line), 1))
+        fills = self._fills(DORSAL_OUTPUTS, content, theme)
+        radius = layout.disc_radius
+        for number, fill in zip(DORSAL_OUTPUTS, fills, strict=True):
+            painter.setBrush(fill)
+            painter.drawEllipse(QPointF(*layout.points[number - 1]), radius, radius)
+
+    def _paint_palmar(
+        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+    ) -> None:
+        radius = layout.palmar_radius
+        fills = self._fills(VOLAR_OUTPUTS, content, theme)
+        outline = QPen(QColor(theme.skin_line), 1)
+        for number, fill in zip(VOLAR_OUTPUTS, fills, strict=True):
+            centre = QPointF(*layout.points[number - 1])
+            painter.setPen(outline)
+            painter.setBrush(fill)
+            painter.drawEllipse(centre, radius, radius)
+            painter.setPen(QColor("black" if is_light(fill) else "white"))
+            painter.drawText(square(centre, radius), Qt.AlignmentFlag.AlignCenter, str(number))
+
+    def _fills(self, outputs: Sequence[int], content: MapContent, theme: Theme) -> list[QColor]:
+        """Colour of each of ``outputs``."""
+        levels = content.coloured_levels_db
+        if levels is None:
+            return [QColor(theme.base)] * len(outputs)
+        return level_colours(levels[np.array(outputs) - 1], content.range_db, self._table)
+
+
+def ring_radius(number: int, content: MapContent, layout: MapLayout) -> float:
+    """Radius of the ring around an output, px."""
+    if number in VOLAR_OUTPUTS:
+        return layout.palmar_radius + 2 * layout.unit
+    if content.shown_field is None:
+        return layout.disc_radius + 1.5 * layout.unit
+    return max(layout.dot_radius + 2.5 * layout.unit, 4.5 * layout.unit)
+
+
+def paint_ring(
+    painter: QPainter, centre: QPointF, radius: float, colour: QColor, ground: QColor, unit: float
+) -> None:
+    """Draw a ring that stands out from any colour under it."""
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(QPen(ground, 4.5 * unit))
+    painter.drawEllipse(centre, radius, radius)
+    painter.setPen(QPen(colour, 2.2 * unit))
+    painter.drawEllipse(centre, radius, radius)
+
+
+def small_font(font: QFont, factor: float = 0.86) -> QFont:
+    """Copy of ``font`` for labels."""
+    copy = QFont(font)
+    if font.pixelSize() > 0:
+        copy.setPixelSize(max(round(font.pixelSize() * factor), 8))
+    else:
+        copy.setPointSizeF(font.pointSizeF() * factor)
+    return copy
+
+
+def _paint_palmar_card(painter: QPainter, layout: MapLayout, theme: Theme) -> None:
+    card = layout.palmar_card
+    ground = QColor(theme.base)
+    ground.setAlphaF(0.88)
+    painter.setPen(QPen(QColor(theme.grid), 1))
+    painter.setBrush(ground)
+    painter.drawRoundedRect(card, 4 * layout.unit, 4 * layout.unit)
+    painter.setPen(QColor(theme.dim))
+    line = painter.fontMetrics().height()
+    head = QRectF(card.left(), card.top(), card.width(), 1.4 * line)
+    painter.drawText(head, Qt.AlignmentFlag.AlignCenter, PALMAR_TITLE)
+
+
+def _paint_dots(painter: QPainter, layout: MapLayout) -> None:
+    painter.setPen(QPen(QColor(0, 0, 0, 150), layout.unit))
+    painter.setBrush(QColor(255, 255, 255, 230))
+    for number in DORSAL_OUTPUTS:
+        centre = QPointF(*layout.points[number - 1])
+        painter.drawEllipse(centre, layout.dot_radius, layout.dot_radius)
+
+
+def _paint_rings(painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme) -> None:
+    """Rings in the colours of the curves around the selected outputs."""
+    ground = QColor(theme.base)
+    for rank, number in enumerate(content.outputs):
+        centre = QPointF(*layout.points[number - 1])
+        radius = ring_radius(number, content, layout)
+        paint_ring(painter, centre, radius, theme.output_colour(rank), ground, layout.unit)
+
+
+def _paint_labels(painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme) -> None:
+    """Numbers beside the rings of dorsal outputs; palmar ones carry theirs anyway."""
+    dorsal = [number for number in content.outputs if number not in VOLAR_OUTPUTS]
+    if not dorsal:
+        return
+    radius = ring_radius(dorsal[0], content, layout)
+    ground = QColor(theme.base)
+    ground.setAlphaF(0.9)
+    painter.setBrush(ground)
+    for label in output_labels(dorsal, layout, radius, QFontMetricsF(painter.font())):
+        colour = theme.output_colour(content.outputs.index(label.number))
+        painter.setPen(QPen(colour, 1))
+        painter.drawRoundedRect(label.area, 3 * layout.unit, 3 * layout.unit)
+        painter.setPen(QColor(theme.text))
+        painter.drawText(label.area, Qt.AlignmentFlag.AlignCenter, str(label.number))

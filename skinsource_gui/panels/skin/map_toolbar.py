@@ -1,0 +1,93 @@
+"""Buttons of the map."""
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QToolButton, QWidget
+
+from skinsource.view import View
+from skinsource_gui.panels.skin.map_canvas import FIT_ALL, FIT_HAND
+from skinsource_gui.panels.skin.map_icons import fit_icon, hand_icon, sensors_icon
+from skinsource_gui.theme import UNIT_PX, Theme
+
+# As narrow as they are, all buttons fit into the narrowest panel.
+_ICON_BUTTON_PX = 29
+
+
+class MapToolbar(QWidget):
+    """Style of the map, its sensors, and what part of it is seen."""
+
+    #: ``"interpolated"`` or ``"sensors"``.
+    style_chosen = Signal(str)
+    sensors_switched = Signal(bool)
+    #: `FIT_ALL` or `FIT_HAND`.
+    fit_chosen = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.interpolated = self._button(
+            "map_interpolated", "Interpolated", "Colours over the skin"
+        )
+        self.sensors_only = self._button(
+            "map_sensors_only", "Sensors only", "Colours at the outputs alone"
+        )
+        self.sensors = self._button("map_sensors_shown", "", "Mark the outputs on the map")
+        self.all = self._button("map_fit_all", "", "Fit hand and arm (0, or double-click)", False)
+        self.hand = self._button("map_fit_hand", "", "Fit the hand (H)", False)
+        self.sensors.setAccessibleName("Sensors")
+        self.all.setAccessibleName("Fit")
+        self.hand.setAccessibleName("Hand")
+        for button in (self.sensors, self.all, self.hand):
+            button.setFixedWidth(_ICON_BUTTON_PX)
+        styles = QButtonGroup(self)
+        styles.addButton(self.interpolated)
+        styles.addButton(self.sensors_only)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(1)
+        row.addWidget(self.interpolated)
+        row.addWidget(self.sensors_only)
+        row.addSpacing(UNIT_PX // 4)
+        row.addWidget(self.sensors)
+        row.addStretch(1)
+        row.addWidget(self.all)
+        row.addWidget(self.hand)
+        self.interpolated.clicked.connect(self._choose_interpolated)
+        self.sensors_only.clicked.connect(self._choose_sensors)
+        self.sensors.clicked.connect(self.sensors_switched)
+        self.all.clicked.connect(self._choose_all)
+        self.hand.clicked.connect(self._choose_hand)
+
+    def show_view(self, view: View) -> None:
+        """Show the present choice."""
+        interpolated = view.map_style == "interpolated"
+        self.interpolated.setChecked(interpolated)
+        self.sensors_only.setChecked(not interpolated)
+        self.sensors.setEnabled(interpolated)
+        self.sensors.setChecked(view.sensors_shown or not interpolated)
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self.sensors.setIcon(sensors_icon(theme))
+        self.all.setIcon(fit_icon(theme))
+        self.hand.setIcon(hand_icon(theme))
+
+    def _button(self, name: str, text: str, hint: str, checkable: bool = True) -> QToolButton:
+        button = QToolButton(self)
+        button.setObjectName(name)
+        button.setText(text)
+        button.setToolTip(hint)
+        button.setCheckable(checkable)
+        button.setIconSize(QSize(16, 16))
+        button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        return button
+
+    def _choose_interpolated(self) -> None:
+        self.style_chosen.emit("interpolated")
+
+    def _choose_sensors(self) -> None:
+        self.style_chosen.emit("sensors")
+
+    def _choose_all(self) -> None:
+        self.fit_chosen.emit(FIT_ALL)
+
+    def _choose_hand(self) -> None:
+        self.fit_chosen.emit(FIT_HAND)

@@ -1,0 +1,219 @@
+"""Panel of the dorsal heat map."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any, ClassVar
+
+import numpy as np
+from PySide6.QtCore import QSize, QTimer
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QGridLayout, QWidget
+
+from skinsource.decibels import FLOOR_DB
+from skinsource.design import Design
+from skinsource.limb import Limb
+from skinsource.surface import SurfaceOperator
+from skinsource.view import View
+from skinsource_gui.panel import Panel
+from skinsource_gui.panels.skin.colour_bar import ColourBar
+from skinsource_gui.panels.skin.field_image import FieldImage
+from skinsource_gui.panels.skin.heatmap_view import HeatmapView
+from skinsource_gui.panels.skin.map_canvas import FIT_ALL
+from skinsource_gui.panels.skin.map_content import MapContent
+from skinsource_gui.panels.skin.map_picture import map_picture
+from skinsource_gui.panels.skin.map_toolbar import MapToolbar
+from skinsource_gui.panels.skin.readout_lines import ReadoutLines
+from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+
+SILENT = "Silent: nothing is driven"
+_METHODS = {
+    "mag": "magnitude",
+    "pca": "first principal component",
+    "rms": "along the RMS vector",
+    "soc": "sum of components",
+}
+# What is outdated for a shorter time is not marked: during a drag the mark would flicker.
+_PATIENCE_MS = 150
+
+
+class SurfacePanel(Panel):
+    """RMS level over the back of the hand and arm, on which outputs are selected."""
+
+    title: ClassVar[str] = "Skin"
+    name: ClassVar[str] = "skin"
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._design: Design | None = None
+        self._view = View()
+        self._theme = LIGHT
+        self._content = MapContent()
+        self._shown_limb = ""
+        self._surface: SurfaceOperator | None = None
+        self._patience = QTimer(self)
+        self._patience.setSingleShot(True)
+        self._patience.setInterval(_PATIENCE_MS)
+        self._patience.timeout.connect(self._mark_outdated)
+        self.toolbar = MapToolbar(self)
+        self.map = HeatmapView(self)
+        self.map.setObjectName("skin_map")
+        self.colour_bar = ColourBar(self)
+        self.colour_bar.setObjectName("skin_colour_bar")
+        self.readout = ReadoutLines(self)
+        self.readout.setObjectName("skin_readout")
+        self.readout.setAccessibleName("Under the pointer")
+        grid = QGridLayout(self)
+        grid.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
+        grid.setSpacing(UNIT_PX // 2)
+        grid.addWidget(self.toolbar, 0, 0, 1, 2)
+        grid.addWidget(self.map, 1, 0)
+        grid.addWidget(self.colour_bar, 1, 1)
+        grid.addWidget(self.readout, 2, 0, 1, 2)
+        grid.setRowStretch(1, 1)
+        grid.setColumnStretch(0, 1)
+        self.setMinimumSize(300, 330)
+        self.setFocusProxy(self.map)
+        self._connect()
+        self.toolbar.show_view(self._view)
+        self.show_theme(LIGHT)
+        self._show_readout(self.map.readout())
+
+    @property
+    def needs(self) -> frozenset[str]:
+        always = frozenset({"limb_map", "output_levels_db"})
+        if self._view.map_style == "sensors":
+            return always
+        return always | {"limb_data", "surface", "surface_levels_db"}
+
+    def sizeHint(self) -> QSize:
+        return QSize(420, 640)
+
+    def show_state(self, design: Design, view: View) -> None:
+        self._design, self._view = design, view
+        self.toolbar.show_view(view)
+        self.colour_bar.choose(view.map_range_db)
+        if self._content.levels_db is not None:
+            self.colour_bar.follow(self._content.levels_db)
+        if view.map_style == "sensors":
+            # Kept, it would belong to an older design when it is shown again.
+            self._change(field_levels_db=None)
+        self._show_choice()
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        self._patience.stop()
+        self._shown_limb = "" if self._design is None else self._design.limb
+        levels = results["output_levels_db"]
+        interpolated = self._view.map_style == "interpolated" and "surface_levels_db" in results
+        surface = results["surface"] if interpolated else None
+        if surface is not None and surface is not self._surface:
+            self._surface = surface
+            self._change(field=_field_image(surface, results["limb_data"]))
+        self._change(
+            limb_map=results["limb_map"],
+            levels_db=levels,
+            field_levels_db=results["surface_levels_db"] if interpolated else None,
+            message=SILENT if float(np.max(levels)) <= FLOOR_DB else "",
+            note="" if surface is None else " ".join(surface.warnings),
+            outdated=False,
+        )
+        self.colour_bar.follow(levels)
+        self._show_choice()
+
+    def show_stale(self, stale: bool) -> None:
+        if not stale:
+            self._patience.stop()
+            self._change(outdated=False)
+            self.map.show_content(self._content)
+        elif not self._patience.isActive():
+            self._patience.start()
+
+    def show_problem(self, reason: str) -> None:
+        self._patience.stop()
+        self._change(levels_db=None, field_levels_db=None, message=reason, note="", outdated=False)
+        self._show_choice()
+
+    def show_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        for part in (self.toolbar, self.map, self.colour_bar, self.readout):
+            part.show_theme(theme)
+        self._show_choice()
+
+    def picture(self, width: int, height: int) -> QImage:
+        """The map with title, colour bar and, where due, the synthetic mark; size in px."""
+        content = replace(self._content, title=self._picture_title(), outdated=False)
+        return map_picture(content, width, height, self._theme, self.font().family())
+
+    def _connect(self) -> None:
+        self.toolbar.style_chosen.connect(self._choose_style)
+        self.toolbar.sensors_switched.connect(self._switch_sensors)
+        self.toolbar.fit_chosen.connect(self._choose_fit)
+        self.map.outputs_chosen.connect(self._choose_outputs)
+        self.map.readout_changed.connect(self._show_readout)
+        self.colour_bar.range_chosen.connect(self._choose_range)
+
+    def _change(self, **changes: Any) -> None:
+        self._content = replace(self._content, **changes)
+
+    def _show_choice(self) -> None:
+        """Draw results the way the view wants them."""
+        limbs = (self._shown_limb, "" if self._design is None else self._design.limb)
+        self._change(
+            outputs=self._view.outputs,
+            sensors_shown=self._view.sensors_shown,
+            range_db=self.colour_bar.range_db,
+            synthetic=any(limb.startswith("synthetic") for limb in limbs),
+        )
+        levels = self._content.coloured_levels_db
+        self.colour_bar.show_marks(
+            ()
+            if levels is None
+            else tuple(
+                (float(levels[number - 1]), self._theme.output_colour(rank))
+                for rank, number in enumerate(self._view.outputs)
+            )
+        )
+        self.map.show_content(self._content)
+        self._show_readout(self.map.readout())
+
+    def _mark_outdated(self) -> None:
+        self._change(outdated=True)
+        self.map.show_content(self._content)
+
+    def _show_readout(self, words: str) -> None:
+        count = len(self._view.outputs)
+        if words:
+            self.readout.show_text(words)
+        elif count == 0:
+            self.readout.show_text("No output selected\nClick one, or drag around several")
+        else:
+            noun = "output" if count == 1 else "outputs"
+            self.readout.show_text(f"{count} {noun} selected\nShift+click adds or removes one")
+
+    def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
+        self.view_changed.emit(replace(self._view, outputs=outputs))
+
+    def _choose_range(self, range_db: tuple[float, float] | None) -> None:
+        self.view_changed.emit(replace(self._view, map_range_db=range_db))
+
+    def _choose_style(self, style: str) -> None:
+        self.view_changed.emit(replace(self._view, map_style=style))
+
+    def _switch_sensors(self, shown: bool) -> None:
+        self.view_changed.emit(replace(self._view, sensors_shown=shown))
+
+    def _choose_fit(self, fit: str) -> None:
+        if fit == FIT_ALL:
+            self.map.show_all()
+        else:
+            self.map.show_hand()
+
+    def _picture_title(self) -> str:
+        limb = "" if self._design is None else f", {self._design.limb}"
+        axes = self._view.axes
+        method = f", {_METHODS[self._view.method]}" if len(axes) > 1 else ""
+        return f"RMS skin acceleration{limb}, {axes}{method}"
+
+
+def _field_image(surface: SurfaceOperator, limb: Limb) -> FieldImage:
+    px_per_mm = limb.map.hand_length_px / limb.hand_length_mm
+    return FieldImage(surface.mask, surface.x_mm, surface.y_mm, px_per_mm)

@@ -1,0 +1,155 @@
+"""Amplitude spectra of the selected outputs."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from skinsource.decibels import decibels
+from skinsource.design import Design
+from skinsource.limb import SAMPLE_RATE_HZ
+from skinsource.view import View
+from skinsource_gui.panel import Panel
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.plot.curves import Curves, output_names
+from skinsource_gui.widgets.plot.plot_axis import XAxis
+from skinsource_gui.widgets.plot.plot_toolbar import PlotToolbar
+from skinsource_gui.widgets.plot.signal_plot import SignalPlot
+
+_NO_OUTPUTS = "Select outputs on the skin map"
+_LOWEST_HZ = 10.0
+_NYQUIST_HZ = SAMPLE_RATE_HZ / 2
+#: What was excited when the responses were measured.
+MEASURED_BAND_HZ = (25.0, 600.0)
+_BAND = f"{MEASURED_BAND_HZ[0]:g} to {MEASURED_BAND_HZ[1]:g} Hz"
+_LINEAR_AXIS = XAxis(
+    titles=(
+        f"Frequency (Hz) · measured band {_BAND}, shaded outside",
+        f"Frequency (Hz) · band {_BAND}",
+        "Frequency (Hz)",
+    ),
+    unit="Hz",
+    extent=(0.0, _NYQUIST_HZ),
+    band=MEASURED_BAND_HZ,
+)
+_LOG_AXIS = replace(_LINEAR_AXIS, extent=(_LOWEST_HZ, _NYQUIST_HZ), log=True)
+_RECTIFIED = (
+    "spectrum of a magnitude: rectified, shows doubled frequencies",
+    "of a magnitude: rectified, doubled frequencies",
+    "rectified: doubled frequencies",
+    "rectified",
+)
+
+
+class SpectraPanel(Panel):
+    """One curve of each selected output over frequency, overlaid or stacked."""
+
+    title = "Spectra"
+    name = "spectra"
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setMinimumSize(240, 140)
+        self._view = View()
+        self._results: Mapping[str, Any] | None = None
+        self._toolbar = PlotToolbar(self)
+        self._log_frequency = self._toolbar.add_switch(
+            "log-frequency",
+            "Log frequency",
+            f"Logarithmic frequency axis from {_LOWEST_HZ:g} Hz",
+            self._choose_log_frequency,
+        )
+        self._log_magnitude = self._toolbar.add_switch(
+            "log-magnitude",
+            "dB",
+            "Logarithmic magnitude: dB re 1 m/s², the uppermost 80 dB",
+            self._choose_log_magnitude,
+        )
+        self._log_magnitude.setAccessibleName("Log magnitude")
+        self._plot = SignalPlot("spectra-plot", "Spectra of the selected outputs", self)
+        self.setFocusProxy(self._plot)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self._toolbar)
+        column.addWidget(self._plot, 1)
+        self._toolbar.layout_chosen.connect(self._choose_layout)
+        self._toolbar.everything_wanted.connect(self._show_everything)
+        self._plot.zoom_requested.connect(self._zoom)
+
+    @property
+    def needs(self) -> frozenset[str]:
+        # What the words around the curves say comes with the curves.
+        return frozenset({"selected_spectra", "outputs", "axes", "method", "limb"})
+
+    def show_state(self, design: Design, view: View) -> None:
+        level_changed = view.log_magnitude != self._view.log_magnitude
+        self._view = view
+        self._log_frequency.setChecked(view.log_frequency)
+        self._log_magnitude.setChecked(view.log_magnitude)
+        self._toolbar.show_state(
+            layout=view.spectra_layout, zoomed=view.frequency_range_hz is not None
+        )
+        axis = _LOG_AXIS if view.log_frequency else _LINEAR_AXIS
+        stacked = view.spectra_layout == "stacked"
+        self._plot.set_view(axis, view.frequency_range_hz, stacked=stacked)
+        if not view.outputs:
+            self._say(_NO_OUTPUTS)
+        elif level_changed and self._results is not None:
+            self._draw(self._results)
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        if results["outputs"]:
+            self._results = {name: results[name] for name in self.needs}
+            self._draw(results)
+        else:
+            self._say(_NO_OUTPUTS)
+
+    def show_stale(self, stale: bool) -> None:
+        self._plot.set_stale(stale)
+
+    def show_problem(self, reason: str) -> None:
+        self._say(reason)
+
+    def show_theme(self, theme: Theme) -> None:
+        self._plot.set_theme(theme)
+
+    def _say(self, message: str) -> None:
+        self._results = None
+        self._plot.show_message(message)
+
+    def _draw(self, results: Mapping[str, Any]) -> None:
+        frequency_hz, magnitude = results["selected_spectra"]
+        level = self._view.log_magnitude
+        rectified = results["method"] == "mag" and len(results["axes"]) > 1
+        self._plot.show_curves(
+            Curves(
+                x=frequency_hz,
+                y=decibels(magnitude) if level else magnitude,
+                names=output_names(results["outputs"]),
+                kind="level" if level else "amplitude",
+            ),
+            synthetic=results["limb"].startswith("synthetic"),
+            notes=_RECTIFIED if rectified else (),
+        )
+
+    def _choose_layout(self, layout: str) -> None:
+        self._change(spectra_layout=layout)
+
+    def _choose_log_frequency(self, log: bool) -> None:
+        self._change(log_frequency=log)
+
+    def _choose_log_magnitude(self, log: bool) -> None:
+        self._change(log_magnitude=log)
+
+    def _zoom(self, shown: tuple[float, float] | None) -> None:
+        self._change(frequency_range_hz=shown)
+
+    def _show_everything(self) -> None:
+        self._change(frequency_range_hz=None)
+
+    def _change(self, **changes: Any) -> None:
+        changed = replace(self._view, **changes)
+        if changed != self._view:
+            self.view_changed.emit(changed)

@@ -1,0 +1,1 @@
+"""Acceleration over time."""

@@ -1,0 +1,162 @@
+"""Acceleration of the selected outputs over time."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from skinsource.design import Design
+from skinsource.quantities import PRE_TRIGGER_DELAY_S
+from skinsource.view import View
+from skinsource_gui.panel import Panel
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.plot.curves import Curves, output_names
+from skinsource_gui.widgets.plot.plot_axis import XAxis
+from skinsource_gui.widgets.plot.plot_toolbar import PlotToolbar
+from skinsource_gui.widgets.plot.signal_plot import SignalPlot
+
+_NO_OUTPUTS = "Select outputs on the skin map"
+_DELAY = f"{PRE_TRIGGER_DELAY_S * 1e3:.0f} ms"
+_DELAYED_AXIS = XAxis(
+    titles=(
+        f"Time (ms) · responses start ~{_DELAY} late (pre-trigger of the measurement)",
+        f"Time (ms) · starts ~{_DELAY} late (pre-trigger)",
+        f"Time (ms), ~{_DELAY} late",
+        "Time (ms)",
+    ),
+    unit="ms",
+    factor=1e3,
+    decimals=2,
+)
+_DELAY_REMOVED_AXIS = replace(
+    _DELAYED_AXIS,
+    titles=(
+        f"Time (ms), {_DELAY} pre-trigger removed",
+        f"Time (ms), {_DELAY} removed",
+        "Time (ms)",
+    ),
+)
+
+
+class TracesPanel(Panel):
+    """One curve of each selected output over time, overlaid or stacked."""
+
+    title = "Traces"
+    name = "traces"
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setMinimumSize(240, 140)
+        self._view = View()
+        self._toolbar = PlotToolbar(self)
+        self._delay = self._toolbar.add_switch(
+            "remove-delay",
+            f"Remove {_DELAY} delay",
+            f"Responses start about {_DELAY} late: they carry the pre-trigger time of the "
+            "measurement. Shift it away",
+            self.remove_delay,
+        )
+        self._plot = SignalPlot("traces-plot", "Traces of the selected outputs", self)
+        self.setFocusProxy(self._plot)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self._toolbar)
+        column.addWidget(self._plot, 1)
+        self._toolbar.layout_chosen.connect(self._choose_layout)
+        self._toolbar.everything_wanted.connect(self._show_everything)
+        self._plot.zoom_requested.connect(self._zoom)
+        # Which delay the curves on screen have.
+        self._drawn_removed = False
+
+    @property
+    def needs(self) -> frozenset[str]:
+        # Outputs, delay and limb come with the curves: labels never belong to others.
+        drawn = {"response_time_s", "selected_traces", "outputs", "delay_removed", "limb"}
+        if self._view.method == "pca" and len(self._view.axes) > 1:
+            drawn.add("selected_without_main_axis")
+        return frozenset(drawn)
+
+    def show_state(self, design: Design, view: View) -> None:
+        self._view = view
+        self._delay.setChecked(view.delay_removed)
+        self._toolbar.show_state(layout=view.traces_layout, zoomed=view.time_range_s is not None)
+        if not view.outputs:
+            self._plot.show_message(_NO_OUTPUTS)
+        if self._drawn_removed == view.delay_removed:
+            self._apply_view()
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        self._drawn_removed = results["delay_removed"]
+        self._apply_view()
+        if not results["outputs"]:
+            self._plot.show_message(_NO_OUTPUTS)
+            return
+        curves = Curves(
+            x=results["response_time_s"],
+            y=results["selected_traces"],
+            names=output_names(results["outputs"]),
+        )
+        self._plot.show_curves(
+            curves,
+            synthetic=results["limb"].startswith("synthetic"),
+            notes=_axis_notes(_heard(results.get("selected_without_main_axis", ()), results)),
+        )
+
+    def show_stale(self, stale: bool) -> None:
+        self._plot.set_stale(stale)
+
+    def show_problem(self, reason: str) -> None:
+        self._plot.show_message(reason)
+
+    def show_theme(self, theme: Theme) -> None:
+        self._plot.set_theme(theme)
+
+    def _apply_view(self) -> None:
+        view = self._view
+        axis = _DELAY_REMOVED_AXIS if self._drawn_removed else _DELAYED_AXIS
+        self._plot.set_view(axis, view.time_range_s, stacked=view.traces_layout == "stacked")
+
+    def _choose_layout(self, layout: str) -> None:
+        self._change(traces_layout=layout)
+
+    def remove_delay(self, removed: bool) -> None:
+        """Ask for time axes with or without the pre-trigger delay."""
+        shown = self._view.time_range_s
+        if shown is not None:
+            # The same piece of the curves stays in sight.
+            shift_s = -PRE_TRIGGER_DELAY_S if removed else PRE_TRIGGER_DELAY_S
+            shown = (shown[0] + shift_s, shown[1] + shift_s)
+        self._change(delay_removed=removed, time_range_s=shown)
+
+    def _zoom(self, shown: tuple[float, float] | None) -> None:
+        self._change(time_range_s=shown)
+
+    def _show_everything(self) -> None:
+        self._change(time_range_s=None)
+
+    def _change(self, **changes: Any) -> None:
+        changed = replace(self._view, **changes)
+        if changed != self._view:
+            self.view_changed.emit(changed)
+
+
+def _heard(outputs: tuple[int, ...], results: Mapping[str, Any]) -> tuple[int, ...]:
+    # Silence moves along no axis, and nobody misses one.
+    if not outputs:
+        return ()
+    pairs = zip(results["outputs"], results["selected_traces"], strict=True)
+    loud = {output for output, trace in pairs if trace.any()}
+    return tuple(output for output in outputs if output in loud)
+
+
+def _axis_notes(outputs: tuple[int, ...]) -> tuple[str, ...]:
+    if not outputs:
+        return ()
+    names = ", ".join(map(str, outputs))
+    return (
+        f"no main axis at {names}: all directions move alike, the one shown is arbitrary",
+        f"no main axis at {names}",
+        "some have no main axis",
+    )

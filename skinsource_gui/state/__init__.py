@@ -1,0 +1,1 @@
+"""What the studio knows: the document, the engine, the preferences."""

@@ -1,0 +1,105 @@
+"""Keeps the visible panels in step with the document."""
+
+from collections.abc import Mapping, Sequence
+from time import perf_counter
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from skinsource.errors import SkinSourceError
+from skinsource.quantities import sources
+from skinsource_gui.panel import Panel
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.engine import Engine, Outcome, Request
+
+#: An edit waits so long for its results, a frame of most screens: the worker is quicker when it
+#: has the interpreter to itself, and both are painted together.
+PATIENCE_S = 0.016
+
+
+class Conductor(QObject):
+    """Asks the engine for what visible panels need, and hands them the results."""
+
+    #: The reason, when what is wanted cannot be computed.
+    failed = Signal(str)
+    #: The `Outcome` that the panels now show.
+    delivered = Signal(object)
+
+    def __init__(self, document: Document, engine: Engine, panels: Sequence[Panel]):
+        super().__init__(document)
+        self._document, self._engine, self._panels = document, engine, panels
+        self._asked: Request | None = None
+        self._shown: dict[Panel, tuple[Any, ...]] = {}
+        document.changed.connect(self._follow)
+        engine.finished.connect(self._deliver)
+        for panel in panels:
+            panel.visibility_changed.connect(self._ask)
+            panel.design_edited.connect(document.edit)
+            panel.view_changed.connect(document.look)
+            panel.show_state(document.design, document.view)
+
+    def _follow(self) -> None:
+        since_s = perf_counter()
+        for panel in self._panels:
+            panel.show_state(self._document.design, self._document.view)
+        if self._ask(since_s):
+            self._engine.wait(PATIENCE_S)
+
+    def _ask(self, since_s: float | None = None) -> bool:
+        """Ask for what is not known yet; whether there is any."""
+        visible = [panel for panel in self._panels if panel.isVisible()]
+        for panel in self._panels:
+            if panel not in visible:
+                self._shown.pop(panel, None)
+        wanted = frozenset().union(*(panel.needs for panel in visible))
+        if not wanted:
+            return False
+        given = sources(self._document.design, self._document.view)
+        request = Request(wanted, given, perf_counter() if since_s is None else since_s)
+        if self._asked == request and not self._behind(visible):
+            return False
+        self._asked = request
+        for panel in visible:
+            if panel.needs:
+                panel.show_stale(True)
+        self._engine.request(request)
+        return True
+
+    def _behind(self, visible: list[Panel]) -> bool:
+        return any(panel.needs and panel not in self._shown for panel in visible)
+
+    def _deliver(self, outcome: Outcome) -> None:
+        if outcome.request.purpose != "show":
+            return
+        visible = [panel for panel in self._panels if panel.isVisible() and panel.needs]
+        if outcome.values is None:
+            self._explain(visible, _reason(outcome.error))
+            return
+        for panel in visible:
+            if panel.needs <= outcome.values.keys():
+                self._show(panel, outcome.values)
+                panel.show_stale(outcome.request is not self._asked)
+        self.delivered.emit(outcome)
+
+    def _show(self, panel: Panel, values: Mapping[str, Any]) -> None:
+        # What has not changed is not drawn again.
+        held = tuple(values[name] for name in sorted(panel.needs))
+        before = self._shown.get(panel, ())
+        if len(held) != len(before) or any(a is not b for a, b in zip(held, before, strict=True)):
+            panel.show_results(values)
+            self._shown[panel] = held
+
+    def _explain(self, visible: list[Panel], reason: str) -> None:
+        self._shown.clear()
+        for panel in visible:
+            panel.show_problem(reason)
+        self.failed.emit(reason)
+
+
+def _reason(error: Exception | None) -> str:
+    if isinstance(error, SkinSourceError):
+        return str(error)
+    return (
+        f"The studio made a mistake: {type(error).__name__}: {error}. Undo the last edit, or "
+        "choose something else; please report this."
+    )

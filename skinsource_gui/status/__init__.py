@@ -1,0 +1,1 @@
+"""The status bar: what was computed, how fast, how exact."""

@@ -1,0 +1,136 @@
+"""What an evaluation computed and what it left out, in words."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from skinsource.design import audible_inputs
+from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS, SAMPLE_RATE_HZ
+from skinsource.rendering.segments import BLOCK_FFT, length_at_once
+from skinsource.signals import sample_count
+from skinsource.work import Work
+from skinsource_gui.state.engine import Outcome
+
+_N_CHANNELS = N_OUTPUTS * N_AXES
+_IN_TIME = frozenset({"selected_traces", "selected_spectra"})
+#: The selected input, and all others together.
+_PARTS = 2
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scope:
+    """What was computed for the panels.
+
+    Attributes
+    ----------
+    inputs, heard
+        Inputs of the design, and those that are neither muted nor beside a solo one.
+    channels
+        Outputs times axes that were brought back to time; 0 where no panel shows them.
+    has_map
+        Whether the map was computed.
+    streamed
+        Whether the scene is too long to be transformed at once.
+    work
+        What it took.
+    """
+
+    inputs: int
+    heard: int
+    channels: int
+    has_map: bool
+    streamed: bool
+    work: Work
+
+    @property
+    def method(self) -> str:
+        """Precision and method."""
+        return f"float64, overlap-save {BLOCK_FFT}" if self.streamed else "float64, spectra"
+
+    @property
+    def map_transforms(self) -> int:
+        """Inverse transforms beyond those that the search and the channels can have needed."""
+        others = self.work.search_transforms + _PARTS * self.channels
+        return max(self.work.inverse_transforms - others, 0)
+
+    def phrases(self) -> tuple[str, ...]:
+        """Words for the status bar, from all to the least."""
+        inputs = f"{self.heard} of {self.inputs} inputs" if self.inputs else "no inputs"
+        channels = f"{self.channels} of {_N_CHANNELS} channels"
+        short = f"{inputs} · {channels}"
+        with_method = f"{short} · {self.method}"
+        if not self.has_map:
+            return with_method, short, inputs
+        if self.streamed:
+            return f"{short}, map block by block · {self.method}", with_method, short, inputs
+        count = self.map_transforms
+        word = "transform" if count == 1 else "transforms"
+        return (
+            f"{short}, {count} inverse {word} for the map · {self.method}",
+            with_method,
+            short,
+            inputs,
+        )
+
+    def sentences(self) -> str:
+        """The same and more, in whole sentences, one on a line."""
+        silent = self.inputs - self.heard
+        lines = [
+            f"{self.heard} of {self.inputs} inputs are heard"
+            + (f"; {silent} muted or silenced by solo cost nothing." if silent else "."),
+            f"{self.channels} of {_N_CHANNELS} channels were brought back to time: the selected "
+            "outputs, on the chosen axes."
+            if self.channels
+            else "No channel was brought back to time: no traces or spectra are shown.",
+            self._about_map(),
+            self._about_work(),
+            f"Precision and method: {self.method}.",
+        ]
+        return "\n".join(line for line in lines if line)
+
+    def _about_map(self) -> str:
+        if not self.has_map:
+            return "The map is not shown and was not computed."
+        if self.streamed:
+            return f"The map is summed up block by block, over all {_N_CHANNELS} channels."
+        count = self.map_transforms
+        word = "transform" if count == 1 else "transforms"
+        return f"The map took {count} inverse {word}: its levels follow from spectra."
+
+    def _about_work(self) -> str:
+        work = self.work
+        search = (
+            f", {work.search_transforms} of them in search of exact maxima"
+            if work.search_transforms
+            else ""
+        )
+        return (
+            f"New work: {work.forward_transforms} forward and {work.inverse_transforms} inverse "
+            f"transforms{search}; {work.samples_drawn} samples drawn, "
+            f"{work.bytes_read / 1e6:.1f} MB read."
+        )
+
+
+def scope_of(outcome: Outcome) -> Scope:
+    """What ``outcome`` has computed."""
+    given, wanted = outcome.request.given, outcome.request.wanted
+    shows_channels = bool(wanted & _IN_TIME)
+    return Scope(
+        inputs=len(given["inputs"]),
+        heard=len(audible_inputs(given["inputs"])),
+        channels=len(given["outputs"]) * len(given["axes"]) if shows_channels else 0,
+        has_map="output_levels_db" in wanted,
+        streamed=_is_streamed(given),
+        work=outcome.work,
+    )
+
+
+def _is_streamed(given: Mapping[str, Any]) -> bool:
+    heard = audible_inputs(given["inputs"])
+    ends = (
+        sample_count(one.onset_s, SAMPLE_RATE_HZ)
+        + sample_count(one.waveform.duration_s, SAMPLE_RATE_HZ)
+        for one in heard
+    )
+    places = {one.location for one in heard}
+    return length_at_once(max(ends, default=1) + N_TAPS - 1, len(places)) is None

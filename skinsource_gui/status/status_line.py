@@ -1,0 +1,123 @@
+"""The line under the panels: what the last edit cost, what it computed, how wrong it can be."""
+
+from PySide6.QtCore import QTimer, Signal
+from PySide6.QtGui import QPalette
+from PySide6.QtWidgets import QHBoxLayout, QWidget
+
+from skinsource.design import Design, audible_inputs
+from skinsource.rendering.check import TraceError
+from skinsource_gui.state.engine import Engine, Outcome
+from skinsource_gui.status.edit_times import EditTime
+from skinsource_gui.status.error_label import ErrorLabel
+from skinsource_gui.status.fitting_label import FittingLabel
+from skinsource_gui.status.scope import Scope, scope_of
+from skinsource_gui.status.sparkline import FRAME_S, Sparkline
+from skinsource_gui.status.timing_label import TimingLabel
+from skinsource_gui.theme import UNIT_PX, Theme, tabular
+
+# Numbers that change faster cannot be read.
+_PAUSE_MS = 250
+
+
+class StatusLine(QWidget):
+    """Time, picture of the last times, what was computed, error; all in one row.
+
+    Parameters
+    ----------
+    window
+        The window whose painting is waited for.
+    engine
+        Whose results it is about.
+    """
+
+    #: Something that it tells is new; at most some times a second.
+    changed = Signal()
+
+    def __init__(self, window: QWidget, engine: Engine) -> None:
+        super().__init__(window)
+        self.setObjectName("status_line")
+        self.timing = TimingLabel(window, engine)
+        self.error = ErrorLabel()
+        self.scope: Scope | None = None
+        self._sparkline = Sparkline(self._about_times)
+        self._work = FittingLabel()
+        self._work.setObjectName("work")
+        self._work.setAccessibleName("What was computed")
+        self._work.setFont(tabular(self._work.font()))
+        self._heard = ""
+        self._pause = QTimer(self, singleShot=True, interval=_PAUSE_MS)
+        self._pause.timeout.connect(self._say)
+        # Until something is edited there is no time to tell.
+        self._times = QWidget()
+        self._times.hide()
+        times = QHBoxLayout(self._times)
+        times.setContentsMargins(0, 0, UNIT_PX // 2, 0)
+        times.setSpacing(UNIT_PX)
+        times.addWidget(self.timing)
+        times.addWidget(self._sparkline)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(UNIT_PX, 0, 0, 0)
+        # As wide as the blank after the dot that the error starts with.
+        row.setSpacing(UNIT_PX // 2)
+        row.addWidget(self._times)
+        row.addWidget(self._work)
+        row.addWidget(self.error)
+        row.addStretch(1)
+        for label in (self.timing, self._work):
+            # Words of less weight, as those of the theme's status bar.
+            label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+        self.timing.noted.connect(self._note_times)
+
+    def show_design(self, design: Design) -> None:
+        """Count the inputs of ``design``, where nothing is known of results."""
+        count, heard = len(design.inputs), len(audible_inputs(design.inputs))
+        self._heard = f"{heard} of {count} inputs" if count else "no inputs"
+        if self.scope is None:
+            self._say()
+
+    def show_outcome(self, outcome: Outcome) -> None:
+        """Take over what the panels show now."""
+        self.scope = scope_of(outcome)
+        self.timing.show_outcome(outcome)
+        self._say_soon()
+
+    def show_no_outcome(self) -> None:
+        """Forget the last results: there are none."""
+        self.scope = None
+        self.timing.show_no_outcome()
+        self.error.show_error(None)
+        self._say()
+
+    def show_error(self, error: TraceError | None) -> None:
+        """Take over what is known of the error; None: nothing yet."""
+        if error is not self.error.error:
+            self.error.show_error(error)
+            self._say_soon()
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self.error.show_theme(theme)
+        self._sparkline.show_theme(theme)
+
+    def last_times(self) -> tuple[EditTime | None, tuple[float, ...]]:
+        """Time of the last edit, and seconds of the last hundred."""
+        return self.timing.last, self.timing.times.seconds()
+
+    def _note_times(self) -> None:
+        self._times.show()
+        self._sparkline.show_times(self.timing.times.seconds())
+
+    def _about_times(self) -> str:
+        times = self.timing.about_times() or "Nothing was edited yet."
+        return f"{times}\nOne bar for each edit, the thin line is one frame ({FRAME_S * 1e3:g} ms)."
+
+    def _say_soon(self) -> None:
+        if not self._pause.isActive():
+            self._say()
+            self._pause.start()
+
+    def _say(self) -> None:
+        scope = self.scope
+        self._work.show_phrases((self._heard,) if scope is None else scope.phrases())
+        self._work.setToolTip("" if scope is None else scope.sentences())
+        self.changed.emit()

@@ -1,0 +1,1 @@
+"""Numbers and choices that are edited in place."""

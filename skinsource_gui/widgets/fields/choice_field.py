@@ -1,0 +1,71 @@
+"""One of several names, as a list that drops down."""
+
+from PySide6.QtCore import QPointF, Signal
+from PySide6.QtGui import QPainter, QPalette, QPen, QWheelEvent
+from PySide6.QtWidgets import QComboBox, QSizePolicy, QWidget
+
+from skinsource.fields import ChoiceSpec
+from skinsource_gui.widgets.fields.burst import Burst
+
+
+class ChoiceField(QComboBox):
+    """A drop-down list of the options of ``spec``.
+
+    The wheel acts only while it has the focus, so that scrolling a panel changes nothing.
+    """
+
+    #: The chosen option; number of the gesture that quick further choices share.
+    chosen = Signal(str, object)
+
+    def __init__(self, spec: ChoiceSpec, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._burst = Burst(self)
+        for option, words in spec.options:
+            self.addItem(words, option)
+        self.setAccessibleName(spec.label)
+        self.setToolTip("\n".join(words for words in (spec.label, spec.hint) if words))
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.setMinimumContentsLength(8)
+        self.setMaxVisibleItems(20)
+        self.activated.connect(self._choose)
+
+    @property
+    def value(self) -> str:
+        """The chosen option."""
+        return self.currentData()
+
+    def set_value(self, option: str) -> None:
+        """Show another choice, and tell nobody."""
+        if option != self.value:
+            self._burst.end()
+            self.setCurrentIndex(self.findData(option))
+
+    def choose(self, option: str) -> None:
+        """Choose an option, as a user does."""
+        index = self.findData(option)
+        self.setCurrentIndex(index)
+        self._choose(index)
+
+    def showPopup(self) -> None:
+        # The list may be wider than the field, so that no name is cut off.
+        self.view().setMinimumWidth(self.view().sizeHintForColumn(0) + 24)
+        super().showPopup()
+
+    def paintEvent(self, event) -> None:
+        super().paintEvent(event)
+        # The theme's style sheet takes away the arrow of the style.
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(self.palette().color(QPalette.ColorRole.PlaceholderText), 1.5))
+        tip = QPointF(self.width() - 13, self.height() / 2 + 2)
+        painter.drawPolyline([tip + QPointF(-4, -4), tip, tip + QPointF(4, -4)])
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
+
+    def _choose(self, index: int) -> None:
+        self.chosen.emit(self.itemData(index), self._burst.gesture())

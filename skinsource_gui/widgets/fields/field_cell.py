@@ -1,0 +1,135 @@
+"""A labelled field of a recipe, with room for a remark under it."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
+
+from skinsource.fields import ChoiceSpec, NumberSpec, Spec
+from skinsource.signals import BAND_HZ
+from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.fields.number_field import NumberField
+
+#: Height of a label, and of one line of a field.
+LABEL_PX = 26
+
+_OUTSIDE_BAND = f"outside the measured band ({BAND_HZ[0]:g} to {BAND_HZ[1]:g} Hz)"
+
+
+class LabelledCell(QWidget):
+    """Something with a label; `FieldGrid` puts the label beside it."""
+
+    def __init__(self, words: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.label = QLabel(words)
+        self.label.setMinimumHeight(LABEL_PX)
+        self.label.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.stack = QVBoxLayout(self)
+        self.stack.setContentsMargins(0, 0, 0, 0)
+        self.stack.setSpacing(2)
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self.label.setStyleSheet(f"color: {theme.dim};")
+
+
+class WordsCell(LabelledCell):
+    """A label and words that cannot be edited."""
+
+    def __init__(self, label: str, words: str, parent: QWidget | None = None) -> None:
+        super().__init__(label, parent)
+        self.words = QLabel(words)
+        self.words.setObjectName("fixed_length")
+        self.words.setWordWrap(True)
+        self.words.setMinimumHeight(LABEL_PX)
+        self.stack.addWidget(self.words)
+
+
+class FieldCell(LabelledCell):
+    """The field of a recipe that ``spec`` describes."""
+
+    #: Name of the field, its new value, number of the gesture or None.
+    edited = Signal(str, object, object)
+
+    def __init__(self, name: str, spec: Spec, parent: QWidget | None = None) -> None:
+        super().__init__(spec.label, parent)
+        self.name = name
+        self._theme = LIGHT
+        self._warns = False
+        self.field: NumberField | ChoiceField
+        if isinstance(spec, ChoiceSpec):
+            self.field = ChoiceField(spec)
+            self.field.chosen.connect(self._edit)
+        else:
+            self.field = NumberField(spec)
+            self.field.edited.connect(self._edit)
+            self.field.problem_changed.connect(self._show_problem)
+        self.field.setObjectName(f"{name}_field")
+        self.label.setBuddy(self.field)
+        self.setFocusProxy(self.field)
+        self._note = QLabel()
+        self._note.setObjectName(f"{name}_note")
+        self._note.setWordWrap(True)
+        self._note.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
+        self._note.hide()
+        self.stack.addWidget(self.field)
+        self.stack.addWidget(self._note)
+
+    @property
+    def note(self) -> str:
+        """The remark under the field, or ""."""
+        return self._note.text()
+
+    def set_spec(self, spec: NumberSpec) -> None:
+        """Change the unit or range of a number."""
+        self.field.set_spec(spec)
+
+    def set_value(self, value: float | str) -> None:
+        """Show a value, and tell nobody."""
+        self.field.set_value(value)
+        self._advise()
+
+    def forget_typing(self) -> None:
+        """Close an open editor without committing."""
+        if isinstance(self.field, NumberField):
+            self.field.cancel_editing()
+        self._advise()
+
+    def show_reason(self, reason: str) -> None:
+        """Say in red why the last edit was refused."""
+        self._set_note(reason, warns=False)
+
+    def show_theme(self, theme: Theme) -> None:
+        super().show_theme(theme)
+        self._theme = theme
+        if isinstance(self.field, NumberField):
+            self.field.show_theme(theme)
+        self._colour_note()
+
+    def _edit(self, value: float | str, gesture: int | None) -> None:
+        self._advise()
+        self.edited.emit(self.name, value, gesture)
+
+    def _show_problem(self, problem: str) -> None:
+        if problem:
+            self._set_note(problem, warns=False)
+        else:
+            self._advise()
+
+    def _advise(self) -> None:
+        if isinstance(self.field, ChoiceField):
+            self._set_note("", warns=True)
+        elif not self.field.problem:
+            in_hertz = self.field.spec.unit == "Hz"
+            outside = in_hertz and not BAND_HZ[0] <= self.field.value_si <= BAND_HZ[1]
+            self._set_note(_OUTSIDE_BAND if outside else "", warns=True)
+
+    def _set_note(self, words: str, *, warns: bool) -> None:
+        if (words, warns) != (self.note, self._warns):
+            self._warns = warns
+            self._note.setText(words)
+            self._note.setVisible(bool(words))
+            self._colour_note()
+
+    def _colour_note(self) -> None:
+        colour = self._theme.warning if self._warns else self._theme.error
+        self._note.setStyleSheet(f"color: {colour};")

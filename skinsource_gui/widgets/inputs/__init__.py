@@ -1,0 +1,1 @@
+"""What stands for an input: its colour, its words, its waveform."""

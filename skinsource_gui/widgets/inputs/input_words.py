@@ -1,0 +1,35 @@
+"""An input in a few words."""
+
+from skinsource.fields import NumberSpec, specs_of
+from skinsource.signals import sample_count
+from skinsource.waveforms import Waveform
+from skinsource_gui.widgets.fields.units import value_text
+
+DURATION_FIELD = "duration_s"
+
+
+def figure_text(waveform: Waveform) -> str:
+    """Title and first number of a waveform: ``"Tone 100 Hz"``, ``"Noise, seed 3"``."""
+    for name, spec in specs_of(waveform).items():
+        if isinstance(spec, NumberSpec) and name != DURATION_FIELD:
+            number = value_text(getattr(waveform, name), spec.unit, digits=4)
+            if spec.unit:
+                return f"{waveform.title} {number}"
+            return f"{waveform.title}, {spec.label.lower()} {number}"
+    return waveform.title
+
+
+def duration_text(waveform: Waveform) -> str:
+    """Length of a waveform: ``"200 ms"``."""
+    if sample_count(waveform.duration_s) == 1:
+        return "one sample"
+    return value_text(waveform.duration_s, "s", digits=3)
+
+
+def fixed_length_text(waveform: Waveform) -> str:
+    """Length of a waveform that has no duration to choose, in words, or ""."""
+    if DURATION_FIELD in specs_of(waveform):
+        return ""
+    count = sample_count(waveform.duration_s)
+    samples = "" if count == 1 else f" ({count} samples)"
+    return f"{duration_text(waveform)}{samples}, fixed"

@@ -1,0 +1,64 @@
+"""What a plot of signals shows."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource.locations import output_place
+from skinsource_gui.widgets.plot.ranges import Kind
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CurveName:
+    """Number and place of an output: ``29``, ``"II nail rad."``, ``"Digit II, ..."``."""
+
+    number: int
+    short: str
+    full: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Curves:
+    """Curves over one x axis.
+
+    Attributes
+    ----------
+    x : (n_points,)
+        Rising, SI.
+    y : (n_curves, n_points)
+        m/s², or dB re 1 m/s².
+    names : (n_curves,)
+        Their names; a curve's rank is its colour.
+    kind
+        What ``y`` is.
+    """
+
+    x: Floats
+    y: Floats
+    names: tuple[CurveName, ...]
+    kind: Kind = "amplitude"
+
+    def __post_init__(self) -> None:
+        if self.y.shape != (len(self.names), self.x.size) or self.x.size == 0:
+            raise ValueError(
+                f"y has shape {self.y.shape}, expected ({len(self.names)}, {self.x.size}) with at "
+                "least one point"
+            )
+
+    def nearest(self, x: float) -> int:
+        """Index of the point nearest to ``x``."""
+        right = int(np.clip(np.searchsorted(self.x, x), 1, max(self.x.size - 1, 1)))
+        if right >= self.x.size:
+            return 0
+        return right - 1 if x - self.x[right - 1] <= self.x[right] - x else right
+
+
+def output_names(outputs: tuple[int, ...]) -> tuple[CurveName, ...]:
+    """Names of the curves of ``outputs``, 1 to 72."""
+    places = [output_place(output) for output in outputs]
+    return tuple(
+        CurveName(number=place.number, short=place.short_name, full=place.name) for place in places
+    )

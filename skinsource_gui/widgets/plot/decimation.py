@@ -1,0 +1,81 @@
+"""Fewer points that draw the same picture."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource_gui.widgets.plot.ranges import Range
+
+Floats = NDArray[np.float64]
+
+#: Up to so many samples in a column of pixels, each is drawn.
+MOST_IN_COLUMN = 4
+# Zero lies on the edge of a row of pixels, or in its middle; a little beside them rounding does
+# not matter.
+_SHIFT = 0.02
+# From here, strokes and level lines are painted in the same row; from its middle they are not.
+_INSIDE = 0.25
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Points:
+    """What is drawn of curves.
+
+    Attributes
+    ----------
+    x : (n,)
+    y : (n_curves, n)
+    strokes
+        Whether points come in pairs, the ends of one upright stroke for each column of pixels.
+    """
+
+    x: Floats
+    y: Floats
+    strokes: bool = False
+
+
+def visible_points(x: Floats, y: Floats, shown: Range, width_px: int) -> Points:
+    """The visible part, and one point more at each side so that lines run to the edge.
+
+    With more than `MOST_IN_COLUMN` samples for each column of pixels, it is the smallest and the
+    largest of each column.
+
+    Parameters
+    ----------
+    x : (n_points,)
+        Rising.
+    y : (n_curves, n_points)
+        Curves over ``x``.
+    shown
+        Visible part of ``x``.
+    width_px
+        How many columns of pixels show it.
+    """
+    first = max(int(np.searchsorted(x, shown[0])) - 1, 0)
+    last = min(int(np.searchsorted(x, shown[1], side="right")) + 1, x.size)
+    x, y = x[first:last], y[:, first:last]
+    if x.size <= max(MOST_IN_COLUMN * width_px, 2):
+        return Points(x=x, y=y)
+    low, column = shown[0], (shown[1] - shown[0]) / max(width_px, 1)
+    starts = np.searchsorted(x, low + column * np.arange(max(width_px, 1) + 1))
+    starts = np.concatenate(([0], np.minimum(starts, x.size - 1)))
+    starts = starts[np.diff(starts, prepend=-1) > 0]
+    ends = np.stack(
+        [np.minimum.reduceat(y, starts, axis=1), np.maximum.reduceat(y, starts, axis=1)], axis=-1
+    )
+    # Up one column and down the next: the way from stroke to stroke is short, and so is painting.
+    ends[:, 1::2] = ends[:, 1::2, ::-1]
+    # A stroke in the middle of its column is sharp; a sample that is alone stays where it is.
+    alone = np.diff(starts, append=x.size) == 1
+    middles = low + column * (np.floor((x[starts] - low) / column) + 0.5)
+    places = np.repeat(np.where(alone, x[starts], middles), 2)
+    return Points(x=places, y=ends.reshape(len(y), -1), strokes=True)
+
+
+def in_rows(y_px: Floats, ratio: float) -> Floats:
+    """Heights moved into rows of pixels, of which ``ratio`` make 1 px.
+
+    Without smooth edges, a level line between two rows would change from one to the other.
+    """
+    return (np.floor(y_px * ratio + _SHIFT) + _INSIDE) / ratio

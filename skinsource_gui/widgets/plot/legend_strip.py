@@ -1,0 +1,194 @@
+"""Names of curves, each with what the crosshair reads there."""
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QEvent, QPointF, QRect, QSize, Qt
+from PySide6.QtGui import QColor, QFontMetrics, QHelpEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+
+from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
+from skinsource_gui.widgets.plot.curves import CurveName
+
+STRIP_HEIGHT_PX = 20
+_SWATCH_PX = 10
+_GAP_PX = 4
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LegendText:
+    """What the strip says.
+
+    Attributes
+    ----------
+    names
+        Names of the curves, by rank.
+    unit
+        Of the readings.
+    where, readings
+        Where curves are read and what is read there; ``""`` and ``()`` where nothing is.
+    where_room, reading_room
+        The longest of them; places stay while numbers change.
+    """
+
+    names: tuple[CurveName, ...] = ()
+    unit: str = ""
+    where: str = ""
+    readings: tuple[str, ...] = ()
+    where_room: str = ""
+    reading_room: str = ""
+
+    def lines(self) -> str:
+        """All of it, one line for each curve."""
+        lines = [f"at {self.where}"] if self.where else []
+        for rank, name in enumerate(self.names):
+            reading = f": {self.readings[rank]} {self.unit}" if self.readings else ""
+            lines.append(f"{name.number}  {name.full}{reading}")
+        return "\n".join(lines)
+
+
+@dataclass(frozen=True, slots=True)
+class _Detail:
+    """Which parts of an entry are written."""
+
+    number: bool
+    place: bool
+    reading: bool
+    unit: bool
+
+
+# From wide to narrow.  A unit that entries have no room for is said once.
+_READING = (
+    _Detail(True, True, True, True),
+    _Detail(True, True, True, False),
+    _Detail(True, False, True, False),
+    _Detail(False, False, True, False),
+)
+_IDLE = (_Detail(True, True, False, False), _Detail(True, False, False, False))
+
+
+class LegendStrip(QWidget):
+    """One line: colour, number, place and reading of each curve, and where they are read.
+
+    Where the line is too narrow it leaves out units, then places, then numbers, then curves; the
+    tooltip has them all.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("legend")
+        self.setAccessibleName("Curves and readings")
+        self.setFixedHeight(STRIP_HEIGHT_PX)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        font = tabular(self.font())
+        font.setPointSizeF(font.pointSizeF() * 0.9)
+        self.setFont(font)
+        self._theme = LIGHT
+        self._text = LegendText()
+
+    @property
+    def text(self) -> LegendText:
+        """What is said."""
+        return self._text
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self._theme = theme
+        self.update()
+
+    def say(self, text: LegendText) -> None:
+        """Show ``text``."""
+        if text != self._text:
+            self._text = text
+            self.setAccessibleDescription(text.lines())
+            self.update()
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(120, STRIP_HEIGHT_PX)
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
+            QToolTip.showText(event.globalPos(), self._text.lines(), self)
+            return True
+        return super().event(event)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        if not self._text.names:
+            return
+        painter = QPainter(self)
+        metrics = QFontMetrics(self.font())
+        detail, fitting = self._fit(metrics)
+        x = UNIT_PX // 2
+        for rank in range(fitting):
+            x = self._paint_entry(painter, metrics, x, rank, detail)
+        hidden = len(self._text.names) - fitting
+        if hidden:
+            self._write(painter, metrics, x, f"+{hidden}", self._theme.dim)
+        if self._text.where:
+            place = self.rect().adjusted(0, 0, -UNIT_PX // 2, 0)
+            painter.setPen(QColor(self._theme.text))
+            at_right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+            painter.drawText(place, at_right, self._where(self._text.where, detail))
+
+    def _where(self, where: str, detail: _Detail) -> str:
+        return f"{where} · {self._text.unit}" if detail.number and not detail.unit else where
+
+    def _fit(self, metrics: QFontMetrics) -> tuple[_Detail, int]:
+        widths: list[int] = []
+        room_px = 0
+        details = _READING if self._text.readings else _IDLE
+        for detail in details:
+            room_px = self.width() - UNIT_PX
+            if self._text.where:
+                where = self._where(self._text.where_room, detail)
+                room_px -= metrics.horizontalAdvance(where)
+            widths = [
+                self._entry_px(metrics, rank, detail) for rank in range(len(self._text.names))
+            ]
+            if sum(widths) <= room_px:
+                return detail, len(widths)
+        room_px -= metrics.horizontalAdvance("+00")
+        fitting = 0
+        while fitting < len(widths) and sum(widths[: fitting + 1]) <= room_px:
+            fitting += 1
+        return details[-1], fitting
+
+    def _entry_px(self, metrics: QFontMetrics, rank: int, detail: _Detail) -> int:
+        name = self._text.names[rank]
+        words = [
+            *([str(name.number)] if detail.number else []),
+            *([name.short] if detail.place else []),
+            *([self._text.reading_room] if detail.reading else []),
+            *([self._text.unit] if detail.unit else []),
+        ]
+        gaps = _GAP_PX * len(words) + UNIT_PX
+        return _SWATCH_PX + gaps + sum(metrics.horizontalAdvance(word) for word in words)
+
+    def _paint_entry(
+        self, painter: QPainter, metrics: QFontMetrics, x: int, rank: int, detail: _Detail
+    ) -> int:
+        text, theme = self._text, self._theme
+        name, end = text.names[rank], x + self._entry_px(metrics, rank, detail)
+        painter.setPen(QPen(theme.output_colour(rank), 2))
+        middle = self.height() / 2
+        painter.drawLine(QPointF(x, middle), QPointF(x + _SWATCH_PX - 1, middle))
+        x += _SWATCH_PX + _GAP_PX
+        if detail.number:
+            x = self._write(painter, metrics, x, str(name.number), theme.text)
+        if detail.place:
+            x = self._write(painter, metrics, x, name.short, theme.dim)
+        if detail.reading:
+            room = metrics.horizontalAdvance(text.reading_room)
+            x += max(0, room - metrics.horizontalAdvance(text.readings[rank]))
+            x = self._write(painter, metrics, x, text.readings[rank], theme.text)
+        if detail.unit:
+            self._write(painter, metrics, x, text.unit, theme.dim)
+        return end
+
+    def _write(
+        self, painter: QPainter, metrics: QFontMetrics, x: int, text: str, colour: str
+    ) -> int:
+        painter.setPen(QColor(colour))
+        width = metrics.horizontalAdvance(text)
+        place = QRect(x, 0, width + 1, self.height())
+        painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, text)
+        return x + width + _GAP_PX

@@ -1,0 +1,38 @@
+import numpy as np
+import pytest
+
+from skinsource.catalogue import load_limb
+from skinsource.surface import surface_operator
+from skinsource_gui.panels.skin.panel import SurfacePanel
+from tests.gui.skin.bench import (
+    SEED,
+    Window,
+)
+
+
+@pytest.fixture(scope="module")
+def results():
+    limb = load_limb("synthetic-1")
+    surface = surface_operator(limb)
+    levels = np.random.default_rng(SEED).uniform(-60, -12, 72)
+    levels[28] = -11.0
+    return {
+        "limb_data": limb,
+        "limb_map": limb.map,
+        "surface": surface,
+        "output_levels_db": levels,
+        "surface_levels_db": surface.interpolate(levels),
+    }
+
+
+@pytest.fixture
+def window(qtbot, results):
+    panel = SurfacePanel()
+    qtbot.addWidget(panel)
+    panel.resize(420, 640)
+    window = Window(panel, results)
+    window.show()
+    panel.show()
+    qtbot.waitExposed(panel)
+    window.deliver()
+    return window

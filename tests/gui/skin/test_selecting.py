@@ -1,0 +1,108 @@
+import pytest
+from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
+from PySide6.QtTest import QTest
+
+from skinsource_gui.panels.skin.output_picking import DORSAL_OUTPUTS, output_beyond
+from tests.gui.skin.bench import CONTROL, LEFT, PLAIN, SHIFT, click, drag, empty_place, place
+
+# Selecting
+
+
+def test_a_click_selects_one_output(window):
+    click(window, 8)
+    assert window.view.outputs == (8,)
+
+
+@pytest.mark.parametrize("modifier", [SHIFT, CONTROL])
+def test_a_click_with_shift_or_control_adds_and_removes(window, modifier):
+    click(window, 8, modifier)
+    assert window.view.outputs == (29, 52, 8)
+    click(window, 29, modifier)
+    assert window.view.outputs == (52, 8)
+
+
+@pytest.mark.parametrize("size", [(300, 330), (420, 640), (1000, 1300)])
+def test_each_of_the_72_outputs_can_be_clicked(window, size):
+    window.panel.resize(*size)
+    for number in range(1, 73):
+        click(window, number)
+        assert window.view.outputs == (number,)
+
+
+def test_the_palmar_outputs_stay_where_they_are_while_the_map_is_zoomed(window):
+    before = place(window, 61)
+    window.panel.map.zoom(4.0, QPointF(100, 100))
+    assert place(window, 61) == before
+    click(window, 61)
+    assert window.view.outputs == (61,)
+
+
+def test_a_rubber_band_selects_what_is_inside(window):
+    around = QRectF(place(window, 43), place(window, 55)).normalized().adjusted(-6, -6, 6, 6)
+    drag(window.panel.map, around.topLeft().toPoint(), around.bottomRight().toPoint())
+    assert window.view.outputs == (43, 44, 45, 46, 52, 53, 54, 55)
+
+
+def test_a_rubber_band_with_shift_adds(window):
+    at = place(window, 41)
+    drag(window.panel.map, at - QPoint(9, 9), at + QPoint(9, 9), modifiers=SHIFT)
+    assert window.view.outputs == (29, 52, 41)
+
+
+def test_a_rubber_band_around_nothing_selects_nothing(window):
+    start = QPoint(6, window.panel.map.height() - 60)
+    drag(window.panel.map, start, start + QPoint(12, 20))
+    assert window.view.outputs == ()
+
+
+def test_a_click_on_empty_space_keeps_the_selection(window):
+    QTest.mouseClick(window.panel.map, LEFT, PLAIN, empty_place(window))
+    assert window.views == []
+
+
+def test_escape_gives_up_a_rubber_band_and_then_the_selection(window):
+    view = window.panel.map
+    QTest.mousePress(view, LEFT, PLAIN, QPoint(10, 10))
+    QTest.mouseMove(view, QPoint(300, 500))
+    QTest.keyClick(view, Qt.Key.Key_Escape)
+    QTest.mouseRelease(view, LEFT, PLAIN, QPoint(300, 500))
+    assert window.views == []
+    QTest.keyClick(view, Qt.Key.Key_Escape)
+    assert window.view.outputs == ()
+
+
+def test_control_a_selects_all_dorsal_outputs(window):
+    QTest.keyClick(window.panel.map, Qt.Key.Key_A, CONTROL)
+    assert window.view.outputs == DORSAL_OUTPUTS
+    assert len(DORSAL_OUTPUTS) == 66
+
+
+def test_control_shift_a_is_left_to_the_window(window):
+    QTest.keyClick(window.panel.map, Qt.Key.Key_A, CONTROL | SHIFT)
+    assert window.views == []
+
+
+def test_arrows_and_space_select_outputs(window):
+    view = window.panel.map
+    view.setFocus()
+    window.show(outputs=(52,))
+    for key in (Qt.Key.Key_Down, Qt.Key.Key_Down, Qt.Key.Key_Space):
+        QTest.keyClick(view, key)
+    assert window.view.outputs == (54,)
+    QTest.keyClick(view, Qt.Key.Key_Left)
+    QTest.keyClick(view, Qt.Key.Key_Space, SHIFT)
+    assert window.view.outputs == (54, 55)
+    assert window.panel.readout.text().startswith("Output 55, ")
+
+
+def test_arrows_reach_every_output(window):
+    points = window.panel.map.map_layout().points
+    reached, waiting = {52}, [52]
+    while waiting:
+        number = waiting.pop()
+        for step in ((1, 0), (-1, 0), (0, 1), (0, -1)):
+            beyond = output_beyond(points, number, *step)
+            if beyond not in reached:
+                reached.add(beyond)
+                waiting.append(beyond)
+    assert reached == set(range(1, 73))
