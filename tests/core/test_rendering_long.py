@@ -1,6 +1,7 @@
 """Long scenes: checked as short ones are, stopped when asked to, nothing held or drawn twice."""
 
 import gc
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ import pytest
 from skinsource.design import Design, Input
 from skinsource.errors import InvalidInputError
 from skinsource.graph import Stopped
+from skinsource.projection import AXES, METHODS
 from skinsource.quantities import new_graph, sources
 from skinsource.rendering.drives import Drives
 from skinsource.rendering.segments import BLOCK_SAMPLES
@@ -116,3 +118,44 @@ def test_a_bad_sample_is_refused_by_the_place_of_its_input_and_its_number(durati
     bad = Input(location=12, waveform=Broken(duration_s=duration_s))
     with pytest.raises(InvalidInputError, match=f"place 12, {Broken.title}: sample 17 is nan"):
         new_graph().evaluate(ALL, sources(LONG.adding(bad), VIEW))
+
+
+PANELS_NEED = (
+    "input_waveforms",
+    "limb_map",
+    "output_levels_db",
+    "response_time_s",
+    "sample_rate_hz",
+    "selected_spectra",
+    "selected_traces",
+    "selected_without_main_axis",
+    "surface",
+    "surface_levels_db",
+    "trace_error",
+)
+
+
+@pytest.mark.parametrize("duration_s", [3.0, 11.0, 12.0, 20.0, 30.0, 60.0])
+def test_however_long_the_scene_no_output_need_be_selected(duration_s):
+    design = LONG.with_input(0, waveform=Tone(frequency_hz=100.0, duration_s=duration_s))
+    design = replace(design, inputs=design.inputs[::2])
+    graph = new_graph()
+    for axes in AXES:
+        for method in METHODS:
+            view = View(axes=axes, method=method, outputs=(), selected_input=0)
+            found = graph.evaluate(PANELS_NEED, sources(design, view))
+            n_times = found["response_time_s"].size
+            assert n_times == round(duration_s * 1300) + 521
+            assert found["selected_traces"].shape == (0, n_times)
+            frequency_hz, magnitudes = found["selected_spectra"]
+            assert magnitudes.shape == (0, frequency_hz.size)
+            assert found["trace_error"] is None
+            assert found["output_levels_db"].max() > -100.0
+
+
+def test_traces_of_no_output_of_a_long_scene_transform_nothing():
+    graph = new_graph()
+    looked = replace(VIEW, outputs=())
+    graph.evaluate({"streamed_field"}, sources(LONG, looked))
+    graph.evaluate({"axis_traces", "axis_spectra"}, sources(LONG, looked))
+    assert graph.work.inverse_transforms == graph.work.forward_transforms == 0

@@ -58,6 +58,8 @@ class StreamedField:
         """Acceleration of some outputs, (n_outputs, n_axes, n_times)."""
         result = np.zeros((len(outputs), len(axes), self.n_times))
         channels = [(output - 1) * N_AXES + axis for output in outputs for axis in axes]
+        if not channels:
+            return result
         for first, block in self._blocks(channels, stop):
             result[..., first : first + block.shape[-1]] = block.reshape(*result.shape[:2], -1)
         return result
