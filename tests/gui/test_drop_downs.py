@@ -1,0 +1,81 @@
+"""Drop-down lists, as they look."""
+
+from collections import Counter
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
+
+from skinsource.fields import ChoiceSpec
+from skinsource_gui.panels.hand.site_marker import contrast
+from skinsource_gui.theme import THEMES, apply_theme
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
+
+SPEC = ChoiceSpec(label="Size", options=(("s", "Small"), ("m", "Medium"), ("l", "Large")))
+READABLE = 4.5
+
+
+@pytest.fixture(params=["light", "dark"])
+def field(request, qtbot):
+    app = QApplication.instance()
+    before = app.style().objectName(), app.palette(), app.styleSheet()
+    theme = THEMES[request.param]
+    apply_theme(app, theme)
+    parent = QWidget()
+    qtbot.addWidget(parent)
+    field = ChoiceField(SPEC)
+    field.theme = theme
+    QVBoxLayout(parent).addWidget(field)
+    parent.show()
+    qtbot.waitExposed(parent)
+    field.showPopup()
+    qtbot.waitUntil(lambda: field.view().isVisible())
+    yield field
+    field.hidePopup()
+    app.setStyle(before[0])
+    app.setPalette(before[1])
+    app.setStyleSheet(before[2])
+
+
+def entry_colours(field, row):
+    """Ground of an entry, and the pixel on it that stands out most: the ink of its words."""
+    view = field.view()
+    area = view.visualRect(view.model().index(row, 0)).adjusted(3, 3, -3, -3)
+    picture = view.viewport().grab(area).toImage()
+    counted = Counter(
+        picture.pixel(x, y) for y in range(picture.height()) for x in range(picture.width())
+    )
+    ground = QColor(counted.most_common(1)[0][0])
+    ink = max((QColor(argb) for argb in counted), key=lambda one: contrast(one, ground))
+    return ground, ink
+
+
+def point_at(field, row, way):
+    view = field.view()
+    if way == "mouse":
+        # A pointer that an earlier test left at the same place would not move.
+        for through in (row - 1, row):
+            at = view.visualRect(view.model().index(through, 0)).center()
+            QTest.mouseMove(view.viewport(), at)
+    else:
+        for _ in range(row - view.currentIndex().row()):
+            QTest.keyClick(view, Qt.Key.Key_Down)
+    QApplication.processEvents()
+    assert view.currentIndex().row() == row
+
+
+@pytest.mark.parametrize("way", ["mouse", "keyboard"])
+def test_the_highlighted_entry_can_be_read_and_stands_out(field, way):
+    point_at(field, 2, way)
+    ground, ink = entry_colours(field, 2)
+    assert contrast(ink, ground) >= READABLE
+    assert ground.name() == field.theme.accent
+
+
+def test_the_other_entries_can_be_read(field):
+    for row in (1, 2):
+        ground, ink = entry_colours(field, row)
+        assert contrast(ink, ground) >= READABLE
+        assert ground.name() == field.theme.base
