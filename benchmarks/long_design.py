@@ -26,7 +26,8 @@ from resident import resident_mb
 from skinsource.allocation import keep_freed_memory
 from skinsource.catalogue import default_limb
 from skinsource.design import Design, Input
-from skinsource.graph import Graph, Stopped
+from skinsource.errors import Stopped
+from skinsource.graph import Graph
 from skinsource.quantities import new_graph, sources
 from skinsource.view import View
 from skinsource.waveforms import Noise, Tap, Tone

@@ -8,7 +8,7 @@ from typing import Any
 from skinsource.bench import commands as bench_commands
 from skinsource.catalogue import available_limbs, load_limb
 from skinsource.dataset import commands as dataset_commands
-from skinsource.errors import Cancelled, SkinSourceError
+from skinsource.errors import SkinSourceError, Stopped
 from skinsource.version import __version__
 
 #: What adds the commands, in the order of the help page.  Each sets ``run``, a function from
@@ -32,7 +32,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         return int(arguments.run(arguments))
     except KeyboardInterrupt:
         return _explain("stopped.", _STOPPED)
-    except Cancelled as reason:
+    except Stopped as reason:
         return _explain(str(reason), _STOPPED)
     except SkinSourceError as error:
         return _explain(str(error), _FAILED)

@@ -11,8 +11,9 @@ SkinSourceError
 ├── DatasetMissingError    a measured limb is asked for, and none is installed
 ├── StorageError           reading or writing failed: full disk, no permission, no such folder
 ├── DownloadError          the network, or the server, did not deliver
+├── TooInaccurateError     what was to be written is more wrong than was asked for
 ├── MissingExtraError      an optional package is needed and not installed
-└── Cancelled              the user stopped it
+└── Stopped                the user stopped it
 """
 
 
@@ -60,5 +61,5 @@ class MissingExtraError(SkinSourceError):
     """An optional package is needed and is not installed."""
 
 
-class Cancelled(SkinSourceError):
-    """The user stopped it; nothing was left behind."""
+class Stopped(SkinSourceError):
+    """Somebody asked to stop; nothing was left behind."""

@@ -12,23 +12,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from skinsource.job import Stop, never, stop_if
 from skinsource.work import Work, counting, tally
-
-#: Asked now and then by what takes long; once true, `Stopped` is raised.
-Stop = Callable[[], bool]
-
-
-def never() -> bool:
-    """Do not stop."""
-    return False
 
 
 class UnknownQuantity(LookupError):
     """Nothing computes the quantity that was asked for."""
-
-
-class Stopped(Exception):
-    """Evaluation was abandoned on request."""
 
 
 class Graph:
@@ -72,8 +61,8 @@ class Graph:
     ) -> dict[str, Any]:
         """Return the ``wanted`` quantities, starting from the ``given`` ones.
 
-        ``stop`` is asked before each rule runs; once true, `Stopped` is raised.  A rule that takes
-        long has a parameter ``stop`` and asks itself.
+        ``stop`` is asked before each rule runs; once true, `skinsource.errors.Stopped` is raised.
+        A rule that takes long has a parameter ``stop`` and asks itself.
         """
         known = {"stop": stop, **given}
         wanted = frozenset(wanted)
@@ -108,8 +97,7 @@ class Graph:
         memo = self._memo.get(name)
         if memo is not None and _all_same(memo[0], inputs):
             return memo[1]
-        if known["stop"]():
-            raise Stopped
+        stop_if(known["stop"])
         if memo is not None and isinstance(memo[1], np.ndarray):
             # No array equals another: this one goes before the next is made, long ones are large.
             del self._memo[name]

@@ -11,9 +11,9 @@ from typing import Protocol
 
 from PySide6.QtCore import QObject, Qt, Signal
 
-from skinsource.dataset.job import Progress
 from skinsource.design import Design
-from skinsource.graph import Stop, Stopped
+from skinsource.errors import Stopped
+from skinsource.job import Progress, Stop
 from skinsource.view import View
 
 # What changes faster cannot be seen.

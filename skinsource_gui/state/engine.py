@@ -9,7 +9,8 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
 
-from skinsource.graph import Graph, Stopped
+from skinsource.errors import Stopped
+from skinsource.graph import Graph
 from skinsource.work import Work
 
 #: An evaluation of this length is not part of a drag that wants to see each step.

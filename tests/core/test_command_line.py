@@ -11,7 +11,7 @@ import pytest
 from skinsource.command_line import main
 from skinsource.dataset import commands
 from skinsource.dataset.progress_bar import ProgressBar
-from skinsource.errors import Cancelled
+from skinsource.errors import Stopped
 from skinsource.version import __version__
 
 
@@ -148,7 +148,7 @@ def test_fetch_from_a_mirror_that_is_down_is_one_line_with_code_1(run, monkeypat
     assert err.count("\n") == 1
 
 
-@pytest.mark.parametrize("stop", [KeyboardInterrupt(), Cancelled("Stopped.")])
+@pytest.mark.parametrize("stop", [KeyboardInterrupt(), Stopped("Stopped.")])
 def test_ctrl_c_ends_with_code_130(run, monkeypatch, stop):
     def interrupted(**_):
         raise stop

@@ -12,7 +12,7 @@ import pytest
 from skinsource.dataset import published
 from skinsource.dataset.fetch import fetch
 from skinsource.dataset.store import is_installed, load_measured_limb
-from skinsource.errors import Cancelled, DownloadError, MissingExtraError, StorageError
+from skinsource.errors import DownloadError, MissingExtraError, Stopped, StorageError
 
 for _package in ("pooch", "requests", "matio"):
     pytest.importorskip(_package, reason=f"{_package} is not installed")
@@ -236,8 +236,8 @@ def test_a_cancel_keeps_what_has_arrived_and_installs_nothing(served, files, par
         if RESPONSES in text and part.exists() and part.stat().st_size > 100_000:
             stop.set()
 
-    with pytest.raises(Cancelled, match="goes on from there"):
-        fetch(files=files, progress=stop_midway, cancelled=stop.is_set)
+    with pytest.raises(Stopped, match="goes on from there"):
+        fetch(files=files, progress=stop_midway, stop=stop.is_set)
     assert not is_installed()
     arrived = part.stat().st_size
     assert 100_000 < arrived < len(served.content[RESPONSES])

@@ -11,7 +11,7 @@ import pytest
 
 from skinsource.dataset.install import install
 from skinsource.dataset.store import describe, is_installed, load_mask, load_measured_limb
-from skinsource.errors import Cancelled, DatasetError, StorageError
+from skinsource.errors import DatasetError, Stopped, StorageError
 
 
 def _everything(path):
@@ -109,8 +109,8 @@ def test_progress_ends_at_its_total_and_never_goes_back(made_up_download, user_d
 @pytest.mark.parametrize("asked", [0, 1, 40, 81, 82, 90])
 def test_a_cancel_at_any_moment_leaves_nothing(made_up_download, user_data, asked):
     answers = iter([False] * asked)
-    with pytest.raises(Cancelled, match="nothing was changed"):
-        install(made_up_download, cancelled=lambda: next(answers, True))
+    with pytest.raises(Stopped, match="nothing was changed"):
+        install(made_up_download, stop=lambda: next(answers, True))
     assert next(answers, None) is None
     assert list(user_data.iterdir()) == []
 
@@ -177,8 +177,8 @@ def test_a_failure_keeps_the_old_store(made_up_download, made_up_installed, tmp_
     with pytest.raises(DatasetError):
         install(broken)
     answers = iter([False] * 85)
-    with pytest.raises(Cancelled):
-        install(made_up_download, cancelled=lambda: next(answers, True))
+    with pytest.raises(Stopped):
+        install(made_up_download, stop=lambda: next(answers, True))
     assert made_up_installed.read_bytes() == before
     assert [path.name for path in made_up_installed.parent.iterdir()] == ["measured.h5"]
 

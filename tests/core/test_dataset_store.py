@@ -10,10 +10,10 @@ import pytest
 
 from skinsource.dataset import store, upkeep
 from skinsource.errors import (
-    Cancelled,
     DatasetError,
     DatasetMissingError,
     InvalidInputError,
+    Stopped,
     StorageError,
     UnknownLimbError,
 )
@@ -152,8 +152,8 @@ def test_verify_counts_every_checksum_and_finds_a_whole_store_whole(made_up_inst
 
 
 def test_verify_can_be_stopped(made_up_installed):
-    with pytest.raises(Cancelled):
-        upkeep.verify(cancelled=lambda: True)
+    with pytest.raises(Stopped):
+        upkeep.verify(stop=lambda: True)
 
 
 def test_another_format_version_is_refused(made_up_installed):

@@ -7,9 +7,8 @@ import numpy as np
 import pytest
 
 from skinsource.design import Design, Input
-from skinsource.errors import StorageError
+from skinsource.errors import Stopped, StorageError
 from skinsource.export import export_field, export_levels, export_traces, scene
-from skinsource.graph import Stopped
 from skinsource.quantities import new_graph, sources
 from skinsource.view import View
 from skinsource.waveforms import Noise, Tap

@@ -3,7 +3,8 @@ import weakref
 import numpy as np
 import pytest
 
-from skinsource.graph import Graph, Stopped, UnknownQuantity
+from skinsource.errors import Stopped
+from skinsource.graph import Graph, UnknownQuantity
 
 
 def doubled(number):

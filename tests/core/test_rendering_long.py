@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 from skinsource.design import Design, Input
-from skinsource.errors import InvalidInputError
-from skinsource.graph import Stopped
+from skinsource.errors import InvalidInputError, Stopped
 from skinsource.projection import AXES, METHODS
 from skinsource.quantities import new_graph, sources
 from skinsource.rendering.drives import Drives

@@ -3,7 +3,8 @@ from time import perf_counter
 
 import pytest
 
-from skinsource.graph import Graph, Stopped
+from skinsource.errors import Stopped
+from skinsource.graph import Graph
 from skinsource_gui.state.engine import Engine, Request
 
 

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource.design import Design, Input
-from skinsource.graph import Stopped
+from skinsource.errors import Stopped
 from skinsource.rendering import renderer
 from skinsource.rendering.check import TraceError
 from skinsource.waveforms import Noise, Tone

@@ -5,7 +5,7 @@ import pytest
 from PySide6.QtCore import QThread
 
 from skinsource.design import Design
-from skinsource.graph import Stopped
+from skinsource.errors import Stopped
 from skinsource.view import View
 from skinsource_gui.files.export_jobs import ExportJobs, ExportOrder
 

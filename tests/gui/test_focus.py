@@ -7,7 +7,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog
 
 from skinsource.design import Design, Input
-from skinsource.graph import Stopped
+from skinsource.errors import Stopped
 from skinsource.view import View
 from skinsource.waveforms import Tone
 from skinsource_gui.files import export_actions

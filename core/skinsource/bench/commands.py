@@ -9,13 +9,14 @@ from typing import Any
 
 from skinsource.bench.engines import ENGINES
 from skinsource.bench.machine import facts
-from skinsource.bench.measure import FULL, QUICK, Progress, cases_of, measure
+from skinsource.bench.measure import FULL, QUICK, cases_of, measure
 from skinsource.bench.plot import write_plots
 from skinsource.bench.report import report_of
 from skinsource.bench.scenes import SCENES
 from skinsource.bench.table import write_table
 from skinsource.dataset.progress_bar import ProgressBar
 from skinsource.files import make_folder, write_bytes
+from skinsource.job import Progress
 
 _NAME = "work_precision"
 

@@ -19,8 +19,8 @@ from skinsource.bench.scenes import Scene
 from skinsource.bench.table import Row
 from skinsource.bench.timing import times_of
 from skinsource.bench.worker import Task
+from skinsource.job import Progress, Stop, never, silent, stop_if
 
-Progress = Callable[[int, int, str], None]
 _SEED = 1
 
 
@@ -88,8 +88,9 @@ def cases_of(
 def measure(
     cases: Sequence[Case],
     effort: Effort,
-    progress: Progress = lambda done, total, text: None,
+    progress: Progress = silent,
     start: Callable[[Task, float], dict[str, Any]] | None = None,
+    stop: Stop = never,
 ) -> list[Row]:
     """Rows of all ``cases``, in their order; those that failed are among them.
 
@@ -97,6 +98,13 @@ def measure(
     ----------
     start
         Measures a task within some seconds; by default in a fresh process.
+    stop
+        Asked before each process.
+
+    Raises
+    ------
+    Stopped
+        ``stop`` said so.
     """
     run = in_fresh_process if start is None else start
     shuffle = random.Random(_SEED).shuffle  # noqa: S311, an order, not a secret
@@ -105,6 +113,7 @@ def measure(
         order = list(cases)
         shuffle(order)
         for k, case in enumerate(order):
+            stop_if(stop, "Measuring was stopped.")
             progress(turn * len(cases) + k, total, f"{case.scene.key} {case.engine.name}")
             if not case.failure:
                 _measure_once(case, effort, run)

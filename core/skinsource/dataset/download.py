@@ -5,11 +5,10 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import IO, Any
 
-from skinsource.dataset.job import stop_if
 from skinsource.dataset.optional import optional_package
 from skinsource.dataset.published import RemoteFile
 from skinsource.errors import DownloadError, StorageError
-from skinsource.graph import Stop
+from skinsource.job import Stop, stop_if
 
 STOPPED = (
     "Downloading was stopped; what has arrived is kept, and 'skinsource dataset fetch' goes on "
@@ -21,9 +20,7 @@ _PIECE_BYTES = 2**16
 _ALL, _PART, _RANGE_REFUSED = 200, 206, 416
 
 
-def download(
-    file: RemoteFile, part: Path, *, report: Callable[[int], None], cancelled: Stop
-) -> None:
+def download(file: RemoteFile, part: Path, *, report: Callable[[int], None], stop: Stop) -> None:
     """Bring ``part`` to its full length, asking only for the bytes it lacks.
 
     A lost connection is taken up again as long as bytes keep coming; what has arrived stays in
@@ -40,15 +37,15 @@ def download(
         No connection, an answer other than the file, or a file of another length.
     StorageError
         ``part`` cannot be written.
-    Cancelled
-        ``cancelled`` said so.
+    Stopped
+        ``stop`` said so.
     """
     requests = optional_package("requests")
     with requests.Session() as session:
         while (before := _size(part)) < file.size_bytes:
             reason = "the answer ended early"
             try:
-                continued = _receive(session, file, part, report, cancelled)
+                continued = _receive(session, file, part, report, stop)
             except OSError as error:  # requests' own errors are among them
                 continued, reason = True, str(error)
             if not continued:
@@ -64,10 +61,10 @@ def download(
 
 
 def _receive(
-    session: Any, file: RemoteFile, part: Path, report: Callable[[int], None], cancelled: Stop
+    session: Any, file: RemoteFile, part: Path, report: Callable[[int], None], stop: Stop
 ) -> bool:
     """Append what the server sends; False if it cannot continue where ``part`` ends."""
-    stop_if(cancelled, STOPPED)
+    stop_if(stop, STOPPED)
     have = _size(part)
     # Compressed answers could not be continued at a byte of the file.
     headers = {"Accept-Encoding": "identity"} | ({"Range": f"bytes={have}-"} if have else {})
@@ -81,7 +78,7 @@ def _receive(
         have = have if answer.status_code == _PART else 0
         with _opened(part, "ab" if have else "wb") as out:
             for piece in answer.iter_content(_PIECE_BYTES):
-                stop_if(cancelled, STOPPED)
+                stop_if(stop, STOPPED)
                 with _explained(part):
                     out.write(piece)
                     out.flush()

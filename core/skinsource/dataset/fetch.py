@@ -7,14 +7,13 @@ from typing import Any
 
 from skinsource.dataset.download import download
 from skinsource.dataset.install import install
-from skinsource.dataset.job import Progress, silent
 from skinsource.dataset.optional import optional_package
 from skinsource.dataset.published import RemoteFile, published_files
 from skinsource.dataset.source import download_folder
 from skinsource.dataset.store import StoreInfo
 from skinsource.errors import DownloadError, StorageError
 from skinsource.files import make_folder
-from skinsource.graph import Stop, never
+from skinsource.job import Progress, Stop, never, silent
 
 
 def fetch(
@@ -23,7 +22,7 @@ def fetch(
     downloads: Path | None = None,
     folder: Path | None = None,
     progress: Progress = silent,
-    cancelled: Stop = never,
+    stop: Stop = never,
 ) -> StoreInfo:
     """Download the measured dataset and the toolbox's map files, check and install them.
 
@@ -36,7 +35,7 @@ def fetch(
         What to download; the published files when not given.
     downloads, folder
         Where the downloads and the store go; below the user's data folder when not given.
-    progress, cancelled
+    progress, stop
         Called with (done, total, text), in bytes while downloading; asked between pieces.
 
     Raises
@@ -47,8 +46,8 @@ def fetch(
         Full disk, folder that cannot be written.
     MissingExtraError
         An optional package is missing; found out before anything is downloaded.
-    Cancelled
-        ``cancelled`` said so; what has arrived is kept for the next time.
+    Stopped
+        ``stop`` said so; what has arrived is kept for the next time.
     """
     pooch = optional_package("pooch")
     for name in ("requests", "matio"):
@@ -67,26 +66,24 @@ def fetch(
     total, done = sum(file.size_bytes for file in files), 0
     for file in files:
         progress(done, total, f"Downloading {file.name}")
-        one = _OneDownload(file, downloads, _moved_on(progress, done, total), cancelled)
+        one = _OneDownload(file, downloads, _moved_on(progress, done, total), stop)
         _fetch_one(registry, file, downloads, one)
         done += file.size_bytes
     progress(total, total, "Downloaded")
-    return install(downloads, folder=folder, progress=progress, cancelled=cancelled)
+    return install(downloads, folder=folder, progress=progress, stop=stop)
 
 
 class _OneDownload:
     """What pooch calls to have one file brought to a temporary path."""
 
-    def __init__(
-        self, file: RemoteFile, downloads: Path, progress: Progress, cancelled: Stop
-    ) -> None:
+    def __init__(self, file: RemoteFile, downloads: Path, progress: Progress, stop: Stop) -> None:
         self._file = file
         self._part = downloads / f"{file.name}.part"
         self._progress = progress
-        self._cancelled = cancelled
+        self._stop = stop
 
     def __call__(self, _url: str, output_file: str, _pooch: Any) -> None:
-        download(self._file, self._part, report=self._report, cancelled=self._cancelled)
+        download(self._file, self._part, report=self._report, stop=self._stop)
         self._refuse_other_content()
         self._part.replace(output_file)
 

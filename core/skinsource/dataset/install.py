@@ -13,14 +13,13 @@ from numpy.typing import NDArray
 from skinsource import hdf5
 from skinsource.assets import user_folder
 from skinsource.dataset import layout
-from skinsource.dataset.job import Progress, silent, stop_if
 from skinsource.dataset.mapfiles import MapFiles, read_map_files
 from skinsource.dataset.responses import N_ROWS, Responses, read_responses
 from skinsource.dataset.source import find_source
 from skinsource.dataset.store import StoreInfo, describe
 from skinsource.errors import StorageError
 from skinsource.files import make_folder, replacing
-from skinsource.graph import Stop, never
+from skinsource.job import Progress, Stop, never, silent, stop_if
 
 STOPPED = "Installing was stopped; nothing was changed."
 _PIECE_BYTES = 4 * 2**20
@@ -31,7 +30,7 @@ def install(
     *,
     folder: Path | None = None,
     progress: Progress = silent,
-    cancelled: Stop = never,
+    stop: Stop = never,
 ) -> StoreInfo:
     """Make the store from what was downloaded, in place of an earlier one.
 
@@ -45,7 +44,7 @@ def install(
         or the file itself with that folder beside it.
     folder
         Where the store goes; the user's data folder when not given.
-    progress, cancelled
+    progress, stop
         Called with (done, total, text); asked between steps.
 
     Raises
@@ -56,24 +55,24 @@ def install(
         No such source, full disk, folder that cannot be written.
     MissingExtraError
         mat-io is not installed.
-    Cancelled
-        ``cancelled`` said so.
+    Stopped
+        ``stop`` said so.
     """
     found = find_source(source)
     folder = user_folder() if folder is None else folder
     make_folder(folder)
     path = folder / layout.FILE_NAME
-    stop_if(cancelled, STOPPED)
+    stop_if(stop, STOPPED)
     progress(0, 2 * N_ROWS, f"Reading {found.responses.name}")
     maps = read_map_files(found.map_folder)
     responses = read_responses(
-        found.responses, lambda done, _, text: progress(done, 2 * N_ROWS, text), cancelled
+        found.responses, lambda done, _, text: progress(done, 2 * N_ROWS, text), stop
     )
     image = _image(responses, maps, _origin(found.responses))
-    stop_if(cancelled, STOPPED)
+    stop_if(stop, STOPPED)
     with replacing(path) as temporary, temporary.open("wb") as out:
         for done, piece in _pieces(image):
-            stop_if(cancelled, STOPPED)
+            stop_if(stop, STOPPED)
             out.write(piece)
             progress(N_ROWS + N_ROWS * done // len(image), 2 * N_ROWS, f"Writing {path.name}")
         # Some file systems notice only now that they are full.

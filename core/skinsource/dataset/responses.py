@@ -6,10 +6,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.dataset.job import Progress, stop_if
 from skinsource.dataset.matfile import WHAT_TO_DO, read_variable
 from skinsource.errors import DatasetError
-from skinsource.graph import Stop
+from skinsource.job import Progress, Stop, stop_if
 from skinsource.limb import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS, Floats
 
 TABLE = "dataTable"
@@ -22,7 +21,7 @@ SHAPE = (N_TAPS, N_OUTPUTS, N_AXES)
 Responses = dict[tuple[int, int], Floats]
 
 
-def read_responses(path: Path, progress: Progress, cancelled: Stop) -> Responses:
+def read_responses(path: Path, progress: Progress, stop: Stop) -> Responses:
     """Read and check ``impulseResponses.mat``, in either MATLAB encoding.
 
     Returns
@@ -35,10 +34,10 @@ def read_responses(path: Path, progress: Progress, cancelled: Stop) -> Responses
     DatasetError
         The file or a row is not what it should be.
     """
-    return check_table(read_variable(path, TABLE), path.name, progress, cancelled)
+    return check_table(read_variable(path, TABLE), path.name, progress, stop)
 
 
-def check_table(table: Any, file_name: str, progress: Progress, cancelled: Stop) -> Responses:
+def check_table(table: Any, file_name: str, progress: Progress, stop: Stop) -> Responses:
     """Check every row of the table: numbers, shape, finiteness, and that each limb is complete."""
     absent = [column for column in COLUMNS if column not in getattr(table, "columns", ())]
     if absent:
@@ -49,7 +48,7 @@ def check_table(table: Any, file_name: str, progress: Progress, cancelled: Stop)
     responses: Responses = {}
     rows = zip(*(table[column] for column in COLUMNS), strict=True)
     for number, (data, model, location) in enumerate(rows, start=1):
-        stop_if(cancelled, "Installing was stopped; nothing was changed.")
+        stop_if(stop, "Installing was stopped; nothing was changed.")
         where = f"{file_name}: row {number}"
         limb = _whole_number(model, N_LIMBS, f"{where} has Model")
         place = _whole_number(location, N_INPUTS, f"{where} has Location")

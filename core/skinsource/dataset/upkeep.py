@@ -6,15 +6,14 @@ from pathlib import Path
 
 from skinsource.dataset import layout
 from skinsource.dataset.contents import Contents
-from skinsource.dataset.job import Progress, silent, stop_if
 from skinsource.dataset.source import MAP_FILES, MAP_FOLDER, RESPONSES_FILE, download_folder
 from skinsource.dataset.store import open_store, store_path
 from skinsource.errors import StorageError
-from skinsource.graph import Stop, never
+from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.limb import N_INPUTS
 
 
-def verify(*, progress: Progress = silent, cancelled: Stop = never) -> tuple[str, ...]:
+def verify(*, progress: Progress = silent, stop: Stop = never) -> tuple[str, ...]:
     """Compare every checksum in the store with the data.
 
     Returns
@@ -28,15 +27,15 @@ def verify(*, progress: Progress = silent, cancelled: Stop = never) -> tuple[str
         Nothing is installed.
     DatasetError
         The store cannot be opened, or a part of it cannot be found.
-    Cancelled
-        ``cancelled`` said so.
+    Stopped
+        ``stop`` said so.
     """
     total = len(layout.LIMBS) * N_INPUTS + len(layout.WHOLE_SHAPES)
     problems = []
     path = store_path()
     with open_store(path) as store:
         for done, (what, found, expected) in enumerate(_checksums(store), start=1):
-            stop_if(cancelled, "Verifying was stopped.")
+            stop_if(stop, "Verifying was stopped.")
             if found != expected:
                 problems.append(f"{path}: {what}: checksum {found}, expected {expected}")
             progress(done, total, f"Verifying {what}")

@@ -6,7 +6,7 @@ from typing import BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.graph import Stop, Stopped
+from skinsource.job import Stop, stop_if
 
 Floats = NDArray[np.float64]
 
@@ -39,8 +39,7 @@ class CsvTable:
         """Write ``rows``, (n_rows, n_columns)."""
         step = max(_CELLS_AT_ONCE // max(rows.shape[1], 1), 1)
         for first in range(0, len(rows), step):
-            if self._stop():
-                raise Stopped
+            stop_if(self._stop)
             piece = rows[first : first + step].tolist()
             self._write([",".join([_exact(value) for value in row]) for row in piece])
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, BinaryIO
 
 from skinsource.files import replacing
-from skinsource.graph import Stop, Stopped
+from skinsource.job import Stop, stop_if
 
 if TYPE_CHECKING:
     from _typeshed import ReadableBuffer
@@ -32,8 +32,7 @@ def output_file(path: Path, stop: Stop) -> Iterator[BinaryIO]:
             yield file
             file.flush()
             os.fsync(file.fileno())
-            if stop():
-                raise Stopped
+            stop_if(stop)
         except BaseException:
             # Gone at once: to give back a gigabyte, when the file is closed, can take a second.
             # Systems that delete no open file do so when it is closed.

@@ -6,9 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.dataset.job import Progress
 from skinsource.design import Design
-from skinsource.graph import Stop
+from skinsource.job import Progress, Stop
 from skinsource.limb import N_AXES, N_OUTPUTS, Limb
 from skinsource.projection import Axes
 from skinsource.quantities import new_graph, sources
@@ -35,7 +34,7 @@ class Scene:
     progress
         Told how far it is; a total of 0 while that is not known.
     stop
-        Asked now and then; once true, `skinsource.graph.Stopped` is raised.
+        Asked now and then; once true, `skinsource.errors.Stopped` is raised.
 
     Attributes
     ----------

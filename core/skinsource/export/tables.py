@@ -7,7 +7,6 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.dataset.job import Progress, silent
 from skinsource.design import Design
 from skinsource.export.csv_table import CsvTable
 from skinsource.export.figures import (
@@ -20,7 +19,7 @@ from skinsource.export.figures import (
 )
 from skinsource.export.output_file import output_file
 from skinsource.export.scene import ALL_OUTPUTS, Scene
-from skinsource.graph import Stop, never
+from skinsource.job import Progress, Stop, never, silent
 from skinsource.projection import axis_numbers
 from skinsource.rendering.segments import BLOCK_SAMPLES
 from skinsource.rendering.trace_rules import selected_traces

@@ -6,7 +6,6 @@ from pathlib import Path
 
 import numpy as np
 
-from skinsource.dataset.job import Progress, silent
 from skinsource.design import Design
 from skinsource.errors import StorageError
 from skinsource.export.figures import (
@@ -19,7 +18,7 @@ from skinsource.export.figures import (
 from skinsource.export.npz_archive import NpzArchive
 from skinsource.export.output_file import output_file
 from skinsource.export.scene import ALL_OUTPUTS, Scene
-from skinsource.graph import Stop, Stopped, never
+from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.limb import N_AXES, N_OUTPUTS
 from skinsource.view import View
 
@@ -62,8 +61,7 @@ def export_field(
             archive.put("sample_rate_hz", np.array(scene.sample_rate_hz))
             with archive.growing("acceleration_m_per_s2", shape) as array:
                 for block in scene.field_blocks():
-                    if stop():
-                        raise Stopped
+                    stop_if(stop)
                     kept[..., array.n_times : array.n_times + block.shape[-1]] = block[rows]
                     array.add(block)
             error = scene.error_of(kept, checked)

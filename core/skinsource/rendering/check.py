@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skinsource.graph import Stop
+from skinsource.job import Stop
 from skinsource.limb import N_AXES
 from skinsource.rendering.drives import Drive
 from skinsource.rendering.maxima import peaks_of

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skinsource.graph import Stop, Stopped, never
+from skinsource.job import Stop, never, stop_if
 from skinsource.rendering.drives import delayed
 from skinsource.rendering.part import Part
 from skinsource.rendering.streaming import StreamedField
@@ -18,8 +18,7 @@ def one_by_one(signals: Floats, stop: Stop) -> Complexes:
     """
     found = np.empty((*signals.shape[:-1], signals.shape[-1] // 2 + 1), np.complex128)
     for place in np.ndindex(signals.shape[:-1]):
-        if stop():
-            raise Stopped
+        stop_if(stop)
         found[place] = forward(signals[place], signals.shape[-1])
     return found
 

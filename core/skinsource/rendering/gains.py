@@ -6,7 +6,7 @@ from weakref import ref
 
 import numpy as np
 
-from skinsource.graph import Stop, never
+from skinsource.job import Stop, never
 from skinsource.limb import Limb
 from skinsource.rendering.drives import Drive, Drives, Source
 from skinsource.rendering.maxima import peaks_of

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.graph import Stop, Stopped, never
+from skinsource.job import Stop, never, stop_if
 from skinsource.limb import N_TAPS
 from skinsource.rendering.bounds import channel_bounds
 from skinsource.rendering.response_spectra import ResponseSpectrum
@@ -66,8 +66,7 @@ def peaks_of(
     largest = np.full(len(peaks), -np.inf)
     begin = 0
     for batch in chain(_BATCHES, repeat(_BATCHES[-1])):
-        if stop():
-            raise Stopped
+        stop_if(stop)
         chosen = order[:, begin : begin + batch]
         begin += batch
         open_ones = np.take_along_axis(bounds, chosen, axis=-1) > largest[:, None]
@@ -107,8 +106,7 @@ def _peak_by_blocks(samples: Floats, response: ResponseSpectrum, stop: Stop) -> 
     peak = Peak(-np.inf)
     starts = range(0, samples.size + N_TAPS - 1, BLOCK_SAMPLES)
     for k in range(0, len(starts), _BLOCKS_AT_ONCE):
-        if stop():
-            raise Stopped
+        stop_if(stop)
         found = {first: segment_of(samples, first) for first in starts[k : k + _BLOCKS_AT_ONCE]}
         felt = {first: segment for first, segment in found.items() if segment is not None}
         if len(felt) < len(found) and peak.value < 0.0:
@@ -144,8 +142,7 @@ def _search(
     order = np.argsort(-flat, kind="stable")
     begin = 0
     for batch in chain(_BATCHES, repeat(_BATCHES[-1])):
-        if stop():
-            raise Stopped
+        stop_if(stop)
         chosen = order[begin : begin + batch]
         begin += batch
         chosen = np.sort(chosen[flat[chosen] > peak.value])

@@ -12,7 +12,7 @@ from weakref import ref
 import numpy as np
 
 from skinsource.design import Input
-from skinsource.graph import Stop, Stopped, never
+from skinsource.job import Stop, never, stop_if
 from skinsource.limb import N_TAPS, Limb
 from skinsource.projection import Axes, axis_numbers
 from skinsource.rendering.check import Heard, TraceError, exact_gains, trace_error_of
@@ -282,6 +282,5 @@ class Renderer:
         return [(one, drive) for one, drive in drawn if one.amplitude and not drive.silent]
 
     def _drawn(self, one: Input, sample_rate_hz: float, stop: Stop) -> Drive:
-        if stop():
-            raise Stopped
+        stop_if(stop)
         return self._drives.drawn(one, sample_rate_hz)

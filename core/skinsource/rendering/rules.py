@@ -8,7 +8,7 @@ import numpy as np
 
 from skinsource.decibels import decibels
 from skinsource.design import Input, audible_indices, audible_inputs
-from skinsource.graph import Stop
+from skinsource.job import Stop
 from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS
 from skinsource.projection import Axes, Method, axis_numbers
 from skinsource.rendering.drives import Booleans, Source, delayed, source_of

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from skinsource.graph import Stop, Stopped, never
+from skinsource.job import Stop, never, stop_if
 from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS
 from skinsource.rendering.drives import Booleans, reach
 from skinsource.rendering.moments import Moments
@@ -85,8 +85,7 @@ class StreamedField:
             values = np.ascontiguousarray(values[:, :, channels])
         starts = range(0, self.n_times, BLOCK_SAMPLES)
         for k in range(0, len(starts), _GROUP):
-            if stop():
-                raise Stopped
+            stop_if(stop)
             segments = [self._segments(first) for first in starts[k : k + _GROUP]]
             played = [place for place, found in enumerate(segments) if found]
             if not played:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from skinsource.graph import Stop
+from skinsource.job import Stop
 from skinsource.projection import Axes, Method, axis_numbers, magnitude
 from skinsource.rendering.field import Field, one_by_one
 from skinsource.rendering.moments import Moments, without_main_axis
