@@ -2,23 +2,39 @@
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from skinsource.arrays import Complexes, Floats
 from skinsource.errors import InvalidInputError
+from skinsource.limb import SAMPLE_RATE_HZ
+from skinsource.span import Span, check_span, loudest_energy, window_samples
 
-Floats = NDArray[np.float64]
 
-
-def rms(x: ArrayLike) -> Floats:
+def rms(x: ArrayLike, span: Span = "record", sample_rate_hz: float = SAMPLE_RATE_HZ) -> Floats:
     """Root mean square over time (the last axis), in the unit of ``x``.
+
+    Parameters
+    ----------
+    x : (..., n_times)
+        Signals.
+    span
+        ``"record"``: over all samples, as upstream; silence before and after counts.
+        ``"loudest"``: the largest RMS of any 100 ms; of a signal shorter than that, over 100 ms
+        of which the rest is silent, so that silence around a signal changes nothing.
+    sample_rate_hz
+        Sample rate; only ``"loudest"`` asks for it.
 
     Raises
     ------
     InvalidInputError
-        There are no samples.
+        There are no samples, or the span or the rate is none.
     """
+    check_span(span)
     data = _samples(x)
-    return np.sqrt(np.mean(np.square(data), axis=-1))
+    if span == "record":
+        return np.sqrt(np.mean(np.square(data), axis=-1))
+    n_window = window_samples(sample_rate_hz)
+    return np.sqrt(loudest_energy(data, n_window) / n_window)
 
 
 def magnitude_spectrum(x: ArrayLike, sample_rate_hz: float) -> tuple[Floats, Floats]:
@@ -51,7 +67,7 @@ def magnitude_spectrum(x: ArrayLike, sample_rate_hz: float) -> tuple[Floats, Flo
 
 
 def one_sided_magnitude(
-    spectra: NDArray[np.complex128], n_times: int, sample_rate_hz: float
+    spectra: Complexes, n_times: int, sample_rate_hz: float
 ) -> tuple[Floats, Floats]:
     """Frequencies and magnitudes as in `magnitude_spectrum`, from transforms of real signals."""
     magnitude = np.abs(spectra) / n_times

@@ -1,0 +1,96 @@
+"""What a level averages over: the whole record, or its loudest tenth of a second.
+
+Sums over windows are made of sums within blocks as long as a window: only numbers of zero or more
+are added, nothing is subtracted, so that quiet after a burst is as right as the burst.
+"""
+
+from typing import Literal, get_args
+
+import numpy as np
+
+from skinsource.arrays import Floats
+from skinsource.errors import InvalidInputError
+from skinsource.signals import sample_count
+
+Span = Literal["record", "loudest"]
+SPANS: tuple[Span, ...] = get_args(Span)
+
+#: Length of the window that moves over the record to its loudest place.
+LOUDEST_WINDOW_S = 0.1
+
+
+def check_span(span: str) -> None:
+    """Raise `InvalidInputError` unless ``span`` is one of `SPANS`."""
+    if span not in SPANS:
+        raise InvalidInputError(f"span {span!r} is not known; choose from {', '.join(SPANS)}")
+
+
+def window_samples(sample_rate_hz: float) -> int:
+    """Samples of the window of ``"loudest"``, at least one: 130 at 1300 Hz."""
+    if not (np.isfinite(sample_rate_hz) and sample_rate_hz > 0):
+        raise InvalidInputError(f"sample_rate_hz is {sample_rate_hz}, expected a positive number")
+    return max(sample_count(LOUDEST_WINDOW_S, sample_rate_hz), 1)
+
+
+def loudest_energy(signals: Floats, n_window: int) -> Floats:
+    """Largest sum of squares of any ``n_window`` neighbours in time, (...,), of (..., n_times).
+
+    Beyond both ends lies silence: a signal shorter than the window counts as a whole.
+    """
+    loudest = LoudestEnergy(signals.shape[:-1], n_window)
+    loudest.add(0, signals)
+    return loudest.energy
+
+
+class LoudestEnergy:
+    """Largest energy of any window of some signals that come piece by piece.
+
+    Parameters
+    ----------
+    shape
+        Of the signals, without time.
+    n_window
+        Samples of the window.
+
+    Attributes
+    ----------
+    energy : shape
+        Largest sum of squares within a window, of what was added so far.
+    """
+
+    def __init__(self, shape: tuple[int, ...], n_window: int) -> None:
+        self.energy = np.zeros(shape)
+        self._n_window = n_window
+        # Squares of the samples before the next ones, as many as a window can still hold.
+        self._before = np.zeros((*shape, n_window - 1))
+        self._end = 0
+
+    def add(self, first: int, signals: Floats) -> None:
+        """Take the samples from ``first`` on, (..., n); between pieces lies silence."""
+        if signals.shape[-1] == 0:
+            return
+        if first != self._end:
+            gap = min(first - self._end, self._n_window - 1)
+            silence = np.zeros((*self.energy.shape, gap))
+            self._before = np.concatenate((self._before[..., gap:], silence), axis=-1)
+        squares = np.concatenate((self._before, np.square(signals)), axis=-1)
+        found = _window_sums(squares, self._n_window).max(axis=-1)
+        np.maximum(self.energy, found, out=self.energy)
+        self._before = squares[..., squares.shape[-1] - self._n_window + 1 :].copy()
+        self._end = first + signals.shape[-1]
+
+
+def _window_sums(squares: Floats, n: int) -> Floats:
+    """Sum of each ``n`` neighbours, (..., n_samples - n + 1)."""
+    n_sums = squares.shape[-1] - n + 1
+    # One block more than is needed: a window lies in at most two.
+    n_blocks = -(-squares.shape[-1] // n) + 1
+    blocks = np.zeros((*squares.shape[:-1], n_blocks * n))
+    blocks[..., : squares.shape[-1]] = squares
+    blocks = blocks.reshape(*squares.shape[:-1], n_blocks, n)
+    up_to = np.cumsum(blocks, axis=-1)
+    from_on = np.cumsum(blocks[..., ::-1], axis=-1)[..., ::-1]
+    # From a place in a block to its end, and from there up to before the same place in the next.
+    sums = from_on[..., :-1, :].copy()
+    sums[..., 1:] += up_to[..., 1:, :-1]
+    return sums.reshape(*squares.shape[:-1], -1)[..., :n_sums]
