@@ -10,6 +10,7 @@ from skinsource.catalogue import available_limbs, load_limb
 from skinsource.dataset import commands as dataset_commands
 from skinsource.errors import SkinSourceError, Stopped
 from skinsource.version import __version__
+from skinsource.words import LIMBS, word_of
 
 #: What adds the commands, in the order of the help page.  Each sets ``run``, a function from
 #: the parsed arguments to the exit code.
@@ -59,8 +60,9 @@ def _add_limbs_to(subparsers: Any) -> None:
 def _limbs(_: argparse.Namespace) -> int:
     for name in available_limbs():
         limb = load_limb(name)
-        kind = "SYNTHETIC: computed, not measured" if limb.synthetic else "measured"
-        sys.stdout.write(f"{name:12}  hand length {limb.hand_length_mm:g} mm  {kind}\n")
+        word = word_of(LIMBS, name)
+        mark = "SYNTHETIC  " if limb.synthetic else ""
+        sys.stdout.write(f"{name:12}  {word.title:22}  {mark}{word.sentence}\n")
     return 0
 
 

@@ -9,36 +9,15 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidg
 
 from skinsource.design import Design
 from skinsource.fields import ChoiceSpec
-from skinsource.limb import HAND_LENGTHS_MM, LIMB_NAMES
-from skinsource.projection import AXES, METHODS, Axes, Method
-from skinsource.response_scaling import SCALINGS, Scaling
+from skinsource.limb import LIMB_NAMES
+from skinsource.projection import Axes, Method
+from skinsource.response_scaling import Scaling
 from skinsource.view import View
+from skinsource.words import CHOICES, LIMBS, Word, word_of
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.tooltips import tooltip
 
 _ENABLED = Qt.ItemFlag.ItemIsEnabled
-_SCALING_WORDS = {
-    "upstream": (
-        "Peak of each input",
-        "Each input alone reaches its amplitude as largest skin "
-        "acceleration, in m/s² (as the published toolbox does)",
-    ),
-    "relative": (
-        "Equal drives",
-        "No rescaling: strong and weak places keep their ratio; an "
-        "amplitude of 1 is the measuring pulse",
-    ),
-    "probe": (
-        "Probe acceleration",
-        "Amplitudes are accelerations of the probe in m/s², within about 3 dB",
-    ),
-}
-_AXES_WORDS = {"xy": "x, y", "xz": "x, z", "yz": "y, z", "xyz": "x, y, z"}
-_METHOD_WORDS = {
-    "mag": ("Magnitude", "Length of the acceleration vector"),
-    "pca": ("Principal axis", "Component along the axis of largest variance"),
-    "rms": ("RMS direction", "Component along the vector of the axes' RMS values"),
-    "soc": ("Sum of components", "Sum over the chosen axes"),
-}
 
 
 class SetupBar(QWidget):
@@ -54,14 +33,12 @@ class SetupBar(QWidget):
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(0, 0, 0, 0)
         self._row.setSpacing(6)
-        self._limb = self._choice("Limb", [(name, limb_words(name), "") for name in LIMB_NAMES])
-        self._scaling = self._choice(
-            "Scaling", [(name, *_SCALING_WORDS[name]) for name in SCALINGS]
+        self._limb, self._scaling, self._axes, self._method = (
+            self._choice(label, sentence, words)
+            for field, label, sentence, words in CHOICES
+            if field != "span"
         )
-        self._axes = self._choice(
-            "Axes", [(axes, _AXES_WORDS.get(axes, axes), "") for axes in AXES]
-        )
-        self._method = self._choice("Method", [(name, *_METHOD_WORDS[name]) for name in METHODS])
+        self._method_hint = self._method.toolTip()
         self._row.addStretch(1)
         self._limb.chosen.connect(self._choose_limb)
         self._scaling.chosen.connect(self._choose_scaling)
@@ -80,9 +57,7 @@ class SetupBar(QWidget):
             field.set_value(value)
         single = len(view.axes) == 1
         self._method.setEnabled(not single)
-        self._method.setToolTip(
-            "A single axis needs no method" if single else "How several axes become one signal"
-        )
+        self._method.setToolTip("A single axis needs no method" if single else self._method_hint)
 
     def show_available(self, limbs: tuple[str, ...]) -> None:
         """Offer these limbs, and no others."""
@@ -112,14 +87,14 @@ class SetupBar(QWidget):
                 actions.append(action)
         return actions
 
-    def _choice(self, label: str, options: list[tuple[str, str, str]]) -> ChoiceField:
-        spec = ChoiceSpec(label=label, options=tuple((value, words) for value, words, _ in options))
-        field = ChoiceField(spec)
+    def _choice(self, label: str, sentence: str, words: tuple[Word, ...]) -> ChoiceField:
+        options = tuple((word.name, word.title) for word in words)
+        field = ChoiceField(ChoiceSpec(label=label, options=options, hint=sentence))
         field.setObjectName(label.lower())
         field.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         field.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
-        for index, (_, _, hint) in enumerate(options):
-            field.setItemData(index, hint, Qt.ItemDataRole.ToolTipRole)
+        for index, word in enumerate(words):
+            field.setItemData(index, tooltip(word.sentence), Qt.ItemDataRole.ToolTipRole)
         title = QLabel(label)
         title.setBuddy(field)
         self._row.addWidget(title)
@@ -130,7 +105,9 @@ class SetupBar(QWidget):
     def _choose_limb(self, name: str, gesture: int | None) -> None:
         if self._design:
             changed = replace(self._design, limb=name)
-            self.design_edited.emit(f"Change limb to {limb_words(name)}", changed, gesture)
+            self.design_edited.emit(
+                f"Change limb to {word_of(LIMBS, name).title}", changed, gesture
+            )
 
     def _choose_scaling(self, scaling: Scaling, gesture: int | None) -> None:
         if self._design:
@@ -145,9 +122,3 @@ class SetupBar(QWidget):
     def _choose_method(self, method: Method) -> None:
         if self._view:
             self.view_changed.emit(replace(self._view, method=method))
-
-
-def limb_words(name: str) -> str:
-    """What a limb is called in the window, "Measured 1 (175 mm)"."""
-    kind, _, number = name.partition("-")
-    return f"{kind.capitalize()} {number} ({HAND_LENGTHS_MM[int(number) - 1]:g} mm)"

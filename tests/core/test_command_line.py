@@ -59,13 +59,13 @@ def test_limbs_lists_the_synthetic_limbs_and_says_what_they_are(run):
     assert (code, err) == (0, "")
     lines = out.splitlines()
     assert [line.split()[0] for line in lines] == [f"synthetic-{k}" for k in (1, 2, 3, 4)]
-    assert all("SYNTHETIC: computed, not measured" in line for line in lines)
-    assert "hand length 175 mm" in lines[0]
+    assert all("SYNTHETIC" in line and "not measured" in line for line in lines)
+    assert lines[0].startswith("synthetic-1   Synthetic 1 (175 mm)")
 
 
 def test_limbs_lists_installed_limbs_first(run, made_up_installed):
     _, out, _ = run("limbs")
-    assert out.startswith("measured-1    hand length 175 mm  measured\n")
+    assert out.startswith("measured-1    Measured 1 (175 mm)     Impulse responses measured")
     assert len(out.splitlines()) == 8
 
 

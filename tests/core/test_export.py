@@ -120,7 +120,13 @@ def test_the_table_says_how_it_was_made(tmp_path):
     path = tmp_path / "traces.csv"
     export_traces(path, Design(limb="measured-2", inputs=INPUTS, scaling="relative"), VIEW)
     about = "\n".join(read(path)[0])
-    for fact in ("measured-2", "scaling: relative", "axes: xz; method: soc", "place 7", "seed=3"):
+    for fact in (
+        "limb: Measured 2 (165 mm), measured-2",
+        "scaling: Equal drives (relative)",
+        "axes: x, z (xz); method: Sum of components (soc)",
+        "place 7",
+        "seed=3",
+    ):
         assert fact in about
     assert "place 13" in about
     assert "muted" in about

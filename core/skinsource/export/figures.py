@@ -12,6 +12,7 @@ from skinsource.export.scene import Scene
 from skinsource.rendering.check import ESTIMATE_FACTOR, N_SAMPLES, TraceError
 from skinsource.rendering.segments import BLOCK_FFT
 from skinsource.version import __version__
+from skinsource.words import AXES, LIMBS, METHODS, SCALINGS, word_of
 
 
 def about_design(scene: Scene) -> list[str]:
@@ -20,7 +21,8 @@ def about_design(scene: Scene) -> list[str]:
     lines = ["SkinSource studio"]
     if scene.limb.synthetic:
         lines.append("SYNTHETIC LIMB: computed responses, not measured ones")
-    lines.append(f"limb: {design.limb}; scaling: {design.scaling}")
+    scaling = word_of(SCALINGS, design.scaling).both
+    lines.append(f"limb: {word_of(LIMBS, design.limb).title}, {design.limb}; scaling: {scaling}")
     for one in design.inputs:
         muted = ", muted" if one.muted else ""
         solo = ", solo" if one.solo else ""
@@ -33,8 +35,9 @@ def about_design(scene: Scene) -> list[str]:
 
 def about_axes(scene: Scene) -> str:
     """Line on the axes and how they become one signal."""
-    method = "" if len(scene.view.axes) == 1 else f"; method: {scene.view.method}"
-    return f"axes: {scene.view.axes}{method}"
+    axes, method = scene.view.axes, word_of(METHODS, scene.view.method).both
+    how = "" if len(axes) == 1 else f"; method: {method}"
+    return f"axes: {word_of(AXES, axes).both}{how}"
 
 
 def about_method(scene: Scene) -> list[str]:

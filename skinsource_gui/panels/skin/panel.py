@@ -14,6 +14,7 @@ from skinsource.design import Design
 from skinsource.limb import Limb
 from skinsource.surface import SurfaceOperator
 from skinsource.view import View
+from skinsource.words import LIMBS, signal_words, word_of
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.skin.colour_bar import ColourBar
 from skinsource_gui.panels.skin.field_image import FieldImage
@@ -26,12 +27,6 @@ from skinsource_gui.panels.skin.readout_lines import ReadoutLines
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 
 SILENT = "Silent: nothing is driven"
-_METHODS = {
-    "mag": "magnitude",
-    "pca": "first principal component",
-    "rms": "along the RMS vector",
-    "soc": "sum of components",
-}
 # What is outdated for a shorter time is not marked: during a drag the mark would flicker.
 _PATIENCE_MS = 150
 
@@ -208,10 +203,9 @@ class SurfacePanel(Panel):
             self.map.show_hand()
 
     def _picture_title(self) -> str:
-        limb = "" if self._design is None else f", {self._design.limb}"
-        axes = self._view.axes
-        method = f", {_METHODS[self._view.method]}" if len(axes) > 1 else ""
-        return f"RMS skin acceleration{limb}, {axes}{method}"
+        limb = "" if self._design is None else f", {word_of(LIMBS, self._design.limb).title}"
+        signal = signal_words(self._view.axes, self._view.method)
+        return f"RMS skin acceleration{limb}, {signal}"
 
 
 def _field_image(surface: SurfaceOperator, limb: Limb) -> FieldImage:

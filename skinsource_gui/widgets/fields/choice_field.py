@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QComboBox, QSizePolicy, QWidget
 
 from skinsource.fields import ChoiceSpec
 from skinsource_gui.widgets.fields.burst import Burst
+from skinsource_gui.widgets.tooltips import tooltip
 
 
 class ChoiceField(QComboBox):
@@ -23,7 +24,7 @@ class ChoiceField(QComboBox):
         for option, words in spec.options:
             self.addItem(words, option)
         self.setAccessibleName(spec.label)
-        self.setToolTip("\n".join(words for words in (spec.label, spec.hint) if words))
+        self.setToolTip(tooltip(spec.label, spec.hint))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(8)

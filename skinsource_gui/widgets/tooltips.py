@@ -1,0 +1,11 @@
+"""Words of a tooltip, in lines that the eye can follow."""
+
+from textwrap import fill
+
+# Characters in a line: about as wide as a panel.
+_LINE = 64
+
+
+def tooltip(*sentences: str) -> str:
+    """Sentences below each other, each in lines of readable length; empty ones are left out."""
+    return "\n".join(fill(sentence, _LINE) for sentence in sentences if sentence)
