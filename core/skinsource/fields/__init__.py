@@ -1,0 +1,55 @@
+"""What a field of a recipe may be: label, unit, limits.
+
+A recipe is a frozen dataclass whose fields are made here::
+
+    frequency_hz: float = fields.number(100.0, NumberSpec(label="Frequency", unit="Hz"))
+    muted: bool = fields.field(FlagSpec(label="Mute"), default=False)
+
+and that calls `check` when it is made.  Checks, files, the clipboard and editors are all driven
+by these specifications, so that a new recipe is one new file.  Whoever treats kinds of fields
+differently asks `made_for` with a table by class.
+"""
+
+from typing import Any
+
+from skinsource.fields.numbers import CurveSpec, NumberSpec, RangeSpec
+from skinsource.fields.plain import PlainSpec
+from skinsource.fields.recipes import check, field, specs_of
+from skinsource.fields.spec import Address, Misfit, Spec, Tree, made_for
+from skinsource.fields.wholes import ListSpec, OptionalSpec, RecipeSpec, SamplesSpec
+from skinsource.fields.words import ChoiceSpec, FlagSpec, TextSpec
+
+
+def number(default: float, spec: NumberSpec) -> Any:
+    """Make a dataclass field for a number."""
+    return field(spec, default)
+
+
+def choice(default: str, spec: ChoiceSpec) -> Any:
+    """Make a dataclass field for one of several names."""
+    return field(spec, default)
+
+
+__all__ = [
+    "Address",
+    "ChoiceSpec",
+    "CurveSpec",
+    "FlagSpec",
+    "ListSpec",
+    "Misfit",
+    "NumberSpec",
+    "OptionalSpec",
+    "PlainSpec",
+    "RangeSpec",
+    "RecipeSpec",
+    "SamplesSpec",
+    "Spec",
+    "TextSpec",
+    "Tree",
+    "check",
+    "choice",
+    "field",
+    "made_for",
+    "number",
+    "specs_of",
+]

@@ -1,0 +1,137 @@
+"""Numbers, and what is made of two of them."""
+
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from skinsource.fields.spec import Address, Misfit, Spec, Tree
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NumberSpec(Spec):
+    """A number: what it is called, its SI unit, and the values it may have.
+
+    Attributes
+    ----------
+    unit
+        ``"s"``, ``"Hz"``, ``"rad"``, ``"m/s²"`` or empty.
+    minimum, maximum
+        Both are allowed values.
+    step
+        What one turn of the wheel adds; with ``logarithmic`` the factor is one plus it.
+    whole
+        Whether only whole numbers are allowed.
+    """
+
+    unit: str = ""
+    minimum: float = -np.inf
+    maximum: float = np.inf
+    step: float = 1.0
+    logarithmic: bool = False
+    whole: bool = False
+
+    @property
+    def expected(self) -> str:
+        """What is allowed, in words."""
+        words = f"a {'whole ' if self.whole else ''}number"
+        if np.isfinite([self.minimum, self.maximum]).all():
+            words += f" from {self.minimum:g} to {self.maximum:g}"
+        return f"{words} {self.unit}" if self.unit else words
+
+    def checked(self, value: Any) -> float | int:
+        """Return a plain ``float`` or ``int``, so that files hold what memory holds."""
+        if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
+            raise Misfit(self.expected)
+        # The range first: a whole number beyond all floats cannot be asked whether it is finite.
+        if not self.minimum <= value <= self.maximum or value in (-np.inf, np.inf):
+            raise Misfit(self.expected)
+        if not self.whole:
+            return _as_float(value, self.expected)
+        if value != int(value):
+            raise Misfit(self.expected)
+        return int(value)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RangeSpec(Spec):
+    """Two finite numbers, the lower one first.
+
+    Attributes
+    ----------
+    of
+        What each of them may be.
+    """
+
+    of: NumberSpec
+
+    def checked(self, value: Any) -> tuple[float, float]:
+        """Return two plain numbers."""
+        expected = f"two numbers, low < high, each {self.of.expected}"
+        if not isinstance(value, tuple) or len(value) != 2:
+            raise Misfit(expected)
+        low, high = (self.of.checked(end) for end in value)
+        if not low < high:
+            raise Misfit(expected)
+        return low, high
+
+    def encoded(self, value: tuple[float, float]) -> Tree:
+        """Return a list of two numbers."""
+        return list(value)
+
+    def decoded(self, tree: Tree, at: Address) -> Any:
+        """Return a tuple."""
+        del at
+        return tuple(tree) if isinstance(tree, list) else tree
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CurveSpec(Spec):
+    """Breakpoints of a curve: pairs of x and y, x never falling.
+
+    Attributes
+    ----------
+    x, y
+        What the numbers of a point may be.
+    fewest, most
+        How many points there may be.
+    """
+
+    x: NumberSpec
+    y: NumberSpec
+    fewest: int = 2
+    most: int = 10_000
+
+    def checked(self, value: Any) -> tuple[tuple[float, float], ...]:
+        """Return a tuple of points of two plain numbers."""
+        expected = (
+            f"{self.fewest} to {self.most} points (x, y), x {self.x.expected} and never falling, "
+            f"y {self.y.expected}"
+        )
+        if not isinstance(value, tuple) or not self.fewest <= len(value) <= self.most:
+            raise Misfit(expected)
+        if not all(isinstance(point, tuple) and len(point) == 2 for point in value):
+            raise Misfit(expected)
+        points = tuple((self.x.checked(x), self.y.checked(y)) for x, y in value)
+        if any(after[0] < before[0] for before, after in pairwise(points)):
+            raise Misfit(expected)
+        return points
+
+    def encoded(self, value: tuple[tuple[float, float], ...]) -> Tree:
+        """Return a list of lists of two numbers."""
+        return [list(point) for point in value]
+
+    def decoded(self, tree: Tree, at: Address) -> Any:
+        """Return a tuple of tuples."""
+        del at
+        if not isinstance(tree, list):
+            return tree
+        return tuple(tuple(point) if isinstance(point, list) else point for point in tree)
+
+
+def _as_float(value: Any, expected: str) -> float:
+    try:
+        return float(value)
+    except OverflowError:
+        raise Misfit(expected) from None

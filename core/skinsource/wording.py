@@ -1,0 +1,48 @@
+"""How values and sentences look in a message.
+
+What is quoted comes from files, servers and scripts: it may be a megabyte of text, and hold
+commands for a terminal.  A message shows the beginning of it, in characters that can be printed.
+"""
+
+import reprlib
+
+#: Characters of a quotation; what is longer is cut.
+MOST_CHARACTERS = 80
+
+_SHORT = reprlib.Repr()
+_SHORT.maxstring = _SHORT.maxother = _SHORT.maxlong = MOST_CHARACTERS
+_SHORT.maxlevel = 3
+
+
+def quoted(value: object) -> str:
+    """Return ``value`` as Python writes it, at most 80 printable characters of it."""
+    if isinstance(value, str | bytes | bytearray):
+        # Only the beginning is turned into words, however long it is.
+        text = repr(value[: MOST_CHARACTERS + 1])
+    else:
+        try:
+            text = _SHORT.repr(value)
+        except (ValueError, RecursionError):  # whole numbers of thousands of digits; deep nests
+            text = f"<{type(value).__name__}>"
+    return printable(text)
+
+
+def printable(text: str) -> str:
+    r"""Return ``text`` in one line of at most 80 printable characters.
+
+    What cannot be printed is written as Python does, ``\x1b`` for the beginning of a
+    terminal's command; a cut is marked by ``…``.
+    """
+    words = " ".join(text[: 4 * MOST_CHARACTERS].split())
+    shown = "".join(one if one.isprintable() else _escaped(one) for one in words)
+    whole = len(shown) <= MOST_CHARACTERS and len(text) <= 4 * MOST_CHARACTERS
+    return shown if whole else f"{shown[: MOST_CHARACTERS - 1]}…"
+
+
+def sentence(text: str) -> str:
+    """Return ``text`` with exactly one full stop at its end."""
+    return f"{text.rstrip().rstrip('.')}."
+
+
+def _escaped(character: str) -> str:
+    return character.encode("unicode_escape").decode("ascii")

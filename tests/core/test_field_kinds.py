@@ -1,0 +1,237 @@
+"""Every kind of field checks what it is given, and comes back from a tree."""
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+import pytest
+
+from skinsource import fields
+from skinsource.errors import FileFormatError, InvalidInputError
+from skinsource.fields import (
+    Address,
+    ChoiceSpec,
+    CurveSpec,
+    FlagSpec,
+    ListSpec,
+    NumberSpec,
+    OptionalSpec,
+    PlainSpec,
+    RangeSpec,
+    RecipeSpec,
+    SamplesSpec,
+    Spec,
+    TextSpec,
+)
+from skinsource.fields.recipes import decode, encode
+from skinsource.fields.spec import MAX_DEPTH
+from skinsource.samples import Samples
+
+UNIT = NumberSpec(label="Part", minimum=0.0, maximum=1.0)
+WHOLE = NumberSpec(label="Count", minimum=1, maximum=72, whole=True)
+SOUND = Samples(values=np.arange(5.0), sample_rate_hz=1300.0)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Leaf:
+    size: float = fields.number(0.5, UNIT)
+
+    def __post_init__(self):
+        fields.check(self)
+
+
+def kinds() -> tuple[type, ...]:
+    return (Leaf, Branch)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Branch:
+    KINDS: ClassVar[int] = 2
+
+    name: str = fields.field(TextSpec(label="Name"))
+    parts: tuple[Any, ...] = fields.field(
+        ListSpec(label="Parts", of=RecipeSpec(label="Part", kinds=kinds)), default=()
+    )
+
+    def __post_init__(self):
+        fields.check(self)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Everything:
+    count: int = fields.number(4, WHOLE)
+    size: float = fields.number(0.25, UNIT)
+    shape: str = fields.choice("a", ChoiceSpec(label="Shape", options=(("a", "A"), ("b", "B"))))
+    loud: bool = fields.field(FlagSpec(label="Loud"), default=False)
+    title: str = fields.field(TextSpec(label="Title", most=5), default="")
+    notes: str = fields.field(TextSpec(label="Notes", most=50, lines=True), default="")
+    ends: tuple[float, float] | None = fields.field(
+        OptionalSpec(label="Ends", of=RangeSpec(label="Ends", of=UNIT)), default=None
+    )
+    envelope: tuple[tuple[float, float], ...] = fields.field(
+        CurveSpec(label="Envelope", x=UNIT, y=NumberSpec(label="Gain")),
+        default=((0.0, 1.0), (1.0, 0.0)),
+    )
+    outputs: tuple[int, ...] = fields.field(
+        ListSpec(label="Outputs", of=WHOLE, most=3, different=True), default=()
+    )
+    inner: Any = fields.field(RecipeSpec(label="Inner", kinds=kinds), default=Leaf())
+    sound: Samples | None = fields.field(
+        OptionalSpec(label="Sound", of=SamplesSpec(label="Sound", most=10)), default=None
+    )
+    other: Any = fields.field(PlainSpec(label="Other"), default=())
+
+    def __post_init__(self):
+        fields.check(self)
+
+
+FULL = Everything(
+    count=72,
+    size=0.0,
+    shape="b",
+    loud=True,
+    title="Größe",
+    notes="eins\nzwei\t三",
+    ends=(0.25, 1.0),
+    envelope=((0.0, -1.0), (0.5, 1e300), (0.5, -0.0)),
+    outputs=(3, 1, 2),
+    inner=Branch(name="all", parts=(Leaf(), Branch(name="", parts=(Leaf(size=1.0),)))),
+    sound=SOUND,
+    other=(("skin", (("shown", True), ("range", (None, -1.5, 3)))),),
+)
+
+
+@pytest.mark.parametrize("recipe", [Everything(), FULL], ids=["defaults", "full"])
+def test_every_kind_of_field_comes_back_from_its_tree(recipe):
+    found = decode(encode(recipe), (Everything,), Address())
+    assert found == recipe
+    assert repr(found) == repr(recipe)  # -0.0 and 0.0, 1 and 1.0 are different here
+
+
+def test_the_sample_covers_every_kind_of_field():
+    used = {type(spec) for spec in fields.specs_of(Everything).values()}
+    used |= {
+        spec.of.__class__ for spec in fields.specs_of(Everything).values() if "of" in dir(spec)
+    }
+    leaves = {kind for kind in vars(fields).values() if isinstance(kind, type)}
+    assert used == {kind for kind in leaves if issubclass(kind, Spec)} - {Spec}
+
+
+WRONG = {
+    "count": [0, 1.5, True, "1", None],
+    "shape": ["A", "", None, 1],
+    "loud": [0, 1, "yes", None],
+    "title": ["too long", "a\nb", 5, None, "\ud800"],
+    "notes": ["x" * 51, None],
+    "ends": [(1.0, 0.0), (0.5, 0.5), (0.0,), (0.0, 2.0), [0.0, 1.0], 3.0, (0.0, np.nan)],
+    "envelope": [
+        (),
+        ((0.0, 1.0),),
+        ((0.5, 1.0), (0.0, 1.0)),
+        ((0.0,), (1.0,)),
+        ((0.0, np.inf),) * 2,
+    ],
+    "outputs": [(1, 1), (1, 2, 3, 4), (0,), [1], (1.5,), None],
+    "inner": [None, {}, Everything, FULL, 3],
+    "sound": [
+        np.arange(5.0),
+        Samples(values=np.arange(11.0), sample_rate_hz=1300.0),
+        Samples(values=np.arange(3.0), sample_rate_hz=1300.0, unit="m/s²"),
+    ],
+    "other": [[1], {}, np.inf, object(), (np.float64("nan"),), ("x" * 10_001,), ((0,) * 10_001,)],
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_what_does_not_fit_is_refused_with_the_name_and_what_was_expected(name):
+    for value in WRONG[name]:
+        with pytest.raises(InvalidInputError, match=rf"Everything\.{name} is .*, expected "):
+            Everything(**{name: value})
+
+
+def test_what_is_kept_has_one_form():
+    found = Everything(
+        size=np.float32(0.5), loud=np.True_, outputs=(np.int64(3), 2.0), ends=(0, np.float64(1))
+    )
+    assert repr(found) == repr(Everything(size=0.5, loud=True, outputs=(3, 2), ends=(0.0, 1.0)))
+
+
+def test_an_older_tree_lacks_new_fields_which_take_their_defaults():
+    tree = encode(FULL)
+    del tree["sound"], tree["inner"]
+    found = decode(tree, (Everything,), Address())
+    assert (found.sound, found.inner, found.outputs) == (None, Leaf(), (3, 1, 2))
+
+
+def test_what_a_newer_version_wrote_is_refused():
+    tree = encode(FULL)
+    with pytest.raises(FileFormatError, match=r"inner/parts/0 holds reverb, .*newer SkinSource"):
+        decode(_with(tree, ("inner", "parts", 0, "reverb"), 3), (Everything,), Address())
+    with pytest.raises(FileFormatError, match=r"inner/parts/0 is of kind 'Siren', .*Leaf, Branch"):
+        decode(_with(tree, ("inner", "parts", 0, "kind"), "Siren"), (Everything,), Address())
+
+
+@pytest.mark.parametrize("tree", [None, 3, [], {}, {"kind": 3}, {"kind": []}, "Leaf", [["Leaf"]]])
+def test_what_is_no_recipe_is_refused(tree):
+    with pytest.raises(FileFormatError, match="expected a recipe"):
+        decode(tree, (Leaf,), Address())
+
+
+def test_a_field_without_a_default_may_not_be_missing():
+    with pytest.raises(FileFormatError, match="lacks name"):
+        decode({"kind": "Branch"}, (Branch,), Address())
+
+
+@pytest.mark.parametrize("name", fields.specs_of(Everything))
+@pytest.mark.parametrize("tree", [{}, [[]], [{}], "\x1b", -1e9, [None], [1, [2, "x"]], SOUND])
+def test_a_tree_of_another_form_is_refused_or_fits(name, tree):
+    try:
+        found = decode({"kind": "Everything", name: tree}, (Everything,), Address())
+    except FileFormatError as error:
+        found, words = None, str(error)
+    if found is None:
+        assert len(words) < 500
+    else:
+        assert encode(found)[name] == tree
+
+
+def test_recipes_may_be_nested_only_so_deep():
+    deep = Leaf()
+    for _ in range(MAX_DEPTH):
+        deep = Branch(name="", parts=(deep,))
+    with pytest.raises(InvalidInputError, match="at most 32 deep"):
+        Branch(name="", parts=(deep,))
+
+
+def test_a_tree_nested_without_end_is_refused():
+    tree: Any = {"kind": "Leaf"}
+    for _ in range(400):
+        tree = {"kind": "Branch", "name": "", "parts": [tree]}
+    with pytest.raises(FileFormatError, match="nested too deep"):
+        decode(tree, (Branch, Leaf), Address())
+
+
+def test_recipes_with_samples_can_be_compared_and_hashed():
+    same = Samples(values=np.arange(5.0), sample_rate_hz=1300.0)
+    other = Samples(values=np.arange(5.0), sample_rate_hz=1000.0)
+    assert Everything(sound=SOUND) == Everything(sound=same)
+    assert hash(Everything(sound=SOUND)) == hash(Everything(sound=same))
+    assert Everything(sound=SOUND) != Everything(sound=other)
+
+
+def test_a_kind_of_field_is_never_taken_for_another():
+    table = {NumberSpec: "number", Spec: "anything"}
+    assert fields.made_for(UNIT, table) == "number"
+    assert fields.made_for(TextSpec(label="Name"), table) == "anything"
+    with pytest.raises(TypeError, match="TextSpec of 'Name'"):
+        fields.made_for(TextSpec(label="Name"), {NumberSpec: 1})
+
+
+def _with(tree: Any, place: tuple, value: Any) -> Any:
+    """Copy of ``tree`` with ``value`` at ``place``."""
+    if not place:
+        return value
+    copy = dict(tree) if isinstance(tree, dict) else list(tree)
+    known = copy.get(place[0]) if isinstance(copy, dict) else copy[place[0]]
+    copy[place[0]] = _with(known, place[1:], value)
+    return copy

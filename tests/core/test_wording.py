@@ -1,0 +1,49 @@
+import numpy as np
+import pytest
+
+from skinsource.wording import MOST_CHARACTERS, printable, quoted, sentence
+
+
+class Strange:
+    def __repr__(self):
+        return "strange\x1b[31m\n" * 1000
+
+
+STRANGE = [
+    "x" * 10**6,
+    "\x1b[2J" * 1000,
+    b"\xff\x00" * 10**6,
+    10**5000,
+    -(10**400),
+    [["a" * 100] * 100] * 100,
+    {k: "b" * k for k in range(1000)},
+    np.zeros((100, 100)),
+    Strange(),
+    ("\u202e", "\ud800"),
+]
+
+
+@pytest.mark.parametrize("value", STRANGE, ids=range(len(STRANGE)))
+def test_a_quotation_is_short_and_can_be_printed(value):
+    for text in (quoted(value), printable(str(value) if type(value) is not int else "1")):
+        assert 1 <= len(text) <= MOST_CHARACTERS
+        assert text.isprintable()
+
+
+@pytest.mark.parametrize("value", [1, -0.5, None, True, "upstream", (1.0, 2.0), [3], b"ab", "é"])
+def test_what_is_short_is_quoted_whole(value):
+    assert quoted(value) == repr(value)
+
+
+def test_a_cut_can_be_seen():
+    assert quoted("x" * 81).endswith("…")
+    assert printable("a" * 80) == "a" * 80
+    assert printable("a" * 81) == "a" * 79 + "…"
+
+
+def test_commands_for_a_terminal_are_written_out():
+    assert printable("Not\x1b[31m found\r\nhere") == "Not\\x1b[31m found here"
+
+
+def test_a_sentence_ends_in_one_full_stop():
+    assert sentence("no such file") == sentence("no such file.") == "no such file."
