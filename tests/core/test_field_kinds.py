@@ -12,7 +12,6 @@ from skinsource.fields import (
     Address,
     ChoiceSpec,
     CurveSpec,
-    FlagSpec,
     ListSpec,
     NumberSpec,
     OptionalSpec,
@@ -21,6 +20,7 @@ from skinsource.fields import (
     RecipeSpec,
     SamplesSpec,
     Spec,
+    SwitchSpec,
     TextSpec,
 )
 from skinsource.fields.recipes import decode, encode
@@ -48,7 +48,7 @@ def kinds() -> tuple[type, ...]:
 class Branch:
     KINDS: ClassVar[int] = 2
 
-    name: str = fields.field(TextSpec(label="Name"))
+    name: str = fields.field(TextSpec(label="Name", longest=9))
     parts: tuple[Any, ...] = fields.field(
         ListSpec(label="Parts", of=RecipeSpec(label="Part", kinds=kinds)), default=()
     )
@@ -62,11 +62,11 @@ class Everything:
     count: int = fields.number(4, WHOLE)
     size: float = fields.number(0.25, UNIT)
     shape: str = fields.choice("a", ChoiceSpec(label="Shape", options=(("a", "A"), ("b", "B"))))
-    loud: bool = fields.field(FlagSpec(label="Loud"), default=False)
-    title: str = fields.field(TextSpec(label="Title", most=5), default="")
-    notes: str = fields.field(TextSpec(label="Notes", most=50, lines=True), default="")
-    ends: tuple[float, float] | None = fields.field(
-        OptionalSpec(label="Ends", of=RangeSpec(label="Ends", of=UNIT)), default=None
+    loud: bool = fields.switch(False, SwitchSpec(label="Loud"))
+    title: str = fields.field(TextSpec(label="Title", longest=5, one_line=True), default="")
+    notes: str = fields.field(TextSpec(label="Notes", longest=50), default="")
+    ends: fields.Range | None = fields.interval(
+        None, RangeSpec(label="Ends", minimum=0.0, maximum=1.0)
     )
     envelope: tuple[tuple[float, float], ...] = fields.field(
         CurveSpec(label="Envelope", x=UNIT, y=NumberSpec(label="Gain")),
@@ -222,9 +222,9 @@ def test_recipes_with_samples_can_be_compared_and_hashed():
 def test_a_kind_of_field_is_never_taken_for_another():
     table = {NumberSpec: "number", Spec: "anything"}
     assert fields.made_for(UNIT, table) == "number"
-    assert fields.made_for(TextSpec(label="Name"), table) == "anything"
+    assert fields.made_for(TextSpec(label="Name", longest=9), table) == "anything"
     with pytest.raises(TypeError, match="TextSpec of 'Name'"):
-        fields.made_for(TextSpec(label="Name"), {NumberSpec: 1})
+        fields.made_for(TextSpec(label="Name", longest=9), {NumberSpec: 1})
 
 
 def _with(tree: Any, place: tuple, value: Any) -> Any:

@@ -3,7 +3,7 @@
 A recipe is a frozen dataclass whose fields are made here::
 
     frequency_hz: float = fields.number(100.0, NumberSpec(label="Frequency", unit="Hz"))
-    muted: bool = fields.field(FlagSpec(label="Mute"), default=False)
+    muted: bool = fields.switch(False, SwitchSpec(label="Mute"))
 
 and that calls `check` when it is made.  Checks, files, the clipboard and editors are all driven
 by these specifications, so that a new recipe is one new file.  Whoever treats kinds of fields
@@ -12,12 +12,12 @@ differently asks `made_for` with a table by class.
 
 from typing import Any
 
-from skinsource.fields.numbers import CurveSpec, NumberSpec, RangeSpec
+from skinsource.fields.numbers import CurveSpec, NumberSpec, Range, RangeSpec
 from skinsource.fields.plain import PlainSpec
 from skinsource.fields.recipes import check, field, specs_of
 from skinsource.fields.spec import Address, Misfit, Spec, Tree, made_for
 from skinsource.fields.wholes import ListSpec, OptionalSpec, RecipeSpec, SamplesSpec
-from skinsource.fields.words import ChoiceSpec, FlagSpec, TextSpec
+from skinsource.fields.words import ChoiceSpec, SwitchSpec, TextSpec
 
 
 def number(default: float, spec: NumberSpec) -> Any:
@@ -30,26 +30,45 @@ def choice(default: str, spec: ChoiceSpec) -> Any:
     return field(spec, default)
 
 
+def switch(default: bool, spec: SwitchSpec) -> Any:
+    """Make a dataclass field for yes or no."""
+    return field(spec, default)
+
+
+def interval(default: Range | None, spec: RangeSpec) -> Any:
+    """Make a dataclass field for a lower and an upper end."""
+    return field(spec, default)
+
+
+def text(default: str, spec: TextSpec) -> Any:
+    """Make a dataclass field for words."""
+    return field(spec, default)
+
+
 __all__ = [
     "Address",
     "ChoiceSpec",
     "CurveSpec",
-    "FlagSpec",
     "ListSpec",
     "Misfit",
     "NumberSpec",
     "OptionalSpec",
     "PlainSpec",
+    "Range",
     "RangeSpec",
     "RecipeSpec",
     "SamplesSpec",
     "Spec",
+    "SwitchSpec",
     "TextSpec",
     "Tree",
     "check",
     "choice",
     "field",
+    "interval",
     "made_for",
     "number",
     "specs_of",
+    "switch",
+    "text",
 ]

@@ -8,6 +8,9 @@ import numpy as np
 
 from skinsource.fields.spec import Address, Misfit, Spec, Tree
 
+#: Low and high.
+Range = tuple[float, float]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NumberSpec(Spec):
@@ -56,29 +59,40 @@ class NumberSpec(Spec):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RangeSpec(Spec):
-    """Two finite numbers, the lower one first.
+    """A lower and an upper end, or ``None``: everything.
 
     Attributes
     ----------
-    of
-        What each of them may be.
+    unit
+        As of a number.
+    minimum, maximum
+        Ends that are allowed; by default beyond all that can be looked at, and below what a
+        float can hold.
     """
 
-    of: NumberSpec
+    unit: str = ""
+    minimum: float = -1e300
+    maximum: float = 1e300
 
-    def checked(self, value: Any) -> tuple[float, float]:
-        """Return two plain numbers."""
-        expected = f"two numbers, low < high, each {self.of.expected}"
+    def checked(self, value: Any) -> Range | None:
+        """Return two plain floats, or ``None``."""
+        if value is None:
+            return None
+        end = NumberSpec(label=self.label, minimum=self.minimum, maximum=self.maximum)
+        expected = f"None or two finite numbers, low < high, each {end.expected}"
         if not isinstance(value, tuple) or len(value) != 2:
             raise Misfit(expected)
-        low, high = (self.of.checked(end) for end in value)
+        try:
+            low, high = (end.checked(one) for one in value)
+        except Misfit:
+            raise Misfit(expected) from None
         if not low < high:
             raise Misfit(expected)
         return low, high
 
-    def encoded(self, value: tuple[float, float]) -> Tree:
-        """Return a list of two numbers."""
-        return list(value)
+    def encoded(self, value: Range | None) -> Tree:
+        """Return a list of two numbers, or ``None``."""
+        return None if value is None else list(value)
 
     def decoded(self, tree: Tree, at: Address) -> Any:
         """Return a tuple."""

@@ -28,7 +28,7 @@ class ChoiceSpec(Spec):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class FlagSpec(Spec):
+class SwitchSpec(Spec):
     """Yes or no."""
 
     def checked(self, value: Any) -> bool:
@@ -40,26 +40,27 @@ class FlagSpec(Spec):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TextSpec(Spec):
-    """A text.
+    """Words of the user.
 
     Attributes
     ----------
-    most
-        How many characters it may have.
-    lines
-        Whether it may have several lines.
+    longest
+        How many characters there may be.
+    one_line
+        Whether they must stand in one line.
     """
 
-    most: int = 200
-    lines: bool = False
+    longest: int
+    one_line: bool = False
 
     def checked(self, value: Any) -> str:
         """Return a plain ``str``."""
-        where = "several lines" if self.lines else "one line"
-        expected = f"a text of at most {self.most} characters in {where}"
-        if not isinstance(value, str) or len(value) > self.most:
+        expected = (
+            f"{'one line' if self.one_line else 'a text'} of at most {self.longest} characters"
+        )
+        if not isinstance(value, str) or len(value) > self.longest:
             raise Misfit(expected)
-        if not self.lines and len(value.splitlines()) > 1:
+        if self.one_line and len(value.splitlines()) > 1:
             raise Misfit(expected)
         try:
             value.encode()
