@@ -1,21 +1,27 @@
 # Everything happens in .venv; nothing else on the machine is touched.
 PYTHON ?= python3
 BIN := .venv/bin
+# As many at once as there are cores; each prepares the dataset for itself, so not too many.
+PYTEST_OPTIONS ?=
+AT_ONCE := -n auto --maxprocesses 8
 
 BENCHMARKS := "engine_speed.py --long" frequency_drag.py slider_storm.py start.py long_design.py
 
-.PHONY: run test fix pictures bench growth clean
+.PHONY: run test checks fix pictures bench growth clean
 
 run: .venv/ready-to-run  ## open the studio
 	@$(BIN)/python -m skinsource_gui
 
 test: .venv/ready-to-test  ## lint, types, contracts, all tests, offscreen
+	@$(MAKE) --no-print-directory checks
+
+checks:  # the same in an environment that is there already: make checks BIN=...
 	@$(BIN)/python -m skinsource_gui.system_libraries
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports
-	QT_QPA_PLATFORM=offscreen $(BIN)/python -m pytest
+	QT_QPA_PLATFORM=offscreen $(BIN)/python -m pytest $(AT_ONCE) $(PYTEST_OPTIONS)
 
 fix: .venv/ready-to-test  ## let ruff mend what it can
 	$(BIN)/ruff check --fix .

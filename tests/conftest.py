@@ -6,13 +6,30 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
+import hypothesis
 import numpy as np
 import pytest
+import scipy
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ["PYQTGRAPH_QT_LIB"] = "PySide6"
 
+# The same examples each time, on machines of any speed; what fails is printed so that it can be
+# repeated. `--hypothesis-profile=search` looks for new ones and prints its seed.
+hypothesis.settings.register_profile(
+    "same", deadline=None, derandomize=True, print_blob=True, database=None
+)
+hypothesis.settings.register_profile(
+    "search", deadline=None, print_blob=True, database=None, max_examples=1000
+)
+hypothesis.settings.load_profile("same")
+
 BESIDE_THE_PROJECT = Path(__file__).resolve().parents[2] / "shared"
+
+
+def pytest_report_header() -> str:
+    """Say what the tests run with."""
+    return f"numpy {np.__version__}, scipy {scipy.__version__}"
 
 
 @pytest.fixture(autouse=True)

@@ -1,6 +1,7 @@
 """From the download to the store: read, check, convert, move into place."""
 
 import hashlib
+import io
 import os
 from collections.abc import Iterator
 from datetime import UTC, datetime
@@ -101,9 +102,8 @@ def _origin(responses: Path) -> dict[str, str | int]:
 def _image(responses: Responses, maps: MapFiles, origin: dict[str, str | int]) -> bytes:
     # Made in memory and written by plain file calls: HDF5 itself does not fail cleanly when
     # the disk is full.
-    with hdf5.File(
-        layout.FILE_NAME, "w", driver="core", backing_store=False, libver=("v110", "v110")
-    ) as store:
+    image = io.BytesIO()  # file images of HDF5 1.14 have a wrong checksum in their head
+    with hdf5.File(image, "w", libver=("v110", "v110")) as store:
         _note(store, "format", layout.FORMAT)
         _note(store, "format_version", layout.FORMAT_VERSION)
         for name, value in origin.items():
@@ -115,8 +115,7 @@ def _image(responses: Responses, maps: MapFiles, origin: dict[str, str | int]) -
         _add(store, "map/output_positions", maps.output_positions)
         _add(store, "map/input_positions", maps.input_positions)
         _add(store, "map/visibility", maps.visibility)
-        store.flush()
-        return bytes(store.id.get_file_image())
+    return image.getvalue()
 
 
 def _add_responses(store: Any, limb: int, responses: Responses) -> None:
