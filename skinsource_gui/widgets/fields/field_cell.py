@@ -60,7 +60,7 @@ class FieldCell(LabelledCell):
             self.field = ChoiceField(spec)
             self.field.chosen.connect(self._edit)
         else:
-            self.field = NumberField(spec)
+            self.field = NumberField(spec, problem_beside=True)
             self.field.edited.connect(self._edit)
             self.field.problem_changed.connect(self._show_problem)
         self.field.setObjectName(f"{name}_field")

@@ -1,181 +1,280 @@
 """A number with its unit, that can be typed, dragged, turned and stepped."""
 
-from dataclasses import dataclass
-
-from PySide6.QtCore import QEvent, QPoint, Qt
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QGuiApplication,
+    QKeyEvent,
+    QKeySequence,
+    QMouseEvent,
+    QPainter,
+    QPen,
+    QResizeEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QLineEdit, QStyle, QStyleOptionFrame, QToolTip, QWidget
 
 from skinsource.fields import NumberSpec
-from skinsource_gui.widgets.fields.burst import Burst
-from skinsource_gui.widgets.fields.gesture import new_gesture
-from skinsource_gui.widgets.fields.number_entry import WIDEST_UNIT, NumberEntry
-from skinsource_gui.widgets.fields.number_steps import COARSE, FINE, PLAIN, stepped
-from skinsource_gui.widgets.fields.units import display_unit
+from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.widgets.fields.number_stepping import NumberStepping
+from skinsource_gui.widgets.fields.number_steps import clamped
+from skinsource_gui.widgets.fields.number_typing import (
+    FINISHERS,
+    NumberTyping,
+    begins_typing,
+    first_text,
+)
+from skinsource_gui.widgets.fields.shown_number import ShownNumber
 
-#: Way of the mouse that makes one step, and way after which a press is a drag.
-PIXELS_PER_STEP = 4
-DRAG_BEGINS_PX = 3
-
-_WHEEL_NOTCH = 120
-_STEPS_OF_KEY = {
-    Qt.Key.Key_Up: 1,
-    Qt.Key.Key_Down: -1,
-    Qt.Key.Key_PageUp: 10,
-    Qt.Key.Key_PageDown: -10,
-}
+_UNIT_GAP_PX = 4
+# Qt leaves this at each side of the text of a line edit.
+_TEXT_EDGE_PX = 2
+#: Fields that stand below each other leave the same room for units, so that digits align.
+WIDEST_UNIT = "m/s²"
+_TEMPORARY_LOSSES = frozenset(
+    {Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason}
+)
 
 
-@dataclass(slots=True, kw_only=True)
-class _Drag:
-    """A press that may become a drag.
+class NumberField(QLineEdit):
+    """Shows a value in its display unit.
 
-    Attributes
+    A double click or a digit begins typing; Enter commits, Esc restores.  What is not allowed
+    is outlined in red, with the reason, and never becomes the value.  A drag, the wheel and the
+    arrow keys go to the next round numbers, as `NumberStepping` has it.  The wheel acts only while
+    the field has the focus, so that scrolling a panel changes nothing.
+
+    Parameters
     ----------
-    last
-        Where the mouse was.
-    gesture
-        Number shared by all edits, or None as long as the press is no drag yet.
-    start_si, anchor_si
-        Value before the drag; value from which ``tenths`` are counted.
-    tenths, travel_px
-        Tenths of steps made, and the way that is not yet a step.
+    spec
+        What is allowed.
+    widest_unit
+        Unit for which there is room, so that digits align with those of other fields.
+    problem_beside
+        Whether its owner shows problems beside the field; else they are in its tooltip.
     """
 
-    last: QPoint
-    gesture: int | None = None
-    start_si: float
-    anchor_si: float
-    tenths: int = 0
-    travel_px: int = 0
-
-
-class NumberField(NumberEntry):
-    """A `NumberEntry` whose number can also be dragged, turned by the wheel and stepped by keys.
-
-    Ctrl makes steps fine, Shift coarse.  All edits of one drag share one gesture, and so do
-    steps that follow each other quickly.  The wheel acts only while the field has the focus, so
-    that scrolling a panel changes nothing.
-    """
+    #: The new value in SI units; number of its gesture, or None for a step of its own.
+    edited = Signal(float, object)
+    #: Why what is typed is not allowed, or "".
+    problem_changed = Signal(str)
 
     def __init__(
-        self, spec: NumberSpec, parent: QWidget | None = None, *, widest_unit: str = WIDEST_UNIT
+        self,
+        spec: NumberSpec,
+        parent: QWidget | None = None,
+        *,
+        widest_unit: str = WIDEST_UNIT,
+        problem_beside: bool = False,
     ) -> None:
-        super().__init__(spec, parent, widest_unit=widest_unit)
-        self._drag: _Drag | None = None
-        self._burst = Burst(self)
-        self._wheel_travel = 0
-        self.setCursor(Qt.CursorShape.SizeHorCursor)
+        super().__init__(parent)
+        self._number = ShownNumber(spec=spec, value_si=clamped(0.0, spec))
+        self._widest_unit = widest_unit
+        self._problem_beside = problem_beside
+        self._theme = LIGHT
+        self._typing = NumberTyping(self)
+        self.stepping = NumberStepping(self)
+        self._typing.problem_changed.connect(self._show_problem)
+        self._typing.problem_changed.connect(self.problem_changed)
+        self.stepping.stepped.connect(self._edit)
+        self.textEdited.connect(self._typing.check_again)
+        self.setMaxLength(40)
+        self.setAcceptDrops(False)  # files are dropped on the window
+        self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self.setFont(tabular(self.font()))
         self.setMinimumWidth(72)
+        self._take_spec()
 
     @property
-    def in_burst(self) -> bool:
-        """Whether the next step belongs to the same gesture as the last."""
-        return self._burst.active
+    def spec(self) -> NumberSpec:
+        """What is allowed."""
+        return self._number.spec
+
+    @property
+    def value_si(self) -> float:
+        """The value, in SI units."""
+        return self._number.value_si
+
+    @property
+    def problem(self) -> str:
+        """Why what is typed is not allowed, or ""."""
+        return self._typing.problem
+
+    @property
+    def editing(self) -> bool:
+        """Whether a text is being typed."""
+        return self._typing.active
+
+    def set_spec(self, spec: NumberSpec) -> None:
+        """Change what is allowed, or the unit."""
+        if spec != self.spec:
+            self._number = ShownNumber(spec=spec, value_si=self.value_si)
+            self._take_spec()
 
     def set_value(self, value_si: float) -> None:
-        if value_si == self.value_si:
-            return
-        # Somebody else changed it: what follows starts from there, as a new gesture.
-        self._burst.end()
-        if self._drag is not None:
-            self._drag.anchor_si, self._drag.tenths = value_si, 0
-        super().set_value(value_si)
+        """Show another value, and tell nobody.  A text that is being typed stays."""
+        if value_si != self.value_si:
+            self.stepping.start_anew()
+            self._show(float(value_si))
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self._theme = theme
+        self.update()
+
+    def begin_editing(self, text: str | None = None) -> None:
+        """Let the user type; ``text`` replaces the number, which is selected otherwise."""
+        self._typing.begin(self._number, text)
+
+    def cancel_editing(self) -> None:
+        """Forget what was typed."""
+        if self.editing:
+            self._typing.end()
+            self._show(self.value_si)
+
+    def commit(self) -> bool:
+        """Make what was typed the value; return whether that is possible."""
+        if not self.editing:
+            return True
+        typed_si = self._typing.result(self._number)
+        if typed_si is None:
+            return False
+        self.cancel_editing()
+        if not self._number.is_meant_by(typed_si):
+            self._edit(typed_si, None)
+        return True
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if self.stepping.knows(event):
+            if self.commit():
+                self.stepping.press_key(event, self._number)
+        elif event.key() == Qt.Key.Key_Escape and self.stepping.dragging:
+            self.stepping.give_up(self._number)
+        elif self.editing:
+            if event.key() in FINISHERS:
+                self.commit()
+            elif event.key() == Qt.Key.Key_Escape:
+                self.cancel_editing()
+            else:
+                super().keyPressEvent(event)
+        elif event.matches(QKeySequence.StandardKey.Copy):
+            QGuiApplication.clipboard().setText(self._number.copied_text)
+        elif event.matches(QKeySequence.StandardKey.Paste):
+            self.begin_editing()
+            self.paste()
+        elif begins_typing(event):
+            self.begin_editing(first_text(event))
+        else:
+            event.ignore()
 
     def event(self, event: QEvent) -> bool:
+        # Without this, a shortcut of the window would take the key.
         if event.type() == QEvent.Type.ShortcutOverride and (
-            event.key() in _STEPS_OF_KEY
-            or (event.key() == Qt.Key.Key_Escape and (self.editing or self._drag is not None))
+            self.stepping.knows(event)
+            or (begins_typing(event) and not self.editing)
+            or (event.key() == Qt.Key.Key_Escape and (self.editing or self.stepping.dragging))
         ):
             event.accept()
             return True
         return super().event(event)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() in _STEPS_OF_KEY:
-            if self.commit():
-                tenths = _STEPS_OF_KEY[event.key()] * self._tenths(event.modifiers())
-                self._step(tenths)
-        elif event.key() == Qt.Key.Key_Escape and self._drag is not None:
-            self._give_up_drag()
-        else:
-            super().keyPressEvent(event)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         if not self.hasFocus():
             event.ignore()
             return
         event.accept()
-        # Shift and Alt turn a vertical wheel into a horizontal one on some systems.
-        self._wheel_travel += event.angleDelta().y() or event.angleDelta().x()
-        notches = int(self._wheel_travel / _WHEEL_NOTCH)
-        self._wheel_travel -= notches * _WHEEL_NOTCH
+        notches = self.stepping.notches(event)
         if notches and self.commit():
-            self._step(notches * self._tenths(event.modifiers()))
+            self.stepping.turn(notches, self._number, event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if self.editing or event.button() != Qt.MouseButton.LeftButton:
             super().mousePressEvent(event)
-            return
-        self._drag = _Drag(
-            last=event.globalPosition().toPoint(),
-            start_si=self.value_si,
-            anchor_si=self.value_si,
-        )
+        else:
+            self.stepping.press(event, self._number)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if self._drag is None:
+        if self.stepping.dragging:
+            self.stepping.move(event, self._number)
+        elif self.editing:
             # Without a press this would only set the cursor of a text.
-            if self.editing:
-                super().mouseMoveEvent(event)
-            return
-        here = event.globalPosition().toPoint()
-        way = here - self._drag.last
-        if self._drag.gesture is None:
-            if way.manhattanLength() < DRAG_BEGINS_PX:
-                return
-            self._drag.gesture = new_gesture()
-        self._drag.last = here
-        self._drag.travel_px += way.x() - way.y()
-        self._follow_drag(event.modifiers())
+            super().mouseMoveEvent(event)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        if self._drag is None:
+        if not self.stepping.dragging:
             super().mouseReleaseEvent(event)
-        self._drag = None
+        self.stepping.release()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if self.editing:
             super().mouseDoubleClickEvent(event)
         elif event.button() == Qt.MouseButton.LeftButton:
-            self._drag = None
+            self.stepping.release()
             self.begin_editing()
 
-    def _follow_drag(self, modifiers: Qt.KeyboardModifier) -> None:
-        drag = self._drag
-        steps = int(drag.travel_px / PIXELS_PER_STEP)
-        drag.travel_px -= steps * PIXELS_PER_STEP
-        drag.tenths += steps * self._tenths(modifiers)
-        # Counted from the start, so that the way back leads to the same number.
-        unit = display_unit(self.spec.unit)
-        value_si = stepped(drag.anchor_si, drag.tenths, self.spec, unit)
-        if value_si in (self.spec.minimum, self.spec.maximum):
-            # At its end the number waits; turning back moves it at once.
-            drag.anchor_si, drag.tenths = value_si, 0
-        if value_si != self.value_si:
-            self._edit(value_si, drag.gesture)
+    def focusInEvent(self, event) -> None:
+        super().focusInEvent(event)
+        if not self.editing:
+            self.deselect()
 
-    def _give_up_drag(self) -> None:
-        drag, self._drag = self._drag, None
-        if self.value_si != drag.start_si:
-            self._edit(drag.start_si, drag.gesture)
+    def focusOutEvent(self, event) -> None:
+        super().focusOutEvent(event)
+        if not self.editing or event.reason() in _TEMPORARY_LOSSES:
+            return
+        if self._number.parsed(self.text()) is None:
+            self.cancel_editing()
+        else:
+            self.commit()
 
-    def _step(self, tenths: int) -> None:
-        value_si = stepped(self.value_si, tenths, self.spec, display_unit(self.spec.unit))
-        if value_si != self.value_si:
-            self._edit(value_si, self._burst.gesture())
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._show(self.value_si)
 
-    def _tenths(self, modifiers: Qt.KeyboardModifier) -> int:
-        if modifiers & Qt.KeyboardModifier.ControlModifier and not self.spec.whole:
-            return FINE
-        return COARSE if modifiers & Qt.KeyboardModifier.ShiftModifier else PLAIN
+    def paintEvent(self, event) -> None:
+        super().paintEvent(event)
+        painter = QPainter(self)
+        has_own_unit = self.editing and any(c.isalpha() or c in "°×²" for c in self.text())
+        if not has_own_unit:
+            inside = _inside(self)
+            inside.setLeft(inside.right() - self.textMargins().right() + _UNIT_GAP_PX)
+            painter.setPen(QColor(self._theme.dim))
+            flags = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+            painter.drawText(inside, flags, self._number.symbol)
+        if self.problem:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setPen(QPen(QColor(self._theme.error), 2))
+            painter.drawRoundedRect(QRectF(self.rect()).adjusted(1, 1, -1, -1), 4, 4)
+
+    def _edit(self, value_si: float, gesture: int | None) -> None:
+        self._show(value_si)
+        self.edited.emit(value_si, gesture)
+
+    def _show(self, value_si: float) -> None:
+        self._number = ShownNumber(spec=self.spec, value_si=value_si)
+        if not self.editing:
+            room = _inside(self).width() - self.textMargins().right() - 2 * _TEXT_EDGE_PX
+            self.setText(self._number.fitting_text(self.fontMetrics(), room))
+            self.update()
+
+    def _take_spec(self) -> None:
+        units = (self._number.symbol, self._widest_unit)
+        unit_px = max(map(self.fontMetrics().horizontalAdvance, units))
+        self.setTextMargins(0, 0, unit_px + _UNIT_GAP_PX, 0)
+        self.setAccessibleName(self.spec.label)
+        self.setToolTip(self._number.help())
+        self._show(self.value_si)
+
+    def _show_problem(self, problem: str) -> None:
+        self.update()
+        if self._problem_beside:
+            return
+        self.setToolTip(problem or self._number.help())
+        if problem:
+            QToolTip.showText(self.mapToGlobal(QPoint(0, self.height())), problem, self)
+
+
+def _inside(line: QLineEdit) -> QRect:
+    """Area of the text and the unit."""
+    option = QStyleOptionFrame()
+    line.initStyleOption(option)
+    return line.style().subElementRect(QStyle.SubElement.SE_LineEditContents, option, line)

@@ -1,14 +1,13 @@
 from dataclasses import replace
-from itertools import product
 
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource_gui.widgets.fields.number_field import PIXELS_PER_STEP
-from skinsource_gui.widgets.fields.number_steps import stepped
-from skinsource_gui.widgets.fields.units import display_unit, number_text
+from skinsource_gui.widgets.fields.number_stepping import PIXELS_PER_STEP
+from skinsource_gui.widgets.fields.number_steps import COARSE, FINE, PLAIN, Ladder, stepped
+from skinsource_gui.widgets.fields.units import number_text
 from tests.gui.number_field.bench import AMPLITUDE, DURATION, FREQUENCY, PHASE, SEED, move_event
 
 
@@ -68,7 +67,7 @@ def test_ctrl_makes_steps_fine_and_shift_coarse(bench):
     one.turn(1, Qt.KeyboardModifier.ControlModifier)
     one.turn(-1, Qt.KeyboardModifier.ShiftModifier)
     QTest.keyClick(one.field, Qt.Key.Key_Up)
-    assert one.values == [1.005, 0.505, 0.555]
+    assert one.values == [1.005, 1.0, 1.05]
 
 
 def test_a_burst_of_steps_shares_one_gesture_until_a_pause(bench, qtbot):
@@ -79,7 +78,7 @@ def test_a_burst_of_steps_shares_one_gesture_until_a_pause(bench, qtbot):
         QTest.keyClick(one.field, Qt.Key.Key_Down)
     assert len(one.edits) == 4
     assert len(one.gestures) == 1
-    qtbot.waitUntil(lambda: not one.field.in_burst)
+    qtbot.waitUntil(lambda: not one.field.stepping.in_burst)
     QTest.keyClick(one.field, Qt.Key.Key_Up)
     assert len(one.gestures) == 2
 
@@ -93,14 +92,70 @@ def test_a_value_set_from_elsewhere_ends_a_burst(bench):
     assert len(one.gestures) == 2
 
 
-def test_steps_of_a_logarithmic_number_multiply(bench):
-    one = bench(FREQUENCY, 100.0)
+@pytest.mark.parametrize(
+    ("start", "keys", "values"),
+    [
+        (150.0, "uuuuuu", [152, 154, 156, 158, 160, 165]),
+        (123.4567, "uud", [124, 126, 124]),
+        (123.4567, "d", [122]),
+        (40.0, "PPpC", [50, 60, 50, 50.1]),
+        (640.0, "uu", [649]),
+        (1.0, "ud", [1.02, 1.0]),
+    ],
+)
+def test_steps_lead_to_round_numbers_about_two_percent_apart(bench, start, keys, values):
+    one = bench(FREQUENCY, start)
     one.field.setFocus()
-    for _ in range(35):
-        QTest.keyClick(one.field, Qt.Key.Key_Up)
-    assert one.values[0] == 102.0
-    assert one.values[-1] == pytest.approx(200, rel=0.01)
-    assert all(len(number_text(value, "Hz")) <= 5 for value in one.values)
+    press = {
+        "u": (Qt.Key.Key_Up, Qt.KeyboardModifier.NoModifier),
+        "d": (Qt.Key.Key_Down, Qt.KeyboardModifier.NoModifier),
+        "P": (Qt.Key.Key_PageUp, Qt.KeyboardModifier.NoModifier),
+        "p": (Qt.Key.Key_Down, Qt.KeyboardModifier.ShiftModifier),
+        "C": (Qt.Key.Key_Up, Qt.KeyboardModifier.ControlModifier),
+    }
+    for key in keys:
+        QTest.keyClick(one.field, *press[key])
+    assert one.values == values
+
+
+def test_wheel_drag_and_keys_make_the_same_numbers(bench):
+    for way in ("keys", "wheel", "drag"):
+        one = bench(FREQUENCY, 95.3)
+        one.field.setFocus()
+        if way == "keys":
+            for _ in range(5):
+                QTest.keyClick(one.field, Qt.Key.Key_Up)
+        elif way == "wheel":
+            one.turn(5)
+        else:
+            one.drag((5 * PIXELS_PER_STEP, 0))
+        assert one.field.value_si == 104.0, way
+
+
+@pytest.mark.parametrize(
+    ("spec", "start", "shown"),
+    [(DURATION, 0.123, "130"), (PHASE, 0.02, "5"), (AMPLITUDE, 0.333, "0.35")],
+)
+def test_a_step_makes_the_shown_number_round(bench, spec, start, shown):
+    one = bench(spec, start)
+    one.field.setFocus()
+    QTest.keyClick(one.field, Qt.Key.Key_Up)
+    assert one.field.text() == shown
+
+
+def test_a_thousand_steps_up_and_down_keep_numbers_short():
+    value = 1.0
+    for direction in (1, -1):
+        for _ in range(1000):
+            value = stepped(value, direction, FREQUENCY)
+            assert len(number_text(value, "Hz")) <= 4
+    assert value == 1.0
+
+
+def test_the_way_back_on_a_ladder_leads_to_its_anchor():
+    ladder = Ladder(123.4567, FREQUENCY, PLAIN)
+    way = [ladder.value_si(k) for k in (0, 3, -2, 0)]
+    assert way == [123.4567, 128.0, 120.0, 123.4567]
 
 
 def test_a_whole_number_takes_only_whole_steps(bench):
@@ -114,18 +169,14 @@ def test_a_whole_number_takes_only_whole_steps(bench):
     assert "whole" in one.field.problem
 
 
-@pytest.mark.parametrize(
-    ("spec", "tenths"),
-    [
-        *product([DURATION, FREQUENCY, PHASE, AMPLITUDE], [10, -10, 100, 1]),
-        *product([SEED], [10, -10, 100]),
-    ],
-)
-def test_every_step_changes_the_value_and_stays_allowed(spec, tenths):
+@pytest.mark.parametrize("spec", [DURATION, FREQUENCY, PHASE, AMPLITUDE, SEED])
+@pytest.mark.parametrize("size", [FINE, PLAIN, COARSE])
+@pytest.mark.parametrize("direction", [1, -1])
+def test_every_step_changes_the_value_and_stays_allowed(spec, size, direction):
     value = 0.5 * (max(spec.minimum, 1.0) + 3.0)
     value = float(round(value)) if spec.whole else value
     for _ in range(200):
-        after = stepped(value, tenths, spec, display_unit(spec.unit))
+        after = stepped(value, direction, spec, size)
         assert spec.minimum <= after <= spec.maximum
         assert after != value or after in (spec.minimum, spec.maximum)
         value = after

@@ -3,9 +3,10 @@ import math
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QToolTip
 
 from skinsource.errors import InvalidInputError
+from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.units import number_text, parse_number, value_text
 from tests.gui.number_field.bench import (
     AMPLITUDE,
@@ -183,3 +184,15 @@ def test_a_narrow_field_shows_fewer_digits_and_never_hides_the_first(bench, widt
     assert field.value_si == value
     if width_px == 400:
         assert field.text().replace("−", "-") == number_text(value, "m/s²")
+
+
+def test_a_reason_that_stands_beside_the_field_is_not_in_its_tooltip_too(qtbot):
+    cell = FieldCell("frequency_hz", FREQUENCY)
+    qtbot.addWidget(cell)
+    cell.show()
+    plain = cell.field.toolTip()
+    cell.field.begin_editing("700")
+    QTest.keyClick(cell.field, Qt.Key.Key_Return)
+    assert "1 to 649 Hz" in cell.note
+    assert cell.field.toolTip() == plain
+    assert not QToolTip.isVisible()

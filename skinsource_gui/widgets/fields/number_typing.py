@@ -1,0 +1,90 @@
+"""A number that is being typed."""
+
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QLineEdit
+
+from skinsource.errors import InvalidInputError
+from skinsource_gui.widgets.fields.shown_number import ShownNumber
+from skinsource_gui.widgets.fields.units import parse_number
+
+_STARTERS = frozenset("0123456789.,+-−")
+FINISHERS = frozenset({Qt.Key.Key_Return, Qt.Key.Key_Enter})
+_EMPTIERS = frozenset({Qt.Key.Key_Backspace, Qt.Key.Key_Delete})
+_OTHERS = (
+    Qt.KeyboardModifier.ControlModifier
+    | Qt.KeyboardModifier.AltModifier
+    | Qt.KeyboardModifier.MetaModifier
+)
+
+
+def begins_typing(event: QKeyEvent) -> bool:
+    """Whether a key opens the editor."""
+    known = event.key() in FINISHERS | _EMPTIERS or event.key() == Qt.Key.Key_F2
+    return not event.modifiers() & _OTHERS and (known or event.text() in _STARTERS)
+
+
+def first_text(event: QKeyEvent) -> str | None:
+    """What stands in the editor that a key opened; None: the number itself."""
+    if event.key() in FINISHERS or event.key() == Qt.Key.Key_F2:
+        return None
+    return "" if event.key() in _EMPTIERS else event.text()
+
+
+class NumberTyping(QObject):
+    """Opens a line for typing, and says why what is typed is not allowed.
+
+    Parameters
+    ----------
+    line
+        Where it is typed; read-only as long as nothing is.
+    """
+
+    #: Why what is typed is not allowed, or "".
+    problem_changed = Signal(str)
+
+    def __init__(self, line: QLineEdit) -> None:
+        super().__init__(line)
+        self._line = line
+        self._number: ShownNumber | None = None
+        self.problem = ""
+        line.setReadOnly(True)
+        line.setCursor(Qt.CursorShape.SizeHorCursor)
+
+    @property
+    def active(self) -> bool:
+        """Whether a text is being typed."""
+        return not self._line.isReadOnly()
+
+    def begin(self, number: ShownNumber, text: str | None) -> None:
+        """Open the line; ``text`` replaces the number, which is selected otherwise."""
+        self._number = number
+        self._line.setReadOnly(False)
+        self._line.setCursor(Qt.CursorShape.IBeamCursor)
+        self._line.setText(number.long_text if text is None else text)
+        if text is None:
+            self._line.selectAll()
+
+    def end(self) -> None:
+        """Close the line; what it shows then is up to its owner."""
+        self._line.setReadOnly(True)
+        self._line.setCursor(Qt.CursorShape.SizeHorCursor)
+        self._say("")
+
+    def result(self, number: ShownNumber) -> float | None:
+        """Value of what is typed; None, with the reason told, if it is not allowed."""
+        try:
+            return parse_number(self._line.text(), number.spec)
+        except InvalidInputError as error:
+            self._say(str(error))
+            return None
+
+    def check_again(self, text: str) -> None:
+        """Take the problem back as soon as the text is allowed."""
+        if self.problem and self._number is not None and self._number.parsed(text) is not None:
+            self._say("")
+
+    def _say(self, problem: str) -> None:
+        if problem != self.problem:
+            self.problem = problem
+            self.problem_changed.emit(problem)

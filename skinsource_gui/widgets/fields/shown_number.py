@@ -1,0 +1,84 @@
+"""A number as a field shows it."""
+
+from dataclasses import dataclass
+
+from PySide6.QtGui import QFontMetrics
+
+from skinsource.errors import InvalidInputError
+from skinsource.fields import NumberSpec
+from skinsource_gui.widgets.fields.level_text import minus
+from skinsource_gui.widgets.fields.units import (
+    EDITED_DIGITS,
+    SHOWN_DIGITS,
+    display_unit,
+    number_text,
+    parse_number,
+    range_text,
+    with_unit,
+)
+from skinsource_gui.widgets.tooltips import tooltip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ShownNumber:
+    """A value and what it may be.
+
+    Attributes
+    ----------
+    spec
+        What is allowed.
+    value_si
+        The value, in SI units.
+    """
+
+    spec: NumberSpec
+    value_si: float
+
+    @property
+    def symbol(self) -> str:
+        """Unit in which it is shown."""
+        return display_unit(self.spec.unit).symbol
+
+    @property
+    def long_text(self) -> str:
+        """As it is edited."""
+        return number_text(self.value_si, self.spec.unit, EDITED_DIGITS)
+
+    @property
+    def copied_text(self) -> str:
+        """As it goes to the clipboard, with its unit."""
+        return with_unit(self.long_text, self.spec.unit)
+
+    def fitting_text(self, metrics: QFontMetrics, room_px: float) -> str:
+        """With as many digits as there is room for; the first is never out of sight.
+
+        A number whose first digits are out of sight is another number.
+        """
+        texts = [
+            minus(number_text(self.value_si, self.spec.unit, digits))
+            for digits in range(SHOWN_DIGITS, 0, -1)
+        ]
+        fitting = (text for text in texts if metrics.horizontalAdvance(text) <= room_px)
+        return next(fitting, texts[-1])
+
+    def parsed(self, text: str) -> float | None:
+        """Value of a text, in SI units; None if it is not allowed."""
+        try:
+            return parse_number(text, self.spec)
+        except InvalidInputError:
+            return None
+
+    def is_meant_by(self, typed_si: float) -> bool:
+        """Whether typing ``typed_si`` changes nothing: what is shown may be rounded."""
+        short = number_text(self.value_si, self.spec.unit)
+        return typed_si in (self.value_si, self.parsed(self.long_text), self.parsed(short))
+
+    def help(self) -> str:
+        """What it is, what is allowed, and how it is changed."""
+        return tooltip(
+            f"{self.spec.label}, {range_text(self.spec)}",
+            self.spec.hint,
+            "Drag, turn the wheel or press ↑ ↓: the next round number (Ctrl: finer, Shift or "
+            "Page Up, Page Down: ten times as far)",
+            "Double-click or type to enter a number",
+        )
