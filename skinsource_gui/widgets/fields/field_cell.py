@@ -3,16 +3,12 @@
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
 
-from skinsource.fields import ChoiceSpec, NumberSpec, Spec
-from skinsource.signals import BAND_HZ
+from skinsource.fields import Spec
 from skinsource_gui.theme import LIGHT, Theme
-from skinsource_gui.widgets.fields.choice_field import ChoiceField
-from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.fields.editors import new_editor
 
 #: Height of a label, and of one line of a field.
 LABEL_PX = 26
-
-_OUTSIDE_BAND = f"outside the measured band ({BAND_HZ[0]:g} to {BAND_HZ[1]:g} Hz)"
 
 
 class LabelledCell(QWidget):
@@ -55,14 +51,11 @@ class FieldCell(LabelledCell):
         self.name = name
         self._theme = LIGHT
         self._warns = False
-        self.field: NumberField | ChoiceField
-        if isinstance(spec, ChoiceSpec):
-            self.field = ChoiceField(spec)
-            self.field.chosen.connect(self._edit)
-        else:
-            self.field = NumberField(spec, problem_beside=True)
-            self.field.edited.connect(self._edit)
-            self.field.problem_changed.connect(self._show_problem)
+        self._problem = ""
+        self._editor = new_editor(spec, self)
+        self._editor.edited.connect(self._edit)
+        self._editor.problem_changed.connect(self._show_problem)
+        self.field = self._editor.field
         self.field.setObjectName(f"{name}_field")
         self.label.setBuddy(self.field)
         self.setFocusProxy(self.field)
@@ -79,19 +72,18 @@ class FieldCell(LabelledCell):
         """The remark under the field, or ""."""
         return self._note.text()
 
-    def set_spec(self, spec: NumberSpec) -> None:
-        """Change the unit or range of a number."""
-        self.field.set_spec(spec)
+    def set_spec(self, spec: Spec) -> None:
+        """Change the unit or range."""
+        self._editor.set_spec(spec)
 
-    def set_value(self, value: float | str) -> None:
+    def set_value(self, value: object) -> None:
         """Show a value, and tell nobody."""
-        self.field.set_value(value)
+        self._editor.set_value(value)
         self._advise()
 
     def forget_typing(self) -> None:
         """Close an open editor without committing."""
-        if isinstance(self.field, NumberField):
-            self.field.cancel_editing()
+        self._editor.cancel()
         self._advise()
 
     def show_reason(self, reason: str) -> None:
@@ -101,27 +93,23 @@ class FieldCell(LabelledCell):
     def show_theme(self, theme: Theme) -> None:
         super().show_theme(theme)
         self._theme = theme
-        if isinstance(self.field, NumberField):
-            self.field.show_theme(theme)
+        self._editor.show_theme(theme)
         self._colour_note()
 
-    def _edit(self, value: float | str, gesture: int | None) -> None:
+    def _edit(self, value: object, gesture: int | None) -> None:
         self._advise()
         self.edited.emit(self.name, value, gesture)
 
     def _show_problem(self, problem: str) -> None:
+        self._problem = problem
         if problem:
             self._set_note(problem, warns=False)
         else:
             self._advise()
 
     def _advise(self) -> None:
-        if isinstance(self.field, ChoiceField):
-            self._set_note("", warns=True)
-        elif not self.field.problem:
-            in_hertz = self.field.spec.unit == "Hz"
-            outside = in_hertz and not BAND_HZ[0] <= self.field.value_si <= BAND_HZ[1]
-            self._set_note(_OUTSIDE_BAND if outside else "", warns=True)
+        if not self._problem:
+            self._set_note(self._editor.advice(), warns=True)
 
     def _set_note(self, words: str, *, warns: bool) -> None:
         if (words, warns) != (self.note, self._warns):

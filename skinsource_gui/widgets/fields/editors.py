@@ -1,0 +1,161 @@
+"""What edits a field of a recipe: one editor for each kind of specification."""
+
+from typing import Any, Protocol
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QCheckBox, QLineEdit, QWidget
+
+from skinsource.fields import ChoiceSpec, NumberSpec, Spec, SwitchSpec, TextSpec, made_for
+from skinsource.signals import BAND_HZ
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.tooltips import tooltip
+
+_OUTSIDE_BAND = f"outside the measured band ({BAND_HZ[0]:g} to {BAND_HZ[1]:g} Hz)"
+
+
+class Editor(Protocol):
+    """A widget that edits one value, and what a cell has to know of it.
+
+    Attributes
+    ----------
+    field
+        The widget.
+    edited
+        Signal: the new value, number of the gesture or None.
+    problem_changed
+        Signal: why what is entered is not allowed, or "".
+    """
+
+    field: QWidget
+    edited: Any
+    problem_changed: Any
+
+    def set_value(self, value: Any) -> None:
+        """Show a value, and tell nobody."""
+
+    def set_spec(self, spec: Any) -> None:
+        """Change what is allowed."""
+
+    def advice(self) -> str:
+        """What one should know about the present value, or ""."""
+
+    def cancel(self) -> None:
+        """Forget what is being entered."""
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+
+
+class NumberEditor(QObject):
+    """Edits a number."""
+
+    edited = Signal(object, object)
+    problem_changed = Signal(str)
+
+    def __init__(self, spec: NumberSpec, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.field = NumberField(spec, parent, problem_beside=True)
+        self.field.edited.connect(self.edited.emit)
+        self.field.problem_changed.connect(self.problem_changed)
+        self.set_value, self.set_spec = self.field.set_value, self.field.set_spec
+        self.cancel, self.show_theme = self.field.cancel_editing, self.field.show_theme
+
+    def advice(self) -> str:
+        """Warn of frequencies that were not measured."""
+        in_hertz = self.field.spec.unit == "Hz"
+        inside = BAND_HZ[0] <= self.field.value_si <= BAND_HZ[1]
+        return _OUTSIDE_BAND if in_hertz and not inside else ""
+
+
+class _Plain(QObject):
+    """What is the same for values that cannot be entered wrongly."""
+
+    edited = Signal(object, object)
+    problem_changed = Signal(str)
+
+    def set_spec(self, spec: Spec) -> None:
+        """Nothing about it changes with the design."""
+
+    def advice(self) -> str:
+        """Every value is as good as any other."""
+        return ""
+
+    def cancel(self) -> None:
+        """There is nothing half entered."""
+
+    def show_theme(self, theme: Theme) -> None:
+        """Its colours are those of the window."""
+
+
+class ChoiceEditor(_Plain):
+    """Chooses one of several names."""
+
+    def __init__(self, spec: ChoiceSpec, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.field = ChoiceField(spec, parent)
+        self.field.chosen.connect(self.edited.emit)
+        self.set_value = self.field.set_value
+
+
+class SwitchEditor(_Plain):
+    """Switches something on and off."""
+
+    def __init__(self, spec: SwitchSpec, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.field = QCheckBox(parent)
+        self.field.setAccessibleName(spec.label)
+        self.field.setToolTip(tooltip(spec.label, spec.hint))
+        self.field.clicked.connect(self._tell)
+        self.set_value = self.field.setChecked
+
+    def _tell(self, on: bool) -> None:
+        self.edited.emit(on, None)
+
+
+class TextEditor(_Plain):
+    """Writes one line of words; told when it is finished."""
+
+    def __init__(self, spec: TextSpec, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._shown = ""
+        self.field = QLineEdit(parent)
+        self.field.setMaxLength(spec.longest)
+        self.field.setAccessibleName(spec.label)
+        self.field.setToolTip(tooltip(spec.label, spec.hint))
+        self.field.editingFinished.connect(self._tell)
+
+    def set_value(self, value: str) -> None:
+        """Show a text, and tell nobody."""
+        self._shown = value
+        self.field.setText(value)
+
+    def cancel(self) -> None:
+        """Bring the text back."""
+        self.field.setText(self._shown)
+
+    def _tell(self) -> None:
+        if self.field.text() != self._shown:
+            self._shown = self.field.text()
+            self.edited.emit(self._shown, None)
+
+
+#: Which editor is made for which kind of specification.
+EDITORS: dict[type[Spec], type[Editor]] = {
+    NumberSpec: NumberEditor,
+    ChoiceSpec: ChoiceEditor,
+    SwitchSpec: SwitchEditor,
+    TextSpec: TextEditor,
+}
+
+
+def new_editor(spec: Spec, parent: QWidget) -> Editor:
+    """Make the editor for a field.
+
+    Raises
+    ------
+    TypeError
+        There is none for this kind of specification.
+    """
+    return made_for(spec, EDITORS)(spec, parent)
