@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from skinsource.fields import ChoiceSpec, CurveSpec, NumberSpec, SwitchSpec, TextSpec
+from skinsource.fields import ChoiceSpec, NumberSpec, PlainSpec, SwitchSpec, TextSpec
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 
 FREQUENCY = NumberSpec(label="Frequency", unit="Hz", minimum=1.0, maximum=649.0)
@@ -65,5 +65,5 @@ def test_a_frequency_outside_the_measured_band_is_remarked_on(cell):
 
 
 def test_a_kind_of_field_without_an_editor_is_never_taken_for_another_one(cell):
-    with pytest.raises(TypeError, match="CurveSpec of 'Shape' is not in the table"):
-        cell(CurveSpec(label="Shape"), ())
+    with pytest.raises(TypeError, match=r"PlainSpec of .Shape. is not in the table"):
+        cell(PlainSpec(label="Shape"), ())
