@@ -22,6 +22,7 @@ import numpy as np
 from skinsource import hdf5
 from skinsource.design import MAX_INPUTS, Design, Input
 from skinsource.errors import DesignFileError, InvalidInputError, StorageError
+from skinsource.fields import specs_of
 from skinsource.files import write_bytes
 from skinsource.limb import LIMB_NAMES
 from skinsource.view import View
@@ -125,8 +126,8 @@ def _write_input(group: "h5py.Group", one: Input) -> None:
         _write(group, name, getattr(one, name))
     waveform = group.create_group("waveform")
     _write(waveform, "kind", type(one.waveform).__name__)
-    for field in fields(one.waveform):
-        _write(waveform, field.name, getattr(one.waveform, field.name))
+    for name in specs_of(one.waveform):
+        _write(waveform, name, getattr(one.waveform, name))
 
 
 def _write(group: "h5py.Group", name: str, value: Any) -> None:
@@ -196,7 +197,7 @@ class _Reader:
                 f"{', '.join(_KINDS)}. Open it with a newer SkinSource studio."
             )
         self._refuse_unknown(group.name, set(group), set())
-        names = tuple(field.name for field in fields(_KINDS[kind]))
+        names = tuple(specs_of(_KINDS[kind]))
         values = self._attributes(group, ("kind", *names))
         del values["kind"]
         return _KINDS[kind](**values)

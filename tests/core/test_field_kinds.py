@@ -10,6 +10,7 @@ from skinsource import fields
 from skinsource.errors import FileFormatError, InvalidInputError
 from skinsource.fields import (
     Address,
+    BytesSpec,
     ChoiceSpec,
     CurveSpec,
     ListSpec,
@@ -79,6 +80,7 @@ class Everything:
     sound: Samples | None = fields.field(
         OptionalSpec(label="Sound", of=SamplesSpec(label="Sound", most=10)), default=None
     )
+    state: bytes = fields.field(BytesSpec(label="State", longest=9), default=b"")
     other: Any = fields.field(PlainSpec(label="Other"), default=())
 
     def __post_init__(self):
@@ -97,6 +99,7 @@ FULL = Everything(
     outputs=(3, 1, 2),
     inner=Branch(name="all", parts=(Leaf(), Branch(name="", parts=(Leaf(size=1.0),)))),
     sound=SOUND,
+    state=b"\0\xff",
     other=(("skin", (("shown", True), ("range", (None, -1.5, 3)))),),
 )
 
@@ -138,7 +141,17 @@ WRONG = {
         Samples(values=np.arange(11.0), sample_rate_hz=1300.0),
         Samples(values=np.arange(3.0), sample_rate_hz=1300.0, unit="m/s²"),
     ],
-    "other": [[1], {}, np.inf, object(), (np.float64("nan"),), ("x" * 10_001,), ((0,) * 10_001,)],
+    "state": [b"x" * 10, "text", None, bytearray(1)],
+    "other": [
+        "\ud800",
+        [1],
+        {},
+        np.inf,
+        object(),
+        (np.float64("nan"),),
+        ("x" * 10_001,),
+        ((0,) * 10_001,),
+    ],
 }
 
 

@@ -17,7 +17,7 @@ from skinsource.fields.plain import PlainSpec
 from skinsource.fields.recipes import check, field, specs_of
 from skinsource.fields.spec import Address, Misfit, Spec, Tree, made_for
 from skinsource.fields.wholes import ListSpec, OptionalSpec, RecipeSpec, SamplesSpec
-from skinsource.fields.words import ChoiceSpec, SwitchSpec, TextSpec
+from skinsource.fields.words import BytesSpec, ChoiceSpec, SwitchSpec, TextSpec
 
 
 def number(default: float, spec: NumberSpec) -> Any:
@@ -47,6 +47,7 @@ def text(default: str, spec: TextSpec) -> Any:
 
 __all__ = [
     "Address",
+    "BytesSpec",
     "ChoiceSpec",
     "CurveSpec",
     "ListSpec",

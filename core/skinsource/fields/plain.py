@@ -39,6 +39,11 @@ def _parts(value: Any, depth: int) -> int:
     sound = value is None or isinstance(value, bool)
     sound = sound or (isinstance(value, int) and abs(value) < 2**63)
     sound = sound or (isinstance(value, float) and isfinite(value))
-    if not sound and not (isinstance(value, str) and len(value) <= _MAX_CHARACTERS):
+    if not sound and not (isinstance(value, str) and _can_be_written(value)):
         raise Misfit(_EXPECTED)
     return 1
+
+
+def _can_be_written(text: str) -> bool:
+    # Half of a pair of surrogates is no text that a file can hold.
+    return len(text) <= _MAX_CHARACTERS and not any("\ud800" <= one <= "\udfff" for one in text)

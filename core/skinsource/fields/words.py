@@ -1,11 +1,13 @@
-"""Choices, yes or no, and texts."""
+"""Choices, yes or no, texts, and bytes."""
 
+import base64
+import binascii
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from skinsource.fields.spec import Misfit, Spec
+from skinsource.fields.spec import Address, Misfit, Spec, Tree
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,3 +69,34 @@ class TextSpec(Spec):
         except UnicodeEncodeError:  # half of a pair: no file can hold it
             raise Misfit(expected) from None
         return str(value)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BytesSpec(Spec):
+    """Bytes whose meaning others know.
+
+    Attributes
+    ----------
+    longest
+        How many there may be.
+    """
+
+    longest: int
+
+    def checked(self, value: Any) -> bytes:
+        """Return ``value`` itself."""
+        if not isinstance(value, bytes) or len(value) > self.longest:
+            raise Misfit(f"at most {self.longest} bytes")
+        return value
+
+    def encoded(self, value: bytes) -> Tree:
+        """Return them in base 64."""
+        return base64.b64encode(value).decode()
+
+    def decoded(self, tree: Tree, at: Address) -> Any:
+        """Return the bytes."""
+        del at
+        try:
+            return base64.b64decode(tree, validate=True)
+        except (TypeError, ValueError, binascii.Error):
+            return tree
