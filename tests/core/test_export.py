@@ -163,3 +163,14 @@ def test_a_failing_export_leaves_the_old_table(tmp_path):
     with pytest.raises(StorageError):
         export_levels(tmp_path / "nowhere" / "table.csv", Design(limb="measured-1"), View())
     assert path.read_text() == "old"
+
+
+@pytest.mark.parametrize("place", [7, 2])
+def test_the_table_of_levels_names_the_loudest_output_that_was_checked(tmp_path, place):
+    path, one = tmp_path / "levels.csv", Input(location=place, waveform=Tap())
+    export_levels(path, Design(limb="synthetic-1", inputs=(one,)), VIEW)
+    about, _, numbers = read(path)
+    loudest = numbers[np.argmax(numbers[:, 1]), 0]
+    checked = [line for line in about if "the loudest" in line]
+    assert len(checked) == 1
+    assert f"the traces of output {loudest:.0f}, the loudest" in checked[0]

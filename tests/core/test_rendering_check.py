@@ -71,3 +71,30 @@ def test_an_error_in_a_short_sound_within_a_long_silence_is_noticed():
     trace[0, 0, 60_000 : 60_000 + felt.size] = felt
     assert trace_error_of(trace, (29,), (2,), [one]).estimate < 1e-14
     assert trace_error_of(trace * (1 + 1e-6), (29,), (2,), [one]).estimate > 1e-8
+
+
+@pytest.mark.parametrize("wrong", [1e-9, -3e-6])
+def test_the_estimate_is_four_times_the_largest_error_found(wrong):
+    drive = drive_of(Tone().samples(1300.0))
+    taps = load_synthetic_limb(1).response_to(7)
+    response = ResponseSpectrum(taps, forward(taps, 1152), 1152)
+    one = Heard(drive=drive, delay_samples=0, weight=1.0, response=response)
+    trace = np.convolve(drive.samples, taps[28, 2])[None, None] + wrong
+    found = trace_error_of(trace, (29,), (2,), [one])
+    assert found.estimate == pytest.approx(4 * abs(wrong) / np.abs(trace).max(), rel=1e-5)
+
+
+def test_the_bound_grows_with_the_number_of_butterflies_of_a_transform():
+    drive = drive_of(Tap().samples(1300.0))
+    taps = load_synthetic_limb(1).response_to(7)
+    trace = np.convolve(drive.samples, taps[28, 2])[None, None]
+    bounds = {}
+    for n_fft in (1024, 2**15):
+        response = ResponseSpectrum(taps, forward(taps, n_fft), n_fft)
+        one = Heard(drive=drive, delay_samples=0, weight=1.0, response=response)
+        bounds[n_fft] = trace_error_of(trace, (29,), (2,), [one]).bound
+    # A few units in the last place of drive times response, for each of so many stages.
+    norms = np.linalg.norm(drive.samples) * np.linalg.norm(taps[28, 2])
+    unit = np.finfo(np.float64).eps * norms / np.abs(trace).max()
+    assert 3 * 10 * unit <= bounds[1024] <= 30 * 10 * unit
+    assert bounds[2**15] / bounds[1024] == pytest.approx(15 / 10)

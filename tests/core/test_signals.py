@@ -172,3 +172,18 @@ def test_waveforms_are_the_signals_they_are_named_after():
     np.testing.assert_array_equal(noise.samples(RATE_HZ), white_noise(0.3, 8))
     np.testing.assert_array_equal(Tap().samples(RATE_HZ), tap())
     np.testing.assert_array_equal(Impulse().samples(RATE_HZ), [1.0])
+
+
+@pytest.mark.parametrize(("n", "first", "last"), [(52, 1, 24), (104, 2, 48), (130, 3, 60)])
+def test_noise_is_the_sum_of_all_waves_of_its_band_edges_included(n, first, last):
+    """By sums over sines and cosines; with 52 samples both edges are frequencies of the noise."""
+    drawn, time = np.random.default_rng(7).standard_normal(n), np.arange(n)
+    expected = np.zeros(n)
+    for k in range(first, last + 1):
+        assert 25 <= k * 1300 / n <= 600
+        turn = 2 * np.pi * k * time / n
+        expected += (drawn @ np.cos(turn)) * np.cos(turn) + (drawn @ np.sin(turn)) * np.sin(turn)
+    assert (first - 1) * 1300 / n < 25
+    assert (last + 1) * 1300 / n > 600
+    expected /= np.abs(expected).max()
+    np.testing.assert_allclose(white_noise(n / 1300, 7), expected, atol=1e-12)

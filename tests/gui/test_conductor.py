@@ -31,7 +31,7 @@ class Recorder(Panel):
         super().__init__()
         self._needs = frozenset(needs)
         self.results, self.problems, self.stale, self.states = [], [], False, []
-        self.story = []
+        self.story, self.marks = [], []
 
     @property
     def needs(self):
@@ -52,6 +52,7 @@ class Recorder(Panel):
 
     def show_stale(self, stale):
         self.stale = stale
+        self.marks.append(stale)
 
     def show_problem(self, reason):
         self.problems.append(reason)
@@ -116,6 +117,21 @@ def test_an_edit_is_painted_at_once_if_its_results_take_long(qtbot, stage):
     stage.gate.set()
     qtbot.waitUntil(lambda: len(stage.loud.story) == 4)
     assert stage.loud.story == ["state", "painted", "results", "painted"]
+
+
+def test_results_of_an_edit_that_is_not_the_last_are_marked_as_stale(qtbot, stage):
+    drawn = len(stage.loud.results)
+    stage.loud.marks.clear()
+    stage.gate.clear()
+    for amplitude in (2.0, 3.0):
+        stage.document.edit("louder", stage.document.design.with_input(0, amplitude=amplitude))
+    assert stage.loud.marks == [True, True]
+    stage.gate.set()
+    qtbot.waitUntil(lambda: len(stage.loud.results) == drawn + 2)
+    shown = [results["loudness"].tolist() for results in stage.loud.results[drawn:]]
+    assert shown == [[2.0], [3.0]]
+    # Marked when they were asked for, twice; the first results are not those of the last edit.
+    assert stage.loud.marks == [True, True, True, False]
 
 
 def test_what_did_not_change_is_not_drawn_again(stage):

@@ -1,4 +1,4 @@
-from threading import Event
+from threading import Event, Timer
 from time import perf_counter
 
 import pytest
@@ -94,25 +94,57 @@ def test_closing_while_something_runs_waits_for_it_and_drops_what_waits(engine, 
     assert seen in ([], [1])
 
 
-def test_a_long_evaluation_is_abandoned_for_a_newer_request(qtbot, qapp):
-    started, asked = Event(), []
+class Slow:
+    """A rule that goes on until it is to stop; if nobody ever says so, for some seconds only."""
 
-    def slow(x, stop):
-        started.set()
-        while x == 1:
-            asked.append(stop())
-            if asked[-1]:
-                raise Stopped
-        return x
+    def __init__(self):
+        self.started, self.given_up, self.asked = Event(), Event(), []
+        self.limit = Timer(5, self.given_up.set)
+        self.limit.start()
 
-    engine = Engine(Graph(slow))
-    outcomes = []
-    engine.finished.connect(outcomes.append)
-    engine.request(request(1, "slow"))
-    assert started.wait(5)
-    engine.request(request(2, "slow"))
-    qtbot.waitUntil(lambda: not engine.busy)
-    assert [outcome.values for outcome in outcomes] == [{"slow": 2}]
-    assert asked[-1]
-    assert not asked[0]
+    def rule(self):
+        def slow(x, stop):
+            self.started.set()
+            while x == 1 and not self.given_up.wait(0.001):
+                self.asked.append(stop())
+                if self.asked[-1]:
+                    raise Stopped
+            return x
+
+        return slow
+
+
+@pytest.fixture
+def slow():
+    made = Slow()
+    yield made
+    made.limit.cancel()
+    made.limit.join()
+
+
+@pytest.fixture
+def slow_engine(qapp, slow):
+    engine = Engine(Graph(slow.rule()))
+    yield engine
+    slow.given_up.set()
     engine.close()
+
+
+def test_a_long_evaluation_is_abandoned_for_a_newer_request(qtbot, slow, slow_engine):
+    outcomes = []
+    slow_engine.finished.connect(outcomes.append)
+    slow_engine.request(request(1, "slow"))
+    assert slow.started.wait(5)
+    slow_engine.request(request(2, "slow"))
+    qtbot.waitUntil(lambda: not slow_engine.busy, timeout=10_000)
+    assert [outcome.values for outcome in outcomes] == [{"slow": 2}]
+    assert slow.asked[-1]
+    assert not slow.asked[0]
+
+
+def test_closing_ends_a_long_evaluation_that_asks(slow, slow_engine):
+    slow_engine.request(request(1, "slow"))
+    assert slow.started.wait(5)
+    slow_engine.close()
+    assert slow.asked[-1]
+    assert not slow.given_up.is_set()

@@ -10,6 +10,21 @@ from skinsource.rendering.transforms import Complexes, Floats
 
 #: Far above the rounding of a bound; this keeps it above the samples.
 _MARGIN = 1.0 + 1e-6
+# Three transforms, each wrong by at most a few units in the last place per butterfly.
+_ROUNDING_FACTOR = 8.0
+
+
+def rounding_bound(norms: float, n_fft: int) -> float:
+    """How wrong no sample of a convolution by transforms is.
+
+    Parameters
+    ----------
+    norms
+        Norm of the drive times that of the response; their sum, where several are added.
+    n_fft
+        Length of the transforms.
+    """
+    return float(_ROUNDING_FACTOR * np.finfo(np.float64).eps * np.log2(n_fft) * norms)
 
 
 def channel_bounds(

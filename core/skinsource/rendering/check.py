@@ -7,7 +7,9 @@ import numpy as np
 
 from skinsource.job import Stop
 from skinsource.limb import N_AXES
+from skinsource.rendering.bounds import rounding_bound
 from skinsource.rendering.drives import Drive
+from skinsource.rendering.gains import is_positive
 from skinsource.rendering.maxima import peaks_of
 from skinsource.rendering.response_spectra import ResponseSpectrum
 from skinsource.rendering.transforms import Complexes, Floats
@@ -16,8 +18,6 @@ from skinsource.rendering.transforms import Complexes, Floats
 N_SAMPLES, ESTIMATE_FACTOR = 64, 4.0
 # Drawn to find enough where something is felt; checked wherever they fall.
 _N_DRAWN, _N_ANYWHERE = 4096, 16
-# Three transforms, each wrong by at most a few units in the last place per butterfly.
-_BOUND_FACTOR = 8.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -81,7 +81,8 @@ def exact_gains(
         one = Heard(drive=drive, delay_samples=0, weight=1.0, response=response)
         output, axis = divmod(peak.channel, N_AXES)
         value = float(one.exact(output + 1, axis, peak.time))
-        gains.append(1.0 / value if peak.value > 0.0 and value > 0.0 else drive.factor)
+        positive = is_positive(peak, drive, response) and value > 0.0
+        gains.append(1.0 / value if positive else drive.factor)
     return gains
 
 
@@ -107,8 +108,8 @@ def trace_error_of(
         )
         worst = max(worst, abs(exact - np.longdouble(traces[row, column, time])))
     n_fft = max(one.response.n_fft for one in heard)
-    rounding = _BOUND_FACTOR * np.finfo(np.float64).eps * np.log2(n_fft)
+    norms = sum(one.rounding(outputs, axes) for one in heard)
     return TraceError(
         estimate=float(ESTIMATE_FACTOR * worst / peak),
-        bound=float(rounding * sum(one.rounding(outputs, axes) for one in heard) / peak),
+        bound=rounding_bound(norms, n_fft) / peak,
     )

@@ -8,8 +8,9 @@ import numpy as np
 
 from skinsource.job import Stop, never
 from skinsource.limb import Limb
+from skinsource.rendering.bounds import rounding_bound
 from skinsource.rendering.drives import Drive, Drives, Source
-from skinsource.rendering.maxima import peaks_of
+from skinsource.rendering.maxima import Peak, peaks_of
 from skinsource.rendering.memory import Memory
 from skinsource.rendering.response_spectra import ResponseSpectrum
 from skinsource.rendering.segments import BLOCK_FFT
@@ -44,9 +45,15 @@ def unit_gains(
     peaks = peaks_of([drive.samples for drive in drives], spectra, responses, stop)
     # The factor of the drive cancels: the field reaches the amplitude whatever it was.
     return [
-        1.0 / peak.value if peak.value >= _SMALLEST else drive.factor
-        for drive, peak in zip(drives, peaks, strict=True)
+        1.0 / peak.value if is_positive(peak, drive, response) else drive.factor
+        for drive, peak, response in zip(drives, peaks, responses, strict=True)
     ]
+
+
+def is_positive(peak: Peak, drive: Drive, response: ResponseSpectrum) -> bool:
+    """Whether the maximum of a field is above 0 by more than the rounding of its transforms."""
+    norms = float(np.linalg.norm(drive.samples) * response.energies.max())
+    return peak.value >= max(_SMALLEST, rounding_bound(norms, response.n_fft))
 
 
 class Gains:
