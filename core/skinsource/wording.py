@@ -33,16 +33,19 @@ def printable(text: str) -> str:
     What cannot be printed is written as Python does, ``\x1b`` for the beginning of a
     terminal's command; a cut is marked by ``…``.
     """
-    words = " ".join(text[: 4 * MOST_CHARACTERS].split())
-    shown = "".join(one if one.isprintable() else _escaped(one) for one in words)
-    whole = len(shown) <= MOST_CHARACTERS and len(text) <= 4 * MOST_CHARACTERS
+    beginning = text[: 4 * MOST_CHARACTERS]
+    shown = escaped(" ".join(beginning.split()))
+    whole = len(shown) <= MOST_CHARACTERS and len(text) == len(beginning)
     return shown if whole else f"{shown[: MOST_CHARACTERS - 1]}…"
+
+
+def escaped(text: str) -> str:
+    """Return ``text`` with what cannot be printed written as Python does."""
+    return "".join(
+        one if one.isprintable() else one.encode("unicode_escape").decode("ascii") for one in text
+    )
 
 
 def sentence(text: str) -> str:
     """Return ``text`` with exactly one full stop at its end."""
     return f"{text.rstrip().rstrip('.')}."
-
-
-def _escaped(character: str) -> str:
-    return character.encode("unicode_escape").decode("ascii")

@@ -158,7 +158,7 @@ def test_a_folder_that_may_not_be_written_is_one_clear_error(
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
 
     monkeypatch.setattr(os, "open", refuse)
-    with pytest.raises(StorageError, match=r"Permission denied.*choose a folder you may write"):
+    with pytest.raises(StorageError, match=r"Permission denied.*Choose a folder you may write"):
         install(made_up_download)
     assert list(user_data.iterdir()) == []
 

@@ -144,7 +144,7 @@ def test_any_other_failure_passes_through_and_leaves_the_old_file(target, error)
 
 
 def test_a_missing_folder_is_explained(tmp_path):
-    with pytest.raises(StorageError, match="choose a folder"):
+    with pytest.raises(StorageError, match="Choose a folder that exists"):
         write_bytes(tmp_path / "nowhere" / "file", NEW)
 
 

@@ -2,13 +2,14 @@
 
 import errno
 import os
-import secrets
 import stat
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from skinsource.errors import StorageError
+from skinsource.files.leftovers import sweep, temporary_beside
+from skinsource.files.reasons import advice_on_writing, named, reason_of
 
 
 @contextmanager
@@ -18,7 +19,8 @@ def replacing(path: Path) -> Iterator[Path]:
     The temporary file is flushed to disk before the move.  On any error it is deleted, and
     what stood at ``path`` stands there still.  Where ``path`` is a link, what it leads to is
     replaced and the link stays.  A file that is replaced hands down its permissions; a new one
-    has those that new files usually have.
+    has those that new files usually have.  What killed writers left in the folder long ago is
+    deleted.
 
     Raises
     ------
@@ -28,7 +30,8 @@ def replacing(path: Path) -> Iterator[Path]:
     with _explained(path):
         target = _link_followed(path)
         mode = _mode_of(target)
-        temporary = target.parent / f".{target.name}.{secrets.token_hex(4)}.part"
+        sweep(target.parent)
+        temporary = temporary_beside(target)
         _create(temporary, private=mode is not None)
     try:
         with _explained(path):
@@ -57,13 +60,17 @@ def make_folder(path: Path) -> None:
 @contextmanager
 def _explained(path: Path) -> Iterator[None]:
     try:
+        if "\0" in str(path):
+            raise _BadPath("its name holds a character of value zero")
         yield
-    except OSError as error:
-        reason = error.strerror or str(error)
+    except (OSError, _BadPath) as error:
         raise StorageError(
-            f"{path}: cannot be written ({reason}). Free some space or choose a folder you may "
-            "write to, then try again."
+            f"{named(path)}: cannot be written ({reason_of(error)}). {advice_on_writing(error)}"
         ) from error
+
+
+class _BadPath(ValueError):
+    """No file can have this path."""
 
 
 def _link_followed(path: Path) -> Path:

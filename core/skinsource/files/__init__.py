@@ -1,0 +1,6 @@
+"""Files are read with a limit, and written whole or not at all."""
+
+from skinsource.files.reading import is_there, read_bytes
+from skinsource.files.writing import make_folder, replacing, write_bytes
+
+__all__ = ["is_there", "make_folder", "read_bytes", "replacing", "write_bytes"]

@@ -1,0 +1,37 @@
+"""Temporary files of writers that were killed."""
+
+import os
+import re
+import secrets
+import stat
+import time
+from contextlib import suppress
+from pathlib import Path
+
+_NAME = re.compile(r"\..+\.[0-9a-f]{8}\.part", re.DOTALL)
+_A_DAY_S = 24 * 3600.0
+
+
+def temporary_beside(path: Path) -> Path:
+    """Return a new name beside ``path`` for what shall replace it."""
+    return path.parent / f".{path.name}.{secrets.token_hex(4)}.part"
+
+
+def sweep(folder: Path) -> None:
+    """Delete one's own temporary files in ``folder`` that nobody has written to for a day.
+
+    What cannot be looked at or deleted stays: the writing that follows is what matters.
+    """
+    latest = time.time() - _A_DAY_S
+    with suppress(OSError), os.scandir(folder) as entries:
+        for entry in entries:
+            if _NAME.fullmatch(entry.name):
+                with suppress(OSError):
+                    about = entry.stat(follow_symlinks=False)
+                    if _is_own(about) and about.st_mtime < latest:
+                        Path(entry.path).unlink()
+
+
+def _is_own(about: os.stat_result) -> bool:
+    owner = getattr(os, "getuid", lambda: about.st_uid)()
+    return stat.S_ISREG(about.st_mode) and about.st_uid == owner

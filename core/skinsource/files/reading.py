@@ -1,0 +1,54 @@
+"""Reading that ends: only from regular files, and only so much."""
+
+import os
+import stat
+from pathlib import Path
+
+from skinsource.errors import FileFormatError, StorageError
+from skinsource.files.reasons import advice_on_reading, named, reason_of
+
+
+def read_bytes(path: Path, *, most: int) -> bytes:
+    """Return what the file holds.
+
+    Pipes and devices are refused unread: they may never answer, or never end.
+
+    Raises
+    ------
+    StorageError
+        The file cannot be read, or is none.
+    FileFormatError
+        It holds more than ``most`` bytes.
+    """
+    try:
+        handle = os.open(path, os.O_RDONLY | getattr(os, "O_BINARY", 0) | _AT_ONCE)
+        with os.fdopen(handle, "rb") as file:
+            about = os.fstat(handle)
+            if not stat.S_ISREG(about.st_mode):
+                raise StorageError(
+                    f"{named(path)}: cannot be read (it is no regular file). Choose a file."
+                )
+            # It may grow while it is read.
+            content = b"" if about.st_size > most else file.read(most + 1)
+    except (OSError, ValueError) as error:
+        raise StorageError(
+            f"{named(path)}: cannot be read ({reason_of(error)}). {advice_on_reading(error)}"
+        ) from error
+    if about.st_size > most or len(content) > most:
+        raise FileFormatError(
+            f"{named(Path(path.name))}: {max(about.st_size, len(content))} bytes are too large for "
+            f"it, expected at most {most}."
+        )
+    return content
+
+
+def is_there(path: Path) -> bool:
+    """Whether something stands at ``path``, as far as one may look."""
+    try:
+        return os.path.lexists(path)
+    except (OSError, ValueError):
+        return False
+
+
+#: Opening a pipe does not wait for whoever writes to it.
+_AT_ONCE = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0)

@@ -1,0 +1,144 @@
+"""Reading ends, whatever the path leads to."""
+
+import errno
+import os
+import threading
+import time
+from pathlib import Path
+
+import pytest
+
+from skinsource.errors import FileFormatError, StorageError
+from skinsource.files import is_there, make_folder, read_bytes, write_bytes
+
+ADVICE = {
+    errno.ENOSPC: "Free some space",
+    errno.EDQUOT: "Free some space",
+    errno.EACCES: "Choose a folder you may write to",
+    errno.EROFS: "Choose a folder you may write to",
+    errno.ENOENT: "Choose a folder that exists",
+    errno.ENAMETOOLONG: "Choose a shorter name",
+    errno.EIO: "Check the disk",
+}
+posix = pytest.mark.skipif(os.name != "posix", reason="POSIX only")
+
+
+def test_a_file_is_read_whole_up_to_the_limit(tmp_path):
+    (tmp_path / "file").write_bytes(b"12345")
+    assert read_bytes(tmp_path / "file", most=5) == b"12345"
+    with pytest.raises(FileFormatError, match="file: 5 bytes are too large for it, expected at"):
+        read_bytes(tmp_path / "file", most=4)
+
+
+def test_a_file_far_too_large_is_refused_unread(tmp_path):
+    path = tmp_path / "film"
+    with path.open("wb") as file:
+        file.truncate(2**40)
+    with pytest.raises(FileFormatError, match="1099511627776 bytes"):
+        read_bytes(path, most=100)
+
+
+@posix
+def test_a_pipe_is_refused_at_once(tmp_path):
+    os.mkfifo(tmp_path / "pipe")
+    outcome = []
+
+    def read():
+        with pytest.raises(StorageError, match="it is no regular file"):
+            read_bytes(tmp_path / "pipe", most=100)
+        outcome.append("refused")
+
+    reader = threading.Thread(target=read, daemon=True)
+    reader.start()
+    reader.join(30)
+    assert outcome == ["refused"]
+
+
+@posix
+@pytest.mark.parametrize("device", ["/dev/zero", "/dev/null"])
+def test_a_device_is_refused_unread(device):
+    with pytest.raises(StorageError, match="it is no regular file"):
+        read_bytes(Path(device), most=100)
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("nowhere", "It was moved or deleted"),
+        (".", "Check that it is a file|right to read"),
+        ("a\0b", "cannot be read"),
+        ("x" * 300, "cannot be read"),
+        ("file/below", "cannot be read"),
+    ],
+)
+def test_what_cannot_be_read_is_explained_in_one_printable_sentence(tmp_path, name, words):
+    (tmp_path / "file").write_bytes(b"")
+    with pytest.raises(StorageError, match=words) as caught:
+        read_bytes(tmp_path / name, most=100)
+    assert str(caught.value).isprintable()
+    assert not is_there(tmp_path / name) or name == "."
+
+
+@pytest.mark.parametrize("code", ADVICE)
+def test_what_to_do_depends_on_what_was_refused(tmp_path, monkeypatch, code):
+    def failing(*_, **__):
+        raise OSError(code, os.strerror(code))
+
+    monkeypatch.setattr(os, "fsync", failing)
+    with pytest.raises(StorageError, match=ADVICE[code]):
+        write_bytes(tmp_path / "file", b"")
+
+
+@pytest.mark.parametrize("name", ["a\0b", "x" * 300])
+def test_names_that_no_file_can_have_are_explained(tmp_path, name):
+    with pytest.raises(StorageError, match="cannot be written"):
+        write_bytes(tmp_path / name, b"")
+    with pytest.raises(StorageError, match="cannot be written"):
+        make_folder(tmp_path / name)
+    assert not list(tmp_path.iterdir())
+
+
+def test_commands_for_a_terminal_in_a_name_are_written_out(tmp_path):
+    with pytest.raises(StorageError) as caught:
+        write_bytes(tmp_path / "a\x1b[2J  b\n" / "file", b"")
+    assert "a\\x1b[2J  b\\n" in str(caught.value)
+
+
+def old(path: Path, days: float) -> Path:
+    path.write_bytes(b"left behind")
+    os.utime(path, times=(time.time() - days * 86_400,) * 2)
+    return path
+
+
+def test_what_killed_writers_left_long_ago_is_deleted_at_the_next_writing(tmp_path):
+    stale = [old(tmp_path / f".{name}.0123abcd.part", 1.1) for name in ("x.csv", "ä ö", ".y")]
+    kept = [
+        old(tmp_path / ".x.csv.89abcdef.part", 0.9),
+        old(tmp_path / "x.csv.0123abcd.part", 9),
+        old(tmp_path / ".x.csv.0123abcg.part", 9),
+        old(tmp_path / ".x.csv.part", 9),
+        old(tmp_path / "x.csv", 9),
+    ]
+    folder = tmp_path / ".folder.0123abcd.part"
+    folder.mkdir()
+    os.utime(folder, times=(0, 0))
+    write_bytes(tmp_path / "new", b"")
+    assert not any(path.exists() for path in stale)
+    assert all(path.exists() for path in (*kept, folder))
+
+
+@posix
+def test_a_link_that_looks_like_a_leftover_leads_nowhere(tmp_path):
+    aim = old(tmp_path / "precious", 9)
+    (tmp_path / ".x.0123abcd.part").symlink_to(aim)
+    os.utime(tmp_path / ".x.0123abcd.part", times=(0, 0), follow_symlinks=False)
+    write_bytes(tmp_path / "new", b"")
+    assert aim.exists()
+
+
+def test_leftovers_that_cannot_be_deleted_do_not_matter(tmp_path, monkeypatch):
+    old(tmp_path / ".x.0123abcd.part", 9)
+    monkeypatch.setattr(Path, "unlink", lambda *_, **__: (_ for _ in ()).throw(PermissionError()))
+    monkeypatch.setattr(os, "scandir", lambda _: (_ for _ in ()).throw(PermissionError()))
+    write_bytes(tmp_path / "new", b"written")
+    assert (tmp_path / "new").read_bytes() == b"written"
