@@ -18,7 +18,7 @@ from skinsource_gui.panel import Panel
 from skinsource_gui.panels.hand.panel import HandPanel
 from skinsource_gui.panels.inputs.panel import InputsPanel
 from skinsource_gui.panels.inspector.panel import InspectorPanel
-from skinsource_gui.panels.skin.panel import SurfacePanel
+from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.panels.spectra.panel import SpectraPanel
 from skinsource_gui.panels.traces.panel import TracesPanel
 from skinsource_gui.shell.arrangements import arrange_design
@@ -66,7 +66,7 @@ class MainWindow(QMainWindow):
         self.preferences = preferences
         self.document = Document(design, view, self)
         self.engine = PatientEngine(new_graph(), self)
-        self.hand, self.skin = HandPanel(), SurfacePanel()
+        self.hand, self.skin = HandPanel(), SkinPanel()
         self.inputs, self.inspector = InputsPanel(), InspectorPanel()
         self.traces, self.spectra = TracesPanel(), SpectraPanel()
         # In the order in which the keyboard reaches them.

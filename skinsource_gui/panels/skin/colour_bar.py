@@ -9,8 +9,13 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from skinsource_gui.panels.skin.colour_strip import ColourStrip
-from skinsource_gui.panels.skin.level_field import LevelField
-from skinsource_gui.panels.skin.level_range import AutomaticRange, Range, with_high, with_low
+from skinsource_gui.panels.skin.level_field import high_field, low_field
+from skinsource_gui.panels.skin.level_range import (
+    Range,
+    automatic_range,
+    pushed_high,
+    pushed_low,
+)
 from skinsource_gui.theme import UNIT_PX, Theme
 
 
@@ -22,17 +27,17 @@ class ColourBar(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._automatic = AutomaticRange()
         self._chosen: Range | None = None
         self.range_db: Range = (-50.0, 0.0)
         self.strip = ColourStrip(self)
-        self.high_field = LevelField("range_high_field", "Level of the highest colour", self)
-        self.low_field = LevelField("range_low_field", "Level of the lowest colour", self)
+        self.high_field, self.low_field = high_field(self), low_field(self)
         self.auto_button = QToolButton(self)
         self.auto_button.setObjectName("range_auto")
         self.auto_button.setText("Auto")
         self.auto_button.setAccessibleName("Automatic range")
-        self.auto_button.setToolTip("The range follows the loudest output: 50 dB below it")
+        self.auto_button.setToolTip(
+            "The range follows the loudest output: 50 dB, up to the next 5 dB"
+        )
         self.auto_button.setCheckable(True)
         self.auto_button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.auto_button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -57,15 +62,13 @@ class ColourBar(QWidget):
             self.setTabOrder(before, after)
         self.setFixedWidth(self._width())
         self.strip.range_chosen.connect(self.range_chosen)
-        self.high_field.level_chosen.connect(self._choose_high)
-        self.low_field.level_chosen.connect(self._choose_low)
+        self.high_field.edited.connect(self._choose_high)
+        self.low_field.edited.connect(self._choose_low)
         self.auto_button.clicked.connect(self._switch)
         self.choose(None)
 
     def choose(self, range_db: Range | None) -> None:
         """Show a range, or the automatic one."""
-        if range_db is None and self._chosen is not None:
-            self._automatic.restart()
         self._chosen = range_db
         self.auto_button.setChecked(range_db is None)
         self._show(self.range_db if range_db is None else range_db)
@@ -73,7 +76,7 @@ class ColourBar(QWidget):
     def follow(self, levels_db: NDArray[np.float64]) -> None:
         """Let the automatic range follow the levels of all outputs."""
         if self._chosen is None:
-            self._show(self._automatic.follow(levels_db))
+            self._show(automatic_range(levels_db))
 
     def show_marks(self, marks: tuple[tuple[float, QColor], ...]) -> None:
         """Show levels of selected outputs, each in its colour."""
@@ -87,19 +90,14 @@ class ColourBar(QWidget):
     def _show(self, range_db: Range) -> None:
         self.range_db = range_db
         self.strip.show_range(range_db)
-        self.low_field.show_level(range_db[0])
-        self.high_field.show_level(range_db[1])
+        self.low_field.set_value(round(range_db[0], 1))
+        self.high_field.set_value(round(range_db[1], 1))
 
     def _choose_high(self, level_db: float) -> None:
-        self._tell(with_high(self.range_db, level_db))
+        self.range_chosen.emit(pushed_high(self.range_db, level_db))
 
     def _choose_low(self, level_db: float) -> None:
-        self._tell(with_low(self.range_db, level_db))
-
-    def _tell(self, range_db: Range) -> None:
-        self.range_chosen.emit(range_db)
-        # Where an end could not go as far as asked, its field returns.
-        self._show(self.range_db)
+        self.range_chosen.emit(pushed_low(self.range_db, level_db))
 
     def _switch(self, automatic: bool) -> None:
         self.range_chosen.emit(None if automatic else self.range_db)

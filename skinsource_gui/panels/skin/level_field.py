@@ -1,30 +1,29 @@
-"""A number field for a level."""
+"""A number field for an end of the range."""
 
-from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
 from skinsource.fields import NumberSpec
-from skinsource_gui.panels.skin.level_range import HIGHEST_DB, LOWEST_DB
+from skinsource_gui.panels.skin.level_range import HIGHEST_DB, LOWEST_DB, SMALLEST_SPAN_DB
 from skinsource_gui.widgets.fields.number_field import NumberField
 
 _UNIT = "dB"
 
 
-class LevelField(NumberField):
-    """A level in dB, typed, dragged, or stepped with the arrow keys or the wheel."""
+def high_field(parent: QWidget) -> NumberField:
+    """Field for the level of the highest colour."""
+    return _level_field(
+        "range_high_field", "Level of the highest colour", LOWEST_DB + SMALLEST_SPAN_DB, parent
+    )
 
-    #: A level the user entered.
-    level_chosen = Signal(float)
 
-    def __init__(self, name: str, words: str, parent: QWidget | None = None) -> None:
-        spec = NumberSpec(label=words, unit=_UNIT, minimum=LOWEST_DB, maximum=HIGHEST_DB, step=1.0)
-        super().__init__(spec, parent, widest_unit=_UNIT)
-        self.setObjectName(name)
-        self.edited.connect(self._tell)
+def low_field(parent: QWidget) -> NumberField:
+    """Field for the level of the lowest colour."""
+    return _level_field("range_low_field", "Level of the lowest colour", LOWEST_DB, parent)
 
-    def show_level(self, level_db: float) -> None:
-        """Show a level without telling that it was chosen; what is being typed stays."""
-        self.set_value(round(level_db, 1))
 
-    def _tell(self, level_db: float) -> None:
-        self.level_chosen.emit(level_db)
+def _level_field(name: str, words: str, lowest_db: float, parent: QWidget) -> NumberField:
+    highest_db = HIGHEST_DB - (LOWEST_DB + SMALLEST_SPAN_DB - lowest_db)
+    spec = NumberSpec(label=words, unit=_UNIT, minimum=lowest_db, maximum=highest_db, step=1.0)
+    field = NumberField(spec, parent, widest_unit=_UNIT)
+    field.setObjectName(name)
+    return field

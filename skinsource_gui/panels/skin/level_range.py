@@ -15,48 +15,49 @@ SMALLEST_SPAN_DB = 1.0
 AUTOMATIC_SPAN_DB = 50.0
 
 _ROUND_TO_DB = 5.0
-# How far below the round level the loudest output must fall before the range follows it down.
-_SLACK_DB = 3.0
 _TICK_STEPS_DB = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 
 
-class AutomaticRange:
-    """A range that follows the loudest output without flickering.
+def automatic_range(levels_db: NDArray[np.float64]) -> Range:
+    """Range for these levels, and for nothing that was shown before.
 
-    Its top is the loudest level rounded up to 5 dB.  It falls only when the loudest output is
-    well below the next lower step.
+    Its top is the loudest level rounded up to 5 dB; in silence it is 0 dB.
     """
-
-    def __init__(self) -> None:
-        self._top_db: float | None = None
-
-    def restart(self) -> None:
-        """Forget what was shown before."""
-        self._top_db = None
-
-    def follow(self, levels_db: NDArray[np.float64]) -> Range:
-        """Range for these levels; silence changes nothing."""
-        loudest = float(np.max(levels_db))
-        top = 0.0 if self._top_db is None else self._top_db
-        if loudest > FLOOR_DB:
-            keeps = self._top_db is not None and (top - _ROUND_TO_DB - _SLACK_DB <= loudest <= top)
-            if not keeps:
-                top = math.ceil(loudest / _ROUND_TO_DB) * _ROUND_TO_DB
-                top = min(max(top, LOWEST_DB + AUTOMATIC_SPAN_DB), HIGHEST_DB)
-                self._top_db = top
-        return top - AUTOMATIC_SPAN_DB, top
+    loudest = float(np.max(levels_db))
+    top = 0.0
+    if loudest > FLOOR_DB:
+        # What rounding has added to a level is not worth five more decibels.
+        top = math.ceil(loudest / _ROUND_TO_DB - 1e-9) * _ROUND_TO_DB
+        top = min(max(top, LOWEST_DB + AUTOMATIC_SPAN_DB), HIGHEST_DB)
+    return top - AUTOMATIC_SPAN_DB, top
 
 
 def with_low(range_db: Range, low_db: float) -> Range:
-    """The range with another lower end, as far as the upper one allows."""
+    """The range with its lower end dragged, as far as the upper one allows."""
     high = range_db[1]
     return min(max(low_db, LOWEST_DB), high - SMALLEST_SPAN_DB), high
 
 
 def with_high(range_db: Range, high_db: float) -> Range:
-    """The range with another upper end, as far as the lower one allows."""
+    """The range with its upper end dragged, as far as the lower one allows."""
     low = range_db[0]
     return low, max(min(high_db, HIGHEST_DB), low + SMALLEST_SPAN_DB)
+
+
+def pushed_low(range_db: Range, low_db: float) -> Range:
+    """The range with another lower end; an upper end in its way goes along with it."""
+    low, high = range_db
+    if low_db > high - SMALLEST_SPAN_DB:
+        high = min(low_db + (high - low), HIGHEST_DB)
+    return low_db, high
+
+
+def pushed_high(range_db: Range, high_db: float) -> Range:
+    """The range with another upper end; a lower end in its way goes along with it."""
+    low, high = range_db
+    if high_db < low + SMALLEST_SPAN_DB:
+        low = max(high_db - (high - low), LOWEST_DB)
+    return low, high_db
 
 
 def moved(range_db: Range, by_db: float) -> Range:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import (
     QColor,
     QFont,
@@ -212,11 +212,15 @@ def _paint_labels(painter: QPainter, content: MapContent, layout: MapLayout, the
         return
     radius = ring_radius(dorsal[0], content, layout)
     ground = QColor(theme.base)
-    ground.setAlphaF(0.9)
     painter.setBrush(ground)
     for label in output_labels(dorsal, layout, radius, QFontMetricsF(painter.font())):
         colour = theme.output_colour(content.outputs.index(label.number))
         painter.setPen(QPen(colour, 1))
+        if label.far:
+            centre = QPointF(*layout.points[label.number - 1])
+            edge = QLineF(centre, label.area.center())
+            edge.setLength(radius)
+            painter.drawLine(QLineF(edge.p2(), label.area.center()))
         painter.drawRoundedRect(label.area, 3 * layout.unit, 3 * layout.unit)
         painter.setPen(QColor(theme.text))
         painter.drawText(label.area, Qt.AlignmentFlag.AlignCenter, str(label.number))

@@ -1,26 +1,33 @@
-"""Numbers beside the selected outputs, where there is room for them."""
+"""Where the numbers of selected outputs stand."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import product
 
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QFontMetricsF
 
 from skinsource_gui.panels.skin.map_layout import MapLayout
 
+# Directions in which a label may lie from its ring, the better ones first, and how far beyond
+# the nearest place, in heights of a label.
+_WAYS = ((1, 0), (-1, 0), (0, -1), (0, 1), (1, -1), (-1, -1), (1, 1), (-1, 1))
+_FURTHER = (0.0, 0.8)
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OutputLabel:
-    """A number and the area it is written in."""
+    """A number and the area it is written in; ``far`` from its ring a line leads to it."""
 
     number: int
     area: QRectF
+    far: bool
 
 
 def output_labels(
     numbers: Iterable[int], layout: MapLayout, radius: float, metrics: QFontMetricsF
 ) -> tuple[OutputLabel, ...]:
-    """Labels of dorsal outputs, each beside its ring, rather not on another one's ring.
+    """Labels of dorsal outputs, each beside its ring and on as few other rings as possible.
 
     One that would cover another label is left out.
 
@@ -37,20 +44,18 @@ def output_labels(
     """
     wanted = tuple(numbers)
     rings = [square(QPointF(*layout.points[number - 1]), radius) for number in wanted]
+    gap = 1.5 * layout.unit
     placed: list[OutputLabel] = []
     for number in wanted:
-        x, y = layout.points[number - 1]
-        width = metrics.horizontalAdvance(str(number)) + 6 * layout.unit
-        height = metrics.height()
-        areas = _around(QPointF(x, y), width, height, radius + 3 * layout.unit)
+        taken = [label.area.adjusted(-gap, -gap, gap, gap) for label in placed]
         free = [
-            area
-            for area in areas
-            if layout.room.contains(area) and not any(area.intersects(p.area) for p in placed)
+            label
+            for label in _candidates(number, layout, radius, metrics)
+            if layout.room.contains(label.area) and not any(map(label.area.intersects, taken))
         ]
         if free:
-            clear = (area for area in free if not any(area.intersects(ring) for ring in rings))
-            placed.append(OutputLabel(number=number, area=next(clear, free[0])))
+            # The first of those that cover the fewest rings.
+            placed.append(min(free, key=lambda one: sum(map(one.area.intersects, rings))))
     return tuple(placed)
 
 
@@ -59,12 +64,19 @@ def square(centre: QPointF, radius: float) -> QRectF:
     return QRectF(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius)
 
 
-def _around(centre: QPointF, width: float, height: float, away: float) -> tuple[QRectF, ...]:
-    """Areas to the right, to the left, above and below."""
-    x, y = centre.x(), centre.y()
-    return (
-        QRectF(x + away, y - height / 2, width, height),
-        QRectF(x - away - width, y - height / 2, width, height),
-        QRectF(x - width / 2, y - away - height, width, height),
-        QRectF(x - width / 2, y + away, width, height),
-    )
+def _candidates(
+    number: int, layout: MapLayout, radius: float, metrics: QFontMetricsF
+) -> list[OutputLabel]:
+    x, y = layout.points[number - 1]
+    width = metrics.horizontalAdvance(str(number)) + 6 * layout.unit
+    height = metrics.height()
+    labels = []
+    for further, (right, down) in product(_FURTHER, _WAYS):
+        away = radius + 3 * layout.unit + further * height
+        if right and down:
+            away *= 0.75  # the same distance from the ring, slantwise
+        centre = QPointF(x + right * (away + width / 2), y + down * (away + height / 2))
+        corner = centre - QPointF(width / 2, height / 2)
+        area = QRectF(corner.x(), corner.y(), width, height)
+        labels.append(OutputLabel(number=number, area=area, far=further > 0))
+    return labels

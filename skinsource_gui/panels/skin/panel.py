@@ -31,7 +31,7 @@ SILENT = "Silent: nothing is driven"
 _PATIENCE_MS = 150
 
 
-class SurfacePanel(Panel):
+class SkinPanel(Panel):
     """RMS level over the back of the hand and arm, on which outputs are selected."""
 
     title: ClassVar[str] = "Skin"

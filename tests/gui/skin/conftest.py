@@ -3,7 +3,7 @@ import pytest
 
 from skinsource.catalogue import load_limb
 from skinsource.surface import surface_operator
-from skinsource_gui.panels.skin.panel import SurfacePanel
+from skinsource_gui.panels.skin.panel import SkinPanel
 from tests.gui.skin.bench import (
     SEED,
     Window,
@@ -27,7 +27,7 @@ def results():
 
 @pytest.fixture
 def window(qtbot, results):
-    panel = SurfacePanel()
+    panel = SkinPanel()
     qtbot.addWidget(panel)
     panel.resize(420, 640)
     window = Window(panel, results)

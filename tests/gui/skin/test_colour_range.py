@@ -3,7 +3,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from skinsource_gui.panels.skin.level_range import AutomaticRange, tick_levels
+from skinsource_gui.panels.skin.level_range import automatic_range, tick_levels
 from tests.gui.skin.bench import (
     CONTROL,
     LEFT,
@@ -19,11 +19,20 @@ def test_the_automatic_range_holds_the_loudest_output(window):
     assert window.panel.colour_bar.auto_button.isChecked()
 
 
-def test_the_automatic_range_does_not_flicker():
-    follows, tops = AutomaticRange(), []
-    for loudest in (-11.0, -9.9, -12.9, -5.2, -4.9, -7.9, -8.1, -17.9, -18.1, -200.0):
-        tops.append(follows.follow(np.array([-200.0, loudest]))[1])
-    assert tops == [-10, -5, -5, -5, 0, 0, -5, -15, -15, -15]
+def test_the_automatic_range_depends_on_the_present_levels_only(window):
+    for loudest, top in (
+        (-11.0, -10),
+        (-5.0, -5),
+        (-4.9, 0),
+        (-8.1, -5),
+        (-200.0, 0),
+        (-17.9, -15),
+    ):
+        assert automatic_range(np.array([-200.0, loudest])) == (top - 50.0, top)
+    before = window.panel.colour_bar.range_db
+    for by in (7.0, 0.0):
+        window.deliver(output_levels_db=window.results["output_levels_db"] + by)
+    assert window.panel.colour_bar.range_db == before
 
 
 def test_a_handle_is_dragged(window):
@@ -96,13 +105,34 @@ def test_a_level_may_have_a_decimal_comma_and_a_unit(window):
     assert window.view.map_range_db == (-45.5, -10.0)
 
 
-def test_an_impossible_level_goes_as_far_as_it_can(window):
-    field = window.panel.colour_bar.low_field
-    field.selectAll()
-    QTest.keyClicks(field, "30")
+@pytest.mark.parametrize(
+    ("name", "typed", "range_db"),
+    [
+        ("high_field", "-100", (-150.0, -100.0)),
+        ("high_field", "-59.5", (-109.5, -59.5)),
+        ("high_field", "-59", (-60.0, -59.0)),
+        ("high_field", "-190", (-200.0, -190.0)),
+        ("low_field", "30", (30.0, 80.0)),
+        ("low_field", "190", (190.0, 200.0)),
+    ],
+)
+def test_a_typed_end_pushes_the_other_one_before_it(window, name, typed, range_db):
+    bar = window.panel.colour_bar
+    field = getattr(bar, name)
+    QTest.keyClicks(field, typed)
     QTest.keyClick(field, Qt.Key.Key_Return)
-    assert window.view.map_range_db == (-11.0, -10.0)
-    assert field.value_si == -11.0
+    assert window.view.map_range_db == range_db
+    assert (bar.low_field.value_si, bar.high_field.value_si) == range_db
+
+
+def test_an_end_that_leaves_no_room_for_the_other_is_refused_with_a_sentence(window):
+    field = window.panel.colour_bar.high_field
+    QTest.keyClicks(field, "-200")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert field.problem == (
+        "Level of the highest colour: -200 dB is too low. Allowed: -199 to 200 dB."
+    )
+    assert window.views == []
 
 
 def test_the_switch_holds_the_range_and_frees_it(window):

@@ -10,7 +10,7 @@ from skinsource_gui.panels.skin.colour_maps import colour_indices, colour_table
 from skinsource_gui.panels.skin.field_image import FieldImage
 from skinsource_gui.panels.skin.map_canvas import MapCanvas
 from skinsource_gui.panels.skin.map_content import MapContent
-from skinsource_gui.panels.skin.panel import SILENT, SurfacePanel
+from skinsource_gui.panels.skin.panel import SILENT, SkinPanel
 from tests.gui.skin.bench import (
     SEED,
     pixel,
@@ -148,10 +148,10 @@ def test_a_problem_empties_the_map_and_is_told_there(window):
 
 
 def test_a_problem_before_any_result_is_told(qtbot):
-    panel = SurfacePanel()
+    panel = SkinPanel()
     qtbot.addWidget(panel)
     panel.show_problem("no dataset is installed")
-    empty = SurfacePanel()
+    empty = SkinPanel()
     qtbot.addWidget(empty)
     assert panel.grab().toImage() != empty.grab().toImage()
 

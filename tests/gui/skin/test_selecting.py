@@ -1,7 +1,10 @@
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
+from PySide6.QtGui import QFontMetricsF
 from PySide6.QtTest import QTest
 
+from skinsource_gui.panels.skin.map_painter import ring_radius, small_font
+from skinsource_gui.panels.skin.output_labels import output_labels, square
 from skinsource_gui.panels.skin.output_picking import DORSAL_OUTPUTS, output_beyond
 from tests.gui.skin.bench import CONTROL, LEFT, PLAIN, SHIFT, click, drag, empty_place, place
 
@@ -106,3 +109,18 @@ def test_arrows_reach_every_output(window):
                 reached.add(beyond)
                 waiting.append(beyond)
     assert reached == set(range(1, 73))
+
+
+@pytest.mark.parametrize("size", [(300, 330), (340, 480), (420, 640)])
+@pytest.mark.parametrize("outputs", [(54, 55, 70, 72), tuple(range(67, 73)), (52, 53, 54, 55)])
+def test_labels_of_neighbours_cover_neither_each_other_nor_a_ring(window, size, outputs):
+    window.panel.resize(*size)
+    layout = window.panel.map.map_layout()
+    metrics = QFontMetricsF(small_font(window.panel.map.font()))
+    radius = ring_radius(54, window.panel.map.content, layout)
+    labels = output_labels(outputs, layout, radius, metrics)
+    rings = [square(window.panel.map.place_of(number), radius) for number in outputs]
+    assert [label.number for label in labels] == list(outputs)
+    for label in labels:
+        others = [one.area for one in labels if one is not label]
+        assert not any(map(label.area.intersects, others + rings)), label
