@@ -156,7 +156,7 @@ def made_up_store(made_up_download, tmp_path_factory) -> Iterator[Path]:
     from skinsource.dataset.install import install
 
     folder = tmp_path_factory.mktemp("made-up-store")
-    yield install(made_up_download, folder=folder).path
+    yield install(made_up_download, unpublished=True, folder=folder).path
     shutil.rmtree(folder, ignore_errors=True)
 
 

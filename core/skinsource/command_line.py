@@ -62,7 +62,8 @@ def _limbs(_: argparse.Namespace) -> int:
         limb = load_limb(name)
         word = word_of(LIMBS, name)
         mark = "SYNTHETIC  " if limb.synthetic else ""
-        sys.stdout.write(f"{name:12}  {word.title:22}  {mark}{word.sentence}\n")
+        note = f"  NOTE: {limb.note}" if limb.note else ""
+        sys.stdout.write(f"{name:12}  {word.title:22}  {mark}{word.sentence}{note}\n")
     return 0
 
 

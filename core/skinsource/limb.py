@@ -68,6 +68,9 @@ class Limb:
         Whether the responses are computed, not measured.  Every view and export says so.
     map
         Places on the dorsal map, a `LimbMap`.
+    note
+        What the user should know of the data, such as that they are not the published ones; shown
+        with the limb's name by every view and export.  Empty where there is nothing to say.
     bytes_read
         How many bytes of responses were read or computed so far.
     """
@@ -81,12 +84,14 @@ class Limb:
         map: LimbMap,
         read_response: Callable[[int], Floats],
         sample_rate_hz: float = SAMPLE_RATE_HZ,
+        note: str = "",
     ) -> None:
         self.name = name
         self.hand_length_mm = hand_length_mm
         self.synthetic = synthetic
         self.map = map
         self.sample_rate_hz = sample_rate_hz
+        self.note = note
         self.bytes_read = 0
         self._read_response = read_response
         self._responses: dict[int, Floats] = {}

@@ -66,24 +66,29 @@ def test_limbs_lists_the_synthetic_limbs_and_says_what_they_are(run):
 def test_limbs_lists_installed_limbs_first(run, made_up_installed):
     _, out, _ = run("limbs")
     assert out.startswith("measured-1    Measured 1 (175 mm)     Impulse responses measured")
+    assert "NOTE: made from files that are not the published ones" in out
     assert len(out.splitlines()) == 8
 
 
 def test_install_list_verify_remove(run, made_up_download, user_data):
-    code, out, err = run("dataset", "install", made_up_download)
+    code, out, err = run("dataset", "install", made_up_download, "--unpublished")
     store = user_data / "measured.h5"
     assert (code, err) == (0, "")
-    assert out == f"Installed measured-1 to measured-4 (73.4 MB) in {store}\n"
+    first, second = out.splitlines()
+    assert first == f"Installed measured-1 to measured-4 (73.4 MB) in {store}"
+    assert second.startswith("NOTE       made from files that are not the published ones: ")
 
     code, out, err = run("dataset", "list")
     assert (code, err) == (0, "")
     assert "measured-3  hand length 185 mm\n" in out
     assert f"store      {store} (73.4 MB)\n" in out
     assert "made from  impulseResponses.mat" in out
+    assert "NOTE       made from files that are not the published ones: " in out
 
     code, out, err = run("dataset", "verify")
     assert (code, err) == (0, "")
     assert "every checksum matches" in out
+    assert "NOTE       made from files that are not the published ones: " in out
 
     code, out, err = run("dataset", "remove", "--yes")
     assert (code, err) == (0, "")

@@ -24,7 +24,7 @@ def refused(download, user_data):
 
     def attempt(error=DatasetError):
         with pytest.raises(error) as caught:
-            install(download)
+            install(download, unpublished=True)
         assert list(user_data.iterdir()) == []
         return str(caught.value)
 
@@ -72,6 +72,15 @@ def test_a_repeated_row_is_refused(refused_rows, complete_rows):
     rows = list(complete_rows)
     rows[30] = rows[29]
     assert "row 31 (model 2, location 10) repeats an earlier row" in refused_rows(rows)
+
+
+def test_a_row_with_the_values_of_another_is_refused(refused_rows, complete_rows):
+    rows = list(complete_rows)
+    rows[30] = (rows[29][0], *rows[30][1:])
+    assert (
+        "row 31 (model 2, location 11) holds the values of row 30 (model 2, location 10), expected "
+        "its own"
+    ) in refused_rows(rows)
 
 
 def test_a_missing_row_is_named(refused_rows, complete_rows):

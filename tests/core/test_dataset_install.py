@@ -47,7 +47,7 @@ def test_both_matlab_encodings_give_the_same_bits(
     folder = tmp_path / "v7"
     shutil.copytree(made_up_download, folder)
     write_table(folder / "impulseResponses.mat", complete_rows, "v7")
-    store = install(folder).path
+    store = install(folder, unpublished=True).path
     _assert_same_content(store, made_up_store)
 
 
@@ -57,7 +57,7 @@ def test_the_order_of_the_rows_does_not_matter(
     folder = tmp_path / "reversed"
     shutil.copytree(made_up_download, folder)
     write_table(folder / "impulseResponses.mat", complete_rows[::-1])
-    _assert_same_content(install(folder).path, made_up_store)
+    _assert_same_content(install(folder, unpublished=True).path, made_up_store)
 
 
 def test_the_measured_dataset_in_v7_gives_the_same_bits(
@@ -70,7 +70,7 @@ def test_the_measured_dataset_in_v7_gives_the_same_bits(
     path = folder / "impulseResponses.mat"
     matio.save_to_mat(str(path), read, version="v7", do_compression=False)
     assert b"MATLAB 5.0" in path.read_bytes()[:128]
-    store = install(folder).path
+    store = install(folder, unpublished=True).path
     path.unlink()
     _assert_same_content(store, installed_dataset / "measured.h5")
 
@@ -94,12 +94,12 @@ def test_the_files_are_found_where_a_download_puts_them(
     shutil.copytree(made_up_download / "visualization", folder / maps)
     (folder / responses).parent.mkdir(parents=True, exist_ok=True)
     shutil.copy(made_up_download / "impulseResponses.mat", folder / responses)
-    assert install(folder / given).path == user_data / "measured.h5"
+    assert install(folder / given, unpublished=True).path == user_data / "measured.h5"
 
 
 def test_progress_ends_at_its_total_and_never_goes_back(made_up_download, user_data):
     seen = []
-    install(made_up_download, progress=lambda *report: seen.append(report))
+    install(made_up_download, unpublished=True, progress=lambda *report: seen.append(report))
     done = [report[0] for report in seen]
     assert done == sorted(done)
     assert seen[-1][0] == seen[-1][1] == 160
@@ -110,7 +110,7 @@ def test_progress_ends_at_its_total_and_never_goes_back(made_up_download, user_d
 def test_a_cancel_at_any_moment_leaves_nothing(made_up_download, user_data, asked):
     answers = iter([False] * asked)
     with pytest.raises(Stopped, match="nothing was changed"):
-        install(made_up_download, stop=lambda: next(answers, True))
+        install(made_up_download, unpublished=True, stop=lambda: next(answers, True))
     assert next(answers, None) is None
     assert list(user_data.iterdir()) == []
 
@@ -121,7 +121,7 @@ def test_ctrl_c_while_writing_leaves_nothing(made_up_download, user_data):
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        install(made_up_download, progress=interrupt)
+        install(made_up_download, unpublished=True, progress=interrupt)
     assert list(user_data.iterdir()) == []
 
 
@@ -133,7 +133,7 @@ def test_writing_that_fails_midway_leaves_nothing(made_up_download, user_data):
     resource.setrlimit(resource.RLIMIT_FSIZE, (20_000_000, usual[1]))
     try:
         with pytest.raises(StorageError, match=r"measured\.h5: cannot be written \(.*Free some"):
-            install(made_up_download)
+            install(made_up_download, unpublished=True)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, usual)
     assert list(user_data.iterdir()) == []
@@ -147,7 +147,7 @@ def test_a_disk_found_full_at_the_last_moment_leaves_nothing(
 
     monkeypatch.setattr(os, "fsync", full)
     with pytest.raises(StorageError, match="No space left on device"):
-        install(made_up_download)
+        install(made_up_download, unpublished=True)
     assert list(user_data.iterdir()) == []
 
 
@@ -159,14 +159,14 @@ def test_a_folder_that_may_not_be_written_is_one_clear_error(
 
     monkeypatch.setattr(os, "open", refuse)
     with pytest.raises(StorageError, match=r"Permission denied.*Choose a folder you may write"):
-        install(made_up_download)
+        install(made_up_download, unpublished=True)
     assert list(user_data.iterdir()) == []
 
 
 def test_a_user_folder_that_cannot_be_made_is_one_clear_error(made_up_download, tmp_path):
     (tmp_path / "file").write_text("in the way")
     with pytest.raises(StorageError, match="cannot be written"):
-        install(made_up_download, folder=tmp_path / "file" / "below")
+        install(made_up_download, unpublished=True, folder=tmp_path / "file" / "below")
 
 
 def test_a_failure_keeps_the_old_store(made_up_download, made_up_installed, tmp_path):
@@ -175,10 +175,10 @@ def test_a_failure_keeps_the_old_store(made_up_download, made_up_installed, tmp_
     shutil.copytree(made_up_download, broken)
     (broken / "impulseResponses.mat").write_bytes(b"nonsense")
     with pytest.raises(DatasetError):
-        install(broken)
+        install(broken, unpublished=True)
     answers = iter([False] * 85)
     with pytest.raises(Stopped):
-        install(made_up_download, stop=lambda: next(answers, True))
+        install(made_up_download, unpublished=True, stop=lambda: next(answers, True))
     assert made_up_installed.read_bytes() == before
     assert [path.name for path in made_up_installed.parent.iterdir()] == ["measured.h5"]
 
@@ -190,13 +190,35 @@ def test_a_second_installation_replaces_the_first(
     shutil.copytree(made_up_download, folder)
     rows = [(data + 1, limb, place) for data, limb, place in complete_rows]
     write_table(folder / "impulseResponses.mat", rows)
-    install(folder)
+    install(folder, unpublished=True)
     assert load_measured_limb(1).response_to(1)[0, 0, 0] == 2.01
     assert [path.name for path in made_up_installed.parent.iterdir()] == ["measured.h5"]
 
 
+def test_map_files_that_are_not_the_published_ones_are_refused_unless_meant(
+    made_up_download, user_data
+):
+    with pytest.raises(DatasetError, match=r"not the published content: .*mask2.*--unpublished"):
+        install(made_up_download)
+    assert list(user_data.iterdir()) == []
+
+
+def test_one_flipped_bit_of_a_published_map_file_is_refused(dataset_folder, tmp_path):
+    folder = tmp_path / "download"
+    folder.mkdir()
+    (folder / "impulseResponses.mat").symlink_to(dataset_folder / "impulseResponses.mat")
+    shutil.copytree(dataset_folder / "visualization", folder / "visualization")
+    path = folder / "visualization" / "outputLocations.mat"
+    content = bytearray(path.read_bytes())
+    content[len(content) // 2] ^= 1
+    path.chmod(0o600)
+    path.write_bytes(content)
+    with pytest.raises(DatasetError, match=r"content: outputLocations\.mat \(the checksum differs"):
+        install(folder)
+
+
 def test_the_store_tells_what_it_was_made_from(made_up_download, user_data):
-    info = install(made_up_download)
+    info = install(made_up_download, unpublished=True)
     assert info == describe()
     assert is_installed()
     assert info.limbs == (1, 2, 3, 4)
@@ -216,7 +238,7 @@ def test_the_source_may_have_any_name(made_up_download, user_data, tmp_path, nam
         (folder / "impulseResponses.mat").rename(folder / name)
     except OSError as error:
         pytest.skip(f"the file system refuses the name: {error}")
-    install(folder / name)
+    install(folder / name, unpublished=True)
     assert describe().source_name == name.encode(errors="backslashreplace").decode()
 
 
@@ -229,7 +251,7 @@ def test_a_store_that_is_a_link_is_replaced_behind_the_link(
         (user_data / "measured.h5").symlink_to(elsewhere)
     except OSError as error:
         pytest.skip(f"links cannot be made here: {error}")
-    install(made_up_download)
+    install(made_up_download, unpublished=True)
     assert (user_data / "measured.h5").is_symlink()
     _assert_same_content(elsewhere, made_up_store)
 

@@ -174,3 +174,16 @@ def test_the_table_of_levels_names_the_loudest_output_that_was_checked(tmp_path,
     checked = [line for line in about if "the loudest" in line]
     assert len(checked) == 1
     assert f"the traces of output {loudest:.0f}, the loudest" in checked[0]
+
+
+def test_what_is_noted_of_a_limb_stands_in_every_export(tmp_path, monkeypatch, made_up_limbs):
+    def load(name: str) -> Limb:
+        limb = made_up_limbs(name)
+        limb.note = "made from files that are not the published ones: impulseResponses.mat"
+        return limb
+
+    monkeypatch.setattr(quantities, "load_limb", load)
+    for export in (export_levels, export_traces):
+        export(tmp_path / "table.csv", Design(limb="measured-1", inputs=INPUTS), VIEW)
+        about, _, _ = read(tmp_path / "table.csv")
+        assert any("not the published ones: impulseResponses.mat" in line for line in about)

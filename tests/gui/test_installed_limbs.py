@@ -25,7 +25,7 @@ def test_limbs_that_are_installed_while_the_studio_runs_can_be_used_at_once(
     count, hints = offered(window)
     assert count == 4
     assert hints[0].startswith("Not installed")
-    install(made_up_download, folder=user_data)
+    install(made_up_download, unpublished=True, folder=user_data)
     come_back_to(window)
     count, hints = offered(window)
     assert count == 8

@@ -37,6 +37,11 @@ def add_to(subparsers: Any) -> None:
         help="folder that holds impulseResponses.mat and the toolbox's folder 'visualization', "
         "or impulseResponses.mat itself with that folder beside it",
     )
+    one.add_argument(
+        "--unpublished",
+        action="store_true",
+        help="accept map files that are not the published ones",
+    )
     one.set_defaults(run=_install)
 
     one = actions.add_parser("fetch", help="download (70 MB) and install")
@@ -54,7 +59,7 @@ def add_to(subparsers: Any) -> None:
 
 def _install(arguments: argparse.Namespace) -> int:
     with ProgressBar(sys.stderr) as bar:
-        info = install(arguments.path, progress=bar)
+        info = install(arguments.path, unpublished=arguments.unpublished, progress=bar)
     _say_installed(info)
     return 0
 
@@ -81,6 +86,7 @@ def _list(_: argparse.Namespace) -> int:
         f"made from  {info.source_name} ({info.source_bytes} bytes)\n"
         f"sha256     {info.source_sha256}\n"
     )
+    _say_note(info)
     return 0
 
 
@@ -93,6 +99,7 @@ def _verify(_: argparse.Namespace) -> int:
         sys.stderr.write(f"skinsource: the measured dataset is damaged. {REINSTALL}\n")
         return 1
     sys.stdout.write("The measured dataset is whole: every checksum matches.\n")
+    _say_note(describe())
     return 0
 
 
@@ -122,6 +129,12 @@ def _say_installed(info: StoreInfo) -> None:
         f"Installed measured-{info.limbs[0]} to measured-{info.limbs[-1]} "
         f"({_megabytes(info.size_bytes)}) in {info.path}\n"
     )
+    _say_note(info)
+
+
+def _say_note(info: StoreInfo) -> None:
+    if info.note:
+        sys.stdout.write(f"NOTE       {info.note}\n")
 
 
 def _megabytes(n_bytes: int) -> str:

@@ -22,6 +22,8 @@ REINSTALL = "Install it again with 'skinsource dataset fetch' or 'skinsource dat
 
 _ROOT_NUMBERS = ("format_version", "source_bytes")
 _ROOT_TEXTS = ("format", "installed_at", "source_name", "source_sha256")
+# Of the first version all but these; it did not compare its source with the published files.
+_LATER_TEXTS = ("unpublished",)
 _DIGEST = "sha256"
 #: Far above the longest name of a file.
 _MAX_TEXT_BYTES = 2048
@@ -39,7 +41,8 @@ class Contents:
     def __init__(self, file: "h5py.File", path: Path) -> None:
         self._file = file
         self._path = path
-        self._check_format()
+        self._version = self._checked_version()
+        self._check_root()
 
     def text(self, name: str) -> str:
         """One of the texts that tell where the data come from."""
@@ -48,6 +51,13 @@ class Contents:
     def number(self, name: str) -> int:
         """One of the numbers that tell where the data come from."""
         return int(self._attribute(self._file, name, "i"))
+
+    def unpublished(self) -> tuple[str, ...] | None:
+        """Files that were not the published ones; None where they were not compared."""
+        if self._version == 1:
+            return None
+        found = self.text("unpublished")
+        return () if found == layout.ALL_PUBLISHED else tuple(found.split(","))
 
     def limbs(self) -> tuple[int, ...]:
         """Numbers of the limbs whose responses are there."""
@@ -68,7 +78,7 @@ class Contents:
         dataset = self._dataset(name, layout.WHOLE_SHAPES[name], layout.whole_type(name), None)
         return np.asarray(dataset[()]), self._attribute(dataset, _DIGEST, "S").decode("ascii")
 
-    def _check_format(self) -> None:
+    def _checked_version(self) -> int:
         known = "format" in self._file.attrs and "format_version" in self._file.attrs
         found = self.text("format") if known else None
         if found != layout.FORMAT:
@@ -77,14 +87,18 @@ class Contents:
                 f"{layout.FORMAT!r}). Move it away. {REINSTALL}"
             )
         version = self.number("format_version")
-        if version != layout.FORMAT_VERSION:
+        if not 1 <= version <= layout.FORMAT_VERSION:
             raise DatasetError(
-                f"{self._path}: has format version {version}, this program reads version "
-                f"{layout.FORMAT_VERSION}. Use the program that made it, or: {REINSTALL}"
+                f"{self._path}: has format version {version}, this program reads versions "
+                f"1 to {layout.FORMAT_VERSION}. Use the program that made it, or: {REINSTALL}"
             )
-        self._refuse_unknown("/", self._file.attrs, {*_ROOT_TEXTS, *_ROOT_NUMBERS})
+        return version
+
+    def _check_root(self) -> None:
+        texts = _ROOT_TEXTS if self._version == 1 else (*_ROOT_TEXTS, *_LATER_TEXTS)
+        self._refuse_unknown("/", self._file.attrs, {*texts, *_ROOT_NUMBERS})
         self._refuse_unknown("/", self._file, set(layout.GROUPS))
-        for name in _ROOT_TEXTS:
+        for name in texts:
             self.text(name)
         for name in _ROOT_NUMBERS:
             self.number(name)

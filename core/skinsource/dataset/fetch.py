@@ -1,6 +1,5 @@
 """Downloading the published files and installing them."""
 
-import hashlib
 import logging
 from pathlib import Path
 from typing import Any
@@ -8,7 +7,7 @@ from typing import Any
 from skinsource.dataset.download import download
 from skinsource.dataset.install import install
 from skinsource.dataset.optional import optional_package
-from skinsource.dataset.published import RemoteFile, published_files
+from skinsource.dataset.published import RemoteFile, checksum_of, published_files
 from skinsource.dataset.source import download_folder
 from skinsource.dataset.store import StoreInfo
 from skinsource.errors import DownloadError, StorageError
@@ -70,7 +69,8 @@ def fetch(
         _fetch_one(registry, file, downloads, one)
         done += file.size_bytes
     progress(total, total, "Downloaded")
-    return install(downloads, folder=folder, progress=progress, stop=stop)
+    # Each file was compared with ``files`` when it came.
+    return install(downloads, folder=folder, unpublished=True, progress=progress, stop=stop)
 
 
 class _OneDownload:
@@ -92,8 +92,7 @@ class _OneDownload:
 
     def _refuse_other_content(self) -> None:
         algorithm, _, expected = self._file.checksum.partition(":")
-        with self._part.open("rb") as opened:
-            found = hashlib.file_digest(opened, algorithm).hexdigest()
+        found = checksum_of(self._part, algorithm).partition(":")[2]
         if found != expected:
             self._part.unlink()
             raise DownloadError(

@@ -1,6 +1,5 @@
 """From the download to the store: read, check, convert, move into place."""
 
-import hashlib
 import io
 import os
 from collections.abc import Iterator
@@ -15,10 +14,10 @@ from skinsource import hdf5
 from skinsource.assets import user_folder
 from skinsource.dataset import layout
 from skinsource.dataset.mapfiles import MapFiles, read_map_files
+from skinsource.dataset.published import checksum_of, refuse_unpublished_maps, unpublished_files
 from skinsource.dataset.responses import N_ROWS, Responses, read_responses
 from skinsource.dataset.source import find_source
 from skinsource.dataset.store import StoreInfo, describe
-from skinsource.errors import StorageError
 from skinsource.files import make_folder, replacing
 from skinsource.job import Progress, Stop, never, silent, stop_if
 
@@ -30,6 +29,7 @@ def install(
     source: Path,
     *,
     folder: Path | None = None,
+    unpublished: bool = False,
     progress: Progress = silent,
     stop: Stop = never,
 ) -> StoreInfo:
@@ -45,13 +45,16 @@ def install(
         or the file itself with that folder beside it.
     folder
         Where the store goes; the user's data folder when not given.
+    unpublished
+        Whether map files may be others than the published ones.  Responses may always; the store
+        keeps what was not the published content, see `StoreInfo.unpublished`.
     progress, stop
         Called with (done, total, text); asked between steps.
 
     Raises
     ------
     DatasetError
-        A file of the download is not what it should be.
+        A file of the download is not what it should be, or, if of the map, not the published one.
     StorageError
         No such source, full disk, folder that cannot be written.
     MissingExtraError
@@ -60,6 +63,9 @@ def install(
         ``stop`` said so.
     """
     found = find_source(source)
+    strange = unpublished_files(found)
+    if not unpublished:
+        refuse_unpublished_maps(found, strange)
     folder = user_folder() if folder is None else folder
     make_folder(folder)
     path = folder / layout.FILE_NAME
@@ -69,7 +75,7 @@ def install(
     responses = read_responses(
         found.responses, lambda done, _, text: progress(done, 2 * N_ROWS, text), stop
     )
-    image = _image(responses, maps, _origin(found.responses))
+    image = _image(responses, maps, _origin(found.responses, strange))
     stop_if(stop, STOPPED)
     with replacing(path) as temporary, temporary.open("wb") as out:
         for done, piece in _pieces(image):
@@ -82,19 +88,12 @@ def install(
     return describe(path)
 
 
-def _origin(responses: Path) -> dict[str, str | int]:
-    try:
-        with responses.open("rb") as opened:
-            sha256 = hashlib.file_digest(opened, "sha256").hexdigest()
-        size_bytes = responses.stat().st_size
-    except OSError as error:
-        raise StorageError(
-            f"{responses}: cannot be read ({error.strerror or error}). Try again."
-        ) from error
+def _origin(responses: Path, unpublished: tuple[str, ...]) -> dict[str, str | int]:
     return {
         "source_name": responses.name,
-        "source_sha256": sha256,
-        "source_bytes": size_bytes,
+        "source_sha256": checksum_of(responses, "sha256").partition(":")[2],
+        "source_bytes": responses.stat().st_size,
+        "unpublished": ",".join(unpublished) or layout.ALL_PUBLISHED,
         "installed_at": datetime.now(UTC).isoformat(timespec="seconds"),
     }
 

@@ -2,10 +2,11 @@
 
 The file is in the format of HDF5 1.10, which checks sums of all that is not an array; each array
 has a SHA-256 of its own.  All texts are of fixed length: HDF5 leaves others unchecked.
+Version 1 is the same without ``unpublished``, and is still read.
 ::
 
     /                        format, format_version, installed_at, source_name,
-                             source_sha256, source_bytes
+                             source_sha256, source_bytes, unpublished
     /responses/limb-1 … -4   (20 inputs, 72 outputs, 3 axes, 522 taps) float64, one
                              chunk per input, not compressed; sha256: one per input
     /map/outline …           float64, each with its sha256
@@ -22,7 +23,7 @@ from skinsource.limb import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS
 
 FILE_NAME = "measured.h5"
 FORMAT = "skinsource measured dataset"
-FORMAT_VERSION = 1
+FORMAT_VERSION = 2
 LIMBS = (1, 2, 3, 4)
 RESPONSES_SHAPE = (N_INPUTS, N_OUTPUTS, N_AXES, N_TAPS)
 CHUNK = (1, N_OUTPUTS, N_AXES, N_TAPS)
@@ -42,6 +43,8 @@ WHOLE_SHAPES = {f"map/{part}": shape for part, shape in MAP_SHAPES.items()} | {
 _LIMB_NAMES = tuple(f"limb-{limb}" for limb in LIMBS)
 #: Groups of the store, and what is in each.
 GROUPS = {"responses": _LIMB_NAMES, "map": tuple(MAP_SHAPES), "masks": _LIMB_NAMES}
+#: What ``unpublished`` says where all files were the published ones; else their names, with commas.
+ALL_PUBLISHED = "none"
 FLOATS, BYTES = "<f8", "u1"
 
 

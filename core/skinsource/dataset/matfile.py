@@ -4,9 +4,8 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.dataset.optional import optional_package
+from skinsource.dataset.pieces import WHAT_TO_DO, refuse_scattered
 from skinsource.errors import DatasetError, StorageError
-
-WHAT_TO_DO = "The download may be cut short; run 'skinsource dataset fetch' again."
 
 
 def read_variable(path: Path, name: str) -> Any:
@@ -19,7 +18,7 @@ def read_variable(path: Path, name: str) -> Any:
     StorageError
         The file cannot be opened.
     DatasetError
-        It is no MATLAB file, is cut off, or does not hold the variable.
+        It is no MATLAB file, is cut off or damaged, or does not hold the variable.
     """
     matio = optional_package("matio")
     try:
@@ -31,7 +30,10 @@ def read_variable(path: Path, name: str) -> Any:
             "download."
         ) from error
     try:
+        refuse_scattered(path)
         variables = matio.load_from_mat(str(path))
+    except DatasetError:
+        raise
     except Exception as error:  # on a damaged file the parser may fail in any way
         reason = str(error) or type(error).__name__
         raise DatasetError(

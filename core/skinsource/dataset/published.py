@@ -1,8 +1,11 @@
 """The published files: where they are and how to tell that they arrived whole."""
 
+import hashlib
 from dataclasses import dataclass
+from pathlib import Path
 
-from skinsource.dataset.source import MAP_FOLDER, RESPONSES_FILE
+from skinsource.dataset.source import MAP_FILES, MAP_FOLDER, RESPONSES_FILE, Source
+from skinsource.errors import DatasetError, StorageError
 
 #: Record of the dataset, doi 10.5281/zenodo.10547601.
 DATASET_URL = "https://zenodo.org/records/10547601/files"
@@ -75,3 +78,46 @@ def published_files(
         for name, size, sha256 in _MAP
     )
     return (*maps, responses)
+
+
+def checksum_of(path: Path, algorithm: str) -> str:
+    """Checksum of a file, as in `RemoteFile.checksum`.
+
+    Raises
+    ------
+    StorageError
+        It cannot be read.
+    """
+    try:
+        with path.open("rb") as opened:
+            return f"{algorithm}:{hashlib.file_digest(opened, algorithm).hexdigest()}"
+    except OSError as error:
+        raise StorageError(
+            f"{path}: cannot be read ({error.strerror or error}). Give the folder that holds the "
+            "download."
+        ) from error
+
+
+def unpublished_files(source: Source) -> tuple[str, ...]:
+    """Published names of those files in a download that are not the published ones."""
+    strange = []
+    for file in published_files():
+        name = file.name.rpartition("/")[2]
+        path = source.responses if name == RESPONSES_FILE else source.map_folder / name
+        if checksum_of(path, file.checksum.partition(":")[0]) != file.checksum:
+            strange.append(name)
+    return tuple(strange)
+
+
+def refuse_unpublished_maps(source: Source, unpublished: tuple[str, ...]) -> None:
+    """Raise `DatasetError` if any of the ``unpublished`` files is one of the map's.
+
+    A damaged one moves sensors, and nothing in it tells.
+    """
+    strange = [name for name in unpublished if name in MAP_FILES]
+    if strange:
+        raise DatasetError(
+            f"{source.map_folder}: not the published content: {', '.join(strange)} (the checksum "
+            "differs). The download may be damaged; run 'skinsource dataset fetch' again. If other "
+            "files are meant, use 'skinsource dataset install PATH --unpublished'."
+        )

@@ -1,12 +1,14 @@
 """The table of impulse responses, checked row by row."""
 
+import hashlib
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.dataset.matfile import WHAT_TO_DO, read_variable
+from skinsource.dataset.matfile import read_variable
+from skinsource.dataset.pieces import WHAT_TO_DO
 from skinsource.errors import DatasetError
 from skinsource.job import Progress, Stop, stop_if
 from skinsource.limb import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS, Floats
@@ -46,6 +48,8 @@ def check_table(table: Any, file_name: str, progress: Progress, stop: Stop) -> R
             f"columns {', '.join(COLUMNS)}. Is this the right file? {WHAT_TO_DO}"
         )
     responses: Responses = {}
+    # Two measurements are never the same in every digit: one was put in place of the other.
+    earlier: dict[bytes, str] = {}
     rows = zip(*(table[column] for column in COLUMNS), strict=True)
     for number, (data, model, location) in enumerate(rows, start=1):
         stop_if(stop, "Installing was stopped; nothing was changed.")
@@ -58,7 +62,13 @@ def check_table(table: Any, file_name: str, progress: Progress, stop: Stop) -> R
                 f"{where} repeats an earlier row, expected each model and location once. "
                 f"{WHAT_TO_DO}"
             )
-        responses[limb, place] = _response(data, where)
+        responses[limb, place] = response = _response(data, where)
+        twin = earlier.setdefault(hashlib.sha256(response.tobytes()).digest(), where)
+        if twin != where and response.any():
+            raise DatasetError(
+                f"{where} holds the values of {twin.removeprefix(f'{file_name}: ')}, expected its "
+                f"own. {WHAT_TO_DO}"
+            )
         progress(number, N_ROWS, f"Checking limb {limb}, input {place}")
     _refuse_gaps(responses, file_name)
     return responses

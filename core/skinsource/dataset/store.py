@@ -48,6 +48,9 @@ class StoreInfo:
         Date and time, ISO 8601, UTC.
     source_name, source_sha256, source_bytes
         The file of impulse responses it was made from.
+    unpublished
+        Files it was made from that are not the published ones; None where an older version of the
+        program did not compare them.
     """
 
     path: Path
@@ -57,6 +60,12 @@ class StoreInfo:
     source_name: str
     source_sha256: str
     source_bytes: int
+    unpublished: tuple[str, ...] | None
+
+    @property
+    def note(self) -> str:
+        """What the user should know of the source; empty where all files are the published ones."""
+        return _note_on(self.unpublished)
 
 
 def store_path() -> Path:
@@ -89,6 +98,7 @@ def describe(path: Path | None = None) -> StoreInfo:
             source_name=store.text("source_name"),
             source_sha256=store.text("source_sha256"),
             source_bytes=store.number("source_bytes"),
+            unpublished=store.unpublished(),
         )
 
 
@@ -111,6 +121,7 @@ def load_measured_limb(number: int) -> Limb:
             _read_checked(store, f"map/{part}", path) for part in layout.MAP_SHAPES
         )
         checksums = store.checksums(number)
+        note = _note_on(store.unpublished())
 
     def read_response(location: int) -> Floats:
         return _read_response(path, number, location, checksums[location - 1])
@@ -119,6 +130,7 @@ def load_measured_limb(number: int) -> Limb:
         name=f"measured-{number}",
         hand_length_mm=HAND_LENGTHS_MM[number - 1],
         synthetic=False,
+        note=note,
         map=LimbMap(
             outline=outline,
             output_positions=outputs,
@@ -186,6 +198,17 @@ def _compare(found: str, expected: str, what: str, path: Path) -> None:
             f"{path}: {what} is damaged: its checksum is {found[:12]}…, expected {expected[:12]}…. "
             f"{REINSTALL}"
         )
+
+
+def _note_on(unpublished: tuple[str, ...] | None) -> str:
+    if unpublished is None:
+        return (
+            "installed by an older version, which did not compare its files with the published "
+            "ones; install again to have them compared"
+        )
+    if not unpublished:
+        return ""
+    return f"made from files that are not the published ones: {', '.join(unpublished)}"
 
 
 def _check_number(number: int) -> None:

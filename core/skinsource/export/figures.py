@@ -21,6 +21,8 @@ def about_design(scene: Scene) -> list[str]:
     lines = ["SkinSource studio"]
     if scene.limb.synthetic:
         lines.append("SYNTHETIC LIMB: computed responses, not measured ones")
+    if scene.limb.note:
+        lines.append(f"NOTE on the limb: {scene.limb.note}")
     scaling = word_of(SCALINGS, design.scaling).both
     lines.append(f"limb: {word_of(LIMBS, design.limb).title}, {design.limb}; scaling: {scaling}")
     for one in design.inputs:
