@@ -5,10 +5,10 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from skinsource.bench import commands as bench_commands
 from skinsource.catalogue import available_limbs, load_limb
 from skinsource.dataset import commands as dataset_commands
 from skinsource.errors import SkinSourceError, Stopped
+from skinsource.method_comparison import commands as bench_commands
 from skinsource.version import __version__
 from skinsource.words import LIMBS, word_of
 

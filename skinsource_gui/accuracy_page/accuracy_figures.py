@@ -6,7 +6,7 @@ import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
-from skinsource.bench.table import Row
+from skinsource.method_comparison.table import Row
 from skinsource.rendering.check import N_SAMPLES
 from skinsource_gui.accuracy_page.bench_table import OURS
 from skinsource_gui.accuracy_page.memory_use import resident_bytes

@@ -7,9 +7,9 @@ from tempfile import TemporaryDirectory
 
 from PySide6.QtCore import QObject, QProcess, QProcessEnvironment, Signal
 
-from skinsource.bench.table import Row, read_table
 from skinsource.errors import SkinSourceError
 from skinsource.files import make_folder, write_bytes
+from skinsource.method_comparison.table import Row, read_table
 
 #: The child process; where it shall write is added.
 COMMAND = (sys.executable, "-m", "skinsource", "bench", "--quick", "--progress", "lines", "--out")

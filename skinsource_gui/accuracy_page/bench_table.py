@@ -6,9 +6,9 @@ from typing import Any
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, Qt
 from PySide6.QtGui import QColor, QFont
 
-from skinsource.bench.pareto import pareto_front
-from skinsource.bench.scenes import scene_of
-from skinsource.bench.table import Row
+from skinsource.method_comparison.pareto import pareto_front
+from skinsource.method_comparison.scenes import scene_of
+from skinsource.method_comparison.table import Row
 from skinsource_gui.theme import LIGHT, Theme
 
 #: Name of the engine whose promises are this program's own.

@@ -21,8 +21,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.bench.table import Row
 from skinsource.errors import SkinSourceError
+from skinsource.method_comparison.table import Row
 from skinsource_gui.accuracy_page.accuracy_figures import AccuracyFigures
 from skinsource_gui.accuracy_page.bench_run import BenchRun
 from skinsource_gui.accuracy_page.bench_table import BenchTable, verdict

@@ -18,8 +18,8 @@ from PySide6.QtWidgets import (
     QTabWidget,
 )
 
-from skinsource.bench.table import read_table
 from skinsource.command_line import _parser
+from skinsource.method_comparison.table import read_table
 from skinsource.rendering.check import TraceError
 from skinsource_gui.accuracy_page import bench_run
 from skinsource_gui.accuracy_page.picture_view import PictureView
@@ -27,7 +27,7 @@ from skinsource_gui.accuracy_page.picture_view import PictureView
 CHILD = """
 import os, sys, time
 from pathlib import Path
-from skinsource.bench.table import Row, write_table
+from skinsource.method_comparison.table import Row, write_table
 
 mode, note, picture, folder = sys.argv[1], *map(Path, sys.argv[2:])
 note.write_text(f"{os.getpid()} {folder}")

@@ -32,9 +32,9 @@ class Row:
     peak_mb
         Memory above idle.
     err_max, err_l2, err_window, err_silence
-        See `skinsource.bench.accuracy.Errors`.
+        See `skinsource.method_comparison.accuracy.Errors`.
     ratio
-        See `skinsource.bench.accuracy.rounding_ratio`.
+        See `skinsource.method_comparison.accuracy.rounding_ratio`.
     reference
         Key of the exact values.
     promise

@@ -9,14 +9,14 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.bench.engines import ENGINES, engine_of
-from skinsource.bench.method import Precision
-from skinsource.bench.pareto import pareto_front
-from skinsource.bench.promises import ANSWER_S, FRAME_S, PEAK_ERROR, WINDOW_ERROR
-from skinsource.bench.scenes import scene_of
-from skinsource.bench.table import Row
 from skinsource.errors import MissingExtraError
 from skinsource.files import write_bytes
+from skinsource.method_comparison.engines import ENGINES, engine_of
+from skinsource.method_comparison.method import Precision
+from skinsource.method_comparison.pareto import pareto_front
+from skinsource.method_comparison.promises import ANSWER_S, FRAME_S, PEAK_ERROR, WINDOW_ERROR
+from skinsource.method_comparison.scenes import scene_of
+from skinsource.method_comparison.table import Row
 
 _COLOURS = ("#000000", "#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#7F7F7F")
 _MARKERS: dict[Precision, str] = {"float64": "o", "float32": "^"}

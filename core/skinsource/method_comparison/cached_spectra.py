@@ -5,8 +5,8 @@ from collections.abc import Iterator
 import numpy as np
 from scipy import fft
 
-from skinsource.bench.accuracy import Block
-from skinsource.bench.method import (
+from skinsource.method_comparison.accuracy import Block
+from skinsource.method_comparison.method import (
     N_CHANNELS,
     Method,
     Prepared,
@@ -15,7 +15,7 @@ from skinsource.bench.method import (
     require_bytes,
     taps_of,
 )
-from skinsource.bench.scenes import Scene
+from skinsource.method_comparison.scenes import Scene
 
 
 def prepare(scene: Scene, method: Method) -> Prepared:

@@ -6,11 +6,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.bench.accuracy import QUIETEST, errors_of, picked, rounding_ratio
-from skinsource.bench.promises import Outcome, broken_promises
-from skinsource.bench.references import Reference
-from skinsource.bench.scenes import scene_of
-from skinsource.bench.timing import repeated, times_of
+from skinsource.method_comparison.accuracy import QUIETEST, errors_of, picked, rounding_ratio
+from skinsource.method_comparison.promises import Outcome, broken_promises
+from skinsource.method_comparison.references import Reference
+from skinsource.method_comparison.scenes import scene_of
+from skinsource.method_comparison.timing import repeated, times_of
 
 # Two channels, three windows of which the last is silent, two samples each.
 HIGH = np.array([[[4.0, 2.0], [0.5, 0.25], [0.0, 0.0]], [[-2.0, 1.0], [0.1, -0.2], [0.0, 0.0]]])

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from skinsource.bench.table import Row
+from skinsource.method_comparison.table import Row
 
 
 def pareto_front(rows: Sequence[Row]) -> list[Row]:

@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass
 
-from skinsource.bench.accuracy import Errors
-from skinsource.bench.method import Precision
-from skinsource.bench.scenes import Scene
+from skinsource.method_comparison.accuracy import Errors
+from skinsource.method_comparison.method import Precision
+from skinsource.method_comparison.scenes import Scene
 
 #: Largest error over the peak, by precision.
 PEAK_ERROR: dict[Precision, float] = {"float64": 1e-14, "float32": 2e-6}

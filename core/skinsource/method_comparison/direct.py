@@ -5,8 +5,8 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
-from skinsource.bench.accuracy import Block
-from skinsource.bench.method import (
+from skinsource.method_comparison.accuracy import Block
+from skinsource.method_comparison.method import (
     N_CHANNELS,
     Method,
     Prepared,
@@ -15,7 +15,7 @@ from skinsource.bench.method import (
     drives_of,
     taps_of,
 )
-from skinsource.bench.scenes import Scene
+from skinsource.method_comparison.scenes import Scene
 
 #: Samples computed together: the matrix of delayed drives then fits a cache.
 _STEP = 1024

@@ -11,15 +11,15 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.bench.accuracy import Errors
-from skinsource.bench.engines import Engine
-from skinsource.bench.method import Method
-from skinsource.bench.promises import Outcome, broken_promises
-from skinsource.bench.scenes import Scene
-from skinsource.bench.table import Row
-from skinsource.bench.timing import times_of
-from skinsource.bench.worker import Task
 from skinsource.job import Progress, Stop, never, silent, stop_if
+from skinsource.method_comparison.accuracy import Errors
+from skinsource.method_comparison.engines import Engine
+from skinsource.method_comparison.method import Method
+from skinsource.method_comparison.promises import Outcome, broken_promises
+from skinsource.method_comparison.scenes import Scene
+from skinsource.method_comparison.table import Row
+from skinsource.method_comparison.timing import times_of
+from skinsource.method_comparison.worker import Task
 
 _SEED = 1
 
@@ -33,7 +33,7 @@ class Effort:
     processes
         Fresh processes for each row.
     longest_s, most_runs, warm_ups
-        In each process, see `skinsource.bench.timing.repeated`.
+        In each process, see `skinsource.method_comparison.timing.repeated`.
     timeout_s
         A process that takes longer has failed.
     """
@@ -145,7 +145,7 @@ def in_fresh_process(task: Task, timeout_s: float) -> dict[str, Any]:
     read_end, write_end = os.pipe()
     try:
         done = subprocess.run(  # noqa: S603, our own interpreter and our own words
-            [sys.executable, "-m", "skinsource.bench.worker", *task.words()],
+            [sys.executable, "-m", "skinsource.method_comparison.worker", *task.words()],
             stdin=read_end,
             capture_output=True,
             text=True,

@@ -1,6 +1,6 @@
 """Measures one method on one scene, in a process of its own; the result is one line of JSON.
 
-python -m skinsource.bench.worker S1 "this program" float64 "all channels" 0.3 20 2
+python -m skinsource.method_comparison.worker S1 "this program" float64 "all channels" 0.3 20 2
 """
 
 import json
@@ -16,14 +16,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.bench.accuracy import errors_of, picked, rounding_ratio
-from skinsource.bench.engines import engine_of
-from skinsource.bench.made_up import made_up_drive, made_up_response
-from skinsource.bench.method import N_CHANNELS, Unfit
-from skinsource.bench.references import Reference, load_reference
-from skinsource.bench.scenes import Scene, scene_of
-from skinsource.bench.timing import repeated
 from skinsource.limb import N_TAPS
+from skinsource.method_comparison.accuracy import errors_of, picked, rounding_ratio
+from skinsource.method_comparison.engines import engine_of
+from skinsource.method_comparison.made_up import made_up_drive, made_up_response
+from skinsource.method_comparison.method import N_CHANNELS, Unfit
+from skinsource.method_comparison.references import Reference, load_reference
+from skinsource.method_comparison.scenes import Scene, scene_of
+from skinsource.method_comparison.timing import repeated
 
 Floats = NDArray[np.float64]
 _STATUS = Path("/proc/self/status")
@@ -38,7 +38,7 @@ class Task:
     scene, engine, precision, setting
         Names of the row.
     longest_s, most_runs, warm_ups
-        See `skinsource.bench.timing.repeated`.
+        See `skinsource.method_comparison.timing.repeated`.
     """
 
     scene: str

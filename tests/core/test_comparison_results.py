@@ -6,16 +6,16 @@ from dataclasses import replace
 
 import pytest
 
-from skinsource.bench import plot
-from skinsource.bench.engines import ENGINES, engine_of
-from skinsource.bench.machine import Fact, facts
-from skinsource.bench.measure import QUICK, Case, cases_of, in_fresh_process, measure
-from skinsource.bench.pareto import pareto_front
-from skinsource.bench.report import report_of
-from skinsource.bench.scenes import SCENES, scene_of
-from skinsource.bench.table import Row, read_table, write_table
-from skinsource.bench.worker import Task, measured, task_of
 from skinsource.errors import FileFormatError, MissingExtraError
+from skinsource.method_comparison import plot
+from skinsource.method_comparison.engines import ENGINES, engine_of
+from skinsource.method_comparison.machine import Fact, facts
+from skinsource.method_comparison.measure import QUICK, Case, cases_of, in_fresh_process, measure
+from skinsource.method_comparison.pareto import pareto_front
+from skinsource.method_comparison.report import report_of
+from skinsource.method_comparison.scenes import SCENES, scene_of
+from skinsource.method_comparison.table import Row, read_table, write_table
+from skinsource.method_comparison.worker import Task, measured, task_of
 
 ROW = Row(
     scene="S1",
@@ -206,7 +206,7 @@ def test_a_process_that_crashes_or_hangs_is_a_failed_row():
 
 def test_a_worker_ends_with_whoever_started_it():
     code = (
-        "import time; from skinsource.bench.worker import end_with_parent;"
+        "import time; from skinsource.method_comparison.worker import end_with_parent;"
         "end_with_parent(); print('up', flush=True); time.sleep(600)"
     )
     worker = subprocess.Popen(

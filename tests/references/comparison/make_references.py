@@ -4,7 +4,7 @@ Responses and drives are whole numbers and amplitudes are fractions, so the conv
 sample is a fraction that Python computes without rounding.  No engine is involved.  Each value is
 stored as the nearest float64 and the rest as float32.
 
-    PYTHONPATH=core python tests/references/bench/make_references.py
+    PYTHONPATH=core python tests/references/comparison/make_references.py
 
 Then write the list of data files anew: PYTHONPATH=core python tests/core/test_manifest.py
 """
@@ -15,16 +15,16 @@ from fractions import Fraction
 import numpy as np
 
 from skinsource.assets import data_folder
-from skinsource.bench.made_up import (
+from skinsource.files import write_bytes
+from skinsource.limb import N_TAPS
+from skinsource.method_comparison.made_up import (
     DRIVE_EXPONENT,
     RESPONSE_EXPONENT,
     whole_drive,
     whole_response,
 )
-from skinsource.bench.references import FILE_NAME, WINDOW_SAMPLES
-from skinsource.bench.scenes import CHECKED_AXES, SCENES, VISIBLE_OUTPUTS, Scene
-from skinsource.files import write_bytes
-from skinsource.limb import N_TAPS
+from skinsource.method_comparison.references import FILE_NAME, WINDOW_SAMPLES
+from skinsource.method_comparison.scenes import CHECKED_AXES, SCENES, VISIBLE_OUTPUTS, Scene
 
 MOST_WINDOWS, SAMPLES_PER_WINDOW = 24, 8
 HALF_BITS = 20
@@ -80,7 +80,7 @@ def exact_window(scene: Scene, which: np.ndarray, first: int, n: int) -> np.ndar
 
 
 def reference_of(scene: Scene, starts: np.ndarray) -> dict[str, np.ndarray]:
-    """Arrays as `skinsource.bench.references.load_reference` reads them."""
+    """Arrays as `skinsource.method_comparison.references.load_reference` reads them."""
     which = channels()
     shape = which.size, starts.size, SAMPLES_PER_WINDOW
     offsets = np.zeros(shape, np.uint8)

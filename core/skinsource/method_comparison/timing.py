@@ -7,7 +7,7 @@ from time import perf_counter
 
 import numpy as np
 
-from skinsource.bench.accuracy import Block
+from skinsource.method_comparison.accuracy import Block
 
 #: Where the slowest of twenty runs takes so many times the fastest, times mean little.
 _UNSTABLE = 3.0

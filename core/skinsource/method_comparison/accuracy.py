@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.bench.references import Reference
 from skinsource.limb import N_OUTPUTS
+from skinsource.method_comparison.references import Reference
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]

@@ -5,12 +5,12 @@ import sys
 
 import pytest
 
-from skinsource.bench import commands
-from skinsource.bench.engines import ENGINES, engine_of
-from skinsource.bench.scenes import scene_of
-from skinsource.bench.table import read_table
 from skinsource.command_line import main
 from skinsource.errors import MissingExtraError
+from skinsource.method_comparison import commands
+from skinsource.method_comparison.engines import ENGINES, engine_of
+from skinsource.method_comparison.scenes import scene_of
+from skinsource.method_comparison.table import read_table
 
 
 def test_a_short_run_writes_table_report_and_plot(tmp_path, monkeypatch, capsys):

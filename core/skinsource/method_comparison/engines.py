@@ -3,9 +3,9 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from skinsource.bench import cached_spectra, direct, overlap_add, program, scipy_signal
-from skinsource.bench.method import Method, Precision, Prepared, Setting
-from skinsource.bench.scenes import Scene
+from skinsource.method_comparison import cached_spectra, direct, overlap_add, program, scipy_signal
+from skinsource.method_comparison.method import Method, Precision, Prepared, Setting
+from skinsource.method_comparison.scenes import Scene
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 from skinsource.assets import data_folder
-from skinsource.bench.made_up import (
+from skinsource.errors import FileFormatError
+from skinsource.limb import N_TAPS
+from skinsource.method_comparison.made_up import (
     DRIVE_EXPONENT,
     RESPONSE_EXPONENT,
     made_up_drive,
@@ -19,12 +21,10 @@ from skinsource.bench.made_up import (
     whole_drive,
     whole_response,
 )
-from skinsource.bench.references import FILE_NAME, WINDOW_SAMPLES, load_reference
-from skinsource.bench.scenes import SCENES, scene_of
-from skinsource.errors import FileFormatError
-from skinsource.limb import N_TAPS
+from skinsource.method_comparison.references import FILE_NAME, WINDOW_SAMPLES, load_reference
+from skinsource.method_comparison.scenes import SCENES, scene_of
 
-SCRIPT = Path(__file__).parents[1] / "references" / "bench" / "make_references.py"
+SCRIPT = Path(__file__).parents[1] / "references" / "comparison" / "make_references.py"
 RESPONSES_SHA256 = "37350e40367e0f626dd31c3b5e813522258d9654784263e515085348bd5d059d"
 
 

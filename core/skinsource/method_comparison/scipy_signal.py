@@ -4,8 +4,8 @@ import importlib
 from collections.abc import Iterator
 from functools import partial
 
-from skinsource.bench.accuracy import Block
-from skinsource.bench.method import (
+from skinsource.method_comparison.accuracy import Block
+from skinsource.method_comparison.method import (
     Method,
     Prepared,
     all_channels,
@@ -14,7 +14,7 @@ from skinsource.bench.method import (
     require_bytes,
     taps_of,
 )
-from skinsource.bench.scenes import Scene
+from skinsource.method_comparison.scenes import Scene
 
 #: The sum, one field, its padded transform and a product of transforms.
 _COPIES = 4

@@ -7,15 +7,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from skinsource.bench import program
-from skinsource.bench.accuracy import errors_of, picked
-from skinsource.bench.engines import ENGINES, engine_of
-from skinsource.bench.method import Method, Setting, Unfit, taps_of
-from skinsource.bench.promises import PEAK_ERROR
-from skinsource.bench.references import Reference, load_reference
-from skinsource.bench.scenes import SCENES, Player, Scene, scene_of
+from skinsource.method_comparison import program
+from skinsource.method_comparison.accuracy import errors_of, picked
+from skinsource.method_comparison.engines import ENGINES, engine_of
+from skinsource.method_comparison.method import Method, Setting, Unfit, taps_of
+from skinsource.method_comparison.promises import PEAK_ERROR
+from skinsource.method_comparison.references import Reference, load_reference
+from skinsource.method_comparison.scenes import SCENES, Player, Scene, scene_of
 
-SCRIPT = Path(__file__).parents[1] / "references" / "bench" / "make_references.py"
+SCRIPT = Path(__file__).parents[1] / "references" / "comparison" / "make_references.py"
 TINY = Scene(
     key="tiny",
     title="",

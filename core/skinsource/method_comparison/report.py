@@ -3,14 +3,14 @@
 from collections.abc import Iterable, Sequence
 from textwrap import dedent
 
-from skinsource.bench.accuracy import QUIETEST
-from skinsource.bench.engines import engine_of
-from skinsource.bench.machine import Fact
-from skinsource.bench.measure import Effort
-from skinsource.bench.pareto import pareto_front
-from skinsource.bench.scenes import scene_of
-from skinsource.bench.table import Row
 from skinsource.decibels import decibels
+from skinsource.method_comparison.accuracy import QUIETEST
+from skinsource.method_comparison.engines import engine_of
+from skinsource.method_comparison.machine import Fact
+from skinsource.method_comparison.measure import Effort
+from skinsource.method_comparison.pareto import pareto_front
+from skinsource.method_comparison.scenes import scene_of
+from skinsource.method_comparison.table import Row
 
 # Long times are written without a power of ten.
 _WHOLE_FROM = 1000.0

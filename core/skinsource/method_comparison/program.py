@@ -7,9 +7,11 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.bench.accuracy import Block
-from skinsource.bench.made_up import made_up_drive, made_up_limb
-from skinsource.bench.method import (
+from skinsource.design import Design, Input
+from skinsource.limb import N_AXES, N_OUTPUTS, SAMPLE_RATE_HZ
+from skinsource.method_comparison.accuracy import Block
+from skinsource.method_comparison.made_up import made_up_drive, made_up_limb
+from skinsource.method_comparison.method import (
     N_CHANNELS,
     Floats,
     Method,
@@ -20,9 +22,7 @@ from skinsource.bench.method import (
     output_bytes,
     require_bytes,
 )
-from skinsource.bench.scenes import VISIBLE_OUTPUTS, Player, Scene
-from skinsource.design import Design, Input
-from skinsource.limb import N_AXES, N_OUTPUTS, SAMPLE_RATE_HZ
+from skinsource.method_comparison.scenes import VISIBLE_OUTPUTS, Player, Scene
 from skinsource.quantities import new_graph, sources
 from skinsource.response import predict
 from skinsource.view import View

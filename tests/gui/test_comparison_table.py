@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import Qt
 
-from skinsource.bench.table import Row
+from skinsource.method_comparison.table import Row
 from skinsource_gui.accuracy_page.bench_table import BenchTable, verdict
 from skinsource_gui.theme import DARK
 

@@ -7,16 +7,16 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from skinsource.bench.engines import ENGINES
-from skinsource.bench.machine import facts
-from skinsource.bench.measure import FULL, QUICK, cases_of, measure
-from skinsource.bench.plot import write_plots
-from skinsource.bench.report import report_of
-from skinsource.bench.scenes import SCENES
-from skinsource.bench.table import write_table
 from skinsource.dataset.progress_bar import ProgressBar
 from skinsource.files import make_folder, write_bytes
 from skinsource.job import Progress
+from skinsource.method_comparison.engines import ENGINES
+from skinsource.method_comparison.machine import facts
+from skinsource.method_comparison.measure import FULL, QUICK, cases_of, measure
+from skinsource.method_comparison.plot import write_plots
+from skinsource.method_comparison.report import report_of
+from skinsource.method_comparison.scenes import SCENES
+from skinsource.method_comparison.table import write_table
 
 _NAME = "work_precision"
 

@@ -7,10 +7,10 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.bench.accuracy import Block
-from skinsource.bench.made_up import made_up_drive, made_up_response
-from skinsource.bench.scenes import Scene
 from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS
+from skinsource.method_comparison.accuracy import Block
+from skinsource.method_comparison.made_up import made_up_drive, made_up_response
+from skinsource.method_comparison.scenes import Scene
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]

@@ -12,8 +12,8 @@ import numpy as np
 import scipy
 
 from skinsource.assets import data_folder
-from skinsource.bench.made_up import responses_sha256
-from skinsource.bench.references import FILE_NAME
+from skinsource.method_comparison.made_up import responses_sha256
+from skinsource.method_comparison.references import FILE_NAME
 from skinsource.version import __version__
 
 _CPU_INFO = Path("/proc/cpuinfo")
