@@ -8,7 +8,7 @@ from unittest.mock import patch
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QWidget
+from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QFileDialog, QMessageBox, QWidget
 
 from skinsource_gui.shell.window import MainWindow
 
@@ -67,6 +67,11 @@ class Driver:
         """The visible widget called ``name``."""
         found = (inside or self.window).findChildren(QWidget, name)
         return next(one for one in found if one.isVisible())
+
+    def surface(self, name: str, inside: QWidget) -> QWidget:
+        """What takes the mouse in a plot called ``name``."""
+        found = self.widget(name, inside)
+        return found.viewport() if isinstance(found, QAbstractScrollArea) else found
 
     def click(self, widget: QWidget, at: QPoint | None = None, modifiers=NONE) -> None:
         """Click; in the middle if no place is named."""

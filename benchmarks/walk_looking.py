@@ -37,8 +37,8 @@ def select_outputs(you: Driver, _: Path) -> None:
 def read_plots(you: Driver, _: Path) -> None:
     """Zoom, crosshair, stacked, logarithmic, delay."""
     window, document = you.window, you.window.document
-    traces = you.widget("traces-plot", window.traces)
-    spectra = you.widget("spectra-plot", window.spectra)
+    traces = you.surface("traces-plot", window.traces)
+    spectra = you.surface("spectra-plot", window.spectra)
     middle = traces.rect().center()
     you.hover(traces, middle)
     you.picture("crosshair in traces")
@@ -51,7 +51,7 @@ def read_plots(you: Driver, _: Path) -> None:
     you.expect(moved is not None and moved != shown, "without delay the same piece is shown")
     you.key(KEY.Key_T, CONTROL)
     you.expect(document.view.time_range_s == shown, "the menu does the same as the switch")
-    you.focus(traces)
+    you.focus(you.widget("traces-plot", window.traces))
     you.key(KEY.Key_Right, SHIFT)
     you.key(KEY.Key_0)
     you.picture("traces keyboard crosshair")

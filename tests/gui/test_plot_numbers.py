@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 
+from skinsource_gui.widgets.plot.axis_spec import value_unit
 from skinsource_gui.widgets.plot.curves import Curves, output_names
 from skinsource_gui.widgets.plot.decimation import MOST_IN_COLUMN, in_rows, visible_points
-from skinsource_gui.widgets.plot.plot_axis import linear_ticks, log_ticks, number_text, value_unit
-from skinsource_gui.widgets.plot.plot_rows import Rows
 from skinsource_gui.widgets.plot.ranges import HeldRange, within, zoomed
+from skinsource_gui.widgets.plot.ticks import linear_ticks, log_ticks, number_text
+from skinsource_gui.widgets.plot.value_scale import ValueScale
 
 
 def test_a_range_grows_at_once_and_shrinks_only_below_60_percent():
@@ -79,6 +80,12 @@ def test_minus_is_a_minus_sign_and_there_is_no_negative_zero():
     assert number_text(-1e-9, 2) == "0.00"
 
 
+def test_thousands_stand_apart():
+    assert number_text(1200.0, 0) == "1\u202f200"
+    assert number_text(-1234567.5, 1) == "−1\u202f234\u202f567.5"
+    assert number_text(999.0, 0) == "999"
+
+
 def test_a_zoom_keeps_the_place_under_the_pointer_and_stays_inside():
     assert zoomed((0.0, 1.0), 0.25, 2.0) == (0.125, 0.625)
     assert within((-0.1, 0.3), (0.0, 1.0), 0.01) == pytest.approx((0.0, 0.4))
@@ -129,13 +136,19 @@ def test_strokes_of_a_dense_signal_stand_in_the_middle_of_their_columns():
     assert spans[1::2].max() < 0.1 * spans[::2].min()
 
 
-def test_stacked_rows_never_reach_into_each_other():
-    rows = Rows(count=3, values=(-1.0, 1.0))
-    for row, bottom in ((0, 2), (1, 1), (2, 0)):
-        heights = rows.heights(np.array([-9.0, -1.0, 0.0, 1.0, 9.0]), row)
-        assert bottom < heights.min()
-        assert heights.max() < bottom + 1
-        assert heights[2] == bottom + 0.5
+def test_values_never_reach_beyond_their_row():
+    for edge in (0.0, 0.05):
+        scale = ValueScale(values=(-1.0, 1.0), edge=edge)
+        heights = scale.heights(np.array([-9.0, -1.0, 0.0, 1.0, 9.0]))
+        assert heights == pytest.approx([edge, edge, 0.5, 1 - edge, 1 - edge])
+
+
+@pytest.mark.parametrize("peak", [5e-324, 1e-300, 1e300])
+def test_no_value_is_too_small_or_too_large_to_be_drawn(peak):
+    scale = ValueScale(values=HeldRange().follow(-peak, peak, "amplitude"))
+    heights = scale.heights(np.array([-peak, 0.0, peak]))
+    assert heights[1] == 0.5
+    assert 0 <= heights[0] < 0.5 < heights[2] <= 1
 
 
 @pytest.mark.parametrize("seed", range(5))

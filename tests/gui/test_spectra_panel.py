@@ -13,7 +13,7 @@ from skinsource.quantities import RULES, sources
 from skinsource.spectra import magnitude_spectrum
 from skinsource.view import View
 from skinsource_gui.panels.spectra.panel import SpectraPanel
-from skinsource_gui.widgets.plot.signal_plot import SignalPlot
+from skinsource_gui.widgets.plot.signal_view import SignalView
 
 LINEAR = View(method="pca", outputs=(29, 52), log_magnitude=False)
 
@@ -56,8 +56,12 @@ def show(qtbot):
     return make
 
 
-def canvas_of(panel):
-    return panel.findChild(SignalPlot).canvas
+def plot_of(panel):
+    return panel.findChild(SignalView).plot
+
+
+def said_above(panel):
+    return plot_of(panel).stack.header.header
 
 
 def click(panel, name):
@@ -73,8 +77,8 @@ def test_what_the_panel_needs_is_computed_or_given(qapp):
 
 def test_a_sine_reads_its_amplitude_at_its_frequency(show):
     panel = show()
-    canvas, legend = canvas_of(panel), panel.findChild(SignalPlot).legend
-    canvas.set_cursor(canvas.curves.nearest(100.0))
+    plot, legend = plot_of(panel), panel.findChild(SignalView).legend
+    plot.set_cursor(plot.curves.nearest(100.0))
     assert legend.text.where == "100.0 Hz"
     assert legend.text.readings == ("0.5000", "0.0500")
     assert legend.text.unit == "m/s²"
@@ -82,40 +86,42 @@ def test_a_sine_reads_its_amplitude_at_its_frequency(show):
 
 def test_the_level_switch_shows_db_of_the_same_results_at_once(show):
     panel = show()
-    canvas, legend = canvas_of(panel), panel.findChild(SignalPlot).legend
-    canvas.set_cursor(canvas.curves.nearest(100.0))
+    plot, legend = plot_of(panel), panel.findChild(SignalView).legend
+    plot.set_cursor(plot.curves.nearest(100.0))
     button = click(panel, "log-magnitude")
     assert panel.views[-1].log_magnitude
     assert button.isChecked()
-    assert canvas.frame.unit == "dB re 1 m/s²"
+    assert said_above(panel).unit == "dB re 1 m/s²"
     assert legend.text.readings == ("−6.0", "−26.0")
     assert legend.text.unit == "dB"
-    assert canvas.rows.values == (-85.0, -5.0)
+    assert plot.scale.values == (-85.0, -5.0)
     click(panel, "log-magnitude")
-    assert canvas.frame.unit == "m/s²"
-    assert canvas.rows.values[0] == 0.0
+    assert said_above(panel).unit == "m/s²"
+    assert plot.scale.values[0] == 0.0
 
 
 def test_frequency_goes_from_0_or_from_10_to_650_hz(show):
     panel = show()
-    window = canvas_of(panel).window
+    window = plot_of(panel).window
     assert window.values(window.shown) == pytest.approx((0.0, 650.0))
     click(panel, "log-frequency")
     assert panel.views[-1].log_frequency
-    window = canvas_of(panel).window
+    window = plot_of(panel).window
     assert window.values(window.shown) == pytest.approx((10.0, 650.0))
-    labels = {mark.text for mark in canvas_of(panel).frame.x_marks}
+    labels = {text for _, text in plot_of(panel).stack.x_axis.ticks()}
     assert {"10", "100", "500"} <= labels
 
 
 def test_the_measured_band_is_told_from_what_lies_outside(show):
     panel = show()
-    left, _, width, _ = canvas_of(panel).frame.plot
-    low, high = canvas_of(panel).frame.shaded
-    assert low == pytest.approx((left, width * 25 / 650))
-    assert high == pytest.approx((left + width * 600 / 650, width * 50 / 650))
+    axis, area = plot_of(panel).stack.x_axis, plot_of(panel).places.area
+    below, above = (axis.mapRectToScene(part) for part in axis.shaded())
+    assert (below.left(), below.width()) == pytest.approx((area.left(), area.width() * 25 / 650))
+    assert above.left() == pytest.approx(area.left() + area.width() * 600 / 650)
+    assert above.width() == pytest.approx(area.width() * 50 / 650)
+    assert (below.top(), below.height()) == pytest.approx((area.top(), area.height()))
     panel.show_state(start_design("synthetic-1"), replace(LINEAR, frequency_range_hz=(50.0, 300.0)))
-    assert canvas_of(panel).frame.shaded == ()
+    assert axis.shaded() == []
 
 
 @pytest.mark.parametrize(
@@ -124,7 +130,7 @@ def test_the_measured_band_is_told_from_what_lies_outside(show):
 )
 def test_the_spectrum_of_a_magnitude_says_that_it_is_rectified(show, axes, method, noted):
     panel = show(replace(LINEAR, axes=axes, method=method))
-    notes = canvas_of(panel).frame.notes
+    notes = said_above(panel).notes
     assert bool(notes) == noted
     if noted:
         assert notes[0] == "spectrum of a magnitude: rectified, shows doubled frequencies"
@@ -132,13 +138,13 @@ def test_the_spectrum_of_a_magnitude_says_that_it_is_rectified(show, axes, metho
 
 def test_a_zoom_is_kept_in_the_view_and_survives_new_data(show):
     panel = show()
-    canvas = canvas_of(panel)
-    QTest.keyClick(canvas, Qt.Key.Key_Plus)
+    plot = plot_of(panel)
+    QTest.keyClick(plot, Qt.Key.Key_Plus)
     zoom = panel.views[-1].frequency_range_hz
     assert zoom == pytest.approx((325 - 650 / 3, 325 + 650 / 3))
     panel.show_results(results_for(panel.views[-1], n_times=901, amplitude=2.0))
-    assert canvas.window.shown == pytest.approx(zoom)
-    QTest.keyClick(canvas, Qt.Key.Key_0)
+    assert plot.window.shown == pytest.approx(zoom)
+    QTest.keyClick(plot, Qt.Key.Key_0)
     assert panel.views[-1].frequency_range_hz is None
 
 
@@ -147,13 +153,13 @@ def test_the_layout_is_that_of_the_spectra_alone(show):
     click(panel, "stacked")
     assert panel.views[-1].spectra_layout == "stacked"
     assert panel.views[-1].traces_layout == "overlaid"
-    assert canvas_of(panel).rows.count == 2
+    assert len(plot_of(panel).stack.rows) == 2
 
 
 def test_silence_is_drawn_without_a_warning(show):
     for level in (False, True):
         panel = show(replace(LINEAR, log_magnitude=level), amplitude=0.0)
-        assert canvas_of(panel).curves is not None
+        assert plot_of(panel).curves is not None
         panel.grab()
 
 
@@ -162,15 +168,15 @@ def test_a_problem_is_not_undone_by_a_switch(show):
     panel.show_problem("the limb is not installed")
     click(panel, "log-magnitude")
     click(panel, "log-frequency")
-    assert canvas_of(panel).message == "the limb is not installed"
-    assert canvas_of(panel).curves is None
+    assert plot_of(panel).message == "the limb is not installed"
+    assert plot_of(panel).curves is None
 
 
 def test_without_outputs_the_panel_says_what_to_do(show):
     panel = show(replace(LINEAR, outputs=()))
-    assert canvas_of(panel).message == "Select outputs on the skin map"
+    assert plot_of(panel).message == "Select outputs on the skin map"
 
 
 @pytest.mark.parametrize(("limb", "badge"), [("synthetic-2", "SYNTHETIC"), ("measured-1", "")])
 def test_only_synthetic_limbs_carry_the_badge(show, limb, badge):
-    assert canvas_of(show(limb=limb)).frame.badge == badge
+    assert said_above(show(limb=limb)).badge == badge

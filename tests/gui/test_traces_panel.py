@@ -12,7 +12,7 @@ from skinsource.design import start_design
 from skinsource.quantities import RULES, sources
 from skinsource.view import View
 from skinsource_gui.panels.traces.panel import TracesPanel
-from skinsource_gui.widgets.plot.signal_plot import SignalPlot
+from skinsource_gui.widgets.plot.signal_view import SignalView
 
 SIGNED = View(method="pca", outputs=(29, 52, 7))
 
@@ -59,8 +59,12 @@ def show(qtbot):
     return make
 
 
-def canvas_of(panel):
-    return panel.findChild(SignalPlot).canvas
+def plot_of(panel):
+    return panel.findChild(SignalView).plot
+
+
+def said_above(panel):
+    return plot_of(panel).stack.header.header
 
 
 def click(panel, name):
@@ -76,7 +80,7 @@ def test_what_the_panel_needs_is_computed_or_given(qapp):
 
 def test_curves_are_named_after_the_outputs_they_belong_to(show):
     panel = show()
-    names = panel.findChild(SignalPlot).legend.text.names
+    names = panel.findChild(SignalView).legend.text.names
     assert [(name.number, name.short) for name in names] == [
         (29, "II nail rad."),
         (52, "wrist 1 rad."),
@@ -84,37 +88,37 @@ def test_curves_are_named_after_the_outputs_they_belong_to(show):
     ]
     # The view is ahead of the results: the old names stay with the old curves.
     panel.show_state(start_design("synthetic-1"), replace(SIGNED, outputs=(1, 2, 3)))
-    assert panel.findChild(SignalPlot).legend.text.names == names
+    assert panel.findChild(SignalView).legend.text.names == names
 
 
 def test_the_plot_keeps_most_of_a_small_panel(show):
     panel = show()
-    left, _, width, height = canvas_of(panel).frame.plot
-    assert height >= 100
-    assert width >= 360
-    assert left >= 28
+    area = plot_of(panel).places.area
+    assert area.height() >= 100
+    assert area.width() >= 360
+    assert area.left() >= 28
 
 
 @pytest.mark.parametrize(("method", "low"), [("pca", -0.32), ("mag", 0.0)])
 def test_magnitudes_start_at_zero_and_components_are_symmetric(show, method, low):
     panel = show(replace(SIGNED, method=method))
-    assert canvas_of(panel).rows.values == pytest.approx((low, 0.32))
+    assert plot_of(panel).scale.values == pytest.approx((low, 0.32))
 
 
 def test_the_axis_tells_of_the_delay_and_the_switch_removes_it(show):
     panel = show()
-    canvas = canvas_of(panel)
-    assert canvas.frame.titles[0] == (
+    plot = plot_of(panel)
+    assert plot.stack.x_axis.titles[0] == (
         "Time (ms) · responses start ~52 ms late (pre-trigger of the measurement)"
     )
     button = click(panel, "remove-delay")
     assert panel.views[-1].delay_removed
     assert button.isChecked()
-    assert canvas.frame.titles[0] == "Time (ms), 52 ms pre-trigger removed"
-    assert canvas.window.shown[0] == pytest.approx(-0.052)
+    assert plot.stack.x_axis.titles[0] == "Time (ms), 52 ms pre-trigger removed"
+    assert plot.window.shown[0] == pytest.approx(-0.052)
     click(panel, "remove-delay")
     assert not panel.views[-1].delay_removed
-    assert "late" in canvas.frame.titles[0]
+    assert "late" in plot.stack.x_axis.titles[0]
 
 
 def test_removing_the_delay_keeps_the_same_piece_of_the_curves_in_sight(show):
@@ -127,12 +131,12 @@ def test_removing_the_delay_keeps_the_same_piece_of_the_curves_in_sight(show):
 
 def test_the_axis_speaks_of_the_curves_that_are_drawn_not_of_those_to_come(show):
     panel = show()
-    shown = canvas_of(panel).window
+    shown = plot_of(panel).window
     panel.show_state(
         start_design("synthetic-1"), replace(SIGNED, delay_removed=True, time_range_s=(0.0, 0.1))
     )
-    assert canvas_of(panel).window == shown
-    assert "late" in canvas_of(panel).frame.titles[0]
+    assert plot_of(panel).window == shown
+    assert "late" in plot_of(panel).stack.x_axis.titles[0]
 
 
 def test_stacked_and_overlaid_are_chosen_by_mouse_and_by_arrow_keys(show, qtbot):
@@ -141,61 +145,61 @@ def test_stacked_and_overlaid_are_chosen_by_mouse_and_by_arrow_keys(show, qtbot)
     qtbot.waitUntil(panel.isActiveWindow)
     click(panel, "stacked")
     assert panel.views[-1].traces_layout == "stacked"
-    assert canvas_of(panel).rows.count == 3
+    assert len(plot_of(panel).stack.rows) == 3
     stacked = panel.findChild(QToolButton, "stacked")
     stacked.setFocus()
     QTest.keyClick(stacked, Qt.Key.Key_Left)
     assert panel.views[-1].traces_layout == "overlaid"
-    assert canvas_of(panel).rows.count == 1
+    assert len(plot_of(panel).stack.rows) == 1
 
 
 def test_a_zoom_survives_new_data_and_is_left_by_the_button(show):
     panel = show()
-    canvas = canvas_of(panel)
+    plot = plot_of(panel)
     leave = panel.findChild(QToolButton, "show-all")
     assert not leave.isVisible()
-    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(120, 60))
-    QTest.mouseMove(canvas, QPoint(220, 60))
-    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(220, 60))
+    QTest.mousePress(plot.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(120, 60))
+    QTest.mouseMove(plot.viewport(), QPoint(220, 60))
+    QTest.mouseRelease(plot.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(220, 60))
     zoom = panel.views[-1].time_range_s
-    assert canvas.window.shown == pytest.approx(zoom)
+    assert plot.window.shown == pytest.approx(zoom)
     panel.show_results(results_for(panel.views[-1], n_times=2000, amplitude=3.0))
-    assert canvas.window.shown == pytest.approx(zoom)
+    assert plot.window.shown == pytest.approx(zoom)
     assert leave.isVisible()
     QTest.mouseClick(leave, Qt.MouseButton.LeftButton)
     assert panel.views[-1].time_range_s is None
-    assert canvas.window.shown == pytest.approx((0.0, 650 / 1300))
+    assert plot.window.shown == pytest.approx((0.0, 650 / 1300))
     assert not leave.isVisible()
 
 
 def test_without_outputs_the_panel_says_what_to_do(show):
     panel = show(replace(SIGNED, outputs=()))
-    assert canvas_of(panel).message == "Select outputs on the skin map"
+    assert plot_of(panel).message == "Select outputs on the skin map"
     panel.show_state(start_design("synthetic-1"), SIGNED)
     panel.show_results(results_for(SIGNED))
-    assert canvas_of(panel).message == ""
+    assert plot_of(panel).message == ""
     panel.show_state(start_design("synthetic-1"), replace(SIGNED, outputs=()))
-    assert canvas_of(panel).message == "Select outputs on the skin map"
-    assert canvas_of(panel).curves is None
+    assert plot_of(panel).message == "Select outputs on the skin map"
+    assert plot_of(panel).curves is None
 
 
 def test_a_problem_empties_the_picture_until_there_are_results(show):
     panel = show()
     panel.show_problem("input 3 has no samples")
-    canvas, legend = canvas_of(panel), panel.findChild(SignalPlot).legend
-    assert canvas.message == "input 3 has no samples"
-    assert canvas.lines == ()
+    plot, legend = plot_of(panel), panel.findChild(SignalView).legend
+    assert plot.message == "input 3 has no samples"
+    assert plot.stack.rows == []
     assert legend.text.names == ()
     panel.show_state(start_design("synthetic-1"), replace(SIGNED, time_range_s=(0.0, 0.1)))
-    assert canvas.message == "input 3 has no samples"
+    assert plot.message == "input 3 has no samples"
     panel.show_results(results_for(SIGNED))
-    assert canvas.message == ""
-    assert canvas.lines != ()
+    assert plot.message == ""
+    assert plot.stack.rows[0].n_curves == 3
 
 
 @pytest.mark.parametrize(("limb", "badge"), [("synthetic-2", "SYNTHETIC"), ("measured-1", "")])
 def test_only_synthetic_limbs_carry_the_badge(show, limb, badge):
-    assert canvas_of(show(limb=limb)).frame.badge == badge
+    assert said_above(show(limb=limb)).badge == badge
 
 
 def test_tab_reaches_every_control(show, qtbot):
@@ -212,14 +216,14 @@ def test_tab_reaches_every_control(show, qtbot):
 def test_outputs_without_a_main_axis_are_named_in_the_plot(show):
     panel = show(View(axes="xyz", method="pca", outputs=(29, 52)), without_axis=(29,))
     assert "selected_without_main_axis" in panel.needs
-    assert "no main axis at 29" in canvas_of(panel).frame.notes[0]
+    assert "no main axis at 29" in said_above(panel).notes[0]
 
 
 def test_silence_misses_no_main_axis(show):
     panel = show(
         View(axes="xyz", method="pca", outputs=(29, 52)), amplitude=0.0, without_axis=(29, 52)
     )
-    assert canvas_of(panel).frame.notes == ()
+    assert said_above(panel).notes == ()
 
 
 def test_a_projection_on_a_fixed_axis_asks_for_no_main_axis(show):

@@ -12,10 +12,10 @@ from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
-from skinsource_gui.widgets.plot.plot_axis import XAxis
 from skinsource_gui.widgets.plot.plot_toolbar import PlotToolbar
-from skinsource_gui.widgets.plot.signal_plot import SignalPlot
+from skinsource_gui.widgets.plot.signal_view import SignalView
 
 _NO_OUTPUTS = "Select outputs on the skin map"
 _LOWEST_HZ = 10.0
@@ -67,7 +67,7 @@ class SpectraPanel(Panel):
             self._choose_log_magnitude,
         )
         self._log_magnitude.setAccessibleName("Log magnitude")
-        self._plot = SignalPlot("spectra-plot", "Spectra of the selected outputs", self)
+        self._plot = SignalView("spectra-plot", "Spectra of the selected outputs", self)
         self.setFocusProxy(self._plot)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)

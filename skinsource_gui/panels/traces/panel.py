@@ -11,10 +11,10 @@ from skinsource.quantities import PRE_TRIGGER_DELAY_S
 from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
-from skinsource_gui.widgets.plot.plot_axis import XAxis
 from skinsource_gui.widgets.plot.plot_toolbar import PlotToolbar
-from skinsource_gui.widgets.plot.signal_plot import SignalPlot
+from skinsource_gui.widgets.plot.signal_view import SignalView
 
 _NO_OUTPUTS = "Select outputs on the skin map"
 _DELAY = f"{PRE_TRIGGER_DELAY_S * 1e3:.0f} ms"
@@ -57,7 +57,7 @@ class TracesPanel(Panel):
             "measurement. Shift it away",
             self.remove_delay,
         )
-        self._plot = SignalPlot("traces-plot", "Traces of the selected outputs", self)
+        self._plot = SignalView("traces-plot", "Traces of the selected outputs", self)
         self.setFocusProxy(self._plot)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)

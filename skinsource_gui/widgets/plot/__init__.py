@@ -1,1 +1,1 @@
-"""Plots of signals."""
+"""Plots of signals, on pyqtgraph."""

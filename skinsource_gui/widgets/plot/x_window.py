@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from skinsource_gui.widgets.plot.plot_axis import XAxis
+from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.ranges import Range
 
 
@@ -21,6 +21,17 @@ class XWindow:
     axis: XAxis
     extent: Range
     shown: Range
+
+    @property
+    def holds_data(self) -> bool:
+        """Whether some of it is visible."""
+        return self.shown[0] < self.extent[1] and self.extent[0] < self.shown[1]
+
+    @property
+    def band(self) -> Range | None:
+        """Positions of the ends of the axis's band."""
+        band = self.axis.band
+        return None if band is None else (self.axis.position(band[0]), self.axis.position(band[1]))
 
     def part(self, position: float) -> float:
         """Where ``position`` lies: 0 at the left edge of the visible part, 1 at the right."""

@@ -2,13 +2,13 @@
 
 import pytest
 
-from skinsource_gui.widgets.plot.signal_plot import SignalPlot
-from tests.gui.signal_plot.bench import TIME
+from skinsource_gui.widgets.plot.signal_view import SignalView
+from tests.gui.signal_view.bench import TIME
 
 
 @pytest.fixture
-def plot(qtbot):
-    widget = SignalPlot("plot", "Plot")
+def signals(qtbot):
+    widget = SignalView("plot", "Plot")
     qtbot.addWidget(widget)
     widget.resize(420, 172)
     widget.set_view(TIME, None, stacked=False)

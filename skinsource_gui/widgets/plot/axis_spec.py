@@ -1,19 +1,19 @@
-"""What an axis says: ticks, labels and units."""
+"""What the axes of a plot say: units, titles, and which part is measured."""
 
 from dataclasses import dataclass
-from math import ceil, floor, isfinite, log10
+from math import floor, log10
 
 import numpy as np
 from numpy.typing import NDArray
 
 from skinsource_gui.widgets.plot.ranges import Kind, Range
+from skinsource_gui.widgets.plot.ticks import Tick, linear_ticks, log_ticks, number_text
 
 Floats = NDArray[np.float64]
 
-_MINUS = "\u2212"
-_STEPS = (1.0, 2.0, 5.0, 10.0)
-_MAX_TICKS = 40
 _READING_DIGITS = 4
+# Room for a label on the x axis and the gap beside it.
+_TICK_PX = 60.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -56,6 +56,16 @@ class XAxis:
             return values
         return np.log10(values, out=np.full(values.shape, np.nan), where=values > 0)
 
+    def ticks(self, low: float, high: float, width_px: float) -> tuple[Tick, ...]:
+        """Ticks between two positions that are ``width_px`` apart; their values are positions."""
+        most = max(width_px / _TICK_PX, 2)
+        if not self.log:
+            return linear_ticks(low, high, most, self.factor)
+        return tuple(
+            Tick(value=self.position(tick.value), label=tick.label)
+            for tick in log_ticks(self.value(low), self.value(high), most)
+        )
+
     def reading(self, value: float) -> str:
         """``value`` with its unit."""
         return f"{number_text(value * self.factor, self.decimals)} {self.unit}"
@@ -72,14 +82,6 @@ class ValueUnit:
     def reading(self, value: float) -> str:
         """``value`` without its unit, always with the same number of decimals."""
         return number_text(value * self.factor, self.decimals)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Tick:
-    """A grid line at ``value``, with a label or (``""``) without."""
-
-    value: float
-    label: str
 
 
 def value_unit(kind: Kind, low: float, high: float) -> ValueUnit:
@@ -104,54 +106,3 @@ def value_unit(kind: Kind, low: float, high: float) -> ValueUnit:
     return ValueUnit(
         factor=factor, symbol=symbol, decimals=min(max(_READING_DIGITS - whole_digits, 0), 6)
     )
-
-
-def linear_ticks(low: float, high: float, most: float, factor: float = 1.0) -> tuple[Tick, ...]:
-    """At most about ``most`` ticks on round numbers; labels show values times ``factor``."""
-    low, high = low * factor, high * factor
-    length = high - low
-    if not (isfinite(length) and length > 0) or most < 1:
-        return ()
-    step = _round_step(length / min(most, _MAX_TICKS))
-    decimals = max(0, -floor(log10(step) + 1e-9))
-    first, last = ceil(low / step - 1e-6), floor(high / step + 1e-6)
-    return tuple(
-        Tick(value=k * step / factor, label=number_text(k * step, decimals))
-        for k in range(first, last + 1)
-    )
-
-
-def log_ticks(low: float, high: float, most: float) -> tuple[Tick, ...]:
-    """Grid lines at 1 to 9 times each power of ten, with labels where they find room."""
-    decades = log10(high / low)
-    every = (1, 2, 5) if most >= 3 * decades else (1,)
-    ticks = [
-        Tick(value=digit * 10.0**power, label=number_text(digit * 10.0**power, max(0, -power)))
-        for power in range(floor(log10(low)), ceil(log10(high)) + 1)
-        for digit in range(1, 10)
-        if low * (1 - 1e-9) <= digit * 10.0**power <= high * (1 + 1e-9)
-    ]
-    labelled = [tick for tick in ticks if _first_digit(tick.value) in every]
-    if len(labelled) < 3:
-        return linear_ticks(low, high, most)
-    return tuple(tick if tick in labelled else Tick(value=tick.value, label="") for tick in ticks)
-
-
-def number_text(value: float, decimals: int) -> str:
-    """``value`` with a true minus sign; very large and very small ones with an exponent."""
-    if value != 0 and (decimals > 6 or abs(value) >= 1e7):
-        text = f"{value:.1e}"
-    else:
-        text = f"{value:.{min(decimals, 6)}f}"
-    if float(text) == 0:
-        text = text.removeprefix("-")
-    return text.replace("-", _MINUS)
-
-
-def _round_step(least: float) -> float:
-    decade = 10.0 ** floor(log10(least))
-    return next(step * decade for step in _STEPS if step * decade >= least * (1 - 1e-9))
-
-
-def _first_digit(value: float) -> int:
-    return round(value / 10.0 ** floor(log10(value) + 1e-9))

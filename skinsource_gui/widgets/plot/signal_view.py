@@ -6,23 +6,23 @@ from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves
-from skinsource_gui.widgets.plot.frame_layout import Words
 from skinsource_gui.widgets.plot.legend_strip import LegendStrip, LegendText
-from skinsource_gui.widgets.plot.plot_axis import XAxis
-from skinsource_gui.widgets.plot.plot_navigation import NavigablePlot
+from skinsource_gui.widgets.plot.plot import Plot
+from skinsource_gui.widgets.plot.plot_layout import Words
 from skinsource_gui.widgets.plot.ranges import Range
 
 # Results come many times a second while something is dragged; only lateness is worth a word.
 _LATE_MS = 150
 
 
-class SignalPlot(QWidget):
+class SignalView(QWidget):
     """A legend strip with readings over a plot with zoom and crosshair.
 
     Attributes
     ----------
-    canvas
+    plot
         The plot.
     legend
         The strip.
@@ -34,32 +34,32 @@ class SignalPlot(QWidget):
     def __init__(self, name: str, accessible_name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.legend = LegendStrip(self)
-        self.canvas = NavigablePlot(self)
-        self.canvas.setObjectName(name)
-        self.canvas.setAccessibleName(accessible_name)
-        self.canvas.setAccessibleDescription(
-            "Left and right move the crosshair, plus and minus zoom, 0 shows everything"
+        self.plot = Plot(self)
+        self.plot.setObjectName(name)
+        self.plot.setAccessibleName(accessible_name)
+        self.plot.setAccessibleDescription(
+            "Left and right move the crosshair, plus and minus zoom, A shows everything"
         )
-        self.setFocusProxy(self.canvas)
+        self.setFocusProxy(self.plot)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(self.legend)
-        column.addWidget(self.canvas, 1)
+        column.addWidget(self.plot, 1)
         self._words = Words()
         self._late = QTimer(self, interval=_LATE_MS, singleShot=True)
         self._late.timeout.connect(self._mark_stale)
-        self.canvas.zoom_requested.connect(self.zoom_requested)
-        self.canvas.reading_changed.connect(self._read)
+        self.plot.navigation.zoom_requested.connect(self.zoom_requested)
+        self.plot.reading_changed.connect(self._read)
 
     def set_theme(self, theme: Theme) -> None:
         """Take over colours."""
         self.legend.set_theme(theme)
-        self.canvas.set_theme(theme)
+        self.plot.set_theme(theme)
 
     def set_view(self, axis: XAxis, zoom: Range | None, *, stacked: bool) -> None:
         """X axis, its visible part in SI (``None``: all), and one row for each curve or one."""
-        self.canvas.set_view(axis, zoom, stacked=stacked)
+        self.plot.set_view(axis, zoom, stacked=stacked)
 
     def show_curves(self, curves: Curves, *, synthetic: bool, notes: tuple[str, ...] = ()) -> None:
         """Draw ``curves``, and the longest of ``notes`` that fits.
@@ -68,11 +68,11 @@ class SignalPlot(QWidget):
         """
         self._late.stop()
         self._say(Words(synthetic=synthetic, notes=notes))
-        self.canvas.show_curves(curves)
+        self.plot.show_curves(curves)
 
     def show_message(self, message: str) -> None:
         """Empty the picture and say ``message`` in its middle."""
-        self.canvas.show_message(message)
+        self.plot.show_message(message)
 
     def set_stale(self, stale: bool) -> None:
         """Say whether curves belong to an older design; told to the eye only after a while."""
@@ -87,11 +87,11 @@ class SignalPlot(QWidget):
 
     def _say(self, words: Words) -> None:
         self._words = words
-        self.canvas.set_words(words)
+        self.plot.set_words(words)
 
     def _read(self) -> None:
-        canvas = self.canvas
-        curves, unit, axis = canvas.curves, canvas.unit, canvas.window.axis
+        plot = self.plot
+        curves, unit, axis = plot.curves, plot.unit, plot.window.axis
         if curves is None:
             self.legend.say(LegendText())
             return
@@ -99,12 +99,12 @@ class SignalPlot(QWidget):
             names=curves.names,
             unit=unit.symbol,
             where_room=axis.reading(float(max(-curves.x[0], curves.x[-1]))),
-            reading_room=max((unit.reading(value) for value in canvas.rows.values), key=len),
+            reading_room=max((unit.reading(value) for value in plot.scale.values), key=len),
         )
-        if canvas.cursor is not None:
+        if plot.cursor is not None:
             text = replace(
                 text,
-                where=axis.reading(float(curves.x[canvas.cursor])),
-                readings=tuple(unit.reading(float(y)) for y in curves.y[:, canvas.cursor]),
+                where=axis.reading(float(curves.x[plot.cursor])),
+                readings=tuple(unit.reading(float(y)) for y in curves.y[:, plot.cursor]),
             )
         self.legend.say(text)

@@ -1,0 +1,38 @@
+"""One signal in a plot."""
+
+import pyqtgraph
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QColor, QPen
+
+from skinsource_gui.widgets.plot.curve_points import CurvePoints
+
+_STALE_OPACITY = 0.5
+
+
+class SignalCurve(pyqtgraph.PlotCurveItem):
+    """pyqtgraph's curve for points that were already thinned out to what can be seen.
+
+    It takes part in no automatic range and is as large as its view, so that new data measure
+    nothing.
+    """
+
+    def __init__(self) -> None:
+        super().__init__(skipFiniteCheck=True)
+
+    def show_points(self, points: CurvePoints) -> None:
+        """Draw ``points``."""
+        self.setData(points.x, points.y, antialias=points.smooth)
+
+    def set_look(self, colour: QColor, *, stale: bool) -> None:
+        """Colour of the curve; whether it is pale."""
+        # One pixel of the screen: any wider line takes a hundred times as long.
+        self.setPen(QPen(colour, 0))
+        self.setOpacity(_STALE_OPACITY if stale else 1.0)
+
+    def boundingRect(self) -> QRectF:
+        view = self.getViewBox()
+        return QRectF() if view is None else view.viewRect()
+
+    def viewTransformChanged(self) -> None:
+        # The bounds are those of the view.
+        self.prepareGeometryChange()

@@ -1,0 +1,175 @@
+"""Zoom, pan and crosshair by mouse and keys."""
+
+from typing import Protocol
+
+from PySide6.QtCore import QObject, QPointF, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+
+from skinsource_gui.widgets.plot.curves import Curves
+from skinsource_gui.widgets.plot.plot_layout import PlotLayout
+from skinsource_gui.widgets.plot.ranges import Range, within, zoomed
+from skinsource_gui.widgets.plot.view_box import PlotViewBox
+from skinsource_gui.widgets.plot.x_window import XWindow
+
+_KEY_ZOOM = 1.5
+_LEAP = 10
+# No closer than so many samples.
+_FEWEST_SAMPLES = 4
+_STEPS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
+_ZOOMS = {
+    Qt.Key.Key_Plus: _KEY_ZOOM,
+    Qt.Key.Key_Equal: _KEY_ZOOM,
+    Qt.Key.Key_Minus: 1 / _KEY_ZOOM,
+}
+_EVERYTHING = (Qt.Key.Key_0, Qt.Key.Key_A)
+_OTHER_KEYS = (*_EVERYTHING, Qt.Key.Key_Home, Qt.Key.Key_End, Qt.Key.Key_Escape)
+
+
+class Navigable(Protocol):
+    """What navigation asks of a plot."""
+
+    curves: Curves | None
+    window: XWindow
+    places: PlotLayout
+    cursor: int | None
+
+    def set_cursor(self, index: int | None) -> None:
+        """Put the crosshair on sample ``index``."""
+
+    def crosshair(self) -> float | None:
+        """Position of the crosshair, if it is in sight."""
+
+    def show_band(self, covered: Range | None) -> None:
+        """Show what a drag covers, positions, or nothing."""
+
+
+class Navigation(QObject):
+    """Turns gestures and keys into a crosshair, and into requests for a part of the x axis.
+
+    Wheel: zoom at the pointer.  Drag: zoom to what is covered.  Middle button or Shift: pan.
+    Double click, A or 0: everything.  Left and right: crosshair (Shift: ten samples), Home and
+    End: first and last sample, + and -: zoom, Esc: no crosshair, or the drag given up.
+    """
+
+    #: Part of the x axis the user wants to see, SI; None: everything.
+    zoom_requested = Signal(object)
+
+    def __init__(self, plot: Navigable, parent: QObject) -> None:
+        super().__init__(parent)
+        self._plot = plot
+        self._pinned = False
+        self._covering = False
+        self._given_up = False
+
+    def watch(self, view: PlotViewBox) -> None:
+        """Follow the gestures on ``view``."""
+        view.zoom_wanted.connect(self._zoom)
+        view.pan_wanted.connect(self._pan)
+        view.covered.connect(self._cover)
+
+    def show_everything(self) -> None:
+        """Ask for the whole x axis."""
+        self.zoom_requested.emit(None)
+
+    def follow_mouse(self, at: QPointF) -> None:
+        """Read what is under the pointer."""
+        plot = self._plot
+        if plot.curves is None:
+            return
+        self._pinned = False
+        if not plot.places.area.contains(at):
+            plot.set_cursor(None)
+            return
+        part = (at.x() - plot.places.left) / plot.places.area.width()
+        plot.set_cursor(plot.curves.nearest(plot.window.axis.value(plot.window.position(part))))
+
+    def leave(self) -> None:
+        """Read nothing, unless keys put the crosshair where it is."""
+        if not self._pinned:
+            self._plot.set_cursor(None)
+
+    def press(self, event: QKeyEvent) -> None:
+        """Do what a key means, or leave it to others."""
+        plot, key = self._plot, event.key()
+        if plot.curves is None or not is_ours(event):
+            event.ignore()
+        elif key == Qt.Key.Key_Escape:
+            self._escape(event)
+        elif key in _EVERYTHING:
+            self.show_everything()
+        elif key in _ZOOMS:
+            anchor = plot.crosshair()
+            # Keys zoom at the crosshair if it is in sight.
+            self._zoom(sum(plot.window.shown) / 2 if anchor is None else anchor, _ZOOMS[key])
+        elif key in _STEPS:
+            leap = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+            self._step(plot.curves, _STEPS[key] * (_LEAP if leap else 1))
+        else:
+            self._pin(plot.curves, 0 if key == Qt.Key.Key_Home else plot.curves.x.size - 1)
+
+    def _zoom(self, anchor: float, factor: float) -> None:
+        self._request(zoomed(self._plot.window.shown, anchor, factor))
+
+    def _pan(self, moved: float) -> None:
+        if moved:
+            low, high = self._plot.window.shown
+            self._request((low + moved, high + moved))
+
+    def _cover(self, start: float, end: float, finished: bool) -> None:
+        if self._plot.curves is None:
+            return
+        low, high = self._plot.window.shown
+        ends = sorted(min(max(place, low), high) for place in (start, end))
+        covered = (ends[0], ends[1])
+        self._covering = not (finished or self._given_up)
+        self._plot.show_band(covered if self._covering else None)
+        if finished and not self._given_up and covered[0] < covered[1]:
+            self._request(covered)
+        self._given_up = self._given_up and not finished
+
+    def _request(self, shown: Range) -> None:
+        plot = self._plot
+        if plot.curves is None:
+            return
+        extent, n_points = plot.window.extent, plot.curves.x.size
+        shortest = (extent[1] - extent[0]) * min(_FEWEST_SAMPLES / n_points, 1.0)
+        part = within(shown, extent, shortest)
+        self.zoom_requested.emit(None if part is None else plot.window.values(part))
+
+    def _step(self, curves: Curves, samples: int) -> None:
+        window, cursor = self._plot.window, self._plot.cursor
+        if cursor is None:
+            self._pin(curves, curves.nearest(window.axis.value(sum(window.shown) / 2)))
+        else:
+            self._pin(curves, min(max(cursor + samples, 0), curves.x.size - 1))
+
+    def _pin(self, curves: Curves, index: int) -> None:
+        # The crosshair stays until Esc, and pulls the visible part with it.
+        window = self._plot.window
+        if window.axis.log:
+            index = max(index, curves.nearest(window.axis.value(window.extent[0])))
+        self._pinned = True
+        position = window.axis.position(float(curves.x[index]))
+        low, high = window.shown
+        move = min(position - low, 0.0) + max(position - high, 0.0)
+        self._plot.set_cursor(index)
+        self._pan(move)
+
+    def _escape(self, event: QKeyEvent) -> None:
+        if self._covering:
+            self._covering, self._given_up = False, True
+            self._plot.show_band(None)
+        elif self._plot.cursor is not None:
+            self._pinned = False
+            self._plot.set_cursor(None)
+        else:
+            event.ignore()
+
+
+def is_ours(event: QKeyEvent) -> bool:
+    """Whether a plot understands this key."""
+    allowed = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
+    if event.modifiers() & ~allowed:
+        return False
+    key = event.key()
+    return key in _STEPS or key in _ZOOMS or key in _OTHER_KEYS

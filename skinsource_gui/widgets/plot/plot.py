@@ -1,0 +1,298 @@
+"""Curves over one x axis, on pyqtgraph: no toolbar, no legend."""
+
+import numpy as np
+import pyqtgraph
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QContextMenuEvent,
+    QFocusEvent,
+    QFontMetricsF,
+    QHelpEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QResizeEvent,
+)
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+
+from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.widgets.plot.axis_spec import ValueUnit, XAxis, value_unit
+from skinsource_gui.widgets.plot.curve_points import curve_points
+from skinsource_gui.widgets.plot.curves import Curves
+from skinsource_gui.widgets.plot.navigation import Navigation, is_ours
+from skinsource_gui.widgets.plot.plot_layout import Content, PlotLayout, Words, laid_out
+from skinsource_gui.widgets.plot.ranges import HeldRange, Range
+from skinsource_gui.widgets.plot.stack import Stack
+from skinsource_gui.widgets.plot.value_scale import EDGE, ValueScale, row_count
+from skinsource_gui.widgets.plot.x_window import XWindow, x_window
+
+_NOT_FINITE = "The response has values that are not finite numbers."
+# A drag shorter than this is a click.
+_DRAG_PX = 5
+
+
+class Plot(pyqtgraph.GraphicsView):
+    """Curves in one row or in one row each, with a crosshair.
+
+    Ranges are decided once for each update; what is around the curves is kept as pictures.
+
+    Attributes
+    ----------
+    curves
+        What is drawn, or ``None``.
+    stack
+        What is in the scene.
+    scale, unit
+        Where values lie in a row; how they are written.
+    window
+        Visible part of the x axis.
+    places
+        Where everything is, px.
+    cursor
+        Index of the sample under the crosshair, or ``None``.
+    navigation
+        What mouse and keys ask for.
+    """
+
+    #: The crosshair reads something else: `cursor` and what is drawn are up to date.
+    reading_changed = Signal()
+    #: Where on the screen the menu is wanted.
+    menu_wanted = Signal(object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        # Each move of the mouse counts, however quick: the last one is where it stopped.
+        pyqtgraph.setConfigOption("mouseRateLimit", 0)
+        super().__init__(parent)
+        self.setMinimumSize(160, 90)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setCursor(Qt.CursorShape.CrossCursor)
+        self.scene().setMoveDistance(_DRAG_PX)
+        self.theme = LIGHT
+        self.curves: Curves | None = None
+        self.scale = ValueScale(values=(0.0, 1.0))
+        self.unit: ValueUnit = value_unit("amplitude", 0.0, 1.0)
+        self.window: XWindow = x_window(XAxis(titles=("",), unit=""), (0.0, 1.0), None)
+        self.places = PlotLayout(width=1, height=1, left=0, top=0, right=1, bottom=1, n_rows=1)
+        self.cursor: int | None = None
+        self._font = tabular(self.font())
+        self._font.setPointSizeF(self._font.pointSizeF() * 0.9)
+        self._zoom: Range | None = None
+        self._stacked = False
+        self._words = Words()
+        self._held = HeldRange()
+        self._content: tuple[Content, XWindow] | None = None
+        self.navigation = Navigation(self, self)
+        self.stack = Stack(self.scene(), self.theme, self._font, self.navigation.watch)
+        self.scene().sigMouseMoved.connect(self.navigation.follow_mouse)
+        self.set_theme(LIGHT)
+
+    @property
+    def message(self) -> str:
+        """What is said in place of curves."""
+        return self.stack.message.text
+
+    def sizeHint(self) -> QSize:
+        return QSize(256, 192)
+
+    def set_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self.theme = theme
+        self.setBackground(QColor(theme.base))
+        self.stack.set_look(theme, self._font, self.font())
+        self._colour()
+        self.viewport().update()
+
+    def set_view(self, axis: XAxis, zoom: Range | None, *, stacked: bool) -> None:
+        """X axis, its visible part in SI (``None``: all), and one row for each curve or one."""
+        if (axis, zoom, stacked) != (self.window.axis, self._zoom, self._stacked):
+            self.window = x_window(axis, self._data_range(), zoom)
+            self._zoom, self._stacked = zoom, stacked
+            self._draw()
+            self.reading_changed.emit()
+
+    def set_words(self, words: Words) -> None:
+        """Words around the curves."""
+        if words != self._words:
+            self._words = words
+            self._lay_out()
+            self._colour()
+
+    def show_curves(self, curves: Curves) -> None:
+        """Draw ``curves`` in place of those before; zoom and crosshair stay."""
+        low, high = float(curves.y.min()), float(curves.y.max())
+        if not (np.isfinite(low) and np.isfinite(high)):
+            self.show_message(_NOT_FINITE)
+            return
+        if self.curves is not None and self.cursor is not None:
+            self.cursor = curves.nearest(float(self.curves.x[self.cursor]))
+        others = self.curves is None or curves.names != self.curves.names
+        self.curves = curves
+        values = self._held.follow(low, high, curves.kind)
+        self.scale = ValueScale(values=values, edge=self.scale.edge)
+        self.unit = value_unit(curves.kind, *values)
+        self.window = x_window(self.window.axis, self._data_range(), self._zoom)
+        self._draw()
+        if others:
+            self._colour()
+        self.reading_changed.emit()
+
+    def show_message(self, message: str) -> None:
+        """Empty the picture and say ``message`` in its middle."""
+        if self.curves is None and message == self.message:
+            return
+        self.curves, self.cursor, self._content = None, None, None
+        self.stack.say(message)
+        self.reading_changed.emit()
+
+    def set_cursor(self, index: int | None) -> None:
+        """Put the crosshair on sample ``index``."""
+        if index != self.cursor:
+            self.cursor = index
+            self._read()
+            self.reading_changed.emit()
+
+    def crosshair(self) -> float | None:
+        """Position of the crosshair; ``None`` where there is none in the visible part."""
+        if self.curves is None or self.cursor is None:
+            return None
+        x = float(self.curves.x[self.cursor])
+        if self.window.axis.log and x <= 0:
+            return None
+        position = self.window.axis.position(x)
+        return position if 0 <= self.window.part(position) <= 1 else None
+
+    def show_band(self, covered: Range | None) -> None:
+        """Show what a drag covers, positions, or nothing."""
+        if covered is None:
+            self.stack.show_band(None)
+            return
+        area = self.places.area
+        start, end = (area.left() + area.width() * self.window.part(at) for at in covered)
+        self.stack.show_band(QRectF(start, area.top(), end - start, area.height()))
+
+    def event(self, event: QEvent) -> bool:
+        # These keys are this plot's while it has the focus, whatever the window's actions are.
+        is_shortcut = event.type() == QEvent.Type.ShortcutOverride
+        if is_shortcut and isinstance(event, QKeyEvent) and self.curves and is_ours(event):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def viewportEvent(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
+            QToolTip.showText(event.globalPos(), self._hint_at(event.y()), self)
+            return True
+        return super().viewportEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        self.navigation.press(event)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        # The right button opens the menu, which takes its release: the scene need not know.
+        if event.button() == Qt.MouseButton.RightButton:
+            event.accept()
+        else:
+            super().mousePressEvent(event)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if event.button() != Qt.MouseButton.RightButton:
+            super().mouseReleaseEvent(event)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.navigation.show_everything()
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        self.menu_wanted.emit(event.globalPos())
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self.navigation.leave()
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self.viewport().update()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self.viewport().update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.hasFocus():
+            painter = QPainter(self.viewport())
+            painter.setPen(QPen(QColor(self.theme.accent), 1))
+            painter.drawRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5))
+            painter.end()
+
+    def resizeEvent(self, event: QResizeEvent | None) -> None:
+        super().resizeEvent(event)
+        # pyqtgraph's constructor calls this too, without an event.
+        if event is not None:
+            self._draw()
+
+    def _hint_at(self, y_px: float) -> str:
+        # What the words above and below the plot say when there is room for them.
+        places = self.places
+        if self.curves is None or places.top <= y_px <= places.bottom:
+            return ""
+        texts = places.header.notes if y_px < places.top else self.window.axis.titles
+        return texts[0] if texts else ""
+
+    def _data_range(self) -> Range:
+        if self.curves is None:
+            return (0.0, 1.0)
+        return (float(self.curves.x[0]), float(self.curves.x[-1]))
+
+    def _draw(self) -> None:
+        self._lay_out()
+        if self.curves is None:
+            return
+        places = self.places
+        n_drawn = places.n_rows if self._stacked else len(self.curves.names)
+        rows = [places.row(rank if self._stacked else 0) for rank in range(n_drawn)]
+        ratio = self.devicePixelRatioF()
+        self.stack.show_points(curve_points(self.curves, self.window, self.scale, rows, ratio))
+        self._read()
+
+    def _lay_out(self) -> None:
+        curves = self.curves
+        if curves is None:
+            self.stack.place_message(QRectF(self.rect()))
+            return
+        count = row_count(len(curves.names), stacked=self._stacked)
+        self.scale = ValueScale(values=self.scale.values, edge=EDGE if count > 1 else 0.0)
+        content = Content(
+            width=float(self.width()),
+            height=float(self.height()),
+            n_rows=count,
+            scale=self.scale,
+            stacked=self._stacked,
+            unit=self.unit,
+            level=curves.kind == "level",
+            n_curves=len(curves.names),
+            words=self._words,
+        )
+        if (content, self.window) != self._content:
+            recolour = self._content is None or self._content[0].n_rows != count
+            self._content = (content, self.window)
+            self.places = laid_out(content, QFontMetricsF(self._font), self.places.left)
+            self.stack.place(self.places, self.window)
+            if recolour:
+                self._colour()
+
+    def _colour(self) -> None:
+        names = () if self.curves is None or not self._stacked else self.curves.names
+        self.stack.show_colours([name.number for name in names], stale=self._words.stale)
+
+    def _read(self) -> None:
+        position = self.crosshair()
+        if self.curves is None or position is None:
+            self.stack.show_crosshair(None, ())
+            return
+        n_drawn = len(self.stack.rows) if self._stacked else len(self.curves.names)
+        heights = self.scale.heights(self.curves.y[:n_drawn, self.cursor])
+        self.stack.show_crosshair(position, heights.tolist())

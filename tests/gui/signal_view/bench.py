@@ -1,0 +1,63 @@
+"""The plot of traces and spectra, without a panel."""
+
+import numpy as np
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QApplication
+
+from skinsource_gui.widgets.plot.axis_spec import (
+    XAxis,
+)
+from skinsource_gui.widgets.plot.curves import Curves, output_names
+
+TIME = XAxis(titles=("Time (ms) and much more to say about it", "Time (ms)"), unit="ms", factor=1e3)
+
+
+FREQUENCY = XAxis(titles=("Frequency (Hz)",), unit="Hz", extent=(10.0, 650.0), log=True)
+
+
+def waves(n_curves=2, n_points=651, amplitude=0.3):
+    x = np.arange(n_points) / 1300
+    y = [amplitude / (1 + k) * np.sin(2 * np.pi * 20 * x + k) for k in range(n_curves)]
+    return Curves(x=x, y=np.array(y), names=output_names(tuple(range(1, n_curves + 1))))
+
+
+def turn_wheel(signals, x, modifiers, turned=120, *, aside=False):
+    at, plot = QPointF(x, 60), signals.plot
+    event = QWheelEvent(
+        at,
+        plot.mapToGlobal(at),
+        QPoint(),
+        QPoint(turned, 0) if aside else QPoint(0, turned),
+        Qt.MouseButton.NoButton,
+        modifiers,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    QApplication.sendEvent(plot.viewport(), event)
+
+
+def left_and_width(signals):
+    """Left edge and width of the part where curves are, px."""
+    area = signals.plot.places.area
+    return area.left(), area.width()
+
+
+def drawn(signals):
+    """Items of the curves that are drawn, by rank."""
+    rows = signals.plot.stack.rows
+    return [curve for row in rows for curve in row.curves[: row.n_curves]]
+
+
+def heights_px(signals, curve):
+    """Heights of the points of a curve, px from the top."""
+    row = next(row for row in signals.plot.stack.rows if curve in row.curves)
+    return [
+        signals.plot.mapFromScene(row.view.mapViewToScene(QPointF(x, y))).y()
+        for x, y in zip(curve.xData, curve.yData, strict=True)
+    ]
+
+
+def said_above(signals):
+    """What is said above the curves."""
+    return signals.plot.stack.header.header

@@ -1,0 +1,170 @@
+"""The plot of traces and spectra, without a panel."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+
+from skinsource_gui.widgets.plot.curves import Curves, output_names
+from tests.gui.signal_view.bench import FREQUENCY, TIME, left_and_width, turn_wheel, waves
+
+
+def test_the_crosshair_reads_exact_samples_and_leaves_with_the_mouse(signals):
+    curves = waves(2)
+    signals.show_curves(curves, synthetic=False)
+    canvas = signals.plot
+    QTest.mouseMove(canvas.viewport(), QPoint(200, 60))
+    index = canvas.cursor
+    assert index is not None
+    text = signals.legend.text
+    assert text.where == f"{curves.x[index] * 1e3:.1f} ms"
+    assert text.readings == tuple(f"{y:.4f}".replace("-", "−") for y in curves.y[:, index])
+    assert text.unit == "m/s²"
+    left, width = left_and_width(signals)
+    assert curves.x[index] == pytest.approx((200 - left) / width * curves.x[-1], abs=1 / 1300)
+    QTest.mouseMove(canvas.viewport(), QPoint(2, 2))
+    assert canvas.cursor is None
+    assert signals.legend.text.readings == ()
+
+
+def test_the_crosshair_keeps_its_place_when_data_change(signals):
+    signals.show_curves(waves(2), synthetic=False)
+    signals.plot.set_cursor(130)
+    signals.show_curves(waves(2, n_points=1300, amplitude=0.25), synthetic=False)
+    assert signals.plot.cursor == 130
+    assert signals.legend.text.where == "100.0 ms"
+    signals.show_curves(waves(2, n_points=50), synthetic=False)
+    assert signals.plot.cursor == 49
+
+
+def test_keys_move_the_crosshair_until_escape(signals):
+    signals.show_curves(waves(2), synthetic=False)
+    canvas = signals.plot
+    QTest.keyClick(canvas, Qt.Key.Key_Right)
+    assert canvas.cursor == 325
+    QTest.keyClick(canvas, Qt.Key.Key_Left)
+    QTest.keyClick(canvas, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
+    assert canvas.cursor == 334
+    QTest.keyClick(canvas, Qt.Key.Key_End)
+    QTest.keyClick(canvas, Qt.Key.Key_Right)
+    assert canvas.cursor == 650
+    QTest.keyClick(canvas, Qt.Key.Key_Home)
+    assert canvas.cursor == 0
+    QTest.keyClick(canvas, Qt.Key.Key_Escape)
+    assert canvas.cursor is None
+
+
+def test_a_crosshair_moved_out_of_sight_asks_for_the_part_it_is_in(signals, qtbot):
+    signals.show_curves(waves(2), synthetic=False)
+    signals.set_view(TIME, (0.1, 0.2), stacked=False)
+    with qtbot.waitSignal(signals.zoom_requested) as asked:
+        QTest.keyClick(signals.plot, Qt.Key.Key_End)
+    assert asked.args[0] == pytest.approx((0.4, 0.5))
+
+
+def test_a_drag_zooms_to_what_it_covers(signals, qtbot):
+    signals.show_curves(waves(2), synthetic=False)
+    canvas = signals.plot
+    left, width = left_and_width(signals)
+    with qtbot.waitSignal(signals.zoom_requested) as asked:
+        QTest.mousePress(canvas.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(300, 60))
+        QTest.mouseMove(canvas.viewport(), QPoint(200, 62))
+        QTest.mouseRelease(canvas.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(200, 62))
+    low, high = asked.args[0]
+    assert low == pytest.approx(0.5 * (200 - left) / width)
+    assert high == pytest.approx(0.5 * (300 - left) / width)
+
+
+def test_a_click_or_an_escaped_drag_zooms_nowhere(signals, qtbot):
+    signals.show_curves(waves(2), synthetic=False)
+    canvas = signals.plot
+    with qtbot.assertNotEmitted(signals.zoom_requested):
+        QTest.mouseClick(canvas.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(150, 60))
+        QTest.mousePress(canvas.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(150, 60))
+        QTest.mouseMove(canvas.viewport(), QPoint(250, 60))
+        QTest.keyClick(canvas, Qt.Key.Key_Escape)
+        QTest.mouseRelease(canvas.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(250, 60))
+
+
+@pytest.mark.parametrize(
+    "modifier", [Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier]
+)
+def test_the_wheel_zooms_at_the_pointer(signals, qtbot, modifier):
+    signals.show_curves(waves(2), synthetic=False)
+    canvas = signals.plot
+    left, width = left_and_width(signals)
+    before = canvas.window.position((200 - left) / width)
+    with qtbot.waitSignal(signals.zoom_requested) as asked:
+        turn_wheel(signals, 200, modifier)
+    low, high = asked.args[0]
+    assert high - low == pytest.approx(0.5 / 1.2)
+    signals.set_view(TIME, asked.args[0], stacked=False)
+    after = canvas.window.position((200 - left) / width)
+    assert after == pytest.approx(before)
+
+
+@pytest.mark.parametrize(
+    ("modifier", "aside"),
+    [(Qt.KeyboardModifier.ShiftModifier, False), (Qt.KeyboardModifier.NoModifier, True)],
+)
+def test_the_wheel_with_shift_or_to_the_side_pans(signals, qtbot, modifier, aside):
+    signals.show_curves(waves(2), synthetic=False)
+    signals.set_view(TIME, (0.1, 0.3), stacked=False)
+    with qtbot.waitSignal(signals.zoom_requested) as asked:
+        turn_wheel(signals, 200, modifier, turned=-120, aside=aside)
+    assert asked.args[0] == pytest.approx((0.12, 0.32))
+
+
+def test_the_middle_button_pans_and_stops_at_the_ends(signals):
+    signals.show_curves(waves(2), synthetic=False)
+    signals.set_view(TIME, (0.1, 0.3), stacked=False)
+    asked = []
+    signals.zoom_requested.connect(asked.append)
+    canvas, (_, width) = signals.plot, left_and_width(signals)
+    QTest.mousePress(canvas.viewport(), Qt.MouseButton.MiddleButton, pos=QPoint(200, 60))
+    QTest.mouseMove(canvas.viewport(), QPoint(150, 60))
+    QTest.mouseRelease(canvas.viewport(), Qt.MouseButton.MiddleButton, pos=QPoint(150, 60))
+    assert asked[-1] == pytest.approx((0.1 + 50 / width * 0.2, 0.3 + 50 / width * 0.2))
+    QTest.mousePress(canvas.viewport(), Qt.MouseButton.MiddleButton, pos=QPoint(60, 60))
+    QTest.mouseMove(canvas.viewport(), QPoint(400, 60))
+    QTest.mouseRelease(canvas.viewport(), Qt.MouseButton.MiddleButton, pos=QPoint(400, 60))
+    assert asked[-1] == pytest.approx((0.0, 0.2))
+
+
+def test_double_click_0_and_a_show_everything_and_plus_and_minus_zoom(signals):
+    signals.show_curves(waves(2), synthetic=False)
+    asked = []
+    signals.zoom_requested.connect(asked.append)
+    QTest.keyClick(signals.plot, Qt.Key.Key_Plus)
+    assert asked[-1] == pytest.approx((0.25 - 0.5 / 3, 0.25 + 0.5 / 3))
+    signals.set_view(TIME, asked[-1], stacked=False)
+    QTest.keyClick(signals.plot, Qt.Key.Key_Minus)
+    assert asked[-1] is None
+    QTest.keyClick(signals.plot, Qt.Key.Key_0)
+    QTest.keyClick(signals.plot, Qt.Key.Key_A)
+    QTest.mouseDClick(signals.plot.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(150, 60))
+    assert asked[-3:] == [None, None, None]
+
+
+def test_a_logarithmic_axis_zooms_evenly_in_octaves(signals, qtbot):
+    x = np.arange(326) * 2.0
+    signals.show_curves(
+        Curves(x=x, y=np.ones((1, x.size)), names=output_names((1,))), synthetic=False
+    )
+    signals.set_view(FREQUENCY, (50.0, 200.0), stacked=False)
+    signals.plot.set_cursor(50)
+    assert signals.legend.text.where == "100.0 Hz"
+    with qtbot.waitSignal(signals.zoom_requested) as asked:
+        QTest.keyClick(signals.plot, Qt.Key.Key_Minus)
+    low, high = asked.args[0]
+    assert (100 / low, high / 100) == pytest.approx((2**1.5, 2**1.5))
+    signals.set_view(FREQUENCY, (0.0, 50.0), stacked=False)
+    assert signals.plot.window.values(signals.plot.window.shown) == pytest.approx((10.0, 50.0))
+
+
+def test_a_zoom_that_holds_no_data_says_how_to_leave_it(signals):
+    signals.show_curves(waves(2), synthetic=False)
+    signals.set_view(TIME, (2.0, 3.0), stacked=False)
+    assert "Press 0" in signals.plot.stack.hint.text
+    signals.set_view(TIME, None, stacked=False)
+    assert signals.plot.stack.hint.text == ""

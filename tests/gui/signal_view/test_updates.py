@@ -1,0 +1,63 @@
+"""The plot of traces and spectra, without a panel."""
+
+import numpy as np
+
+from skinsource_gui.theme import DARK, LIGHT
+from skinsource_gui.widgets.plot.curves import Curves
+from tests.gui.signal_view.bench import said_above, waves
+
+
+def test_ranges_do_not_change_while_data_change_a_little(signals):
+    signals.show_curves(waves(2, amplitude=0.3), synthetic=False)
+    before = signals.plot.places
+    for amplitude in (0.31, 0.25, 0.2, 0.31):
+        signals.show_curves(waves(2, amplitude=amplitude), synthetic=False)
+        assert signals.plot.places is before
+
+
+def test_values_that_are_not_finite_empty_the_picture(signals):
+    curves = waves(1)
+    curves.y[0, 3] = np.nan
+    signals.show_curves(curves, synthetic=False)
+    assert signals.plot.curves is None
+    assert "not finite" in signals.plot.message
+
+
+def test_late_results_are_marked_and_quick_ones_are_not(signals, qtbot):
+    signals.show_curves(waves(2), synthetic=False)
+    signals.set_stale(True)
+    assert said_above(signals).mark == ""
+    signals.show_curves(waves(2), synthetic=False)
+    signals.set_stale(True)
+    qtbot.waitUntil(lambda: said_above(signals).mark == "updating…")
+    signals.set_stale(False)
+    assert said_above(signals).mark == ""
+
+
+def test_each_theme_has_its_own_background_and_colours(signals):
+    signals.show_curves(waves(2), synthetic=False)
+    for theme in (LIGHT, DARK):
+        signals.set_theme(theme)
+        picture = signals.plot.grab().toImage()
+        assert picture.pixelColor(1, picture.height() // 2).name() == theme.base
+        seen = {picture.pixelColor(x, y).name() for x in range(420) for y in range(150)}
+        assert set(theme.outputs[:2]) <= seen
+
+
+def test_what_is_drawn_follows_the_data(signals):
+    signals.show_curves(waves(1), synthetic=False)
+    before = signals.plot.grab().toImage()
+    curves = waves(1)
+    signals.show_curves(Curves(x=curves.x, y=-curves.y, names=curves.names), synthetic=False)
+    assert signals.plot.grab().toImage() != before
+    signals.show_curves(curves, synthetic=False)
+    assert signals.plot.grab().toImage() == before
+
+
+def test_a_narrow_legend_leaves_out_words_but_its_tooltip_has_them_all(signals):
+    signals.show_curves(waves(9), synthetic=False)
+    signals.plot.set_cursor(10)
+    lines = signals.legend.text.lines().splitlines()
+    assert len(lines) == 10
+    assert lines[1].startswith("1  Digit V, beside the nail, ulnar: ")
+    assert all(line.endswith("m/s²") for line in lines[1:])
