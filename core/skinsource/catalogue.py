@@ -4,6 +4,7 @@ from skinsource.dataset.store import is_installed, load_measured_limb
 from skinsource.errors import UnknownLimbError
 from skinsource.limb import LIMB_NAMES, Limb
 from skinsource.synthetic import load_synthetic_limb
+from skinsource.wording import quoted
 
 
 def available_limbs() -> tuple[str, ...]:
@@ -29,7 +30,7 @@ def load_limb(name: str) -> Limb:
     """
     if name not in LIMB_NAMES:
         raise UnknownLimbError(
-            f"limb {name!r} is not known; available now: {', '.join(available_limbs())}"
+            f"limb {quoted(name)} is not known; available now: {', '.join(available_limbs())}"
         )
     kind, number = name.split("-")
     load = load_measured_limb if kind == "measured" else load_synthetic_limb

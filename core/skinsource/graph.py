@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from skinsource.job import Stop, never, stop_if
+from skinsource.wording import quoted
 from skinsource.work import Work, counting, tally
 
 
@@ -42,7 +43,7 @@ class Graph:
         names = Counter(_name(rule) for rule in rules)
         twice = [name for name, times in names.items() if times > 1]
         if twice:
-            raise ValueError(f"two rules compute {twice[0]!r}; expected one")
+            raise ValueError(f"two rules compute {quoted(twice[0])}; expected one")
         self._rules = {_name(rule): rule for rule in rules}
         self._needs = {
             name: tuple(signature(rule).parameters) for name, rule in self._rules.items()
@@ -166,5 +167,5 @@ def _freeze(result: Any) -> None:
 
 def _unknown(name: str, known: Iterable[str]) -> str:
     close = get_close_matches(name, list(known), n=1)
-    hint = f"; did you mean {close[0]!r}?" if close else ""
-    return f"no rule computes {name!r}{hint}"
+    hint = f"; did you mean {quoted(close[0])}?" if close else ""
+    return f"no rule computes {quoted(name)}{hint}"

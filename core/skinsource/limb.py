@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.errors import InvalidInputError
+from skinsource.wording import quoted
 from skinsource.work import tally
 
 N_INPUTS, N_OUTPUTS, N_AXES, N_TAPS = 20, 72, 3, 522
@@ -129,6 +130,6 @@ def check_input_location(location: int) -> None:
     is_integer = isinstance(location, int | np.integer) and not isinstance(location, bool)
     if not is_integer or not 1 <= location <= N_INPUTS:
         raise InvalidInputError(
-            f"input location {location!r} does not exist: locations are the whole numbers 1 to "
-            f"{N_INPUTS}. See skinsource.locations for the list."
+            f"input location {quoted(location)} does not exist: locations are the whole numbers 1 "
+            f"to {N_INPUTS}. See skinsource.locations for the list."
         )

@@ -7,6 +7,7 @@ import numpy as np
 
 from skinsource.errors import InvalidInputError
 from skinsource.limb import N_OUTPUTS, check_input_location
+from skinsource.wording import quoted
 
 Contact = Literal["in-axis", "perpendicular"]
 Side = Literal["dorsal", "volar"]
@@ -212,7 +213,7 @@ def output_place(number: int) -> OutputPlace:
     is_integer = isinstance(number, int | np.integer) and not isinstance(number, bool)
     if not is_integer or not 1 <= number <= N_OUTPUTS:
         raise InvalidInputError(
-            f"output location {number!r} does not exist: locations are the whole numbers 1 to "
-            f"{N_OUTPUTS}. See skinsource.locations for the list."
+            f"output location {quoted(number)} does not exist: locations are the whole numbers "
+            f"1 to {N_OUTPUTS}. See skinsource.locations for the list."
         )
     return OUTPUTS[number - 1]

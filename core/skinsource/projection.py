@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from skinsource.errors import InvalidInputError
+from skinsource.wording import quoted
 
 Floats = NDArray[np.float64]
 Axes = Literal["x", "y", "z", "xy", "xz", "yz", "xyz"]
@@ -43,9 +44,11 @@ def project_axes(acceleration: ArrayLike, axes: Axes = "xyz", method: Method = "
         Unknown axes or method, wrong shape, no samples, or values that are not finite.
     """
     if axes not in AXES:
-        raise InvalidInputError(f"axes {axes!r} are not known; choose from {', '.join(AXES)}")
+        raise InvalidInputError(f"axes {quoted(axes)} are not known; choose from {', '.join(AXES)}")
     if method not in METHODS:
-        raise InvalidInputError(f"method {method!r} is not known; choose from {', '.join(METHODS)}")
+        raise InvalidInputError(
+            f"method {quoted(method)} is not known; choose from {', '.join(METHODS)}"
+        )
     data = np.asarray(acceleration, np.float64)
     if data.ndim != 3 or data.shape[1] != 3:
         raise InvalidInputError(

@@ -3,6 +3,7 @@
 from typing import Literal, get_args
 
 from skinsource.errors import InvalidInputError
+from skinsource.wording import quoted
 
 Scaling = Literal["upstream", "relative", "probe"]
 SCALINGS: tuple[Scaling, ...] = get_args(Scaling)
@@ -12,5 +13,5 @@ def check_scaling(scaling: str) -> None:
     """Raise `InvalidInputError` unless ``scaling`` is one of `SCALINGS`."""
     if scaling not in SCALINGS:
         raise InvalidInputError(
-            f"scaling {scaling!r} is not known; choose from {', '.join(SCALINGS)}"
+            f"scaling {quoted(scaling)} is not known; choose from {', '.join(SCALINGS)}"
         )

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from skinsource.errors import InvalidInputError
 from skinsource.limb import SAMPLE_RATE_HZ
+from skinsource.wording import quoted
 
 Floats = NDArray[np.float64]
 WindowName = Literal["none", "tukey", "hanning"]
@@ -50,7 +51,9 @@ def window(name: WindowName, n: int) -> Floats:
         Length in samples, 0 or more.
     """
     if name not in WINDOWS:
-        raise InvalidInputError(f"window {name!r} is not known; choose from {', '.join(WINDOWS)}")
+        raise InvalidInputError(
+            f"window {quoted(name)} is not known; choose from {', '.join(WINDOWS)}"
+        )
     if not n >= 0 or n % 1:
         raise InvalidInputError(f"a window of {n} samples cannot be made; expected 0, 1, 2, …")
     n = int(n)

@@ -11,6 +11,7 @@ import numpy as np
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
 from skinsource.signals import sample_count
+from skinsource.wording import quoted
 
 Span = Literal["record", "loudest"]
 SPANS: tuple[Span, ...] = get_args(Span)
@@ -22,7 +23,7 @@ LOUDEST_WINDOW_S = 0.1
 def check_span(span: str) -> None:
     """Raise `InvalidInputError` unless ``span`` is one of `SPANS`."""
     if span not in SPANS:
-        raise InvalidInputError(f"span {span!r} is not known; choose from {', '.join(SPANS)}")
+        raise InvalidInputError(f"span {quoted(span)} is not known; choose from {', '.join(SPANS)}")
 
 
 def window_samples(sample_rate_hz: float) -> int:

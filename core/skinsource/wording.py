@@ -27,12 +27,13 @@ def quoted(value: object) -> str:
     return printable(text)
 
 
-def printable(text: str) -> str:
-    r"""Return ``text`` in one line of at most 80 printable characters.
+def printable(thing: object) -> str:
+    r"""Return a text, or what an error says, in one line of at most 80 printable characters.
 
     What cannot be printed is written as Python does, ``\x1b`` for the beginning of a
     terminal's command; a cut is marked by ``…``.
     """
+    text = str(thing)
     beginning = text[: 4 * MOST_CHARACTERS]
     shown = escaped(" ".join(beginning.split()))
     whole = len(shown) <= MOST_CHARACTERS and len(text) == len(beginning)

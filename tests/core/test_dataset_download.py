@@ -32,6 +32,8 @@ class Served:
     ranges: bool = True
     false_ranges: bool = False
     asked: list[tuple[str, str | None]] = field(default_factory=list)
+    #: What it says where it has nothing.
+    regret: str = "Not Found"
     url: str = ""
 
 
@@ -42,7 +44,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
         wanted = self.headers.get("Range")
         served.asked.append((name, wanted))
         if name not in served.content:
-            self.send_error(404)
+            self.send_error(404, served.regret, "")
             return
         body, first = served.content[name], 0
         if wanted and served.ranges:
@@ -218,6 +220,15 @@ def test_a_file_that_is_not_there_is_an_error_with_the_answer_of_the_server(serv
     with pytest.raises(DownloadError, match=r"surface\.mat: the server answered 404 Not Found"):
         fetch(files=files)
     assert not is_installed()
+
+
+def test_what_a_server_says_reaches_no_terminal_as_a_command(served, files, part):
+    del served.content["surface.mat"]
+    served.regret = "\x1b[2J" + "x" * 1000
+    with pytest.raises(DownloadError, match=r"answered 404 \\x1b\[2Jxxx") as caught:
+        fetch(files=files)
+    assert str(caught.value).isprintable()
+    assert "x" * 80 not in str(caught.value)
 
 
 def test_a_server_that_is_down_is_an_error(monkeypatch):

@@ -14,6 +14,7 @@ from skinsource import hdf5
 from skinsource.dataset import layout
 from skinsource.errors import DatasetError
 from skinsource.limb import Floats
+from skinsource.wording import quoted
 
 if TYPE_CHECKING:
     import h5py
@@ -83,8 +84,8 @@ class Contents:
         found = self.text("format") if known else None
         if found != layout.FORMAT:
             raise DatasetError(
-                f"{self._path}: is no store of the measured dataset (format {found!r}, expected "
-                f"{layout.FORMAT!r}). Move it away. {REINSTALL}"
+                f"{self._path}: is no store of the measured dataset (format {quoted(found)}, "
+                f"expected {quoted(layout.FORMAT)}). Move it away. {REINSTALL}"
             )
         version = self.number("format_version")
         if not 1 <= version <= layout.FORMAT_VERSION:

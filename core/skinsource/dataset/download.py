@@ -9,6 +9,7 @@ from skinsource.dataset.optional import optional_package
 from skinsource.dataset.published import RemoteFile
 from skinsource.errors import DownloadError, StorageError
 from skinsource.job import Stop, stop_if
+from skinsource.wording import printable
 
 STOPPED = (
     "Downloading was stopped; what has arrived is kept, and 'skinsource dataset fetch' goes on "
@@ -47,7 +48,7 @@ def download(file: RemoteFile, part: Path, *, report: Callable[[int], None], sto
             try:
                 continued = _receive(session, file, part, report, stop)
             except OSError as error:  # requests' own errors are among them
-                continued, reason = True, str(error)
+                continued, reason = True, printable(error)
             if not continued:
                 part.unlink()
             elif _size(part) <= before:
@@ -108,17 +109,18 @@ def _explained(part: Path) -> Iterator[None]:
 def _refuse_other_answers(answer: Any, file: RemoteFile, have: int) -> None:
     if answer.status_code not in (_ALL, _PART):
         raise DownloadError(
-            f"{file.url}: the server answered {answer.status_code} {answer.reason}, expected the "
-            f"file. {_GO_ON}, later perhaps; or download it by hand and use 'skinsource dataset "
-            "install PATH'."
+            f"{file.url}: the server answered {answer.status_code} {printable(answer.reason)}, "
+            f"expected the file. {_GO_ON}, later perhaps; or download it by hand and use "
+            "'skinsource dataset install PATH'."
         )
     announced = answer.headers.get("Content-Length")
     encoded = answer.headers.get("Content-Encoding", "identity") != "identity"
     missing = file.size_bytes - (have if answer.status_code == _PART else 0)
     if announced is not None and not encoded and announced != str(missing):
         raise DownloadError(
-            f"{file.url}: the server offers {announced} bytes, expected {missing}. This is not "
-            "the published file; download it by hand and use 'skinsource dataset install PATH'."
+            f"{file.url}: the server offers {printable(announced)} bytes, expected {missing}. "
+            "This is not the published file; download it by hand and use 'skinsource dataset "
+            "install PATH'."
         )
 
 

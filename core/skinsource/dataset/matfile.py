@@ -6,6 +6,7 @@ from typing import Any
 from skinsource.dataset.optional import optional_package
 from skinsource.dataset.pieces import WHAT_TO_DO, refuse_scattered
 from skinsource.errors import DatasetError, StorageError
+from skinsource.wording import printable
 
 
 def read_variable(path: Path, name: str) -> Any:
@@ -35,7 +36,7 @@ def read_variable(path: Path, name: str) -> Any:
     except DatasetError:
         raise
     except Exception as error:  # on a damaged file the parser may fail in any way
-        reason = str(error) or type(error).__name__
+        reason = printable(error) or type(error).__name__
         raise DatasetError(
             f"{path.name}: cannot be read as a MATLAB file ({reason}), expected MAT v7 or v7.3. "
             f"{WHAT_TO_DO}"

@@ -4,6 +4,7 @@ import importlib
 from types import ModuleType
 
 from skinsource.errors import MissingExtraError
+from skinsource.wording import printable, quoted
 
 
 def optional_package(name: str) -> ModuleType:
@@ -18,6 +19,7 @@ def optional_package(name: str) -> ModuleType:
         return importlib.import_module(name)
     except ImportError as error:
         raise MissingExtraError(
-            f"the package {name!r} is needed for this and cannot be imported ({error}). "
+            f"the package {quoted(name)} is needed for this and cannot be imported "
+            f"({printable(error)}). "
             'Install it with: pip install "skinsource[dataset]"'
         ) from error

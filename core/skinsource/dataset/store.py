@@ -25,6 +25,7 @@ from skinsource.errors import (
     UnknownLimbError,
 )
 from skinsource.limb import HAND_LENGTHS_MM, Floats, Limb, LimbMap
+from skinsource.wording import quoted
 
 #: Tip of digit III to the middle of the wrist, on the published map.
 HAND_LENGTH_PX = 398.1017
@@ -214,6 +215,6 @@ def _note_on(unpublished: tuple[str, ...] | None) -> str:
 def _check_number(number: int) -> None:
     if number not in layout.LIMBS:
         raise UnknownLimbError(
-            f"measured limb {number!r} does not exist: they are numbered {layout.LIMBS[0]} to "
-            f"{layout.LIMBS[-1]}."
+            f"measured limb {quoted(number)} does not exist: they are numbered "
+            f"{layout.LIMBS[0]} to {layout.LIMBS[-1]}."
         )

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Any, TypeVar
 
 from skinsource.errors import FileFormatError, InvalidInputError
+from skinsource.wording import quoted
 
 Tree = Any
 
@@ -85,4 +86,4 @@ def made_for(spec: Spec, table: Mapping[type[Spec], Thing]) -> Thing:
     for kind in type(spec).__mro__:
         if kind in table:
             return table[kind]
-    raise TypeError(f"{type(spec).__name__} of {spec.label!r} is not in the table")
+    raise TypeError(f"{type(spec).__name__} of {quoted(spec.label)} is not in the table")

@@ -22,7 +22,7 @@ def reason_of(error: OSError | ValueError) -> str:
     """What the system says."""
     if isinstance(error, OSError):
         return printable(error.strerror or str(error))
-    return printable(str(error))  # a path with a NUL in it
+    return printable(error)  # a path with a NUL in it
 
 
 def advice_on_writing(error: OSError | ValueError) -> str:

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from skinsource.errors import InvalidInputError
 from skinsource.hand.curves import Floats, profile
+from skinsource.wording import quoted
 
 THUMB, INDEX, MIDDLE, RING, LITTLE = range(5)
 # Joints along a digit, as fractions of its length from the base knuckle to the tip.
@@ -124,8 +125,8 @@ class HandProportions:
             found = getattr(self, name)
             if not np.all(np.asarray(found) > 0):
                 raise InvalidInputError(
-                    f"hand proportions: {name} is {found!r}, expected positive fractions of the "
-                    "hand length. Correct the numbers."
+                    f"hand proportions: {name} is {quoted(found)}, expected positive fractions of "
+                    "the hand length. Correct the numbers."
                 )
 
 

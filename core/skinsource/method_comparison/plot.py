@@ -17,6 +17,7 @@ from skinsource.method_comparison.pareto import pareto_front
 from skinsource.method_comparison.promises import ANSWER_S, FRAME_S, PEAK_ERROR, WINDOW_ERROR
 from skinsource.method_comparison.scenes import scene_of
 from skinsource.method_comparison.table import Row
+from skinsource.wording import printable
 
 _COLOURS = ("#000000", "#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#7F7F7F")
 _MARKERS: dict[Precision, str] = {"float64": "o", "float32": "^"}
@@ -58,8 +59,9 @@ def _package(name: str) -> ModuleType:
         return importlib.import_module(name)
     except ImportError as error:
         raise MissingExtraError(
-            f"the plot needs the package matplotlib, which cannot be imported ({error}). Install "
-            'it with: pip install "skinsource[bench]"; the table and the report were written.'
+            f"the plot needs the package matplotlib, which cannot be imported "
+            f"({printable(error)}). Install it with: "
+            'pip install "skinsource[bench]"; the table and the report were written.'
         ) from error
 
 

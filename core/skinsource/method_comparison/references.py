@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from skinsource.assets import data_folder
 from skinsource.errors import FileFormatError
+from skinsource.wording import printable, quoted
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -73,8 +74,8 @@ def load_reference(key: str, path: Path | None = None) -> Reference:
             )
     except _DAMAGE as error:
         raise FileFormatError(
-            f"{path}: the reference {key!r} cannot be read ({error}). Install SkinSource studio "
-            "again."
+            f"{path}: the reference {quoted(key)} cannot be read ({printable(error)}). "
+            "Install SkinSource studio again."
         ) from error
 
 

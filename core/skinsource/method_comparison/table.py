@@ -9,6 +9,7 @@ from typing import Any
 
 from skinsource.errors import FileFormatError
 from skinsource.files import write_bytes
+from skinsource.wording import printable
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -114,8 +115,8 @@ def read_table(path: Path) -> list[Row]:
             ]
         except ValueError as error:
             raise FileFormatError(
-                f"{path}: line {reader.line_num} cannot be read ({error}). Write the table anew "
-                "with: skinsource bench"
+                f"{path}: line {reader.line_num} cannot be read ({printable(error)}). Write the "
+                "table anew with: skinsource bench"
             ) from error
 
 

@@ -14,6 +14,7 @@ from skinsource.surface.same_place import pairs_at_same_place
 from skinsource.surface.scattered_sites import scattered_sites
 from skinsource.surface.triangulation import snapped_to_lattice
 from skinsource.surface.visibility import raster_unit
+from skinsource.wording import quoted
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
@@ -103,7 +104,7 @@ def _check_map(limb_map: LimbMap, hand_length_mm: float, spacing_mm: float) -> N
     }
     for name, length in lengths.items():
         if not (np.isfinite(length) and length > 0):
-            raise InvalidInputError(f"{name} is {length!r}; expected a positive number.")
+            raise InvalidInputError(f"{name} is {quoted(length)}; expected a positive number.")
     outputs, outline, table = limb_map.output_positions, limb_map.outline, limb_map.visibility
     if outputs.ndim != 2 or outputs.shape[1] != 2 or not np.isfinite(outputs).all(axis=1).any():
         raise InvalidInputError(

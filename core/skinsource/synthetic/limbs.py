@@ -24,6 +24,7 @@ from skinsource.synthetic.waves import (
     pulse_spectrum,
     wavenumber,
 )
+from skinsource.wording import quoted
 
 #: Numbers of the built-in synthetic limbs.
 SYNTHETIC_LIMBS = (1, 2, 3, 4)
@@ -130,7 +131,7 @@ def synthetic_model(number: int) -> SyntheticModel:
     """
     if number not in SYNTHETIC_LIMBS or isinstance(number, bool):
         raise UnknownLimbError(
-            f"synthetic limb {number!r} does not exist: there are the limbs 1 to "
+            f"synthetic limb {quoted(number)} does not exist: there are the limbs 1 to "
             f"{len(SYNTHETIC_LIMBS)}. Choose one of them."
         )
     shared = _parameters()
