@@ -185,6 +185,7 @@ class MainWindow(QMainWindow):
             text_change.connect(partial(_name_step, action))
         self.setup_bar.design_edited.connect(self.document.edit)
         self.setup_bar.view_changed.connect(self.document.look)
+        self.skin.picture_wanted.connect(self.commands.export_picture)
         self.files.failed.connect(self.complain)
         self.files.done.connect(self._report)
         self.files.opened.connect(self.restore_arrangement)

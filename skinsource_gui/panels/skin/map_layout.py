@@ -1,13 +1,14 @@
 """Where the parts of the map lie on the screen."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, QSizeF
-from PySide6.QtGui import QFontMetricsF, QTransform
+from PySide6.QtGui import QFontMetricsF
 
 from skinsource.limb import VOLAR_OUTPUTS, LimbMap
+from skinsource_gui.widgets.frame import Frame, fitted
 
 Floats = NDArray[np.float64]
 
@@ -19,64 +20,6 @@ PALMAR_TITLE = "Palmar side"
 _MARGIN_PX = 10.0
 # Height of a line of text at which sizes are as written here, px.
 _USUAL_LINE_PX = 14.0
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class MapFrame:
-    """From outline pixels (y up) to screen pixels (y down).
-
-    Attributes
-    ----------
-    scale
-        Screen pixels in an outline pixel.
-    left, base
-        Screen place of the outline's origin.
-    """
-
-    scale: float
-    left: float
-    base: float
-
-    def transform(self) -> QTransform:
-        """The same as a transformation."""
-        return QTransform(self.scale, 0, 0, -self.scale, self.left, self.base)
-
-    def to_screen(self, places: Floats) -> Floats:
-        """Screen places, (n, 2), of outline places, (n, 2)."""
-        return places * (self.scale, -self.scale) + (self.left, self.base)
-
-    def to_map(self, point: QPointF) -> tuple[float, float]:
-        """Outline place of a screen point."""
-        return (point.x() - self.left) / self.scale, (self.base - point.y()) / self.scale
-
-    def zoomed(self, factor: float, about: QPointF) -> "MapFrame":
-        """Frame magnified around a point that stays where it is."""
-        return MapFrame(
-            scale=self.scale * factor,
-            left=about.x() + (self.left - about.x()) * factor,
-            base=about.y() + (self.base - about.y()) * factor,
-        )
-
-    def moved(self, dx: float, dy: float) -> "MapFrame":
-        """Frame shifted by screen pixels."""
-        return replace(self, left=self.left + dx, base=self.base + dy)
-
-    def kept_near(self, bounds: QRectF, room: QRectF) -> "MapFrame":
-        """Frame shifted so that the middle of ``room`` shows a part of ``bounds``."""
-        x, y = self.to_map(room.center())
-        inside_x = min(max(x, bounds.left()), bounds.right())
-        inside_y = min(max(y, bounds.top()), bounds.bottom())
-        return self.moved((x - inside_x) * self.scale, (inside_y - y) * self.scale)
-
-
-def fitted(bounds: QRectF, room: QRectF) -> MapFrame:
-    """The frame in which ``bounds`` fills ``room``, centred."""
-    scale = max(min(room.width() / bounds.width(), room.height() / bounds.height()), 1e-3)
-    return MapFrame(
-        scale=scale,
-        left=room.center().x() - scale * bounds.center().x(),
-        base=room.center().y() + scale * bounds.center().y(),
-    )
 
 
 def outline_bounds(limb_map: LimbMap) -> QRectF:
@@ -114,7 +57,7 @@ class MapLayout:
     """
 
     room: QRectF
-    frame: MapFrame
+    frame: Frame
     points: Floats
     dot_radius: float
     disc_radius: float
@@ -130,18 +73,16 @@ def palmar_size(metrics: QFontMetricsF) -> QSizeF:
     return QSizeF(width, (1.6 + 1.75 * len(PALMAR_ROWS)) * line)
 
 
-def fitted_beside_palmar(bounds: QRectF, room: QRectF, metrics: QFontMetricsF) -> MapFrame:
+def fitted_beside_palmar(bounds: QRectF, room: QRectF, metrics: QFontMetricsF) -> Frame:
     """The frame that fits ``bounds`` into ``room`` without the palmar group in its way."""
     inner = room.adjusted(_MARGIN_PX, _MARGIN_PX, -_MARGIN_PX, -_MARGIN_PX)
     card = palmar_size(metrics)
-    beside = fitted(bounds, inner.adjusted(0, 0, -card.width(), 0))
-    above = fitted(bounds, inner.adjusted(0, 0, 0, -card.height()))
+    beside = fitted(bounds, inner.adjusted(0, 0, -card.width(), 0), up=True)
+    above = fitted(bounds, inner.adjusted(0, 0, 0, -card.height()), up=True)
     return beside if beside.scale >= above.scale else above
 
 
-def map_layout(
-    limb_map: LimbMap, frame: MapFrame, room: QRectF, metrics: QFontMetricsF
-) -> MapLayout:
+def map_layout(limb_map: LimbMap, frame: Frame, room: QRectF, metrics: QFontMetricsF) -> MapLayout:
     """Lay the map out in ``room``, with the palmar group in its lower right corner."""
     line = metrics.height()
     unit = line / _USUAL_LINE_PX

@@ -165,6 +165,29 @@ def paint_ring(
     painter.drawEllipse(centre, radius, radius)
 
 
+def paint_mark(
+    painter: QPainter,
+    number: int,
+    colour: str,
+    content: MapContent,
+    layout: MapLayout,
+    theme: Theme,
+) -> None:
+    """Draw a wide ring around an output that is pointed at."""
+    radius = ring_radius(number, content, layout) + 3.5 * layout.unit
+    centre = QPointF(*layout.points[number - 1])
+    paint_ring(painter, centre, radius, QColor(colour), QColor(theme.base), 0.8 * layout.unit)
+
+
+def paint_band(painter: QPainter, band: QRectF, theme: Theme) -> None:
+    """Draw a rubber band."""
+    fill = QColor(theme.accent)
+    painter.setPen(QPen(fill, 1))
+    fill.setAlphaF(0.15)
+    painter.setBrush(fill)
+    painter.drawRect(band)
+
+
 def small_font(font: QFont, factor: float = 0.86) -> QFont:
     """Copy of ``font`` for labels."""
     copy = QFont(font)

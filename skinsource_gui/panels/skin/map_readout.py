@@ -19,5 +19,5 @@ def pixel_readout(content: MapContent, layout: MapLayout, at: QPointF) -> str:
     field, levels = content.shown_field, content.field_levels_db
     if field is None or levels is None or layout.palmar_card.contains(at):
         return ""
-    level = field.level_at(levels, *layout.frame.to_map(at))
+    level = field.level_at(levels, *layout.frame.to_drawing(at))
     return "" if level is None else level_text(level)

@@ -4,9 +4,10 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QToolButton, QWidget
 
 from skinsource.view import View
-from skinsource_gui.panels.skin.map_canvas import FIT_ALL, FIT_HAND
 from skinsource_gui.panels.skin.map_icons import fit_icon, hand_icon, sensors_icon
+from skinsource_gui.panels.skin.skin_map import HAND
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.pan_zoom import WHOLE
 
 # As narrow as they are, all buttons fit into the narrowest panel.
 _ICON_BUTTON_PX = 29
@@ -18,7 +19,7 @@ class MapToolbar(QWidget):
     #: ``"interpolated"`` or ``"sensors"``.
     style_chosen = Signal(str)
     sensors_switched = Signal(bool)
-    #: `FIT_ALL` or `FIT_HAND`.
+    #: `WHOLE` or `HAND`.
     fit_chosen = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -87,7 +88,7 @@ class MapToolbar(QWidget):
         self.style_chosen.emit("sensors")
 
     def _choose_all(self) -> None:
-        self.fit_chosen.emit(FIT_ALL)
+        self.fit_chosen.emit(WHOLE)
 
     def _choose_hand(self) -> None:
-        self.fit_chosen.emit(FIT_HAND)
+        self.fit_chosen.emit(HAND)

@@ -2,12 +2,13 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 from typing import Any, ClassVar
 
 import numpy as np
-from PySide6.QtCore import QSize, QTimer
-from PySide6.QtGui import QImage
-from PySide6.QtWidgets import QGridLayout, QWidget
+from PySide6.QtCore import QPoint, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QGuiApplication, QImage
+from PySide6.QtWidgets import QGridLayout, QMenu, QWidget
 
 from skinsource.decibels import FLOOR_DB
 from skinsource.design import Design
@@ -18,14 +19,16 @@ from skinsource.words import LIMBS, signal_words, word_of
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.skin.colour_bar import ColourBar
 from skinsource_gui.panels.skin.field_image import FieldImage
-from skinsource_gui.panels.skin.heatmap_view import HeatmapView
-from skinsource_gui.panels.skin.map_canvas import FIT_ALL
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_picture import map_picture
 from skinsource_gui.panels.skin.map_toolbar import MapToolbar
 from skinsource_gui.panels.skin.readout_lines import ReadoutLines
+from skinsource_gui.panels.skin.skin_map import HAND, SkinMap
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.widgets.pan_zoom import WHOLE
 
+#: Width and height of a picture for which none is asked, px.
+PICTURE_PX = (1200, 1800)
 SILENT = "Silent: nothing is driven"
 # What is outdated for a shorter time is not marked: during a drag the mark would flicker.
 _PATIENCE_MS = 150
@@ -36,6 +39,9 @@ class SkinPanel(Panel):
 
     title: ClassVar[str] = "Skin"
     name: ClassVar[str] = "skin"
+
+    #: The user wants the map as a file.
+    picture_wanted = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -50,7 +56,7 @@ class SkinPanel(Panel):
         self._patience.setInterval(_PATIENCE_MS)
         self._patience.timeout.connect(self._mark_outdated)
         self.toolbar = MapToolbar(self)
-        self.map = HeatmapView(self)
+        self.map = SkinMap(self)
         self.map.setObjectName("skin_map")
         self.colour_bar = ColourBar(self)
         self.colour_bar.setObjectName("skin_colour_bar")
@@ -141,8 +147,9 @@ class SkinPanel(Panel):
     def _connect(self) -> None:
         self.toolbar.style_chosen.connect(self._choose_style)
         self.toolbar.sensors_switched.connect(self._switch_sensors)
-        self.toolbar.fit_chosen.connect(self._choose_fit)
+        self.toolbar.fit_chosen.connect(self.map.pan_zoom.show)
         self.map.outputs_chosen.connect(self._choose_outputs)
+        self.map.menu_requested.connect(self._open_menu)
         self.map.readout_changed.connect(self._show_readout)
         self.colour_bar.range_chosen.connect(self._choose_range)
 
@@ -196,11 +203,19 @@ class SkinPanel(Panel):
     def _switch_sensors(self, shown: bool) -> None:
         self.view_changed.emit(replace(self._view, sensors_shown=shown))
 
-    def _choose_fit(self, fit: str) -> None:
-        if fit == FIT_ALL:
-            self.map.show_all()
-        else:
-            self.map.show_hand()
+    def _open_menu(self, at: QPoint) -> None:
+        menu = QMenu(self)
+        menu.setObjectName("skin_menu")
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu.addAction("Fit hand\tH", partial(self.map.pan_zoom.show, HAND))
+        menu.addAction("Fit hand and arm\t0", partial(self.map.pan_zoom.show, WHOLE))
+        menu.addSeparator()
+        menu.addAction("Copy picture", self._copy_picture)
+        menu.addAction("Save picture as…", self.picture_wanted.emit)
+        menu.popup(at)
+
+    def _copy_picture(self) -> None:
+        QGuiApplication.clipboard().setImage(self.picture(*PICTURE_PX))
 
     def _picture_title(self) -> str:
         limb = "" if self._design is None else f", {word_of(LIMBS, self._design.limb).title}"

@@ -8,9 +8,9 @@ from PySide6.QtGui import QColor, QImage
 from skinsource.limb import LimbMap
 from skinsource_gui.panels.skin.colour_maps import colour_indices, colour_table
 from skinsource_gui.panels.skin.field_image import FieldImage
-from skinsource_gui.panels.skin.map_canvas import MapCanvas
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.panel import SILENT, SkinPanel
+from skinsource_gui.panels.skin.skin_map import SkinMap
 from tests.gui.skin.bench import (
     SEED,
     pixel,
@@ -59,7 +59,7 @@ def test_every_place_of_the_skin_is_drawn_where_it_is(qtbot):
     field = FieldImage(np.ones((60, 60), bool), spacing, spacing, px_per_mm=2.0)
     table = colour_table()
     row_of_colour = {int(argb): k for k, argb in enumerate(table)}
-    canvas = MapCanvas()
+    canvas = SkinMap()
     qtbot.addWidget(canvas)
     canvas.resize(433, 517)
     for along_x in (True, False):
@@ -80,7 +80,7 @@ def test_every_place_of_the_skin_is_drawn_where_it_is(qtbot):
             x, y = frame.to_screen(np.array([[part, part]]))[0]
             at = QPoint(int(x), int(y))
             centre = QPointF(at.x() + 0.5, at.y() + 0.5)
-            level = frame.to_map(centre)[0 if along_x else 1] / 2.0
+            level = frame.to_drawing(centre)[0 if along_x else 1] / 2.0
             found = [row_of_colour[c] for c in near(picture.pixel(at), row_of_colour)]
             expected = level / 64.0 * 255
             # Half a pixel of the field is two rows of the table.

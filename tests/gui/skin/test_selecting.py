@@ -34,7 +34,7 @@ def test_each_of_the_72_outputs_can_be_clicked(window, size):
 
 def test_the_palmar_outputs_stay_where_they_are_while_the_map_is_zoomed(window):
     before = place(window, 61)
-    window.panel.map.zoom(4.0, QPointF(100, 100))
+    window.panel.map.pan_zoom.zoom(4.0, QPointF(100, 100))
     assert place(window, 61) == before
     click(window, 61)
     assert window.view.outputs == (61,)

@@ -1,32 +1,37 @@
 import pytest
-from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QContextMenuEvent
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu
 
-from skinsource_gui.panels.skin.map_canvas import FIT_ALL, FIT_HAND
-from tests.gui.skin.bench import CONTROL, LEFT, MIDDLE, PLAIN, drag, place, wheel
+from skinsource_gui.panels.skin.skin_map import HAND
+from skinsource_gui.theme import LIGHT
+from skinsource_gui.widgets.pan_zoom import WHOLE
+from tests.gui.skin.bench import CONTROL, LEFT, MIDDLE, PLAIN, SHIFT, drag, pixel, place, wheel
 
 # Zooming
 
 
-def test_control_and_wheel_zoom_around_the_pointer(window):
+@pytest.mark.parametrize("modifiers", [PLAIN, CONTROL])
+def test_the_wheel_zooms_around_the_pointer_with_control_or_without(window, modifiers):
     view, at = window.panel.map, QPoint(150, 100)
     before = view.map_layout().frame
-    wheel(view, at, 3, CONTROL)
+    wheel(view, at, 3, modifiers)
     after = view.map_layout().frame
     assert after.scale > 1.5 * before.scale
-    assert after.to_map(QPointF(at)) == pytest.approx(before.to_map(QPointF(at)))
+    assert after.to_drawing(QPointF(at)) == pytest.approx(before.to_drawing(QPointF(at)))
 
 
 def test_zooming_out_ends_at_the_whole_outline(window):
     view = window.panel.map
     wheel(view, QPoint(150, 100), 3, CONTROL)
     wheel(view, QPoint(10, 10), -9, CONTROL)
-    assert view.fit == FIT_ALL
+    assert view.pan_zoom.fit == WHOLE
 
 
 def test_a_drag_with_the_middle_button_pans(window):
     view = window.panel.map
-    view.zoom(4.0, QPointF(150, 200))
+    view.pan_zoom.zoom(4.0, QPointF(150, 200))
     before = place(window, 25)
     drag(view, QPoint(100, 100), QPoint(130, 160), button=MIDDLE)
     assert place(window, 25) - before == QPoint(30, 60)
@@ -36,22 +41,22 @@ def test_a_drag_with_the_middle_button_pans(window):
 @pytest.mark.parametrize("way", ["key", "double click", "button"])
 def test_there_are_three_ways_back_to_the_whole_outline(window, way):
     view = window.panel.map
-    view.zoom(2.0, QPointF(0, 0))
-    assert view.fit != FIT_ALL
+    view.pan_zoom.zoom(2.0, QPointF(0, 0))
+    assert view.pan_zoom.fit != WHOLE
     if way == "key":
         QTest.keyClick(view, Qt.Key.Key_0)
     elif way == "double click":
         QTest.mouseDClick(view, LEFT, PLAIN, QPoint(3, 3))
     else:
         QTest.mouseClick(window.panel.toolbar.all, LEFT)
-    assert view.fit == FIT_ALL
+    assert view.pan_zoom.fit == WHOLE
 
 
 def test_the_hand_can_be_fitted_alone(window):
     view = window.panel.map
     whole = view.map_layout().frame.scale
     QTest.mouseClick(window.panel.toolbar.hand, LEFT)
-    assert view.fit == FIT_HAND
+    assert view.pan_zoom.fit == HAND
     assert view.map_layout().frame.scale > 1.3 * whole
     room = QRectF(view.rect())
     assert all(room.contains(view.place_of(number)) for number in range(1, 43))
@@ -72,11 +77,69 @@ def test_nothing_of_the_outline_is_cut_off_or_covered_at_any_size(window):
 def test_an_output_reached_by_arrows_comes_into_sight(window):
     view = window.panel.map
     room = QRectF(view.rect())
-    view.show_hand()
+    view.pan_zoom.show(HAND)
     hidden = {k for k in range(1, 73) if not room.contains(view.place_of(k))}
-    view.cursor_output, visited = 54, set()
+    view.keys.cursor_output, visited = 54, set()
     for _ in range(12):
         QTest.keyClick(view, Qt.Key.Key_Down)
-        assert room.contains(view.place_of(view.cursor_output))
-        visited.add(view.cursor_output)
+        assert room.contains(view.place_of(view.keys.cursor_output))
+        visited.add(view.keys.cursor_output)
     assert visited & hidden
+
+
+@pytest.mark.parametrize("zoom", [1.5, 6.0, 25.0])
+@pytest.mark.parametrize("way", [(1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, -1)])
+def test_the_map_cannot_be_panned_out_of_sight(window, zoom, way):
+    view = window.panel.map
+    view.pan_zoom.zoom(zoom, QPointF(10, 10))
+    for _ in range(200):
+        view.pan_zoom.pan(90.0 * way[0], 90.0 * way[1])
+    picture = view.grab().toImage()
+    ground = QColor(LIGHT.base).getRgb()[:3]
+    places = [QPoint(x, y) for x in range(0, view.width(), 8) for y in range(0, view.height(), 8)]
+    card = view.map_layout().palmar_card
+    drawn = [at for at in places if not card.contains(at) and pixel(picture, at) != ground]
+    assert len(drawn) > 0.03 * len(places)
+
+
+def test_shift_and_wheel_pan_to_the_side(window):
+    view = window.panel.map
+    view.pan_zoom.zoom(4.0, QPointF(150, 200))
+    before = view.map_layout().frame
+    wheel(view, QPoint(150, 100), 1, SHIFT)
+    after = view.map_layout().frame
+    assert (after.scale, after.top) == (before.scale, before.top)
+    assert after.left > before.left
+
+
+def menu_of(window, qtbot):
+    view = window.panel.map
+    at = QPoint(30, 30)
+    reason = QContextMenuEvent.Reason.Mouse
+    QApplication.sendEvent(view, QContextMenuEvent(reason, at, view.mapToGlobal(at)))
+    menus = window.panel.findChildren(QMenu, "skin_menu")
+    assert len(menus) == 1
+    return menus[0], {action.text().split("\t")[0]: action for action in menus[0].actions()}
+
+
+def test_the_right_button_offers_fits_and_pictures(window, qtbot):
+    view, wanted = window.panel.map, []
+    window.panel.picture_wanted.connect(lambda: wanted.append(True))
+    menu, actions = menu_of(window, qtbot)
+    assert [name for name in actions if name] == [
+        "Fit hand",
+        "Fit hand and arm",
+        "Copy picture",
+        "Save picture as…",
+    ]
+    actions["Fit hand"].trigger()
+    assert view.pan_zoom.fit == HAND
+    actions["Fit hand and arm"].trigger()
+    assert view.pan_zoom.fit == WHOLE
+    actions["Save picture as…"].trigger()
+    assert wanted == [True]
+    actions["Copy picture"].trigger()
+    assert QApplication.clipboard().image() == window.panel.picture(1200, 1800)
+    menu.close()
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    assert not window.panel.findChildren(QMenu, "skin_menu")

@@ -1,0 +1,79 @@
+"""What the mouse means on the map."""
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QObject, QPointF, QRectF, Signal
+
+from skinsource_gui.panels.skin.output_picking import (
+    Outputs,
+    joined,
+    output_at,
+    outputs_inside,
+    toggled,
+)
+
+#: How far from an output it is still meant, px.
+REACH_PX = 11.0
+# A press that moves less than this is a click.
+_CLICK_PX = 4.0
+
+Points = NDArray[np.float64]
+
+
+class OutputMouse(QObject):
+    """Turns moves, clicks and rubber bands into outputs.
+
+    Attributes
+    ----------
+    hovered
+        The output under the pointer.
+    pointer
+        Where the pointer is; ``None`` while it is elsewhere.
+    band
+        The rubber band, while one is drawn.
+    """
+
+    #: The outputs that are meant, whether they are added to the selection.
+    meant = Signal(object)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self.hovered: int | None = None
+        self.pointer: QPointF | None = None
+        self.band: QRectF | None = None
+        self._pressed: QPointF | None = None
+
+    def press(self, at: QPointF) -> None:
+        """The left button goes down."""
+        self._pressed = at
+
+    def move(self, at: QPointF, points: Points) -> None:
+        """The mouse moves, whether or not the button is held; ``points`` is (72, 2)."""
+        self.pointer = at
+        self.hovered = output_at(points, at, REACH_PX)
+        if self._pressed is not None:
+            band = QRectF(self._pressed, at).normalized()
+            if self.band is not None or max(band.width(), band.height()) >= _CLICK_PX:
+                self.band = band
+
+    def release(self, at: QPointF, points: Points, outputs: Outputs, *, adds: bool) -> None:
+        """The left button goes up; ``adds`` to the present ``outputs``."""
+        if self._pressed is None:
+            return
+        band, self.band, self._pressed = self.band, None, None
+        if band is not None:
+            found = outputs_inside(points, band)
+            self.meant.emit(joined(outputs, found) if adds else found)
+            return
+        number = output_at(points, at, REACH_PX)
+        if number is not None:
+            self.meant.emit(toggled(outputs, number) if adds else (number,))
+
+    def leave(self) -> None:
+        """The pointer is elsewhere, or the keyboard took over."""
+        self.pointer = self.hovered = None
+
+    def give_up(self) -> bool:
+        """End a press without selecting; return whether there was one."""
+        pressed, self._pressed, self.band = self._pressed, None, None
+        return pressed is not None

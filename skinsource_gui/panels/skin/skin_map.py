@@ -1,0 +1,258 @@
+"""The map of the skin, on which outputs are selected."""
+
+import numpy as np
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QContextMenuEvent,
+    QFontMetricsF,
+    QHelpEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPen,
+)
+from PySide6.QtWidgets import QToolTip, QWidget
+
+from skinsource_gui.panels.skin.colour_maps import colour_table
+from skinsource_gui.panels.skin.map_content import MapContent
+from skinsource_gui.panels.skin.map_layout import (
+    MapLayout,
+    fitted_beside_palmar,
+    hand_bounds,
+    map_layout,
+    outline_bounds,
+)
+from skinsource_gui.panels.skin.map_painter import MapPainter, paint_band, paint_mark, small_font
+from skinsource_gui.panels.skin.map_readout import output_readout, pixel_readout
+from skinsource_gui.panels.skin.map_words import paint_words
+from skinsource_gui.panels.skin.output_keys import ADDS, OutputKeys
+from skinsource_gui.panels.skin.output_mouse import REACH_PX, OutputMouse
+from skinsource_gui.panels.skin.output_picking import output_at
+from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.widgets.pan_zoom import FREE, WHOLE, PanZoom
+
+#: The fit that shows the hand without the arm.
+HAND = "hand"
+
+
+class SkinMap(QWidget):
+    """Shows `MapContent`, and tells which outputs the user wants selected.
+
+    Attributes
+    ----------
+    content
+        What is shown.
+    pan_zoom
+        What part of it is seen.
+    mouse, keys
+        What they mean here.
+    """
+
+    #: The outputs to select, a tuple of numbers.
+    outputs_chosen = Signal(object)
+    #: What is under the pointer or the keyboard's cursor, in words; empty for nothing.
+    readout_changed = Signal(str)
+    #: Where on the screen a menu is wanted.
+    menu_requested = Signal(QPoint)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.content = MapContent()
+        self._theme = LIGHT
+        self._painter: MapPainter | None = None
+        self._layout: MapLayout | None = None
+        self.pan_zoom = PanZoom(self)
+        self.pan_zoom.changed.connect(self._lay_out)
+        self.mouse, self.keys = OutputMouse(self), OutputKeys(self)
+        self.mouse.meant.connect(self._choose)
+        self.keys.meant.connect(self._choose)
+        self.keys.moved.connect(self._follow_cursor)
+        self.setMinimumSize(150, 180)
+        # All of it is painted: nothing behind needs to be.
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.setMouseTracking(True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAccessibleName("Dorsal heat map")
+        self.setAccessibleDescription(
+            "Arrow keys move to the next output, Space selects it, Shift and Space adds it."
+        )
+
+    def show_content(self, content: MapContent) -> None:
+        """Draw ``content``; another limb is fitted anew."""
+        if content.same_as(self.content):
+            return
+        other_limb = content.limb_map is not self.content.limb_map
+        self.content = content
+        if other_limb:
+            limb_map = content.limb_map
+            self._painter = None if limb_map is None else MapPainter(limb_map, colour_table())
+            if self.pan_zoom.fit == FREE:
+                self.pan_zoom.fit = WHOLE
+            self._fit()
+        self.update()
+        if self.mouse.pointer is not None or self.hasFocus():
+            self.readout_changed.emit(self.readout())
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self._theme = theme
+        self.update()
+
+    def map_layout(self) -> MapLayout | None:
+        """Screen places of everything; None before there is a limb."""
+        return self._layout
+
+    def place_of(self, number: int) -> QPointF:
+        """Where an output is drawn."""
+        return QPointF(*self._layout.points[number - 1])
+
+    def readout(self) -> str:
+        """What is under the pointer, or else under the keyboard's cursor, in words."""
+        number = self.mouse.hovered
+        if number is None and self.mouse.pointer is None and self.hasFocus():
+            number = self.keys.cursor_output
+        if number is not None:
+            return output_readout(self.content, number)
+        if self._layout is None or self.mouse.pointer is None:
+            return ""
+        return pixel_readout(self.content, self._layout, self.mouse.pointer)
+
+    def sizeHint(self) -> QSize:
+        return QSize(300, 560)
+
+    def resizeEvent(self, event) -> None:
+        super().resizeEvent(event)
+        self._fit()
+
+    def paintEvent(self, event) -> None:
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), QColor(self._theme.base))
+        if self._layout is not None and self._painter is not None:
+            painter.setFont(tabular(small_font(self.font())))
+            self._painter.paint(painter, self.content, self._layout, self._theme)
+            marks = [(self.mouse.hovered, self._theme.text)]
+            if self.hasFocus():
+                marks.append((self.keys.cursor_output, self._theme.accent))
+            for number, colour in marks:
+                if number is not None:
+                    paint_mark(painter, number, colour, self.content, self._layout, self._theme)
+            if self.mouse.band is not None:
+                paint_band(painter, self.mouse.band, self._theme)
+        painter.setFont(self.font())
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        paint_words(painter, self.content, QRectF(self.rect()), self._theme)
+        if self.hasFocus():
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(QPen(QColor(self._theme.accent), 2))
+            painter.drawRect(self.rect().adjusted(1, 1, -1, -1))
+        painter.end()
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            self._show_tooltip(event)
+            return True
+        if event.type() == QEvent.Type.ShortcutOverride and self.keys.claims(event):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def wheelEvent(self, event) -> None:
+        self.pan_zoom.wheel(event)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self.pan_zoom.press(event)
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.mouse.press(event.position())
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        self.pan_zoom.move(event)
+        if self._layout is not None:
+            self.mouse.move(event.position(), self._layout.points)
+            self.readout_changed.emit(self.readout())
+            self.update()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self.pan_zoom.release(event)
+        if event.button() == Qt.MouseButton.LeftButton and self._layout is not None:
+            adds = bool(event.modifiers() & ADDS)
+            points, outputs = self._layout.points, self.content.outputs
+            self.mouse.release(event.position(), points, outputs, adds=adds)
+            self.update()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton and self._layout is not None:
+            if output_at(self._layout.points, event.position(), REACH_PX) is None:
+                self.pan_zoom.show(WHOLE)
+            else:
+                self.mouse.press(event.position())
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self.mouse.leave()
+        self.readout_changed.emit(self.readout())
+        self.update()
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
+        middle = self.mapToGlobal(self.rect().center())
+        self.menu_requested.emit(middle if by_key else event.globalPos())
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        layout, key = self._layout, event.key()
+        middle = QRectF(self.rect()).center()
+        if layout is None:
+            super().keyPressEvent(event)
+        elif key == Qt.Key.Key_Escape:
+            if not self.mouse.give_up():
+                self._choose(())
+            self.update()
+        elif key == Qt.Key.Key_0:
+            self.pan_zoom.show(WHOLE)
+        elif key == Qt.Key.Key_H:
+            self.pan_zoom.show(HAND)
+        elif not (
+            self.pan_zoom.press_key(event)
+            or self.keys.press(event, layout.points, self.content.outputs, middle)
+        ):
+            super().keyPressEvent(event)
+
+    def _choose(self, outputs: tuple[int, ...]) -> None:
+        if len(outputs) == 1:
+            self.keys.cursor_output = outputs[0]
+        if outputs != self.content.outputs:
+            self.outputs_chosen.emit(outputs)
+
+    def _follow_cursor(self) -> None:
+        self.pan_zoom.reveal(self.place_of(self.keys.cursor_output))
+        self.mouse.leave()
+        self.readout_changed.emit(self.readout())
+        self.update()
+
+    def _fit(self) -> None:
+        limb_map, room = self.content.limb_map, QRectF(self.rect())
+        if limb_map is None:
+            self.pan_zoom.arrange({}, np.zeros((0, 2)), room)
+            return
+        metrics = QFontMetricsF(small_font(self.font()))
+        fits = {
+            WHOLE: fitted_beside_palmar(outline_bounds(limb_map), room, metrics),
+            HAND: fitted_beside_palmar(hand_bounds(limb_map), room, metrics),
+        }
+        self.pan_zoom.arrange(fits, limb_map.outline, room)
+
+    def _lay_out(self) -> None:
+        frame, self._layout = self.pan_zoom.frame, None
+        if frame is not None:
+            metrics = QFontMetricsF(small_font(self.font()))
+            room = QRectF(self.rect())
+            self._layout = map_layout(self.content.limb_map, frame, room, metrics)
+        self.update()
+
+    def _show_tooltip(self, event: QHelpEvent) -> None:
+        at = QPointF(event.pos())
+        number = None if self._layout is None else output_at(self._layout.points, at, REACH_PX)
+        if number is None:
+            QToolTip.hideText()
+        else:
+            QToolTip.showText(event.globalPos(), output_readout(self.content, number), self)

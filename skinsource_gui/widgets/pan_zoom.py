@@ -1,0 +1,160 @@
+"""Zooming and panning of a drawing that is fitted into its widget."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtWidgets import QWidget
+
+from skinsource_gui.widgets.frame import Floats, Frame
+
+#: The fit that shows all, and what stands for none of the fits.
+WHOLE, FREE = "whole", "free"
+
+_LARGEST_ZOOM = 25.0
+# One notch of a wheel is 120 eighths of a degree.
+_NOTCH = 120.0
+_ZOOM_PER_NOTCH = 1.2
+_ZOOM_PER_KEY = 1.25
+_PAN_PER_NOTCH_PX = 48.0
+# Something brought into sight stays this far from the edge, px.
+_EDGE_PX = 20.0
+_KEY_FACTORS = {
+    Qt.Key.Key_Plus: _ZOOM_PER_KEY,
+    Qt.Key.Key_Equal: _ZOOM_PER_KEY,
+    Qt.Key.Key_Minus: 1 / _ZOOM_PER_KEY,
+}
+
+
+class PanZoom(QObject):
+    """Keeps what part of a drawing is seen; used by whatever draws one.
+
+    The wheel zooms at the pointer, with Shift it pans, and so does a drag with the middle button.
+    The drawing is never smaller than its whole fit, nor out of sight.
+
+    Parameters
+    ----------
+    widget
+        Where it is drawn; its cursor changes during a drag.
+
+    Attributes
+    ----------
+    frame
+        Where the drawing lies; ``None`` before there is one.
+    fit
+        Name of the fit that is shown, or `FREE` after zooming or panning.
+    """
+
+    #: Another frame.
+    changed = Signal()
+
+    def __init__(self, widget: QWidget) -> None:
+        super().__init__(widget)
+        self._widget = widget
+        self._fits: Mapping[str, Frame] = {}
+        self._outline: Floats = np.zeros((0, 2))
+        self._room = QRectF()
+        self._grip: QPointF | None = None
+        self.frame: Frame | None = None
+        self.fit = WHOLE
+
+    def arrange(self, fits: Mapping[str, Frame], outline: Floats, room: QRectF) -> None:
+        """Fit a drawing into a room; what is magnified keeps its middle.
+
+        Parameters
+        ----------
+        fits
+            Frames by name, `WHOLE` among them; none at all where there is nothing to draw.
+        outline : (n, 2)
+            Of the drawing, in its own units; some of its inside stays in sight.
+        room
+            Of the widget, px.
+        """
+        before, was, self._room = self.frame, self._room, room
+        self._fits, self._outline = fits, outline
+        if not fits:
+            self.frame = None
+        elif self.fit == FREE and before is not None:
+            moved = room.center() - was.center()
+            self.frame = self._kept(before.moved(moved.x(), moved.y()))
+        else:
+            self.frame = fits[self.fit if self.fit in fits else WHOLE]
+        self.changed.emit()
+
+    def show(self, fit: str) -> None:
+        """Show one of the fits."""
+        self.fit = fit
+        if self._fits:
+            self.frame = self._fits[fit]
+            self.changed.emit()
+
+    def zoom(self, factor: float, about: QPointF) -> None:
+        """Magnify around a point, no further out than the whole drawing."""
+        if self.frame is None:
+            return
+        whole = self._fits[WHOLE].scale
+        scale = min(self.frame.scale * factor, _LARGEST_ZOOM * whole)
+        if scale <= whole:
+            self.show(WHOLE)
+        else:
+            self._go_to(self.frame.zoomed(scale / self.frame.scale, about))
+
+    def pan(self, dx: float, dy: float) -> None:
+        """Shift the drawing by screen pixels, as far as it stays in sight."""
+        if self.frame is not None and self.fit != WHOLE:
+            self._go_to(self.frame.moved(dx, dy))
+
+    def reveal(self, at: QPointF) -> None:
+        """Bring a screen point of the drawing into sight."""
+        room = self._room.adjusted(_EDGE_PX, _EDGE_PX, -_EDGE_PX, -_EDGE_PX)
+        dx = min(max(at.x(), room.left()), room.right()) - at.x()
+        dy = min(max(at.y(), room.top()), room.bottom()) - at.y()
+        if dx or dy:
+            self.pan(dx, dy)
+
+    def wheel(self, event: QWheelEvent) -> None:
+        """The wheel turns over the drawing."""
+        right, up = event.angleDelta().x() / _NOTCH, event.angleDelta().y() / _NOTCH
+        if event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+            self.pan((right + up) * _PAN_PER_NOTCH_PX, 0)
+        else:
+            if up:
+                self.zoom(_ZOOM_PER_NOTCH**up, event.position())
+            if right:
+                self.pan(right * _PAN_PER_NOTCH_PX, 0)
+        event.accept()
+
+    def press(self, event: QMouseEvent) -> None:
+        """A button goes down; the middle one grips the drawing."""
+        if event.button() == Qt.MouseButton.MiddleButton:
+            self._grip = event.position()
+            self._widget.setCursor(Qt.CursorShape.ClosedHandCursor)
+
+    def move(self, event: QMouseEvent) -> None:
+        """The mouse moves, whether or not the drawing is gripped."""
+        if self._grip is not None:
+            by = event.position() - self._grip
+            self._grip = event.position()
+            self.pan(by.x(), by.y())
+
+    def release(self, event: QMouseEvent) -> None:
+        """A button goes up."""
+        if event.button() == Qt.MouseButton.MiddleButton and self._grip is not None:
+            self._grip = None
+            self._widget.unsetCursor()
+
+    def press_key(self, event: QKeyEvent) -> bool:
+        """Zoom by a key, plus or minus; return whether it was one of these."""
+        factor = _KEY_FACTORS.get(Qt.Key(event.key()))
+        if factor is not None:
+            self.zoom(factor, self._room.center())
+        return factor is not None
+
+    def _go_to(self, frame: Frame) -> None:
+        self.fit = FREE
+        self.frame = self._kept(frame)
+        self.changed.emit()
+
+    def _kept(self, frame: Frame) -> Frame:
+        return frame.kept_in_sight(self._outline, self._room)
