@@ -4,14 +4,16 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
 from skinsource.wording import quoted
 from skinsource.work import tally
 
 N_INPUTS, N_OUTPUTS, N_AXES, N_TAPS = 20, 72, 3, 522
 SAMPLE_RATE_HZ = 1300.0
+#: Time between the trigger and the pulse in the measured responses.
+PRE_TRIGGER_DELAY_S = 0.052
 #: Outputs on the palmar side: they have no place on the dorsal map.
 VOLAR_OUTPUTS = (61, 62, 63, 64, 65, 66)
 
@@ -19,8 +21,6 @@ VOLAR_OUTPUTS = (61, 62, 63, 64, 65, 66)
 HAND_LENGTHS_MM = (175.0, 165.0, 185.0, 165.0)
 #: Every limb that exists, installed or not.
 LIMB_NAMES = tuple(f"{kind}-{k}" for kind in ("measured", "synthetic") for k in range(1, 5))
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -65,6 +65,9 @@ class Limb:
         ``"measured-1"`` to ``"measured-4"``, ``"synthetic-1"`` to ``"synthetic-4"``.
     sample_rate_hz, hand_length_mm
         1300.0; length of the hand.
+    n_inputs, n_outputs, n_axes, n_taps
+        Input places, outputs, axes and samples of a response: 20, 72, 3 and 522 for the limbs that
+        were measured and those like them.
     synthetic
         Whether the responses are computed, not measured.  Every view and export says so.
     map
@@ -86,6 +89,7 @@ class Limb:
         read_response: Callable[[int], Floats],
         sample_rate_hz: float = SAMPLE_RATE_HZ,
         note: str = "",
+        shape: tuple[int, int, int, int] = (N_INPUTS, N_OUTPUTS, N_AXES, N_TAPS),
     ) -> None:
         self.name = name
         self.hand_length_mm = hand_length_mm
@@ -93,6 +97,7 @@ class Limb:
         self.map = map
         self.sample_rate_hz = sample_rate_hz
         self.note = note
+        self.n_inputs, self.n_outputs, self.n_axes, self.n_taps = shape
         self.bytes_read = 0
         self._read_response = read_response
         self._responses: dict[int, Floats] = {}
@@ -103,10 +108,17 @@ class Limb:
         return f"<Limb {self.name}: {kind}, hand {self.hand_length_mm:g} mm>"
 
     def response_to(self, location: int) -> Floats:
-        """Impulse responses to one input place, (72 outputs, 3 axes, 522 taps), in m/s²."""
-        check_input_location(location)
+        """Impulse responses to one input place, (n_outputs, n_axes, n_taps), in m/s²."""
+        check_input_location(location, self.n_inputs)
         if location not in self._responses:
             response = self._read_response(location)
+            expected = self.n_outputs, self.n_axes, self.n_taps
+            if response.shape != expected:
+                raise InvalidInputError(
+                    f"{self.name}: the response to input location {location} has shape "
+                    f"{response.shape}, expected {expected} (outputs, axes, taps). Install or load "
+                    "the limb again."
+                )
             response.flags.writeable = False
             self.bytes_read += response.nbytes
             tally(bytes_read=response.nbytes)
@@ -115,21 +127,22 @@ class Limb:
 
     @property
     def impulse_responses(self) -> Floats:
-        """All impulse responses, (20 inputs, 72 outputs, 3 axes, 522 taps), in m/s²."""
+        """All impulse responses, (n_inputs, n_outputs, n_axes, n_taps), in m/s²."""
         if self._everything is None:
-            everything = np.stack([self.response_to(place) for place in range(1, N_INPUTS + 1)])
+            places = range(1, self.n_inputs + 1)
+            everything = np.stack([self.response_to(place) for place in places])
             everything.flags.writeable = False
             # The single responses are views of it from now on: nothing is held twice.
-            self._responses = {place: everything[place - 1] for place in range(1, N_INPUTS + 1)}
+            self._responses = {place: everything[place - 1] for place in places}
             self._everything = everything
         return self._everything
 
 
-def check_input_location(location: int) -> None:
-    """Raise `InvalidInputError` unless ``location`` is an integer from 1 to 20."""
+def check_input_location(location: int, n_inputs: int = N_INPUTS) -> None:
+    """Raise `InvalidInputError` unless ``location`` is an integer from 1 to ``n_inputs``."""
     is_integer = isinstance(location, int | np.integer) and not isinstance(location, bool)
-    if not is_integer or not 1 <= location <= N_INPUTS:
+    if not is_integer or not 1 <= location <= n_inputs:
         raise InvalidInputError(
             f"input location {quoted(location)} does not exist: locations are the whole numbers 1 "
-            f"to {N_INPUTS}. See skinsource.locations for the list."
+            f"to {n_inputs}. See skinsource.locations for the list."
         )

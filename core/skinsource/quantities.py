@@ -9,26 +9,33 @@ from dataclasses import fields
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from skinsource.catalogue import load_limb
-from skinsource.design import Design
+from skinsource.arrays import Floats
+from skinsource.chain import Chain
+from skinsource.design import Design, Input, audible_indices
 from skinsource.graph import Graph
-from skinsource.limb import Limb, LimbMap
-from skinsource.rendering import rules, trace_rules
-from skinsource.rendering.renderer import Renderer
-from skinsource.surface import SurfaceOperator, surface_operator
+from skinsource.limb import PRE_TRIGGER_DELAY_S, Limb, LimbMap
+from skinsource.rendering import level_rules, trace_rules, vibration_rules, voice_rules
+from skinsource.shared import Shared
+from skinsource.surface import SurfaceOperator
 from skinsource.view import View
-
-Floats = NDArray[np.float64]
-
-#: Time between the trigger and the pulse in the measured responses, s.
-PRE_TRIGGER_DELAY_S = 0.052
+from skinsource.voices import Voice
 
 
-def limb_data(limb: str) -> Limb:
-    """The limb, with its responses read when touched."""
-    return load_limb(limb)
+def voices(inputs: tuple[Input, ...]) -> tuple[Voice, ...]:
+    """What sounds where, from when, how strong, through what chain: one for each input."""
+    heard = set(audible_indices(inputs))
+    return tuple(
+        Voice(
+            id=index,
+            location=one.location,
+            onset_s=one.onset_s,
+            amplitude=one.amplitude,
+            heard=index in heard,
+            chain=Chain(one.waveform),
+        )
+        for index, one in enumerate(inputs)
+    )
 
 
 def limb_map(limb_data: Limb) -> LimbMap:
@@ -39,11 +46,6 @@ def limb_map(limb_data: Limb) -> LimbMap:
 def sample_rate_hz(limb_data: Limb) -> float:
     """Sample rate of drives and responses."""
     return limb_data.sample_rate_hz
-
-
-def surface(limb_data: Limb) -> SurfaceOperator:
-    """Operator from outputs to the pixels of the map."""
-    return surface_operator(limb_data)
 
 
 def surface_levels_db(surface: SurfaceOperator, output_levels_db: Floats) -> Floats:
@@ -57,28 +59,36 @@ def response_time_s(response_samples: int, sample_rate_hz: float, delay_removed:
     return np.arange(response_samples) / sample_rate_hz - shift_s
 
 
-#: Rules without memory; `skinsource.rendering` holds those from inputs to levels and traces.
+#: All rules but those of `skinsource.shared.Shared`.
 RULES: tuple[Callable[..., Any], ...] = (
-    limb_data,
+    voices,
     limb_map,
     sample_rate_hz,
-    surface,
     surface_levels_db,
     response_time_s,
-    *rules.RULES,
+    *voice_rules.RULES,
+    *vibration_rules.RULES,
+    *level_rules.RULES,
     *trace_rules.RULES,
 )
 
 
 def sources(design: Design, view: View) -> dict[str, Any]:
     """Return the fields of design and view by name: where evaluation starts from."""
-    return {
+    given = {
         field.name: getattr(value, field.name)
         for value in (design, view)
         for field in fields(value)
     }
+    return {"span": "record", **given}
 
 
-def new_graph() -> Graph:
-    """Return a graph of all quantities, with an empty memory."""
-    return Graph(*RULES, *Renderer().rules())
+def new_graph(shared: Shared | None = None) -> Graph:
+    """Return a graph of all quantities, which has not computed anything.
+
+    Parameters
+    ----------
+    shared
+        What it shares with other graphs of its thread; nothing, unless given.
+    """
+    return Graph(*RULES, *(shared or Shared()).rules())

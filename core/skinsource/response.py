@@ -3,20 +3,20 @@
 from collections.abc import Iterable, Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from skinsource.arrays import Floats
+from skinsource.chain import LARGEST, Drive, drive_of, first_unusable
 from skinsource.errors import InvalidInputError
-from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS, Limb, check_input_location
-from skinsource.rendering.drives import LARGEST, Drive, drive_of, first_unusable, reach
+from skinsource.limb import Limb, check_input_location
+from skinsource.rendering.drives import active_samples
 from skinsource.rendering.gains import unit_gains
 from skinsource.rendering.response_spectra import ResponseSpectra
-from skinsource.rendering.segments import BLOCK_FFT, Played, length_at_once
-from skinsource.rendering.streaming import StreamedField
-from skinsource.rendering.sums import sum_of_fields
+from skinsource.rendering.segments import Blocks, Played, length_at_once
+from skinsource.rendering.streaming import StreamedVibration
+from skinsource.rendering.sums import sum_of_vibrations
 from skinsource.rendering.transforms import forward, inverse
 from skinsource.response_scaling import Scaling, check_scaling
-
-Floats = NDArray[np.float64]
 
 
 def predict(
@@ -39,7 +39,7 @@ def predict(
     amplitudes : (n_inputs,), optional
         Factor of each input, 1 by default; may be negative or zero.
     scaling
-        ``"upstream"``: the field of each input is divided by its signed maximum over all outputs,
+        ``"upstream"``: what each input causes is divided by its signed maximum over all outputs,
         axes and times, so that an amplitude is that maximum in m/s².  ``"relative"``: no division;
         1 is the measuring pulse, sample by sample.  ``"probe"``: responses calibrated to probe
         acceleration (`skinsource.calibration`).
@@ -55,15 +55,16 @@ def predict(
     """
     check_scaling(scaling)
     samples = _checked_drives(drives)
-    places = _checked_locations(locations, len(samples))
+    places = _checked_locations(locations, len(samples), limb.n_inputs)
     factors = _checked_amplitudes(amplitudes, len(samples))
-    response_samples = samples.shape[-1] + N_TAPS - 1
+    response_samples = samples.shape[-1] + limb.n_taps - 1
     heard = [
         (drive, place, amplitude)
         for drive, place, amplitude in zip(map(drive_of, samples), places, factors, strict=True)
         if not drive.silent and amplitude != 0.0
     ]
-    n_fft = length_at_once(response_samples, len({place for _, place, _ in heard}))
+    n_places = len({place for _, place, _ in heard})
+    n_fft = length_at_once(response_samples, n_places, limb.n_outputs * limb.n_axes)
     if n_fft is None:
         return _streamed(limb, heard, scaling, response_samples).everything()
     return _at_once(limb, heard, scaling, response_samples, n_fft)
@@ -74,11 +75,12 @@ _Heard = tuple[Drive, int, float]
 
 def _streamed(
     limb: Limb, heard: list[_Heard], scaling: Scaling, response_samples: int
-) -> StreamedField:
+) -> StreamedVibration:
+    blocks, shape = Blocks(limb.n_taps), (limb.n_outputs, limb.n_axes, response_samples)
     if not heard:
-        return StreamedField([], None, response_samples)
+        return StreamedVibration([], None, shape, blocks)
     used = tuple(sorted({place for _, place, _ in heard}))
-    stack = ResponseSpectra().stack(limb, used, scaling, BLOCK_FFT)
+    stack = ResponseSpectra().stack(limb, used, scaling, blocks.n_fft)
     drives = [drive for drive, _, _ in heard]
     gains = [drive.factor for drive in drives]
     if scaling == "upstream":
@@ -87,14 +89,14 @@ def _streamed(
         Played(drive=drive, start=0, weight=amplitude * gain, location=place)
         for (drive, place, amplitude), gain in zip(heard, gains, strict=True)
     ]
-    return StreamedField(played, stack, response_samples)
+    return StreamedVibration(played, stack, shape, blocks)
 
 
 def _at_once(
     limb: Limb, heard: list[_Heard], scaling: Scaling, response_samples: int, n_fft: int
 ) -> Floats:
     if not heard:
-        return np.zeros((N_OUTPUTS, N_AXES, response_samples))
+        return np.zeros((limb.n_outputs, limb.n_axes, response_samples))
     spectra = ResponseSpectra()
     drives = [drive for drive, _, _ in heard]
     responses = [spectra.of(limb, place, scaling, n_fft) for _, place, _ in heard]
@@ -106,12 +108,14 @@ def _at_once(
         spectrum * (amplitude * gain)
         for spectrum, (_, _, amplitude), gain in zip(played, heard, gains, strict=True)
     ]
-    field = inverse(sum_of_fields([response.values for response in responses], weighted), n_fft)
+    total = sum_of_vibrations([response.values for response in responses], weighted)
+    vibration = inverse(total, n_fft)
     sounding = np.zeros(response_samples, bool)
     for drive in drives:
         sounding[: drive.samples.size] |= drive.samples != 0.0
-    # Where nothing can be felt there is nothing, not the rounding of the transforms.
-    return np.where(reach(sounding, N_TAPS), field[..., :response_samples], 0.0)
+    # Where nothing can move nothing does, not even by the rounding of the transforms.
+    active = active_samples(sounding, limb.n_taps)
+    return np.where(active, vibration[..., :response_samples], 0.0)
 
 
 def _checked_drives(drives: ArrayLike) -> Floats:
@@ -139,15 +143,15 @@ def _checked_drives(drives: ArrayLike) -> Floats:
     return samples
 
 
-def _checked_locations(locations: Sequence[int] | int, n_inputs: int) -> list[int]:
+def _checked_locations(locations: Sequence[int] | int, n_drives: int, n_inputs: int) -> list[int]:
     # An array would make 1 of True and 7.0 of 7 beside 2.5.
     found = locations.tolist() if isinstance(locations, np.ndarray) else locations
     places = list(found) if isinstance(found, Iterable) else [found]
     for place in places:
-        check_input_location(place)
-    if len(places) != n_inputs:
+        check_input_location(place, n_inputs)
+    if len(places) != n_drives:
         raise InvalidInputError(
-            f"{len(places)} locations for {n_inputs} drives: expected one location for each drive"
+            f"{len(places)} locations for {n_drives} drives: expected one location for each drive"
         )
     return places
 

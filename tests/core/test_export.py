@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from skinsource import quantities
+from skinsource import shared
 from skinsource.design import Design, Input
 from skinsource.errors import StorageError
 from skinsource.export import export_levels, export_traces
@@ -47,7 +47,7 @@ def made_up_limbs(monkeypatch):
             read_response=made_up_response,
         )
 
-    monkeypatch.setattr(quantities, "load_limb", load)
+    monkeypatch.setattr(shared, "load_limb", load)
     return load
 
 

@@ -53,7 +53,9 @@ def test_the_field_of_a_short_design_is_what_the_library_predicts(tmp_path):
 def test_the_field_of_a_long_design_is_the_streamed_one_and_silence_is_zero(tmp_path):
     export_field(tmp_path / "field.npz", LONG, View())
     found = read(tmp_path / "field.npz")["acceleration_m_per_s2"]
-    streamed = new_graph().evaluate({"streamed_field"}, sources(LONG, View()))["streamed_field"]
+    streamed = new_graph().evaluate({"streamed_vibration"}, sources(LONG, View()))[
+        "streamed_vibration"
+    ]
     np.testing.assert_array_equal(found, streamed.everything())
     silent = slice(21 + 521, 16 * 1300)
     assert not found[..., silent].any()

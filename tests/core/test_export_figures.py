@@ -13,10 +13,10 @@ from skinsource.catalogue import load_limb
 from skinsource.design import Design, Input
 from skinsource.errors import TooInaccurateError
 from skinsource.export import export_field, export_levels, export_traces
-from skinsource.rendering import renderer
+from skinsource.rendering import trace_rules
 from skinsource.rendering.check import TraceError
 from skinsource.rendering.segments import BLOCK_FFT
-from skinsource.rendering.streaming import StreamedField
+from skinsource.rendering.streaming import StreamedVibration
 from skinsource.view import View
 from skinsource.waveforms import Noise, Tap, Tone
 
@@ -97,18 +97,18 @@ def test_what_is_too_inaccurate_is_not_written(tmp_path, name, duration_s):
 
 def test_an_error_that_is_no_number_is_too_large(tmp_path, monkeypatch):
     nothing = TraceError(estimate=float("nan"), bound=float("nan"))
-    monkeypatch.setattr(renderer, "trace_error_of", lambda *_: nothing)
+    monkeypatch.setattr(trace_rules, "trace_error_of", lambda *_: nothing)
     with pytest.raises(TooInaccurateError):
         export_traces(tmp_path / "t.csv", design(0.2), VIEW, largest_error=1e-3)
 
 
 def test_samples_that_are_wrong_show_in_the_figures_of_a_long_field(tmp_path, monkeypatch):
-    right = StreamedField.blocks
+    right = StreamedVibration.blocks
 
     def a_little_late(self, *stop):
         for first, block in right(self, *stop):
             yield first, np.roll(block, 1, axis=-1)
 
-    monkeypatch.setattr(StreamedField, "blocks", a_little_late)
+    monkeypatch.setattr(StreamedVibration, "blocks", a_little_late)
     export_field(tmp_path / "field.npz", design(16.0), VIEW)
     assert figures(about(tmp_path / "field.npz"))[0] > 1e-2

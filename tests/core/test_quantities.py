@@ -7,11 +7,9 @@ import pytest
 
 from skinsource.decibels import decibels
 from skinsource.design import Design, Input
-from skinsource.graph import Graph
 from skinsource.limb import Limb
 from skinsource.projection import AXES, METHODS, project_axes
-from skinsource.quantities import RULES, new_graph, sources
-from skinsource.rendering.renderer import Renderer
+from skinsource.quantities import new_graph, sources
 from skinsource.response import predict
 from skinsource.response_scaling import SCALINGS
 from skinsource.signals import sinusoid
@@ -39,7 +37,7 @@ class Studio:
 
     def __init__(self, limb: Limb) -> None:
         self.limb = limb
-        self.graph = Graph(*RULES, *Renderer().rules())
+        self.graph = new_graph()
 
     def show(self, design: Design, *wanted: str, view: View | None = None) -> list:
         given = sources(design, view or View()) | {"limb_data": self.limb}
@@ -92,7 +90,7 @@ def test_only_the_places_that_are_heard_are_read(studio):
 def test_waveforms_alone_need_no_response(studio):
     studio.show(FOUR, "input_waveforms", "response_time_s")
     assert studio.limb.bytes_read == 0
-    assert not {"others_spectrum", "pivot_drive", "surface"} & set(studio.graph.runs)
+    assert not {"others_spectrum", "edited_response", "surface"} & set(studio.graph.runs)
 
 
 def test_what_is_hidden_does_not_run(studio):
@@ -153,9 +151,9 @@ def test_selecting_no_output_gives_no_trace(studio):
 def test_the_graph_of_the_studio_knows_every_field_of_design_and_view():
     given = sources(FOUR, View())
     assert {"limb", "inputs", "scaling", "axes", "method", "outputs"} <= set(given)
-    results = new_graph().evaluate(["audible", "others"], given)
-    assert results["audible"] == FOUR.inputs
-    assert results["others"] == FOUR.inputs[1:]
+    results = new_graph().evaluate(["voices", "other_voices"], given)
+    assert [one.location for one in results["voices"]] == [7, 8, 7, 16]
+    assert results["other_voices"] == results["voices"][1:]
 
 
 def test_results_cannot_be_written_to(studio):

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from skinsource.chain import drive_of
 from skinsource.design import Design, Input
 from skinsource.quantities import new_graph, sources
 from skinsource.rendering.check import Heard, trace_error_of
-from skinsource.rendering.drives import drive_of
 from skinsource.rendering.response_spectra import ResponseSpectrum
 from skinsource.rendering.transforms import forward
 from skinsource.synthetic import load_synthetic_limb

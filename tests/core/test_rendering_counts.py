@@ -120,7 +120,7 @@ def test_old_fields_go_at_once_without_the_garbage_collector():
     gc.disable()
     try:
         graph.evaluate(ALL, given[0])
-        old = weakref.ref(graph.evaluate({"pivot_part"}, given[0])["pivot_part"])
+        old = weakref.ref(graph.evaluate({"edited_channels"}, given[0])["edited_channels"])
         spectrum = weakref.ref(graph.evaluate({"others_spectrum"}, given[0])["others_spectrum"])
         changed = DESIGN.with_input(0, location=9).with_input(1, waveform=Noise(seed=9))
         graph.evaluate(ALL, sources(changed, VIEW))

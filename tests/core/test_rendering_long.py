@@ -6,13 +6,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from skinsource.chain import Chain
 from skinsource.design import Design, Input
 from skinsource.errors import InvalidInputError, Stopped
 from skinsource.projection import AXES, METHODS
 from skinsource.quantities import new_graph, sources
 from skinsource.rendering.drives import Drives
-from skinsource.rendering.segments import BLOCK_SAMPLES
+from skinsource.rendering.segments import Blocks
 from skinsource.view import View
+from skinsource.voices import UnitVoice
 from skinsource.waveforms import Noise, Tap, Tone
 
 LONG = Design(
@@ -78,13 +80,13 @@ def test_a_request_to_stop_does_not_outlive_its_question():
 def test_no_more_than_some_blocks_lie_between_two_chances_to_stop():
     asked = Countdown(10**9)
     new_graph().evaluate(ALL, sources(LONG, VIEW), asked)
-    n_blocks = 14 * 1300 / BLOCK_SAMPLES
+    n_blocks = 14 * 1300 / Blocks(522).n_samples
     assert 10**9 - asked.left > n_blocks
 
 
 def test_a_drive_that_is_in_use_is_not_drawn_again_however_small_the_memory():
     drives = Drives(budget_bytes=0)
-    one = Input(location=1, waveform=Noise(seed=5))
+    one = UnitVoice(Chain(Noise(seed=5)), location=1)
     first = drives.drawn(one, 1300.0)
     assert drives.drawn(one, 1300.0) is first
     samples = first.samples.copy()
@@ -94,7 +96,7 @@ def test_a_drive_that_is_in_use_is_not_drawn_again_however_small_the_memory():
 
 
 def test_each_long_waveform_is_drawn_once_whatever_is_asked_first(monkeypatch):
-    monkeypatch.setattr("skinsource.rendering.renderer.Drives", lambda: Drives(budget_bytes=0))
+    monkeypatch.setattr("skinsource.rendering.remembered.Drives", lambda: Drives(budget_bytes=0))
     graph = new_graph()
     graph.evaluate((*ALL, "input_waveforms", "trace_error"), sources(LONG, VIEW))
     drawn = sum(one.waveform.samples(1300.0).size for one in LONG.inputs)
@@ -155,6 +157,6 @@ def test_however_long_the_scene_no_output_need_be_selected(duration_s):
 def test_traces_of_no_output_of_a_long_scene_transform_nothing():
     graph = new_graph()
     looked = replace(VIEW, outputs=())
-    graph.evaluate({"streamed_field"}, sources(LONG, looked))
+    graph.evaluate({"streamed_vibration"}, sources(LONG, looked))
     graph.evaluate({"axis_traces", "axis_spectra"}, sources(LONG, looked))
     assert graph.work.inverse_transforms == graph.work.forward_transforms == 0

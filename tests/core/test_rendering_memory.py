@@ -6,13 +6,15 @@ import tracemalloc
 
 import pytest
 
+from skinsource import shared
+from skinsource.chain import Chain
 from skinsource.limb import N_AXES, N_OUTPUTS
 from skinsource.rendering import drives, exact_spectra, gains, response_spectra
-from skinsource.rendering.drives import Source
 from skinsource.rendering.memory import ENTRY_BYTES, Memory
 from skinsource.rendering.response_spectra import ResponseSpectra
 from skinsource.rendering.segments import length_at_once
 from skinsource.synthetic import load_synthetic_limb
+from skinsource.voices import UnitVoice
 from skinsource.waveforms import Tone
 
 
@@ -23,6 +25,7 @@ def test_all_memories_together_hold_at_most_256_mebibytes():
         2 * drives.BUDGET_BYTES,
         exact_spectra.BUDGET_BYTES,
         gains.BUDGET_BYTES,
+        shared.SURFACES_BYTES,
     )
     assert sum(budgets) <= 256 * 2**20
 
@@ -53,8 +56,8 @@ def test_many_small_values_do_not_exceed_the_budget_by_their_keys():
     try:
         memory = Memory[float](budget_bytes=10**6, size_of=sys.getsizeof)
         for k in range(5000):
-            source = Source(waveform=Tone(frequency_hz=100 + k / 100, duration_s=0.1), location=7)
-            memory.add((source, 1920), k / 7)
+            tone = Tone(frequency_hz=100 + k / 100, duration_s=0.1)
+            memory.add((UnitVoice(Chain(tone), 7), 1920), k / 7)
         taken, _ = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()

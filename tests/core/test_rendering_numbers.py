@@ -5,14 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from skinsource.chain import drive_of
 from skinsource.design import Design, Input, audible_inputs
 from skinsource.limb import Limb
 from skinsource.projection import AXES, METHODS, project_axes
 from skinsource.quantities import new_graph, sources
-from skinsource.rendering.drives import drive_of
 from skinsource.rendering.maxima import peaks_of
 from skinsource.rendering.response_spectra import ResponseSpectrum
-from skinsource.rendering.segments import BLOCK_FFT, BLOCK_SAMPLES
+from skinsource.rendering.segments import BLOCK_FFT, Blocks
 from skinsource.rendering.transforms import forward, inverse, transform_length
 from skinsource.synthetic import load_synthetic_limb
 from skinsource.view import View
@@ -212,7 +212,7 @@ def test_the_maximum_of_a_long_drive_is_found_block_by_block(limb):
     response = ResponseSpectrum(taps, forward(taps, BLOCK_FFT), BLOCK_FFT)
     n_fft = transform_length(drive.size + 521)
     full = inverse(forward(taps, n_fft) * forward(drive[None], n_fft), n_fft)
-    assert drive.size > 2 * BLOCK_SAMPLES
+    assert drive.size > 2 * Blocks(522).n_samples
     [peak] = peaks_of([drive], [], [response])
     assert peak.value == pytest.approx(full.max(), rel=1e-13)
     assert full.reshape(216, -1)[peak.channel, peak.time] == full.max()

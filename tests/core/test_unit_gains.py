@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from skinsource.chain import drive_of
 from skinsource.limb import N_TAPS
 from skinsource.rendering.check import exact_gains
-from skinsource.rendering.drives import drive_of
 from skinsource.rendering.gains import unit_gains
 from skinsource.rendering.maxima import peaks_of
 from skinsource.rendering.response_spectra import ResponseSpectrum

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 
 from skinsource.design import Design, Input
 from skinsource.errors import Stopped
-from skinsource.rendering import renderer
+from skinsource.rendering import trace_rules
 from skinsource.rendering.check import TraceError
 from skinsource.waveforms import Noise, Tone
 from skinsource_gui.files import export_actions
@@ -196,7 +196,7 @@ def test_what_is_too_inaccurate_is_written_only_if_the_user_agrees(
     qtbot, window, wait, answers, tmp_path, monkeypatch
 ):
     poor = TraceError(estimate=2e-3, bound=1.0)
-    monkeypatch.setattr(renderer, "trace_error_of", lambda *_: poor)
+    monkeypatch.setattr(trace_rules, "trace_error_of", lambda *_: poor)
     answers["save"] = str(tmp_path / "levels.csv")
     window.commands.export_levels()
     qtbot.waitUntil(lambda: len(answers["asked"]) == 1)

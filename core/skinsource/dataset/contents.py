@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource import hdf5
+from skinsource.arrays import Floats
 from skinsource.dataset import layout
 from skinsource.errors import DatasetError
-from skinsource.limb import Floats
 from skinsource.wording import quoted
 
 if TYPE_CHECKING:

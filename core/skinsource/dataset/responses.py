@@ -7,11 +7,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from skinsource.arrays import Floats
 from skinsource.dataset.matfile import read_variable
 from skinsource.dataset.pieces import WHAT_TO_DO
 from skinsource.errors import DatasetError
 from skinsource.job import Progress, Stop, stop_if
-from skinsource.limb import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS, Floats
+from skinsource.limb import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS
 
 TABLE = "dataTable"
 COLUMNS = ("Data", "Model", "Location")

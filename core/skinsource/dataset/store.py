@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource import hdf5
+from skinsource.arrays import Floats
 from skinsource.assets import user_folder
 from skinsource.dataset import layout
 from skinsource.dataset.contents import REINSTALL, Contents
@@ -24,7 +25,7 @@ from skinsource.errors import (
     StorageError,
     UnknownLimbError,
 )
-from skinsource.limb import HAND_LENGTHS_MM, Floats, Limb, LimbMap
+from skinsource.limb import HAND_LENGTHS_MM, Limb, LimbMap
 from skinsource.wording import quoted
 
 #: Tip of digit III to the middle of the wrist, on the published map.

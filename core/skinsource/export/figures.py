@@ -10,7 +10,6 @@ from skinsource.design import audible_inputs
 from skinsource.errors import TooInaccurateError
 from skinsource.export.scene import Scene
 from skinsource.rendering.check import ESTIMATE_FACTOR, N_SAMPLES, TraceError
-from skinsource.rendering.segments import BLOCK_FFT
 from skinsource.version import __version__
 from skinsource.words import AXES, LIMBS, METHODS, SCALINGS, word_of
 
@@ -45,7 +44,7 @@ def about_axes(scene: Scene) -> str:
 def about_method(scene: Scene) -> list[str]:
     """Lines on versions, method, and the data that went in."""
     audible = audible_inputs(scene.design.inputs)
-    how = "cached spectra" if scene.streamed is None else f"overlap-save {BLOCK_FFT}"
+    how = "cached spectra" if scene.streamed is None else f"overlap-save {scene.streamed.cut.n_fft}"
     return [
         f"computed by: skinsource {__version__}, numpy {np.__version__}, scipy {scipy.__version__}",
         f"precision and method: float64, {how}",

@@ -4,21 +4,19 @@ from collections.abc import Collection, Iterator
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from skinsource.arrays import Floats
 from skinsource.design import Design
 from skinsource.job import Progress, Stop
-from skinsource.limb import N_AXES, N_OUTPUTS, Limb
+from skinsource.limb import Limb
 from skinsource.projection import Axes
 from skinsource.quantities import new_graph, sources
 from skinsource.rendering.check import TraceError
-from skinsource.rendering.segments import BLOCK_SAMPLES
-from skinsource.rendering.streaming import StreamedField
+from skinsource.rendering.streaming import StreamedVibration
 from skinsource.view import View
 
-Floats = NDArray[np.float64]
-
-ALL_OUTPUTS = tuple(range(1, N_OUTPUTS + 1))
+#: Samples that are written together.
+PIECE_SAMPLES = 1536
 
 #: Channels of a long scene that take more than this are never held as a whole.
 _MOST_HELD_BYTES = 64 * 2**20
@@ -40,6 +38,8 @@ class Scene:
     ----------
     limb, sample_rate_hz, n_times
         The limb; rate and samples of the response.
+    all_outputs
+        Numbers of the limb's outputs.
     streamed
         The field of a scene that is too long to be computed at once, else None.
     """
@@ -49,11 +49,14 @@ class Scene:
         self.progress, self.stop = progress, stop
         self._graph = new_graph()
         progress(0, 0, "Computing")
-        basis = self.values({"limb_data", "sample_rate_hz", "response_samples", "streamed_field"})
+        basis = self.values(
+            {"limb_data", "sample_rate_hz", "response_samples", "streamed_vibration"}
+        )
         self.limb: Limb = basis["limb_data"]
+        self.all_outputs = tuple(range(1, self.limb.n_outputs + 1))
         self.sample_rate_hz: float = basis["sample_rate_hz"]
         self.n_times: int = basis["response_samples"]
-        self.streamed: StreamedField | None = basis["streamed_field"]
+        self.streamed: StreamedVibration | None = basis["streamed_vibration"]
 
     def values(self, wanted: Collection[str], **changed: Any) -> dict[str, Any]:
         """Return quantities, with some of what they start from ``changed``."""
@@ -70,7 +73,7 @@ class Scene:
         return outputs if self.streamed is None else outputs[: _MOST_HELD_BYTES // bytes_each]
 
     def error(self, outputs: tuple[int, ...], axes: Axes) -> TraceError | None:
-        """Error of what is felt at some outputs; None where nothing is."""
+        """Error of the vibration at some outputs; None where there is none."""
         found: TraceError | None = self.value("trace_error", outputs=outputs, axes=axes)
         return found
 
@@ -82,9 +85,9 @@ class Scene:
         return found
 
     def field_blocks(self) -> Iterator[Floats]:
-        """Yield the field piece by piece, (72 outputs, 3 axes, n) in m/s², silence included."""
+        """Yield the field piece by piece, (n_outputs, 3 axes, n) in m/s², silence included."""
         if self.streamed is None:
-            yield self.value("axis_traces", outputs=ALL_OUTPUTS, axes="xyz")
+            yield self.value("axis_traces", outputs=self.all_outputs, axes="xyz")
             return
         done = 0
         for first, block in self.streamed.blocks(self.stop):
@@ -95,5 +98,5 @@ class Scene:
         yield from self._silence(done, self.n_times)
 
     def _silence(self, first: int, end: int) -> Iterator[Floats]:
-        for start in range(first, end, BLOCK_SAMPLES):
-            yield np.zeros((N_OUTPUTS, N_AXES, min(BLOCK_SAMPLES, end - start)))
+        for start in range(first, end, PIECE_SAMPLES):
+            yield np.zeros((self.limb.n_outputs, self.limb.n_axes, min(PIECE_SAMPLES, end - start)))

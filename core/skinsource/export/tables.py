@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from skinsource.arrays import Floats
 from skinsource.design import Design
 from skinsource.export.csv_table import CsvTable
 from skinsource.export.figures import (
@@ -18,14 +18,11 @@ from skinsource.export.figures import (
     refuse_if_worse,
 )
 from skinsource.export.output_file import output_file
-from skinsource.export.scene import ALL_OUTPUTS, Scene
+from skinsource.export.scene import PIECE_SAMPLES, Scene
 from skinsource.job import Progress, Stop, never, silent
+from skinsource.limb import PRE_TRIGGER_DELAY_S
 from skinsource.projection import axis_numbers
-from skinsource.rendering.segments import BLOCK_SAMPLES
-from skinsource.rendering.trace_rules import selected_traces
 from skinsource.view import View
-
-Floats = NDArray[np.float64]
 
 
 def export_traces(
@@ -70,7 +67,7 @@ def export_traces(
     about = [
         *about_design(scene),
         about_axes(scene),
-        f"pre-trigger delay of 52 ms: {shift} the times",
+        f"pre-trigger delay of {PRE_TRIGGER_DELAY_S * 1e3:g} ms: {shift} the times",
         *about_method(scene),
         about_error(error, what),
     ]
@@ -113,7 +110,9 @@ def export_levels(
     header = ["output", "rms_m_per_s2", "level_db_re_1_m_per_s2"]
     with output_file(path, stop) as file:
         table = CsvTable(file, about, header, stop)
-        table.add(np.vstack((ALL_OUTPUTS, wanted["output_rms"], wanted["output_levels_db"])).T)
+        table.add(
+            np.vstack((scene.all_outputs, wanted["output_rms"], wanted["output_levels_db"])).T
+        )
         progress(1, 1, "Writing")
 
 
@@ -122,10 +121,10 @@ def _trace_blocks(scene: Scene) -> Iterator[Floats]:
     outputs = scene.view.outputs
     if outputs == scene.holdable(outputs, scene.view.axes):
         traces = scene.value("selected_traces")
-        for first in range(0, scene.n_times, BLOCK_SAMPLES):
-            yield traces[:, first : first + BLOCK_SAMPLES]
+        for first in range(0, scene.n_times, PIECE_SAMPLES):
+            yield traces[:, first : first + PIECE_SAMPLES]
         return
-    directions = scene.value("selected_directions")
+    projection = scene.value("selected_projection")
     chosen = np.ix_([output - 1 for output in outputs], axis_numbers(scene.view.axes))
     for block in scene.field_blocks():
-        yield selected_traces(block[chosen], directions)
+        yield projection.signals(block[chosen])

@@ -17,9 +17,9 @@ from skinsource.export.figures import (
 )
 from skinsource.export.npz_archive import NpzArchive
 from skinsource.export.output_file import output_file
-from skinsource.export.scene import ALL_OUTPUTS, Scene
+from skinsource.export.scene import Scene
 from skinsource.job import Progress, Stop, never, silent, stop_if
-from skinsource.limb import N_AXES, N_OUTPUTS
+from skinsource.limb import PRE_TRIGGER_DELAY_S
 from skinsource.view import View
 
 # Headers, the text and the table of contents take less.
@@ -49,10 +49,10 @@ def export_field(
         The disk has too little room, or what `export_traces` says.
     """
     scene = Scene(design, view, progress, stop)
-    shape = N_OUTPUTS, N_AXES, scene.n_times
+    shape = scene.limb.n_outputs, scene.limb.n_axes, scene.n_times
     # What is checked is what was written, at some outputs.
     looked_at = view.outputs if scene.streamed is not None else ()
-    checked = scene.holdable(looked_at or ALL_OUTPUTS, "xyz")
+    checked = scene.holdable(looked_at or scene.all_outputs, "xyz")
     rows = [output - 1 for output in checked]
     kept = np.empty((len(checked), *shape[1:]))
     with output_file(path, stop) as file:
@@ -66,7 +66,9 @@ def export_field(
                     array.add(block)
             error = scene.error_of(kept, checked)
             refuse_if_worse(error, largest_error)
-            what = "the field" if checked == ALL_OUTPUTS else f"the field at {listed(checked)}"
+            what = (
+                "the field" if checked == scene.all_outputs else f"the field at {listed(checked)}"
+            )
             about = [*_about(scene), about_error(error, what)]
             archive.put("about", np.array("\n".join(about)))
 
@@ -74,10 +76,10 @@ def export_field(
 def _about(scene: Scene) -> list[str]:
     return [
         *about_design(scene),
-        f"acceleration_m_per_s2: {N_OUTPUTS} outputs, {N_AXES} axes (x, y, z), {scene.n_times} "
-        "times, in m/s²",
-        f"times: sample k at k / {scene.sample_rate_hz:g} s; pre-trigger delay of 52 ms: contained "
-        "in the times",
+        f"acceleration_m_per_s2: {scene.limb.n_outputs} outputs, {scene.limb.n_axes} axes "
+        f"(x, y, z), {scene.n_times} times, in m/s²",
+        f"times: sample k at k / {scene.sample_rate_hz:g} s; pre-trigger delay of "
+        f"{PRE_TRIGGER_DELAY_S * 1e3:g} ms: contained in the times",
         *about_method(scene),
     ]
 

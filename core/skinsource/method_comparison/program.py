@@ -67,7 +67,7 @@ def prepare(scene: Scene, method: Method) -> Prepared:
     def run(edition: int) -> Iterator[Block]:
         given = {**sources(_design(scene, drives, edition), view), "limb_data": limb}
         if whole:
-            streamed = graph.evaluate({"streamed_field"}, given)["streamed_field"]
+            streamed = graph.evaluate({"streamed_vibration"}, given)["streamed_vibration"]
             if streamed is not None:
                 for first, block in streamed.blocks():
                     yield first, block.reshape(N_CHANNELS, -1)

@@ -4,9 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from skinsource.limb import N_TAPS
-from skinsource.rendering.response_spectra import BAND_BINS, SECTIONS, ResponseSpectrum
-from skinsource.rendering.transforms import Complexes, Floats
+from skinsource.arrays import Complexes, Floats
+from skinsource.rendering.response_spectra import BAND_BINS, ResponseSpectrum
 
 #: Far above the rounding of a bound; this keeps it above the samples.
 _MARGIN = 1.0 + 1e-6
@@ -47,7 +46,7 @@ def channel_bounds(
 
     Returns
     -------
-    (n_pieces, 216)
+    (n_pieces, n_channels)
     """
     starts = np.arange(0, spectra.shape[-1], BAND_BINS)
     # The drives are scaled: their squares are far from over- and underflow.
@@ -57,21 +56,22 @@ def channel_bounds(
     for row, response, band in zip(by_frequency, responses, bands, strict=True):
         np.matmul(response.band_magnitudes, band, out=row)
     section_norms = np.array([response.section_norms for response in responses])
-    by_section = (section_norms @ _largest_norms(samples)[:, :, None])[:, :, 0]
+    by_section = (
+        section_norms @ _largest_norms(samples, responses[0].section_lengths)[:, :, None]
+    )[:, :, 0]
     by_peak = np.array([response.absolute_sums for response in responses])
     by_peak *= np.abs(samples).max(axis=-1, initial=0.0)[:, None]
     bounds: Floats = np.minimum(np.minimum(by_frequency, by_section), by_peak) * _MARGIN
     return bounds
 
 
-def _largest_norms(samples: Floats) -> Floats:
-    """Largest norm of a drive in windows as long as each section, (n_pieces, n_sections)."""
-    lengths = np.diff((*SECTIONS, N_TAPS))
+def _largest_norms(samples: Floats, lengths: tuple[int, ...]) -> Floats:
+    """Largest norm of a drive in windows of some lengths, (n_pieces, n_lengths)."""
     energy = np.zeros((samples.shape[0], samples.shape[1] + 1))
     np.cumsum(np.square(samples), axis=-1, out=energy[:, 1:])
     # A window may reach beyond either end of the piece: then it holds the rest of it.
-    found = {n: _largest_rise(energy, n) for n in set(lengths.tolist())}
-    return np.sqrt(np.stack([found[n] for n in lengths.tolist()], axis=-1))
+    found = {n: _largest_rise(energy, n) for n in set(lengths)}
+    return np.sqrt(np.stack([found[n] for n in lengths], axis=-1))
 
 
 def _largest_rise(energy: Floats, n: int) -> Floats:

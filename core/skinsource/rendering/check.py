@@ -5,18 +5,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from skinsource.arrays import Complexes, Floats
+from skinsource.chain import Drive
 from skinsource.job import Stop
-from skinsource.limb import N_AXES
 from skinsource.rendering.bounds import rounding_bound
-from skinsource.rendering.drives import Drive
 from skinsource.rendering.gains import is_positive
 from skinsource.rendering.maxima import peaks_of
 from skinsource.rendering.response_spectra import ResponseSpectrum
-from skinsource.rendering.transforms import Complexes, Floats
 
 #: Samples that are computed again, and the factor from their largest error to the estimate.
 N_SAMPLES, ESTIMATE_FACTOR = 64, 4.0
-# Drawn to find enough where something is felt; checked wherever they fall.
+# Drawn to find enough where something moves; checked wherever they fall.
 _N_DRAWN, _N_ANYWHERE = 4096, 16
 
 
@@ -39,9 +38,9 @@ class TraceError:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Heard:
-    """An input as the check sees it.
+    """A voice as the check sees it.
 
-    ``weight`` is what the field of the scaled samples is multiplied with.
+    ``weight`` is what the vibration by the scaled samples is multiplied with.
     """
 
     drive: Drive
@@ -50,7 +49,7 @@ class Heard:
     response: ResponseSpectrum
 
     def exact(self, output: int, axis: int, time: int) -> np.longdouble:
-        """One sample of the field, by its definition."""
+        """One sample of the vibration, by its definition."""
         taps = self.response.taps[output - 1, axis]
         last = time - self.delay_samples
         first = max(last - taps.size + 1, 0)
@@ -79,7 +78,7 @@ def exact_gains(
     gains = []
     for drive, response, peak in zip(drives, responses, peaks, strict=True):
         one = Heard(drive=drive, delay_samples=0, weight=1.0, response=response)
-        output, axis = divmod(peak.channel, N_AXES)
+        output, axis = divmod(peak.channel, response.taps.shape[1])
         value = float(one.exact(output + 1, axis, peak.time))
         positive = is_positive(peak, drive, response) and value > 0.0
         gains.append(1.0 / value if positive else drive.factor)
@@ -87,7 +86,7 @@ def exact_gains(
 
 
 def _checked_places(samples: Floats) -> list[int]:
-    """Random places, most of them where there is something to be wrong: long scenes rest a lot."""
+    """Random places, most of them where there is something to be wrong: long designs rest a lot."""
     drawn = np.random.default_rng(0).integers(0, samples.size, _N_DRAWN)
     sounding = drawn[samples[drawn] != 0.0][: N_SAMPLES - _N_ANYWHERE]
     return [*sounding.tolist(), *drawn[: N_SAMPLES - sounding.size].tolist()]

@@ -1,4 +1,4 @@
-"""Spectra over exactly the samples of a response, of one input.
+"""Spectra over exactly the samples of a response, of one voice.
 
 They are taken over as many samples as there are, as upstream does, which is seldom a fast length
 (1821 = 3 x 607).  The spectrum of a convolution is the product of those of drive and response;
@@ -9,9 +9,10 @@ from collections.abc import Callable, Hashable
 
 import numpy as np
 
+from skinsource.arrays import Complexes, Floats
+from skinsource.rendering.channels import Channel
 from skinsource.rendering.memory import Memory
-from skinsource.rendering.part import Channel
-from skinsource.rendering.transforms import Complexes, Floats, forward
+from skinsource.rendering.transforms import forward
 
 BUDGET_BYTES = 12 * 2**20
 
@@ -31,7 +32,7 @@ class ExactSpectra:
         ----------
         samples
             The drive; its response ends within ``n_times``.
-        taps : (72 outputs, 3 axes, 522)
+        taps : (n_outputs, 3 axes, n_taps)
             Responses to the place of the drive.
         name
             What the responses are remembered under.

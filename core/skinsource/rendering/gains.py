@@ -1,21 +1,22 @@
-"""What unit fields are multiplied with, so that an amplitude means what its scaling says."""
+"""What vibrations by unit voices are multiplied with, so that an amplitude means what it should."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from sys import getsizeof
 from weakref import ref
 
 import numpy as np
 
+from skinsource.arrays import Complexes
+from skinsource.chain import Drive
 from skinsource.job import Stop, never
 from skinsource.limb import Limb
 from skinsource.rendering.bounds import rounding_bound
-from skinsource.rendering.drives import Drive, Drives, Source
+from skinsource.rendering.drives import Drives
 from skinsource.rendering.maxima import Peak, peaks_of
 from skinsource.rendering.memory import Memory
 from skinsource.rendering.response_spectra import ResponseSpectrum
-from skinsource.rendering.segments import BLOCK_FFT
-from skinsource.rendering.transforms import Complexes
-from skinsource.response_scaling import Scaling
+from skinsource.voices import UnitVoice
 
 BUDGET_BYTES = 2**20
 # Below it a reciprocal overflows.
@@ -28,7 +29,7 @@ def unit_gains(
     responses: Sequence[ResponseSpectrum],
     stop: Stop = never,
 ) -> list[float]:
-    """What fields of the scaled samples of drives are multiplied with under upstream's scaling.
+    """What vibrations by scaled samples of drives are multiplied with under upstream's scaling.
 
     One over their signed maxima, or no division where no sample is positive.
 
@@ -43,7 +44,7 @@ def unit_gains(
         Responses to the place of each drive.
     """
     peaks = peaks_of([drive.samples for drive in drives], spectra, responses, stop)
-    # The factor of the drive cancels: the field reaches the amplitude whatever it was.
+    # The factor of the drive cancels: the vibration reaches the amplitude whatever it was.
     return [
         1.0 / peak.value if is_positive(peak, drive, response) else drive.factor
         for drive, peak, response in zip(drives, peaks, responses, strict=True)
@@ -51,50 +52,50 @@ def unit_gains(
 
 
 def is_positive(peak: Peak, drive: Drive, response: ResponseSpectrum) -> bool:
-    """Whether the maximum of a field is above 0 by more than the rounding of its transforms."""
+    """Whether the maximum of a vibration is above 0 by more than the rounding of its transforms."""
     norms = float(np.linalg.norm(drive.samples) * response.energies.max())
     return peak.value >= max(_SMALLEST, rounding_bound(norms, response.n_fft))
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Sounding:
+    """A unit voice that is not silent, its drive, and the responses to its place."""
+
+    unit: UnitVoice
+    drive: Drive
+    response: ResponseSpectrum
+
+
 class Gains:
-    """Gains of waveforms at places, in bounded memory."""
+    """Gains of unit voices under upstream's scaling, in bounded memory."""
 
     def __init__(self, drives: Drives) -> None:
         self._drives = drives
         self._known = Memory[float](BUDGET_BYTES, getsizeof)
 
     def of(
-        self,
-        limb: Limb,
-        scaling: Scaling,
-        sources: Sequence[Source],
-        drives: Sequence[Drive],
-        responses: Sequence[ResponseSpectrum],
-        stop: Stop = never,
+        self, limb: Limb, voices: Sequence[Sounding], *, in_blocks: bool, stop: Stop = never
     ) -> list[float]:
-        """Gain of each source, none of them silent; what is not known is found together.
+        """Gain of each voice; what is not known is found together.
 
-        ``drives`` are what the sources play, ``responses`` those to their places: all of the
-        length of blocks, or all of a length that holds each waveform and its response.
+        With ``in_blocks`` the responses are of the length of blocks, else all of one length that
+        holds each drive and its response.
         """
-        if scaling != "upstream":
-            return [drive.factor for drive in drives]
-        pairs = zip(sources, (r.n_fft for r in responses), strict=True)
         # What is remembered of a limb does not keep its responses in memory.
-        keys = [(ref(limb), *pair) for pair in pairs]
-        known = {key: self._known.find(key) for key in keys}
-        missing = [k for k, key in enumerate(keys) if known[key] is None]
+        keys = [(ref(limb), one.unit, one.response.n_fft, in_blocks) for one in voices]
+        known = {key: gain for key in keys if (gain := self._known.find(key)) is not None}
+        pairs = zip(keys, voices, strict=True)
+        missing = {key: one for key, one in pairs if key not in known}
         if missing:
-            n_fft = responses[0].n_fft
+            rate, new = limb.sample_rate_hz, list(missing.values())
             spectra = [
-                self._drives.spectrum(sources[k], limb.sample_rate_hz, n_fft)
-                for k in missing
-                if n_fft != BLOCK_FFT
+                self._drives.spectrum(one.unit, one.drive, rate, one.response.n_fft)
+                for one in new
+                if not in_blocks
             ]
-            found = unit_gains(
-                [drives[k] for k in missing], spectra, [responses[k] for k in missing], stop
-            )
-            for k, gain in zip(missing, found, strict=True):
-                known[keys[k]] = gain
-                self._known.add(keys[k], gain)
-        return [known[key] or 0.0 for key in keys]
+            drives, responses = [one.drive for one in new], [one.response for one in new]
+            found = unit_gains(drives, spectra, responses, stop)
+            for key, gain in zip(missing, found, strict=True):
+                known[key] = gain
+                self._known.add(key, gain)
+        return [known[key] for key in keys]

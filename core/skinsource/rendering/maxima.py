@@ -1,4 +1,4 @@
-"""The exact signed maximum of a unit field, from few of its 216 channels.
+"""The exact signed maximum of the vibration by a unit voice, from few of its channels.
 
 Channels are transformed in the order of what bounds their samples, until no bound exceeds the
 maximum found: the result is that of the full search.
@@ -11,24 +11,24 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from skinsource.arrays import Complexes, Floats
 from skinsource.job import Stop, never, stop_if
-from skinsource.limb import N_TAPS
 from skinsource.rendering.bounds import channel_bounds
 from skinsource.rendering.response_spectra import ResponseSpectrum
-from skinsource.rendering.segments import BLOCK_FFT, BLOCK_SAMPLES, segment_of
-from skinsource.rendering.transforms import Complexes, Floats, forward, inverse
+from skinsource.rendering.segments import Blocks
+from skinsource.rendering.transforms import forward, inverse
 from skinsource.work import tally
 
-#: Channels of an input that are transformed before its bounds are looked at again.
+#: Channels of a voice that are transformed before its bounds are looked at again.
 _BATCHES = (4, 8, 8, 16)
 #: Blocks whose bounds are held together.
 _BLOCKS_AT_ONCE = 128
 
 
 class Peak(NamedTuple):
-    """The signed maximum of a field: its value, channel (of 216) and sample.
+    """The signed maximum of a vibration: its value, channel and sample.
 
-    Where the field is nowhere above 0 its place means nothing.
+    Where the vibration is nowhere above 0 its place means nothing.
     """
 
     value: float
@@ -91,7 +91,7 @@ def _signals(
     counts: NDArray[np.int64],
     channels: NDArray[np.int64],
 ) -> Floats:
-    """Fields of drives at so many channels of each, (n_channels, n_fft)."""
+    """Vibrations by drives at so many channels of each, (n_channels, n_fft)."""
     found = np.empty((channels.size, spectra[0].size), np.complex128)
     end = 0
     for spectrum, response, count in zip(spectra, responses, counts.tolist(), strict=True):
@@ -104,18 +104,19 @@ def _signals(
 
 def _peak_by_blocks(samples: Floats, response: ResponseSpectrum, stop: Stop) -> Peak:
     peak = Peak(-np.inf)
-    starts = range(0, samples.size + N_TAPS - 1, BLOCK_SAMPLES)
+    cut = Blocks(response.taps.shape[-1])
+    starts = range(0, samples.size + cut.overlap, cut.n_samples)
     for k in range(0, len(starts), _BLOCKS_AT_ONCE):
         stop_if(stop)
-        found = {first: segment_of(samples, first) for first in starts[k : k + _BLOCKS_AT_ONCE]}
-        felt = {first: segment for first, segment in found.items() if segment is not None}
-        if len(felt) < len(found) and peak.value < 0.0:
+        found = {first: cut.segment(samples, first) for first in starts[k : k + _BLOCKS_AT_ONCE]}
+        sounding = {first: segment for first, segment in found.items() if segment is not None}
+        if len(sounding) < len(found) and peak.value < 0.0:
             peak = Peak(0.0)
-        if felt:
-            segments = np.array(list(felt.values()))
-            spectra = forward(segments, BLOCK_FFT)
+        if sounding:
+            segments = np.array(list(sounding.values()))
+            spectra = forward(segments, cut.n_fft)
             bounds = channel_bounds(segments, spectra, [response] * len(segments))
-            peak = _search(spectra, response, bounds, list(felt), peak, stop)
+            peak = _search(spectra, response, bounds, list(sounding), peak, stop)
     return peak
 
 
@@ -127,17 +128,18 @@ def _search(
     peak: Peak,
     stop: Stop,
 ) -> Peak:
-    """Largest sample of blocks of a field, or ``peak`` if none exceeds it.
+    """Largest sample of blocks of a vibration, or ``peak`` if none exceeds it.
 
     Parameters
     ----------
     spectra : (n_blocks, n_bins)
         Spectra of the blocks of the drive.
-    bounds : (n_blocks, 216)
+    bounds : (n_blocks, n_channels)
         What no sample of a block and channel exceeds.
     starts
         First sample of the response in each block.
     """
+    overlap = response.taps.shape[-1] - 1
     flat = bounds.ravel()
     order = np.argsort(-flat, kind="stable")
     begin = 0
@@ -149,7 +151,7 @@ def _search(
         if chosen.size == 0:
             break
         block, channel = np.divmod(chosen, bounds.shape[-1])
-        signals = inverse(response.rows[channel] * spectra[block], BLOCK_FFT)[:, N_TAPS - 1 :]
+        signals = inverse(response.rows[channel] * spectra[block], response.n_fft)[:, overlap:]
         tally(search_transforms=chosen.size)
         row, time = divmod(int(signals.argmax()), signals.shape[-1])
         if signals[row, time] > peak.value:

@@ -8,9 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from skinsource.arrays import Booleans, Complexes, Floats
 from skinsource.projection import Axes, Method, no_main_axis, principal_axis_of
-from skinsource.rendering.drives import Booleans
-from skinsource.rendering.transforms import Complexes, Floats
 
 #: Below this share of its terms a sum has lost too many digits, and is computed another way.  Above
 #: it the rounding of the terms, about 4e-16 of their size, keeps a level right to 1e-14.
@@ -25,9 +24,9 @@ class Moments:
 
     Attributes
     ----------
-    second : (72 outputs, 3 axes, 3 axes)
+    second : (n_outputs, 3 axes, 3 axes)
         Sum of the products of axes; only the diagonal where nothing else is needed.
-    first : (72 outputs, 3 axes)
+    first : (n_outputs, 3 axes)
         Sum of the samples.
     """
 
@@ -41,7 +40,7 @@ def needs_products(axes: Axes, method: Method) -> bool:
 
 
 def moments_of(spectra: Complexes, n_fft: int, *, products: bool) -> Moments:
-    """Moments of a field from its spectra, (n_outputs, 3, n_fft // 2 + 1).
+    """Moments of a vibration from its spectra, (n_outputs, 3, n_fft // 2 + 1).
 
     Products of different axes only if ``products`` are wanted.
     """
@@ -62,9 +61,9 @@ def _product_sum(left: Complexes, right: Complexes) -> Floats:
 
 
 def combined(
-    others: Moments, cross: Moments, pivot: Moments, weight: float
+    others: Moments, cross: Moments, edited: Moments, weight: float
 ) -> tuple[Moments, np.ndarray]:
-    """Moments of ``others + weight * pivot``, and the outputs where digits cancelled.
+    """Moments of ``others + weight * edited``, and the outputs where digits cancelled.
 
     Each axis counts by itself: it may be the only one that is looked at.
 
@@ -72,13 +71,13 @@ def combined(
     -------
     moments
         The exact three terms.
-    cancelled : (72,) of bool
+    cancelled : (n_outputs,) of bool
         Outputs with an axis whose energy is below 0.05 of the sum of the terms' magnitudes: compute
-        those from the sum of the fields instead.
+        those from the sum of the vibrations instead.
     """
-    second = others.second + 2.0 * weight * cross.second + weight**2 * pivot.second
-    first = others.first + weight * pivot.first
-    size = np.einsum("oaa->oa", others.second) + weight**2 * np.einsum("oaa->oa", pivot.second)
+    second = others.second + 2.0 * weight * cross.second + weight**2 * edited.second
+    first = others.first + weight * edited.first
+    size = np.einsum("oaa->oa", others.second) + weight**2 * np.einsum("oaa->oa", edited.second)
     energy = np.einsum("oaa->oa", second)
     return Moments(second, first), (energy < _CANCELLED * size).any(axis=1)
 

@@ -3,7 +3,6 @@
 import mmap
 import sys
 from collections import OrderedDict
-from collections.abc import Hashable
 from dataclasses import dataclass
 from functools import cached_property
 from math import prod
@@ -11,17 +10,18 @@ from weakref import ref
 
 import numpy as np
 
+from skinsource.arrays import Complexes, Floats
 from skinsource.calibration import per_probe_acceleration
+from skinsource.chain import LARGEST, first_unusable
 from skinsource.errors import InvalidInputError
-from skinsource.limb import N_AXES, N_INPUTS, N_OUTPUTS, Limb
-from skinsource.rendering.drives import LARGEST, first_unusable
-from skinsource.rendering.transforms import Complexes, Floats, forward
+from skinsource.limb import Limb
+from skinsource.rendering.transforms import forward
 from skinsource.response_scaling import Scaling
 
 #: Responses of twenty places for stimuli of four seconds.
-BUDGET_BYTES = 208 * 2**20
+BUDGET_BYTES = 204 * 2**20
 #: Taps at which responses are cut for bounds by energy: finely where most of it is.
-SECTIONS = (0, 32, 64, 96, 128, 192, 256)
+_SECTIONS = (0, 32, 64, 96, 128, 192, 256)
 #: Bins of a band, over which responses, shorter than the transform, change little.
 BAND_BINS = 8
 
@@ -32,9 +32,9 @@ class ResponseSpectrum:
 
     Attributes
     ----------
-    taps : (72 outputs, 3 axes, 522)
+    taps : (n_outputs, 3 axes, n_taps)
         m/s².
-    values : (72 outputs, 3 axes, n_fft // 2 + 1)
+    values : (n_outputs, 3 axes, n_fft // 2 + 1)
         Their spectra.
     """
 
@@ -44,12 +44,12 @@ class ResponseSpectrum:
 
     @cached_property
     def rows(self) -> Complexes:
-        """The spectra, one row for each channel, (216, n_bins)."""
+        """The spectra, one row for each channel, (n_channels, n_bins)."""
         return self.values.reshape(-1, self.values.shape[-1])
 
     @cached_property
     def band_magnitudes(self) -> Floats:
-        """Largest magnitude in each band of bins, (216, n_bands), so that sums bound samples.
+        """Largest magnitude in each band of bins, (n_channels, n_bands), for bounds of samples.
 
         Divided by n_fft and doubled but for the ends, as in the inverse transform.
         """
@@ -61,18 +61,28 @@ class ResponseSpectrum:
 
     @cached_property
     def section_norms(self) -> Floats:
-        """Root of the sum of squares of each section of each response, (216, n_sections)."""
+        """Root of the sum of squares of each section of each response, (n_channels, n_sections)."""
         squares = np.square(self.taps.reshape(-1, self.taps.shape[-1]))
-        return np.sqrt(np.add.reduceat(squares, SECTIONS, axis=-1))
+        return np.sqrt(np.add.reduceat(squares, self._sections, axis=-1))
+
+    @property
+    def section_lengths(self) -> tuple[int, ...]:
+        """Taps in each section."""
+        ends = (*self._sections[1:], self.taps.shape[-1])
+        return tuple(end - begin for begin, end in zip(self._sections, ends, strict=True))
+
+    @property
+    def _sections(self) -> tuple[int, ...]:
+        return tuple(tap for tap in _SECTIONS if tap < self.taps.shape[-1])
 
     @cached_property
     def energies(self) -> Floats:
-        """Root of the sum of squares of each response, (216,)."""
+        """Root of the sum of squares of each response, (n_channels,)."""
         return np.linalg.norm(self.taps.reshape(-1, self.taps.shape[-1]), axis=-1)
 
     @cached_property
     def absolute_sums(self) -> Floats:
-        """Sum of magnitudes of each response, (216,)."""
+        """Sum of magnitudes of each response, (n_channels,)."""
         return np.abs(self.taps.reshape(-1, self.taps.shape[-1])).sum(axis=-1)
 
 
@@ -83,9 +93,10 @@ class _Places:
     places is twice as fast then).
     """
 
-    def __init__(self, n_fft: int) -> None:
+    def __init__(self, limb: Limb, n_fft: int) -> None:
         self._n_fft = n_fft
-        self._values = _room((N_INPUTS, N_OUTPUTS, N_AXES, n_fft // 2 + 1))
+        shape = limb.n_inputs, limb.n_outputs, limb.n_axes, n_fft // 2 + 1
+        self._values = _room(shape)
         self._known: dict[int, ResponseSpectrum] = {}
 
     @property
@@ -118,7 +129,7 @@ class Stack:
 
     Attributes
     ----------
-    values : (n_fft // 2 + 1, n_places, 216)
+    values : (n_fft // 2 + 1, n_places, n_channels)
         The spectra.
     responses
         The same, place by place.
@@ -133,12 +144,16 @@ class Stack:
         return self.values.nbytes
 
 
+# Limb, whether calibrated, length, and the places of a stack.
+_Key = tuple[ref[Limb], bool, int, tuple[int, ...]]
+
+
 class ResponseSpectra:
     """Spectra by limb, place, scaling and length; the least recently used lengths go first."""
 
     def __init__(self, budget_bytes: int = BUDGET_BYTES) -> None:
         self._budget_bytes = budget_bytes
-        self._held: OrderedDict[Hashable, _Places | Stack] = OrderedDict()
+        self._held: OrderedDict[_Key, _Places | Stack] = OrderedDict()
 
     @property
     def held_bytes(self) -> int:
@@ -149,32 +164,38 @@ class ResponseSpectra:
         """Responses to ``location``; under ``"probe"`` scaling the calibrated ones."""
         # A limb is the object, not the name: after a reinstall the name means other data.  What is
         # remembered of it does not keep all its responses in memory.
-        key = ref(limb), scaling == "probe", n_fft
+        key: _Key = ref(limb), scaling == "probe", n_fft, ()
         places = self._held.get(key)
         if not isinstance(places, _Places):
-            places = _Places(n_fft)
+            places = _Places(limb, n_fft)
         response = places.of(limb, location, scaling)
         self._keep(key, places)
         return response
 
     def stack(self, limb: Limb, places: tuple[int, ...], scaling: Scaling, n_fft: int) -> Stack:
         """Responses to ``places`` for matrix products."""
-        key = ref(limb), scaling == "probe", n_fft, places
+        key: _Key = ref(limb), scaling == "probe", n_fft, places
         stack = self._held.get(key)
         if not isinstance(stack, Stack):
             stack = _stack(limb, places, scaling, n_fft)
         self._keep(key, stack)
         return stack
 
-    def _keep(self, key: Hashable, latest: _Places | Stack) -> None:
+    def _keep(self, key: _Key, latest: _Places | Stack) -> None:
+        self._forget_lost_limbs()
         self._held[key] = latest
         self._held.move_to_end(key)
         while len(self._held) > 1 and self.held_bytes > self._budget_bytes:
             self._held.popitem(last=False)
 
+    def _forget_lost_limbs(self) -> None:
+        """Nobody can ask for spectra of a limb that is gone."""
+        for key in [key for key in self._held if key[0]() is None]:
+            del self._held[key]
+
 
 def scaled_taps(limb: Limb, location: int, scaling: Scaling) -> Floats:
-    """Responses to ``location``, (72, 3, 522), refused where a tap is not a usable number."""
+    """Responses to ``location``, (n_outputs, 3, n_taps); refused where one is no usable number."""
     taps = limb.response_to(location)
     bad = first_unusable(taps)
     if bad is not None:
@@ -188,12 +209,12 @@ def scaled_taps(limb: Limb, location: int, scaling: Scaling) -> Floats:
 
 
 def _stack(limb: Limb, places: tuple[int, ...], scaling: Scaling, n_fft: int) -> Stack:
-    n_bins, n_channels = n_fft // 2 + 1, N_OUTPUTS * N_AXES
+    n_bins, n_channels = n_fft // 2 + 1, limb.n_outputs * limb.n_axes
     values = np.empty((n_bins, len(places), n_channels), np.complex128)
     responses = {}
     for row, place in enumerate(places):
         taps = scaled_taps(limb, place, scaling)
         values[:, row] = forward(taps.reshape(n_channels, -1), n_fft).T
-        by_channel = values[:, row].T.reshape(N_OUTPUTS, N_AXES, n_bins)
+        by_channel = values[:, row].T.reshape(limb.n_outputs, limb.n_axes, n_bins)
         responses[place] = ResponseSpectrum(taps, by_channel, n_fft)
     return Stack(values, responses)

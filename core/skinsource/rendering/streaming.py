@@ -1,53 +1,64 @@
-"""Long scenes, block by block: nothing as long as the scene is held but the drives.
+"""Long designs, block by block: nothing as long as the response is held but the drives.
 
-Overlap-save: a block of ``BLOCK_FFT`` samples of the drives gives ``BLOCK_SAMPLES`` samples of
-response.  At each frequency the fields of all inputs, in some blocks, are one matrix product.
-Blocks in which all inputs are silent cost nothing.
+Overlap-save: a block of ``Blocks.n_fft`` samples of the drives gives ``Blocks.n_samples`` samples
+of response.  At each frequency the vibrations by all voices, in some blocks, are one matrix
+product.  Blocks in which all are silent cost nothing.
 """
 
 from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from skinsource.arrays import Booleans, Complexes, Floats
 from skinsource.job import Stop, never, stop_if
-from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS
-from skinsource.rendering.drives import Booleans, reach
+from skinsource.rendering.drives import active_samples
 from skinsource.rendering.moments import Moments
 from skinsource.rendering.response_spectra import Stack
-from skinsource.rendering.segments import BLOCK_FFT, BLOCK_SAMPLES, Played
+from skinsource.rendering.segments import Blocks, Played
 from skinsource.rendering.side_by_side import side_by_side
-from skinsource.rendering.transforms import Complexes, Floats, forward, inverse
+from skinsource.rendering.transforms import forward, inverse
 
 # Blocks whose spectra are made together: enough for matrix products to be worth it.
 _GROUP = 4
 
 
-class StreamedField:
-    """The field of a long scene.
+class StreamedVibration:
+    """The vibration by voices that play long.
 
     Parameters
     ----------
-    inputs
+    played
         What is played.
     stack
-        Responses to their places, at ``BLOCK_FFT``; None where nothing is played.
-    n_times
-        Samples of the response.
+        Responses to the places, at the length of blocks; None where nothing is played.
+    shape
+        Outputs, axes, and samples of the response.
+    blocks
+        How drives are cut.
 
     What takes long asks ``stop`` before each group of blocks; once true, `Stopped` is raised.
     """
 
-    def __init__(self, inputs: Sequence[Played], stack: Stack | None, n_times: int) -> None:
-        self._inputs = inputs
+    def __init__(
+        self,
+        played: Sequence[Played],
+        stack: Stack | None,
+        shape: tuple[int, int, int],
+        blocks: Blocks,
+    ) -> None:
+        self._played = played
         self._stack = stack
-        self.n_times = n_times
+        self._channels_shape = shape[:2]
+        self.n_times = shape[2]
+        self.cut = blocks
         self._moments: Moments | None = None
 
     def moments(self, stop: Stop = never) -> Moments:
-        """Moments of the field over the whole response, all products."""
+        """Moments over the whole response, all products."""
         if self._moments is None:
-            second = np.zeros((N_OUTPUTS, N_AXES, N_AXES))
-            total = np.zeros((N_OUTPUTS, N_AXES))
+            n_outputs, n_axes = self._channels_shape
+            second = np.zeros((n_outputs, n_axes, n_axes))
+            total = np.zeros((n_outputs, n_axes))
             for _, block in self.blocks(stop):
                 second += block @ block.transpose(0, 2, 1)
                 total += block.sum(axis=-1)
@@ -57,24 +68,32 @@ class StreamedField:
     def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...], stop: Stop = never) -> Floats:
         """Acceleration of some outputs, (n_outputs, n_axes, n_times)."""
         result = np.zeros((len(outputs), len(axes), self.n_times))
-        channels = [(output - 1) * N_AXES + axis for output in outputs for axis in axes]
-        if not channels:
+        if result.size == 0:
             return result
-        for first, block in self._blocks(channels, stop):
-            result[..., first : first + block.shape[-1]] = block.reshape(*result.shape[:2], -1)
+        for first, block in self.blocks_of(outputs, axes, stop):
+            result[..., first : first + block.shape[-1]] = block
         return result
 
     def everything(self) -> Floats:
-        """All outputs and axes, (72 outputs, 3 axes, n_times): as long as the scene."""
-        result = np.zeros((N_OUTPUTS, N_AXES, self.n_times))
+        """All outputs and axes, (n_outputs, n_axes, n_times): as long as the response."""
+        result = np.zeros((*self._channels_shape, self.n_times))
         for first, block in self.blocks():
             result[..., first : first + block.shape[-1]] = block
         return result
 
     def blocks(self, stop: Stop = never) -> Iterator[tuple[int, Floats]]:
-        """Yield first sample and samples, (72 outputs, 3 axes, n), of each block that is felt."""
+        """Yield first sample and samples, (n_outputs, n_axes, n), of each block that moves."""
         for first, block in self._blocks(None, stop):
-            yield first, block.reshape(N_OUTPUTS, N_AXES, -1)
+            yield first, block.reshape(*self._channels_shape, -1)
+
+    def blocks_of(
+        self, outputs: Sequence[int], axes: Sequence[int], stop: Stop = never
+    ) -> Iterator[tuple[int, Floats]]:
+        """Yield the same of some outputs, 1, 2, …, and axes, 0 to 2; at least one of each."""
+        n_axes = self._channels_shape[1]
+        channels = [(output - 1) * n_axes + axis for output in outputs for axis in axes]
+        for first, block in self._blocks(channels, stop):
+            yield first, block.reshape(len(outputs), len(axes), -1)
 
     def _blocks(self, channels: list[int] | None, stop: Stop) -> Iterator[tuple[int, Floats]]:
         """Yield first sample and samples, (n_channels, n); None: all channels."""
@@ -83,25 +102,29 @@ class StreamedField:
         values = self._stack.values
         if channels is not None:
             values = np.ascontiguousarray(values[:, :, channels])
-        starts = range(0, self.n_times, BLOCK_SAMPLES)
+        cut = self.cut
+        starts = range(0, self.n_times, cut.n_samples)
         for k in range(0, len(starts), _GROUP):
             stop_if(stop)
             segments = [self._segments(first) for first in starts[k : k + _GROUP]]
-            played = [place for place, found in enumerate(segments) if found]
-            if not played:
+            sounding = [place for place, found in enumerate(segments) if found]
+            if not sounding:
                 continue
-            spectra = self._spectra([segments[place] for place in played], values)
-            samples = inverse(spectra, BLOCK_FFT).reshape(len(played), -1, BLOCK_FFT)
-            for block, place in zip(samples, played, strict=True):
+            spectra = self._spectra([segments[place] for place in sounding], values)
+            samples = inverse(spectra, cut.n_fft).reshape(len(sounding), -1, cut.n_fft)
+            for block, place in zip(samples, sounding, strict=True):
                 first = starts[k + place]
-                n = min(BLOCK_SAMPLES, self.n_times - first)
-                felt = _felt(segments[place])[N_TAPS - 1 : N_TAPS - 1 + n]
-                block = block[:, N_TAPS - 1 : N_TAPS - 1 + n]
-                yield first, block if felt.all() else np.where(felt, block, 0.0)
+                within = slice(cut.overlap, cut.overlap + min(cut.n_samples, self.n_times - first))
+                active = self._active(segments[place])[within]
+                block = block[:, within]
+                yield first, block if active.all() else np.where(active, block, 0.0)
 
     def _segments(self, first: int) -> dict[int, Floats]:
-        """Drives that the block from sample ``first`` on needs, by input; but silent ones."""
-        found = {number: one.segment(first) for number, one in enumerate(self._inputs)}
+        """Drives that the block from sample ``first`` on needs, by number; but silent ones."""
+        found = {
+            number: self.cut.segment(one.drive.samples, first - one.start)
+            for number, one in enumerate(self._played)
+        }
         return {number: piece for number, piece in found.items() if piece is not None}
 
     def _spectra(self, segments: list[dict[int, Floats]], values: Complexes) -> Complexes:
@@ -111,8 +134,8 @@ class StreamedField:
         drives = np.zeros((n_bins, len(segments), n_places), np.complex128)
         for block, found in enumerate(segments):
             for number, piece in found.items():
-                one = self._inputs[number]
-                spectrum = forward(piece, BLOCK_FFT) * one.weight
+                one = self._played[number]
+                spectrum = forward(piece, self.cut.n_fft) * one.weight
                 drives[:, block, rows.index(one.location)] += spectrum
         spectra = np.empty((n_bins, len(segments), n_channels), np.complex128)
         half = n_bins // 2
@@ -123,7 +146,6 @@ class StreamedField:
         side_by_side(lambda: multiply(slice(0, half)), lambda: multiply(slice(half, n_bins)))
         return spectra.reshape(n_bins, -1).T
 
-
-def _felt(segments: dict[int, Floats]) -> Booleans:
-    played = np.any([piece != 0.0 for piece in segments.values()], axis=0)
-    return reach(played, N_TAPS)
+    def _active(self, segments: dict[int, Floats]) -> Booleans:
+        played = np.any([piece != 0.0 for piece in segments.values()], axis=0)
+        return active_samples(played, self.cut.n_taps)

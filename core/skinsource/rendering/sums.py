@@ -1,11 +1,11 @@
-"""Sums of fields, written so that memory is read once, by two threads."""
+"""Sums of vibrations, written so that memory is read once, by two threads."""
 
 from collections.abc import Sequence
 
 import numpy as np
 
+from skinsource.arrays import Complexes
 from skinsource.rendering.side_by_side import side_by_side
-from skinsource.rendering.transforms import Complexes
 
 # Outputs at a time: what is summed and what is added to it stay in a core's own cache.
 _OUTPUTS_AT_ONCE = 18
@@ -13,19 +13,19 @@ _OUTPUTS_AT_ONCE = 18
 _WORTH_A_THREAD = 10**6
 
 
-def sum_of_fields(responses: Sequence[Complexes], drives: Sequence[Complexes]) -> Complexes:
-    """Sum over inputs of the spectra of responses times that of the drive.
+def sum_of_vibrations(responses: Sequence[Complexes], drives: Sequence[Complexes]) -> Complexes:
+    """Sum over voices of the spectra of responses times that of the drive.
 
     Parameters
     ----------
-    responses : (72 outputs, 3 axes, n_bins) each
+    responses : (n_outputs, 3 axes, n_bins) each
         At least one.
     drives : (n_bins,) each
         As many.
 
     Returns
     -------
-    (72 outputs, 3 axes, n_bins), the same bits whatever the number of threads
+    (n_outputs, 3 axes, n_bins), the same bits whatever the number of threads
     """
     total = np.empty(responses[0].shape, np.complex128)
 

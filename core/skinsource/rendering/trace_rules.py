@@ -1,44 +1,26 @@
-"""Rules from parts of a scene to traces and spectra of the outputs that are looked at."""
+"""Rules from vibrations to traces and spectra of the outputs that are looked at."""
 
-import numpy as np
-
+from skinsource.arrays import Complexes, Floats
 from skinsource.job import Stop
-from skinsource.projection import Axes, Method, axis_numbers, magnitude
-from skinsource.rendering.field import Field, one_by_one
+from skinsource.projection import Axes, Method, axis_numbers
+from skinsource.rendering.check import Heard, TraceError, exact_gains, trace_error_of
 from skinsource.rendering.moments import Moments, without_main_axis
-from skinsource.rendering.part import Part
-from skinsource.rendering.streaming import StreamedField
-from skinsource.rendering.transforms import Complexes, Floats, forward
+from skinsource.rendering.placed import Placed
+from skinsource.rendering.projecting import Projection
+from skinsource.rendering.responses import Responses
+from skinsource.rendering.transforms import forward
+from skinsource.rendering.vibration import Vibration, one_by_one
 from skinsource.spectra import one_sided_magnitude
 
 
-def field(
-    response_samples: int,
-    others_part: Part | None,
-    pivot_part: Part | None,
-    pivot_weight: float,
-    pivot_delay: int,
-    streamed_field: StreamedField | None,
-) -> Field:
-    """The whole field, for the outputs that are looked at."""
-    return Field(
-        n_times=response_samples,
-        others=others_part,
-        pivot=pivot_part,
-        weight=pivot_weight,
-        delay_samples=pivot_delay,
-        streamed=streamed_field,
-    )
-
-
-def axis_traces(field: Field, outputs: tuple[int, ...], axes: Axes, stop: Stop) -> Floats:
+def axis_traces(vibration: Vibration, outputs: tuple[int, ...], axes: Axes, stop: Stop) -> Floats:
     """Acceleration of the selected outputs, (n_selected, n_axes, n_times), in m/s²."""
-    return field.traces(outputs, axis_numbers(axes), stop)
+    return vibration.traces(outputs, axis_numbers(axes), stop)
 
 
-def selected_directions(directions: Floats | None, outputs: tuple[int, ...]) -> Floats | None:
-    """Vector that each selected output is projected on, (n_selected, n_axes); None: magnitude."""
-    return None if directions is None else directions[[output - 1 for output in outputs]]
+def selected_projection(projection: Projection, outputs: tuple[int, ...]) -> Projection:
+    """How the axes of each selected output become one signal."""
+    return projection.at([output - 1 for output in outputs])
 
 
 def selected_without_main_axis(
@@ -53,23 +35,22 @@ def selected_without_main_axis(
     return tuple(output for output in outputs if without[output - 1])
 
 
-def selected_traces(axis_traces: Floats, selected_directions: Floats | None) -> Floats:
+def selected_traces(axis_traces: Floats, selected_projection: Projection) -> Floats:
     """Projected acceleration of the selected outputs, (n_selected, n_times), in m/s²."""
-    if selected_directions is None:
-        return magnitude(axis_traces)
-    return np.einsum("oa,oat->ot", selected_directions, axis_traces)
+    return selected_projection.signals(axis_traces)
 
 
-def axis_spectra(field: Field, outputs: tuple[int, ...], axes: Axes, stop: Stop) -> Complexes:
+def axis_spectra(
+    vibration: Vibration, outputs: tuple[int, ...], axes: Axes, stop: Stop
+) -> Complexes:
     """Transforms of `axis_traces` over exactly their samples, (n_selected, n_axes, n_bins)."""
-    return field.transforms(outputs, axis_numbers(axes), stop)
+    return vibration.transforms(outputs, axis_numbers(axes), stop)
 
 
 def selected_spectra(
-    field: Field,
+    vibration: Vibration,
     outputs: tuple[int, ...],
-    axes: Axes,
-    selected_directions: Floats | None,
+    selected_projection: Projection,
     selected_traces: Floats,
     sample_rate_hz: float,
     stop: Stop,
@@ -77,24 +58,56 @@ def selected_spectra(
     """Frequencies, (n_bins,), in Hz, and magnitudes, (n_selected, n_bins), in m/s².
 
     A projection is linear in its axes, so their transforms serve it, whatever its direction; a
-    magnitude is not, and the traces of a long scene are at hand: those are transformed.
+    magnitude is not, and the traces of a long response are at hand: those are transformed.
     """
-    if field.streamed is not None:
+    if vibration.streamed is not None:
         transforms = one_by_one(selected_traces, stop)
-    elif selected_directions is None:
-        transforms = forward(selected_traces, field.n_times)
+    elif selected_projection.directions is None:
+        transforms = forward(selected_traces, vibration.n_times)
     else:
-        of_axes = field.transforms(outputs, axis_numbers(axes))
-        transforms = np.einsum("oa,oaf->of", selected_directions, of_axes)
-    return one_sided_magnitude(transforms, field.n_times, sample_rate_hz)
+        of_axes = vibration.transforms(outputs, selected_projection.axis_numbers)
+        transforms = selected_projection.spectra(of_axes)
+    return one_sided_magnitude(transforms, vibration.n_times, sample_rate_hz)
+
+
+def trace_error(
+    responses: Responses,
+    placed: tuple[Placed, ...],
+    outputs: tuple[int, ...],
+    axes: Axes,
+    axis_traces: Floats,
+    stop: Stop,
+) -> TraceError | None:
+    """Error of the selected traces; None where there is nothing to check."""
+    moving = [one for one in placed if one.moves]
+    to_places = responses.to(one.voice.location for one in moving)
+    drives = [one.drive for one in moving]
+    factors = [drive.factor for drive in drives]
+    if responses.scaling == "upstream" and moving:
+        spectra = [
+            responses.drive_spectrum(one.voice.unit, one.drive)
+            for one in moving
+            if responses.n_fft is not None
+        ]
+        factors = exact_gains(drives, spectra, to_places, stop)
+    heard = [
+        Heard(
+            drive=one.drive,
+            delay_samples=one.start,
+            weight=one.voice.amplitude * factor,
+            response=response,
+        )
+        for one, response, factor in zip(moving, to_places, factors, strict=True)
+    ]
+    return trace_error_of(axis_traces, outputs, axis_numbers(axes), heard)
 
 
 RULES = (
-    field,
     axis_traces,
-    selected_directions,
+    selected_projection,
     selected_without_main_axis,
     selected_traces,
     axis_spectra,
     selected_spectra,
+    trace_error,
 )

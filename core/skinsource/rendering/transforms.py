@@ -1,13 +1,9 @@
 """Fourier transforms, counted; and their lengths."""
 
-import numpy as np
 import scipy
-from numpy.typing import NDArray
 
+from skinsource.arrays import Complexes, Floats
 from skinsource.work import tally
-
-Floats = NDArray[np.float64]
-Complexes = NDArray[np.complex128]
 
 #: Lengths are 9, 12 or 15 times a power of two: fast, and few, so that spectra of responses are
 #: used again when a duration changes a little.

@@ -5,10 +5,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 import scipy
 
+from skinsource.arrays import Booleans, Floats
 from skinsource.errors import InvalidInputError
+from skinsource.job import Stop, never, stop_if
 from skinsource.limb import Limb, LimbMap
 from skinsource.surface.boundary import Boundary, boundary_by_sight, boundary_from_table
-from skinsource.surface.operator import Booleans, Floats, SurfaceOperator
+from skinsource.surface.operator import SurfaceOperator
 from skinsource.surface.polygon import count_crossings, densified, distinct_vertices, grid_inside
 from skinsource.surface.same_place import pairs_at_same_place
 from skinsource.surface.scattered_sites import scattered_sites
@@ -28,7 +30,7 @@ _ON_EDGE = 1e-12
 _PIXELS_PER_CHUNK = 4096
 
 
-def surface_operator(limb: Limb, spacing_mm: float = 1.0) -> SurfaceOperator:
+def surface_operator(limb: Limb, spacing_mm: float = 1.0, stop: Stop = never) -> SurfaceOperator:
     """Natural neighbour interpolation over the limb's outline.
 
     Takes a fraction of a second at 1 mm, longer as the square of the fineness.
@@ -39,17 +41,19 @@ def surface_operator(limb: Limb, spacing_mm: float = 1.0) -> SurfaceOperator:
         Its map and hand length are used, not its responses.
     spacing_mm
         Distance between pixels; the published masks have 1 mm.
+    stop
+        Asked now and then; once true, `skinsource.errors.Stopped` is raised.
 
     Raises
     ------
     InvalidInputError
         The spacing or the limb's map cannot be used.
     """
-    return surface_operator_from_map(limb.map, limb.hand_length_mm, spacing_mm)
+    return surface_operator_from_map(limb.map, limb.hand_length_mm, spacing_mm, stop)
 
 
 def surface_operator_from_map(
-    limb_map: LimbMap, hand_length_mm: float, spacing_mm: float = 1.0
+    limb_map: LimbMap, hand_length_mm: float, spacing_mm: float = 1.0, stop: Stop = never
 ) -> SurfaceOperator:
     """Natural neighbour interpolation over the outline of a map.
 
@@ -68,6 +72,8 @@ def surface_operator_from_map(
         Length of the hand the map is scaled to.
     spacing_mm
         Distance between pixels.
+    stop
+        Asked now and then; once true, `skinsource.errors.Stopped` is raised.
 
     Raises
     ------
@@ -76,13 +82,15 @@ def surface_operator_from_map(
         grid is too fine or too coarse.
     """
     _check_map(limb_map, hand_length_mm, spacing_mm)
+    stop_if(stop)
     outline, boundary, crossings = _outline_and_boundary(limb_map)
+    stop_if(stop)
     mm_per_px = hand_length_mm / limb_map.hand_length_px
     x, y, mask = _pixels(outline, spacing_mm, mm_per_px)
     row, column = np.nonzero(mask)
     points = np.column_stack([x[column], y[row]])
     outputs = limb_map.output_positions
-    weights, fallback_count, thin = _point_weights(outline, outputs, boundary, points)
+    weights, fallback_count, thin = _point_weights(outline, outputs, boundary, points, stop)
     return SurfaceOperator(
         weights=_with_empty_rows(weights, mask.ravel()),
         mask=mask,
@@ -157,7 +165,7 @@ def _pixels(
 
 
 def _point_weights(
-    outline: Floats, outputs: Floats, boundary: Boundary, points: Floats
+    outline: Floats, outputs: Floats, boundary: Boundary, points: Floats, stop: Stop
 ) -> "tuple[csr_array[np.float64], int, bool]":
     """Weights of the outputs at the points; how many are by the way out; if all is one line."""
     placed = np.flatnonzero(np.isfinite(outputs).all(axis=1))
@@ -171,6 +179,7 @@ def _point_weights(
     scattered = scattered_sites(sites)
     parts, fallback_count = [], 0
     for first in range(0, len(points), _PIXELS_PER_CHUNK):
+        stop_if(stop)
         found = scattered.weights_at(points[first : first + _PIXELS_PER_CHUNK])
         parts.append(found.weights @ from_outputs)
         fallback_count += int(found.fallback.sum())

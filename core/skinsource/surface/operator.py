@@ -5,19 +5,15 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from skinsource.arrays import Booleans, Floats
+from skinsource.decibels import FLOOR_DB
 from skinsource.errors import InvalidInputError
 from skinsource.surface.same_place import Pairs, refuse_two_values_for_one_place
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
-
-#: What -inf (the decibels of nothing) counts as.
-FLOOR_DB = -200.0
-
-Floats = NDArray[np.float64]
-Booleans = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -1,23 +1,23 @@
-"""A part of a scene: the field of one input, or of all the others together."""
+"""A vibration by its spectrum, whose channels are brought back to time when they are looked at."""
 
 from collections.abc import Callable
 
 import numpy as np
 
-from skinsource.rendering.drives import Booleans
-from skinsource.rendering.transforms import Complexes, Floats, forward, inverse
+from skinsource.arrays import Booleans, Complexes, Floats
+from skinsource.rendering.transforms import forward, inverse
 
-#: Output, 1 to 72, and axis, 0 to 2.
+#: Output, 1, 2, 3, …, and axis, 0 to 2.
 Channel = tuple[int, int]
 
 
 def rows_of(spectrum: Complexes, channels: list[Channel]) -> Complexes:
-    """Some channels of (72 outputs, 3 axes, n_bins), one in a row."""
+    """Some channels of (n_outputs, 3 axes, n_bins), one in a row."""
     return np.array([spectrum[output - 1, axis] for output, axis in channels])
 
 
-class Part:
-    """A field by its spectrum; single channels are brought back to time when asked for.
+class ChannelsOnDemand:
+    """A vibration by its spectrum; channels are brought back to time when asked for.
 
     What is missing is computed together.  A transform gives the same bits alone and beside others
     (a test sees to it), so what comes out does not depend on what was asked for before.
@@ -26,18 +26,18 @@ class Part:
     ----------
     spectra
         Function from channels to their spectra, (n_channels, n_fft // 2 + 1).
-    felt : (n_times,) of bool
-        When the field can be felt at all; elsewhere it is exactly zero.
+    active : (n_times,) of bool
+        When the skin can move at all; elsewhere it is exactly at rest.
     exact_spectra
         Spectra of channels over exactly n_times samples, (n_channels, n_times // 2 + 1), where
         there is a shorter way to them than by their traces.
     """
 
-    # Nothing here refers back to the part, so that an old one goes at once with its megabytes.
+    # Nothing here refers back to it, so that an old one goes at once with its megabytes.
     __slots__ = (
         "__weakref__",
+        "_active",
         "_exact_spectra",
-        "_felt",
         "_n_fft",
         "_spectra",
         "_trace_spectra",
@@ -48,22 +48,22 @@ class Part:
         self,
         spectra: Callable[[list[Channel]], Complexes],
         n_fft: int,
-        felt: Booleans,
+        active: Booleans,
         exact_spectra: Callable[[list[Channel]], Complexes] | None = None,
     ) -> None:
         self._spectra = spectra
         self._n_fft = n_fft
-        self._felt = felt
+        self._active = active
         self._exact_spectra = exact_spectra
-        self._traces = _Channels(np.empty((0, felt.size)))
-        self._trace_spectra = _Channels(np.empty((0, felt.size // 2 + 1), np.complex128))
+        self._traces = _Channels(np.empty((0, active.size)))
+        self._trace_spectra = _Channels(np.empty((0, active.size // 2 + 1), np.complex128))
 
     def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Floats:
         """Acceleration of some outputs, (n_outputs, n_axes, n_times)."""
         missing = self._traces.missing(outputs, axes)
         if missing:
-            samples = inverse(self._spectra(missing), self._n_fft)[:, : self._felt.size]
-            self._traces.add(missing, np.where(self._felt, samples, 0.0))
+            samples = inverse(self._spectra(missing), self._n_fft)[:, : self._active.size]
+            self._traces.add(missing, np.where(self._active, samples, 0.0))
         return self._traces.of(outputs, axes)
 
     def trace_spectra(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Complexes:
@@ -73,7 +73,7 @@ class Part:
             if self._exact_spectra is None:
                 self.traces(outputs, axes)
                 traces = np.array([self._traces.known[channel] for channel in missing])
-                found = forward(traces, self._felt.size)
+                found = forward(traces, self._active.size)
             else:
                 found = self._exact_spectra(missing)
             self._trace_spectra.add(missing, found)

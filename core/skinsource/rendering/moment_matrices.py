@@ -1,9 +1,9 @@
-"""Moments of the selected input without its field.
+"""Moments of the edited voice without its vibration.
 
-The field of an input is its drive times a response, frequency by frequency.  Its moments are sums
-over frequency of the drive's power times what responses make of it; those between it and the other
-inputs are sums of the drive times what the others' field and responses make of it.  Both stay the
-same while the drive changes, and each moment is then one product of a row and the drive.
+The vibration that a voice causes is its drive times a response, frequency by frequency.  Its
+moments are sums over frequency of the drive's power times what responses make of it: a matrix times
+a column.  Those between it and the other voices are a matrix times the drive, made of the others'
+vibration and the responses.  Both matrices stay while the drive changes.
 """
 
 from dataclasses import dataclass
@@ -11,15 +11,15 @@ from functools import cached_property
 
 import numpy as np
 
+from skinsource.arrays import Complexes, Floats
 from skinsource.rendering.moments import PAIRS, Moments
-from skinsource.rendering.transforms import Complexes, Floats
 
 
 @dataclass(frozen=True, eq=False)
-class OwnForms:
+class OwnMatrix:
     """What the responses to one place make of a drive's power.
 
-    ``values`` are the spectra of the responses, (72 outputs, 3 axes, n_bins).
+    ``values`` are the spectra of the responses, (n_outputs, 3 axes, n_bins).
     """
 
     values: Complexes
@@ -42,7 +42,7 @@ class OwnForms:
         return found
 
     def moments(self, drive: Complexes, n_fft: int, *, products: bool) -> Moments:
-        """Moments of the field of ``drive``, (n_bins,); of different axes only if wanted."""
+        """Moments of the vibration by ``drive``, (n_bins,); of different axes only if wanted."""
         power = (np.square(drive.real) + np.square(drive.imag)) * _weights(n_fft)
         return Moments(
             _filled(_by(self._squares, power), _by(self._products, power) if products else None),
@@ -51,14 +51,14 @@ class OwnForms:
 
 
 @dataclass(frozen=True, eq=False)
-class CrossForms:
-    """What the field of the other inputs and the responses to one place make of a drive.
+class CrossMatrix:
+    """What the vibration by other voices and the responses to one place make of a drive.
 
-    ``others`` is that field, (72, 3, n_bins), ``own`` holds the responses.
+    ``others`` is that vibration, (n_outputs, 3 axes, n_bins), ``own`` holds the responses.
     """
 
     others: Complexes
-    own: OwnForms
+    own: OwnMatrix
 
     @cached_property
     def _squares(self) -> Floats:
@@ -74,9 +74,9 @@ class CrossForms:
         return found.view(np.float64)
 
     def moments(self, drive: Complexes, n_fft: int, *, products: bool) -> Moments:
-        """Moments between the others and the field of ``drive``, symmetrised.
+        """Moments between the others and the vibration by ``drive``, symmetrised.
 
-        There are none of first order between two fields.
+        There are none of first order between two vibrations.
         """
         # The real part of a product of complex numbers, as one of real rows and columns.
         column = (drive * _weights(n_fft)).view(np.float64)
@@ -85,10 +85,10 @@ class CrossForms:
         return Moments(second, np.zeros(second.shape[:2]))
 
 
-def _by(form: Floats, column: Floats) -> Floats:
-    """One product of a matrix and a column, (72, 3): faster than one for each output."""
-    found: Floats = form.reshape(-1, column.size) @ column
-    return found.reshape(form.shape[:2])
+def _by(matrix: Floats, column: Floats) -> Floats:
+    """One product of a matrix and a column, (n_outputs, 3): faster than one for each output."""
+    found: Floats = matrix.reshape(-1, column.size) @ column
+    return found.reshape(matrix.shape[:2])
 
 
 def _weights(n_fft: int) -> Floats:

@@ -1,14 +1,15 @@
-"""The whole field of a scene, from its parts, for the outputs that are looked at."""
+"""The vibration by all voices, for the outputs that are looked at."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
+from skinsource.arrays import Complexes, Floats
 from skinsource.job import Stop, never, stop_if
+from skinsource.rendering.channels import ChannelsOnDemand
 from skinsource.rendering.drives import delayed
-from skinsource.rendering.part import Part
-from skinsource.rendering.streaming import StreamedField
-from skinsource.rendering.transforms import Complexes, Floats, forward
+from skinsource.rendering.streaming import StreamedVibration
+from skinsource.rendering.transforms import forward
 
 
 def one_by_one(signals: Floats, stop: Stop) -> Complexes:
@@ -24,28 +25,28 @@ def one_by_one(signals: Floats, stop: Stop) -> Complexes:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Field:
-    """What is felt, as a sum of parts, or as a stream.
+class Vibration:
+    """What all voices cause together, as a sum of two, or as a stream.
 
     Attributes
     ----------
     n_times
         Samples of the response.
     others
-        Field of all inputs but the selected one.
-    pivot, weight, delay_samples
-        Field of the selected input at amplitude 1 and onset 0, what it is multiplied with, and how
+        That by all voices but the edited one.
+    edited, weight, delay_samples
+        That by the edited voice at amplitude 1 and onset 0, what it is multiplied with, and how
         much later it starts.
     streamed
-        The field of a scene that is too long for parts.
+        That by all, where they play too long to be transformed at once.
     """
 
     n_times: int
-    others: Part | None
-    pivot: Part | None
+    others: ChannelsOnDemand | None
+    edited: ChannelsOnDemand | None
     weight: float
     delay_samples: int
-    streamed: StreamedField | None
+    streamed: StreamedVibration | None
 
     def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...], stop: Stop = never) -> Floats:
         """Acceleration of some outputs, (n_outputs, n_axes, n_times), in m/s²."""
@@ -55,8 +56,8 @@ class Field:
             total = self.others.traces(outputs, axes).copy()
         else:
             total = np.zeros((len(outputs), len(axes), self.n_times))
-        if self.pivot is not None and self.weight != 0.0:
-            unit = self.pivot.traces(outputs, axes)
+        if self.edited is not None and self.weight != 0.0:
+            unit = self.edited.traces(outputs, axes)
             started = self.n_times - self.delay_samples
             total[..., self.delay_samples :] += self.weight * unit[..., :started]
         return total
@@ -71,7 +72,7 @@ class Field:
             total = self.others.trace_spectra(outputs, axes).copy()
         else:
             total = np.zeros((len(outputs), len(axes), self.n_times // 2 + 1), np.complex128)
-        if self.pivot is not None and self.weight != 0.0:
-            unit = self.pivot.trace_spectra(outputs, axes)
+        if self.edited is not None and self.weight != 0.0:
+            unit = self.edited.trace_spectra(outputs, axes)
             total += self.weight * delayed(unit, self.delay_samples, self.n_times)
         return total

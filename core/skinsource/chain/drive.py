@@ -1,0 +1,70 @@
+"""Sampled drives, far from over- and underflow."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from skinsource.arrays import Floats
+from skinsource.chain.chain import Chain
+from skinsource.errors import InvalidInputError
+from skinsource.work import tally
+
+#: Largest sample of a drive or a response.  Far beyond it levels overflow, and NaN would come out.
+LARGEST = 1e30
+
+
+@dataclass(frozen=True, slots=True, eq=False, weakref_slot=True)
+class Drive:
+    """What a voice plays, scaled by a power of two so that its peak lies between 1 and 2.
+
+    Attributes
+    ----------
+    samples : (n_times,)
+        Scaled samples.
+    factor
+        The power of two that was divided out; nothing rounds.
+    """
+
+    samples: Floats
+    factor: float
+
+    @property
+    def silent(self) -> bool:
+        """Whether it holds nothing but zeros."""
+        return self.factor == 0.0
+
+
+def drive_played(chain: Chain, sample_rate_hz: float, place: int) -> Drive:
+    """Sample what ``chain`` plays; its length is that of the samples.
+
+    Raises
+    ------
+    InvalidInputError
+        A sample is not a usable number; the message names the input place.
+    """
+    samples = chain.waveform.samples(sample_rate_hz)
+    bad = first_unusable(samples)
+    if bad is not None:
+        raise InvalidInputError(
+            f"Input at place {place}, {chain.title}: sample {bad[0]} is {samples[bad]}, expected a "
+            f"finite number of at most {LARGEST:g}. Correct what the input plays, or mute it."
+        )
+    tally(samples_drawn=samples.size)
+    return drive_of(samples)
+
+
+def drive_of(samples: Floats) -> Drive:
+    """Scale ``samples`` by a power of two; all computing is then far from over- and underflow."""
+    peak = float(np.abs(samples).max(initial=0.0))
+    if peak == 0.0:
+        return Drive(samples, 0.0)
+    exponent = int(np.frexp(peak)[1]) - 1
+    return Drive(np.ldexp(samples, -exponent), float(np.ldexp(1.0, exponent)))
+
+
+def first_unusable(samples: Floats) -> tuple[int, ...] | None:
+    """Index of the first sample that is not finite or beyond `LARGEST`; None if all are sound."""
+    # NaN is the maximum of whatever holds it, and not less than anything.
+    if samples.size == 0 or np.abs(samples).max() <= LARGEST:
+        return None
+    return tuple(int(index) for index in np.argwhere(~(np.abs(samples) <= LARGEST))[0])

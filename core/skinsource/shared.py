@@ -1,0 +1,57 @@
+"""What graphs share: limbs, the operators of their maps, and what rendering remembers.
+
+Two graphs that look at one limb read and transform its responses once.  All that is remembered
+takes at most 256 MiB together; a limb itself, with the responses that were read, stays as long as a
+graph holds it.
+"""
+
+from collections.abc import Callable
+from typing import Any
+from weakref import WeakValueDictionary, ref
+
+from skinsource.catalogue import load_limb
+from skinsource.job import Stop
+from skinsource.limb import Limb
+from skinsource.rendering.memory import Memory
+from skinsource.rendering.remembered import Remembered
+from skinsource.surface import SurfaceOperator, surface_operator
+
+#: Operators of the maps of a few limbs.
+SURFACES_BYTES = 7 * 2**20
+
+
+class Shared:
+    """Hand the same one to several graphs, all of one thread.
+
+    Its methods are rules: their names are what they compute.
+    """
+
+    def __init__(self) -> None:
+        self._remembered = Remembered()
+        self._limbs: WeakValueDictionary[str, Limb] = WeakValueDictionary()
+        self._surfaces = Memory[SurfaceOperator](SURFACES_BYTES, _bytes_of)
+
+    def rules(self) -> tuple[Callable[..., Any], ...]:
+        """The methods that are rules."""
+        return self.remembered, self.limb_data, self.surface
+
+    def remembered(self) -> Remembered:
+        """What rendering remembers."""
+        return self._remembered
+
+    def limb_data(self, limb: str) -> Limb:
+        """The limb, with its responses read when touched."""
+        # Once no graph holds it, it is opened anew: its name may mean other data by then.
+        found = self._limbs.get(limb)
+        if found is None:
+            found = self._limbs[limb] = load_limb(limb)
+        return found
+
+    def surface(self, limb_data: Limb, stop: Stop) -> SurfaceOperator:
+        """Operator from outputs to the pixels of the map."""
+        return self._surfaces.get(ref(limb_data), lambda: surface_operator(limb_data, stop=stop))
+
+
+def _bytes_of(operator: SurfaceOperator) -> int:
+    weights = operator.weights
+    return weights.data.nbytes + weights.indices.nbytes + weights.indptr.nbytes
