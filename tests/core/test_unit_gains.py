@@ -9,10 +9,10 @@ from skinsource.rendering.check import exact_gains
 from skinsource.rendering.gains import unit_gains
 from skinsource.rendering.maxima import peaks_of
 from skinsource.rendering.response_spectra import ResponseSpectrum
-from skinsource.rendering.segments import BLOCK_FFT, BLOCK_SAMPLES
+from skinsource.rendering.segments import BLOCK_FFT, Blocks
 from skinsource.rendering.transforms import forward, transform_length
 
-LENGTHS = (1, 300, 2000, 2 * BLOCK_SAMPLES - N_TAPS + 1, 5000)
+LENGTHS = (1, 300, 2000, 2 * Blocks(N_TAPS).n_samples - N_TAPS + 1, 5000)
 ALL_NEGATIVE = np.broadcast_to(-0.1 - np.exp(-np.arange(N_TAPS) / 100), (72, 3, N_TAPS)).copy()
 
 
@@ -53,7 +53,7 @@ def test_a_field_that_is_hardly_positive_is_divided_by_its_maximum(n_times):
 
 
 def test_the_maximum_of_blocks_that_are_all_negative_is_their_largest_sample():
-    samples = loud(2 * BLOCK_SAMPLES - N_TAPS + 1)  # no silence after the response
+    samples = loud(2 * Blocks(N_TAPS).n_samples - N_TAPS + 1)  # no silence after the response
     drive = drive_of(samples)
     blocks = ResponseSpectrum(ALL_NEGATIVE, forward(ALL_NEGATIVE, BLOCK_FFT), BLOCK_FFT)
     (peak,) = peaks_of([drive.samples], [], [blocks])

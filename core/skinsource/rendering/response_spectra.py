@@ -21,7 +21,7 @@ from skinsource.response_scaling import Scaling
 #: Responses of twenty places for stimuli of four seconds.
 BUDGET_BYTES = 204 * 2**20
 #: Taps at which responses are cut for bounds by energy: finely where most of it is.
-_SECTIONS = (0, 32, 64, 96, 128, 192, 256)
+SECTIONS = (0, 32, 64, 96, 128, 192, 256)
 #: Bins of a band, over which responses, shorter than the transform, change little.
 BAND_BINS = 8
 
@@ -73,7 +73,7 @@ class ResponseSpectrum:
 
     @property
     def _sections(self) -> tuple[int, ...]:
-        return tuple(tap for tap in _SECTIONS if tap < self.taps.shape[-1])
+        return tuple(tap for tap in SECTIONS if tap < self.taps.shape[-1])
 
     @cached_property
     def energies(self) -> Floats:
