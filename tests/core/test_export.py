@@ -182,7 +182,7 @@ def test_what_is_noted_of_a_limb_stands_in_every_export(tmp_path, monkeypatch, m
         limb.note = "made from files that are not the published ones: impulseResponses.mat"
         return limb
 
-    monkeypatch.setattr(quantities, "load_limb", load)
+    monkeypatch.setattr(shared, "load_limb", load)
     for export in (export_levels, export_traces):
         export(tmp_path / "table.csv", Design(limb="measured-1", inputs=INPUTS), VIEW)
         about, _, _ = read(tmp_path / "table.csv")
