@@ -136,6 +136,17 @@ def test_strokes_of_a_dense_signal_stand_in_the_middle_of_their_columns():
     assert spans[1::2].max() < 0.1 * spans[::2].min()
 
 
+@pytest.mark.parametrize("columns", [64, 325, 333, 500])
+@pytest.mark.parametrize("size", [2600, 13_000, 78_000])
+def test_every_column_has_its_stroke_even_where_samples_lie_on_its_edge(columns, size):
+    samples = np.random.default_rng(size + columns).uniform(-1, 1, (1, size))
+    few = visible_points(np.arange(size) / size, samples, (0.0, 1.0), columns)
+    # The last sample stands alone at the end.
+    assert np.allclose(few.x[:-2:2] * columns, np.arange(columns) + 0.5)
+    assert few.y[0, -1] == samples[0, -1]
+    assert (few.y.min(), few.y.max()) == (samples.min(), samples.max())
+
+
 def test_values_never_reach_beyond_their_row():
     for edge in (0.0, 0.05):
         scale = ValueScale(values=(-1.0, 1.0), edge=edge)

@@ -5,13 +5,14 @@ from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
-from pyqtgraph.functions import arrayToQPolygonF
+from pyqtgraph.functions import arrayToQPath
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.kept_picture import KeptPicture
+from skinsource_gui.widgets.plot.decimation import visible_points
 
 Floats = NDArray[np.float64]
 
@@ -23,14 +24,6 @@ _BLOCK = 0.8
 # A single sample needs some time around it to be seen as one.
 _SHORTEST_S = 0.005
 _PALE = 0.35
-
-
-def extremes(samples: Floats, columns: int) -> Floats:
-    """Smallest and largest sample of each of ``columns`` equal stretches, (columns, 2)."""
-    starts = np.arange(columns) * samples.size // columns
-    return np.column_stack(
-        (np.minimum.reduceat(samples, starts), np.maximum.reduceat(samples, starts))
-    )
 
 
 def tick_step(span: float, most: int) -> float:
@@ -144,17 +137,16 @@ class WaveformPreview(QWidget):
         middle, reach = plot.center().y(), plot.height() / 2 * (-1 if self._flipped else 1)
         shown_px = plot.width() * self._samples.size / self._sample_rate_hz / self._span_s()
         columns = max(int(shown_px * self.devicePixelRatioF()), 1)
-        if self._samples.size > 2 * columns:
-            ends = extremes(self._samples, columns)
-            block = bool(np.mean(np.diff(ends)) > _BLOCK)
+        points = visible_points(
+            np.arange(self._samples.size) / self._samples.size,
+            self._samples[np.newaxis],
+            (0.0, 1.0),
+            columns,
+        )
+        places, samples = points.x, points.y[0]
+        if points.strokes:
+            block = bool(np.mean(np.abs(samples[1::2] - samples[::2])) > _BLOCK)
             painter.setRenderHint(QPainter.RenderHint.Antialiasing, not block)
-            # Up one column and down the next: the way from stroke to stroke is short.
-            ends[1::2] = ends[1::2, ::-1]
-            samples = ends.ravel()
-            places = np.repeat(np.arange(columns) + 0.5, 2) / columns
-        else:
-            samples = self._samples
-            places = np.arange(samples.size) / samples.size
         x = plot.left() + shown_px * places
         y = middle - reach * samples
         if samples.size == 1:
@@ -163,9 +155,10 @@ class WaveformPreview(QWidget):
             painter.setBrush(self._colour)
             painter.drawEllipse(top + QPointF(0, 2 if y[0] < middle else -2), 2, 2)
             return
-        # One pixel of the screen: any wider line takes a hundred times as long.
+        # One pixel of the screen: any wider line takes a hundred times as long.  A path, because Qt
+        # leaves gaps in a polyline of upright strokes.
         painter.setPen(QPen(self._colour, 0))
-        painter.drawPolyline(arrayToQPolygonF(x, y))
+        painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
 
     def _paint_axis(self, painter: QPainter, plot: QRectF) -> None:
         span_ms = self._span_s() * 1000

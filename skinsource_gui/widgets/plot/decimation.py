@@ -58,7 +58,8 @@ def visible_points(x: Floats, y: Floats, shown: Range, width_px: int) -> Points:
     if x.size <= max(MOST_IN_COLUMN * width_px, 2):
         return Points(x=x, y=y)
     low, column = shown[0], (shown[1] - shown[0]) / max(width_px, 1)
-    starts = np.searchsorted(x, low + column * np.arange(max(width_px, 1) + 1))
+    edges = low + column * np.arange(max(width_px, 1) + 1)
+    starts = np.searchsorted(x, edges)
     starts = np.concatenate(([0], np.minimum(starts, x.size - 1)))
     starts = starts[np.diff(starts, prepend=-1) > 0]
     ends = np.stack(
@@ -68,7 +69,9 @@ def visible_points(x: Floats, y: Floats, shown: Range, width_px: int) -> Points:
     ends[:, 1::2] = ends[:, 1::2, ::-1]
     # A stroke in the middle of its column is sharp; a sample that is alone stays where it is.
     alone = np.diff(starts, append=x.size) == 1
-    middles = low + column * (np.floor((x[starts] - low) / column) + 0.5)
+    # (Where a sample lies on an edge, a division could round it into the column before.)
+    columns = np.searchsorted(edges, x[starts], side="right") - 1
+    middles = low + column * (columns + 0.5)
     places = np.repeat(np.where(alone, x[starts], middles), 2)
     return Points(x=places, y=ends.reshape(len(y), -1), strokes=True)
 

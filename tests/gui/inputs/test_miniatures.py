@@ -1,10 +1,8 @@
-import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
 
-from skinsource.waveforms import Impulse, Noise, Tone
+from skinsource.waveforms import Impulse, Noise
 from skinsource_gui.theme import DARK
-from skinsource_gui.widgets.inputs.waveform_preview import extremes
 from tests.gui.inputs.bench import Bench, design_of, waveforms_of
 
 
@@ -56,12 +54,3 @@ def test_the_panel_takes_over_a_theme_and_fits_its_smallest_dock(bench):
     assert bench.panel.grab().toImage() != light
     assert bench.panel.minimumSizeHint().width() <= 300
     assert bench.panel.minimumSizeHint().height() <= 150
-
-
-def test_an_unfinished_tone_keeps_its_highest_and_lowest_sample_in_a_miniature():
-    samples = Tone(duration_s=2.0).samples(1300.0)
-    shown = extremes(samples, 64)
-    assert shown.shape == (64, 2)
-    assert shown.min() == samples.min()
-    assert shown.max() == samples.max()
-    assert np.all(shown[:, 0] <= shown[:, 1])

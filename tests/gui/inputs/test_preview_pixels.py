@@ -1,0 +1,44 @@
+"""The preview of a waveform, pixel by pixel."""
+
+import numpy as np
+import pytest
+from PySide6.QtGui import QColor
+
+from skinsource.waveforms import Tone
+from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
+
+
+@pytest.fixture
+def preview(qtbot):
+    widget = WaveformPreview(axis=True)
+    qtbot.addWidget(widget)
+    widget.resize(420, 140)
+    widget.set_look(QColor("#0072b2"))
+    widget.show()
+    return widget
+
+
+@pytest.mark.parametrize("width", [300, 333, 420, 501])
+@pytest.mark.parametrize("duration_s", [10.0, 20.0, 60.0])
+@pytest.mark.parametrize("frequency_hz", [50.0, 100.0, 250.0])
+def test_a_long_tone_is_a_block_without_gaps(preview, width, duration_s, frequency_hz):
+    preview.resize(width, 140)
+    tone = Tone(frequency_hz=frequency_hz, duration_s=duration_s)
+    preview.show_samples(tone.samples(1300.0), 1300.0)
+    picture = preview.grab().toImage()
+    middle = (preview.height() - 18) / 2
+    for row in (int(middle - 35), int(middle + 35)):
+        columns = range(int(0.35 * width), int(0.65 * width))
+        assert {picture.pixelColor(column, row).name() for column in columns} == {"#0072b2"}
+
+
+def test_one_loud_sample_in_a_minute_is_seen(preview):
+    samples = np.zeros(78_000)
+    samples[41_234] = 1.0
+    preview.show_samples(samples, 1300.0)
+    picture = preview.grab().toImage()
+    # Right of the middle, just below the top.
+    seen = [column for column in range(420) if picture.pixelColor(column, 20).blue() > 150]
+    inked = [column for column in seen if picture.pixelColor(column, 20).red() < 120]
+    assert inked
+    assert all(215 <= column <= 225 for column in inked)
