@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QStackedLayout, QVBoxLayout, QWidget
 
 from skinsource.design import MAX_INPUTS, Design, amplitude_unit, audible_inputs
@@ -13,8 +13,7 @@ from skinsource_gui.panel import Panel
 from skinsource_gui.panels.inputs.input_list import InputList
 from skinsource_gui.panels.inputs.input_row import RowState
 from skinsource_gui.theme import UNIT_PX, Theme
-
-_STALE_AFTER_MS = 150
+from skinsource_gui.widgets.lateness import Lateness
 
 
 class InputsPanel(Panel):
@@ -48,10 +47,8 @@ class InputsPanel(Panel):
         layout.addWidget(self._foot)
         self.setMinimumSize(300, 150)
         self.setFocusProxy(self._rows)
-        self._stale = QTimer(self)
-        self._stale.setSingleShot(True)
-        self._stale.setInterval(_STALE_AFTER_MS)
-        self._stale.timeout.connect(self._show_pale)
+        self._lateness = Lateness(self)
+        self._lateness.changed.connect(self._set_pale)
         self._rows.selected.connect(self._select)
         self._rows.amplitude_edited.connect(self._change_amplitude)
         self._rows.mute_toggled.connect(self._toggle_mute)
@@ -94,16 +91,10 @@ class InputsPanel(Panel):
                 row.show_samples(samples)
 
     def show_stale(self, stale: bool) -> None:
-        if stale:
-            if not self._stale.isActive():
-                self._stale.start()
-            return
-        self._stale.stop()
-        self._set_pale(False)
+        self._lateness.set_stale(stale)
 
     def show_problem(self, reason: str) -> None:
-        self._stale.stop()
-        self._set_pale(False)
+        self._lateness.set_stale(False)
         for row in self._rows.rows:
             row.preview.show_words("")
         self._show_foot(reason)
@@ -158,9 +149,6 @@ class InputsPanel(Panel):
     def _show_foot(self, words: str) -> None:
         self._foot.setText(words)
         self._foot.setVisible(bool(words))
-
-    def _show_pale(self) -> None:
-        self._set_pale(True)
 
     def _set_pale(self, pale: bool) -> None:
         for row in self._rows.rows:

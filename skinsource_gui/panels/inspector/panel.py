@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QApplication,
     QLabel,
@@ -28,8 +28,8 @@ from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.fields.field_cell import FieldCell, LabelledCell, WordsCell
 from skinsource_gui.widgets.inputs.input_words import fixed_length_text
 from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
+from skinsource_gui.widgets.lateness import Lateness
 
-_STALE_AFTER_MS = 150
 _PLACE = ChoiceSpec(
     label="Place",
     options=tuple((str(place.number), f"{place.number} · {place.name}") for place in INPUTS),
@@ -67,10 +67,8 @@ class InspectorPanel(Panel):
         self._preview.setMaximumHeight(160)
         self._grid = FieldGrid()
         self._lay_out()
-        self._stale = QTimer(self)
-        self._stale.setSingleShot(True)
-        self._stale.setInterval(_STALE_AFTER_MS)
-        self._stale.timeout.connect(self._show_pale)
+        self._lateness = Lateness(self)
+        self._lateness.changed.connect(self._preview.set_pale)
 
     @property
     def needs(self) -> frozenset[str]:
@@ -116,12 +114,7 @@ class InspectorPanel(Panel):
             self._preview.show_samples(waveforms[index], results["sample_rate_hz"])
 
     def show_stale(self, stale: bool) -> None:
-        if stale:
-            if not self._stale.isActive():
-                self._stale.start()
-            return
-        self._stale.stop()
-        self._preview.set_pale(False)
+        self._lateness.set_stale(stale)
 
     def show_problem(self, reason: str) -> None:
         self.show_stale(False)
@@ -254,6 +247,3 @@ class InspectorPanel(Panel):
         design = self._design.with_input(self._view.selected_input, **changes)
         if design != self._design:
             self.design_edited.emit(f"{verb} input {location}", design, gesture)
-
-    def _show_pale(self) -> None:
-        self._preview.set_pale(True)

@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any, ClassVar
 
 import numpy as np
-from PySide6.QtCore import QPoint, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QPoint, QSize, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtWidgets import QGridLayout, QMenu, QWidget
 
@@ -25,13 +25,13 @@ from skinsource_gui.panels.skin.map_toolbar import MapToolbar
 from skinsource_gui.panels.skin.readout_lines import ReadoutLines
 from skinsource_gui.panels.skin.skin_map import HAND, SkinMap
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.widgets.lateness import Lateness
 from skinsource_gui.widgets.pan_zoom import WHOLE
 
 #: Width and height of a picture for which none is asked, px.
 PICTURE_PX = (1200, 1800)
 SILENT = "Silent: nothing is driven"
 # What is outdated for a shorter time is not marked: during a drag the mark would flicker.
-_PATIENCE_MS = 150
 
 
 class SkinPanel(Panel):
@@ -51,10 +51,8 @@ class SkinPanel(Panel):
         self._content = MapContent()
         self._shown_limb = ""
         self._surface: SurfaceOperator | None = None
-        self._patience = QTimer(self)
-        self._patience.setSingleShot(True)
-        self._patience.setInterval(_PATIENCE_MS)
-        self._patience.timeout.connect(self._mark_outdated)
+        self._lateness = Lateness(self)
+        self._lateness.changed.connect(self._mark_outdated)
         self.toolbar = MapToolbar(self)
         self.map = SkinMap(self)
         self.map.setObjectName("skin_map")
@@ -101,7 +99,7 @@ class SkinPanel(Panel):
         self._show_choice()
 
     def show_results(self, results: Mapping[str, Any]) -> None:
-        self._patience.stop()
+        self._lateness.set_stale(False)
         self._shown_limb = "" if self._design is None else self._design.limb
         levels = results["output_levels_db"]
         interpolated = self._view.map_style == "interpolated" and "surface_levels_db" in results
@@ -121,15 +119,10 @@ class SkinPanel(Panel):
         self._show_choice()
 
     def show_stale(self, stale: bool) -> None:
-        if not stale:
-            self._patience.stop()
-            self._change(outdated=False)
-            self.map.show_content(self._content)
-        elif not self._patience.isActive():
-            self._patience.start()
+        self._lateness.set_stale(stale)
 
     def show_problem(self, reason: str) -> None:
-        self._patience.stop()
+        self._lateness.set_stale(False)
         self._change(levels_db=None, field_levels_db=None, message=reason, note="", outdated=False)
         self._show_choice()
 
@@ -177,8 +170,8 @@ class SkinPanel(Panel):
         self.map.show_content(self._content)
         self._show_readout(self.map.readout())
 
-    def _mark_outdated(self) -> None:
-        self._change(outdated=True)
+    def _mark_outdated(self, late: bool) -> None:
+        self._change(outdated=late)
         self.map.show_content(self._content)
 
     def _show_readout(self, words: str) -> None:

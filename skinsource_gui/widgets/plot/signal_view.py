@@ -2,19 +2,17 @@
 
 from dataclasses import replace
 
-from PySide6.QtCore import QTimer, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.lateness import Lateness
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves
 from skinsource_gui.widgets.plot.legend_strip import LegendStrip, LegendText
 from skinsource_gui.widgets.plot.plot import Plot
 from skinsource_gui.widgets.plot.plot_layout import Words
 from skinsource_gui.widgets.plot.ranges import Range
-
-# Results come many times a second while something is dragged; only lateness is worth a word.
-_LATE_MS = 150
 
 
 class SignalView(QWidget):
@@ -47,8 +45,8 @@ class SignalView(QWidget):
         column.addWidget(self.legend)
         column.addWidget(self.plot, 1)
         self._words = Words()
-        self._late = QTimer(self, interval=_LATE_MS, singleShot=True)
-        self._late.timeout.connect(self._mark_stale)
+        self._lateness = Lateness(self)
+        self._lateness.changed.connect(self._mark_stale)
         self.plot.navigation.zoom_requested.connect(self.zoom_requested)
         self.plot.reading_changed.connect(self._read)
 
@@ -66,7 +64,7 @@ class SignalView(QWidget):
 
         They count as up to date until `set_stale` says otherwise.
         """
-        self._late.stop()
+        self._lateness.set_stale(False)
         self._say(Words(synthetic=synthetic, notes=notes))
         self.plot.show_curves(curves)
 
@@ -76,14 +74,10 @@ class SignalView(QWidget):
 
     def set_stale(self, stale: bool) -> None:
         """Say whether curves belong to an older design; told to the eye only after a while."""
-        if not stale:
-            self._late.stop()
-            self._say(replace(self._words, stale=False))
-        elif not self._words.stale and not self._late.isActive():
-            self._late.start()
+        self._lateness.set_stale(stale)
 
-    def _mark_stale(self) -> None:
-        self._say(replace(self._words, stale=True))
+    def _mark_stale(self, late: bool) -> None:
+        self._say(replace(self._words, stale=late))
 
     def _say(self, words: Words) -> None:
         self._words = words
