@@ -20,3 +20,13 @@ def user_folder() -> Path:
     if override:
         return Path(override).expanduser()
     return Path(platformdirs.user_data_dir("skinsource", appauthor=False))
+
+
+def cache_folder() -> Path:
+    """Folder of what can be made again; SKINSOURCE_CACHE overrides it, and SKINSOURCE_DATA."""
+    override = os.environ.get("SKINSOURCE_CACHE")
+    if override:
+        return Path(override).expanduser()
+    if os.environ.get("SKINSOURCE_DATA"):
+        return user_folder() / "cache"
+    return Path(platformdirs.user_cache_dir("skinsource", appauthor=False))

@@ -14,7 +14,8 @@ from skinsource.job import Stop
 from skinsource.limb import Limb
 from skinsource.rendering.memory import Memory
 from skinsource.rendering.remembered import Remembered
-from skinsource.surface import SurfaceOperator, surface_operator
+from skinsource.surface import SurfaceOperator
+from skinsource.surface.kept import kept_surface_operator
 
 #: Operators of the maps of a few limbs.
 SURFACES_BYTES = 7 * 2**20
@@ -49,7 +50,9 @@ class Shared:
 
     def surface(self, limb_data: Limb, stop: Stop) -> SurfaceOperator:
         """Operator from outputs to the pixels of the map."""
-        return self._surfaces.get(ref(limb_data), lambda: surface_operator(limb_data, stop=stop))
+        return self._surfaces.get(
+            ref(limb_data), lambda: kept_surface_operator(limb_data, stop=stop)
+        )
 
 
 def _bytes_of(operator: SurfaceOperator) -> int:

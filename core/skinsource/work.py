@@ -22,6 +22,8 @@ class Work:
         Bytes of impulse responses that were read, or computed for synthetic limbs.
     rules_run
         Rules of the graph that ran.
+    operators_built
+        Operators of maps that were built, not found on disk.
     """
 
     forward_transforms: int = 0
@@ -30,6 +32,7 @@ class Work:
     samples_drawn: int = 0
     bytes_read: int = 0
     rules_run: int = 0
+    operators_built: int = 0
 
 
 # What is being counted belongs to the running evaluation, not to the functions that do the work.
@@ -55,6 +58,7 @@ def tally(
     samples_drawn: int = 0,
     bytes_read: int = 0,
     rules_run: int = 0,
+    operators_built: int = 0,
 ) -> None:
     """Add to what is being counted; nothing where nobody counts."""
     work = _counted.get()
@@ -65,3 +69,4 @@ def tally(
         work.samples_drawn += samples_drawn
         work.bytes_read += bytes_read
         work.rules_run += rules_run
+        work.operators_built += operators_built

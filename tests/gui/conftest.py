@@ -11,6 +11,13 @@ from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
 
 
+@pytest.fixture(autouse=True)
+def _operators_of_maps_are_built_once(tmp_path_factory, monkeypatch):
+    """Share them among the tests of a run: hundreds of windows show the same map."""
+    folder = tmp_path_factory.getbasetemp() / "operators"
+    monkeypatch.setenv("SKINSOURCE_CACHE", str(folder))
+
+
 @pytest.fixture
 def preferences(user_data):
     return Preferences(user_data / "studio.ini")

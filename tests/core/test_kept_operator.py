@@ -1,0 +1,175 @@
+"""Operators of maps on disk: found again bit by bit, built again whatever has happened to them."""
+
+import os
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from skinsource.assets import cache_folder
+from skinsource.limb import Limb
+from skinsource.surface import kept, surface_operator
+from skinsource.surface.kept import decoded, encoded, kept_surface_operator
+from skinsource.synthetic import load_synthetic_limb
+from skinsource.work import counting
+
+SPACING_MM = 8.0
+
+
+@pytest.fixture(autouse=True)
+def _a_folder_of_its_own(user_data, monkeypatch):
+    monkeypatch.setenv("SKINSOURCE_CACHE", str(user_data / "kept"))
+
+
+@pytest.fixture(scope="module")
+def limb():
+    return load_synthetic_limb(1)
+
+
+@pytest.fixture(scope="module")
+def built(limb):
+    return surface_operator(limb, SPACING_MM)
+
+
+def fetched(limb, spacing_mm=SPACING_MM):
+    """The operator, and how many were built."""
+    with counting() as work:
+        found = kept_surface_operator(limb, spacing_mm)
+    return found, work.operators_built
+
+
+def like(limb, **changes):
+    """A limb that differs so much from another."""
+    given = {"map": limb.map, "hand_length_mm": limb.hand_length_mm} | changes
+    return Limb(name="made-up", synthetic=True, read_response=limb.response_to, **given)
+
+
+def files():
+    return sorted((cache_folder() / "surface").iterdir())
+
+
+def same(found, expected) -> bool:
+    for name in ("data", "indices", "indptr"):
+        a, b = getattr(found.weights, name), getattr(expected.weights, name)
+        if a.dtype != b.dtype or a.tobytes() != b.tobytes():
+            return False
+    arrays = ("mask", "x_mm", "y_mm")
+    rest = ("fallback_count", "blind_vertices", "single_vertices", "same_place", "warnings")
+    return (
+        found.weights.shape == expected.weights.shape
+        and all(np.array_equal(getattr(found, name), getattr(expected, name)) for name in arrays)
+        and all(getattr(found, name) == getattr(expected, name) for name in rest)
+    )
+
+
+def test_an_operator_is_built_once_and_found_again_to_the_last_bit(limb, built):
+    first, n_first = fetched(limb)
+    again, n_again = fetched(limb)
+    assert (n_first, n_again) == (1, 0)
+    assert same(first, built)
+    assert same(again, built)
+    values = np.linspace(-40, 0, 72)
+    np.testing.assert_array_equal(again.interpolate(values), built.interpolate(values))
+
+
+def test_what_an_operator_warns_of_is_kept(built):
+    told = replace(built, same_place=((3, 5), (60, 61)), warnings=("Thin.", "Über µ."))
+    assert same(decoded(encoded(told)), told)
+
+
+def test_another_map_hand_or_spacing_is_another_operator(limb):
+    fetched(limb)
+    nudged = limb.map.output_positions.copy()
+    nudged[30] += 1e-9
+    moved = replace(limb.map, output_positions=nudged)
+    others = (
+        like(limb, map=moved),
+        like(limb, hand_length_mm=limb.hand_length_mm + 1e-9),
+        like(limb, map=replace(limb.map, densify=not limb.map.densify)),
+    )
+    assert [fetched(other)[1] for other in others] == [1, 1, 1]
+    assert fetched(limb, 9.0)[1] == 1
+    assert fetched(limb)[1] == 0
+
+
+def test_other_code_builds_anew(limb, monkeypatch):
+    fetched(limb)
+    monkeypatch.setattr(kept, "_code", lambda: b"changed")
+    assert fetched(limb)[1] == 1
+
+
+def test_of_any_damage_nothing_is_seen(limb, built):
+    fetched(limb)
+    (path,) = files()
+    whole = path.read_bytes()
+    random = np.random.default_rng(1)
+    for place in [0, 21, 30, *random.integers(0, len(whole), 25).tolist()]:
+        bent = bytearray(whole)
+        bent[place] ^= 1 << int(random.integers(8))
+        path.write_bytes(bent)
+        found, n_built = fetched(limb)
+        assert n_built == 1
+        assert same(found, built)
+        assert path.read_bytes() == whole  # mended
+    for cut in (0, 10, 60, len(whole) // 2, len(whole) - 1):
+        path.write_bytes(whole[:cut])
+        found, n_built = fetched(limb)
+        assert (n_built, same(found, built)) == (1, True)
+
+
+def test_rows_that_point_outside_are_refused_though_the_checksum_is_right(built):
+    wild = replace(built, weights=built.weights.copy())
+    wild.weights.indices[7] = 5000
+    with pytest.raises(ValueError, match="ind"):
+        decoded(encoded(wild))
+
+
+def test_a_folder_that_cannot_be_written_costs_the_time_and_nothing_else(
+    limb, built, user_data, monkeypatch
+):
+    (user_data / "file").write_text("no folder")
+    monkeypatch.setenv("SKINSOURCE_CACHE", str(user_data / "file"))
+    for _ in range(2):
+        found, n_built = fetched(limb)
+        assert (n_built, same(found, built)) == (1, True)
+
+
+def test_something_else_in_its_place_is_left_alone(limb, built):
+    fetched(limb)
+    (path,) = files()
+    path.unlink()
+    path.mkdir()
+    found, n_built = fetched(limb)
+    assert (n_built, same(found, built)) == (1, True)
+    assert path.is_dir()
+
+
+def test_what_was_used_last_is_kept_longest(limb, monkeypatch):
+    spacings = (8.0, 8.5, 9.0, 9.5)
+    for k, spacing in enumerate(spacings):
+        fetched(limb, spacing)
+        newest = max(files(), key=lambda path: path.stat().st_mtime_ns)
+        os.utime(newest, (1000 + k, 1000 + k))
+    assert fetched(limb, 8.0)[1] == 0  # used now
+    largest = max(path.stat().st_size for path in files())
+    monkeypatch.setattr(kept, "BUDGET_BYTES", 3 * largest)
+    fetched(limb, 10.0)
+    assert sum(path.stat().st_size for path in files()) <= 3 * largest
+    assert [fetched(limb, spacing)[1] for spacing in (8.0, 10.0)] == [0, 0]
+    assert fetched(limb, 8.5)[1] == 1
+
+
+def test_too_large_an_operator_is_not_kept(limb, monkeypatch):
+    monkeypatch.setattr(kept, "LARGEST_BYTES", 1000)
+    assert [fetched(limb)[1] for _ in range(2)] == [1, 1]
+    assert not cache_folder().exists()
+
+
+def test_the_cache_lies_with_the_data_of_a_test_or_in_the_folder_that_is_named(
+    user_data, monkeypatch
+):
+    assert cache_folder() == user_data / "kept"
+    monkeypatch.delenv("SKINSOURCE_CACHE")
+    assert cache_folder() == user_data / "cache"
+    monkeypatch.delenv("SKINSOURCE_DATA")
+    assert user_data not in cache_folder().parents
