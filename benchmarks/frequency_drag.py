@@ -166,7 +166,7 @@ def measure(options: argparse.Namespace, seconds: float) -> bool:
     with tempfile.TemporaryDirectory() as folder:
         window = WatchedWindow(
             Design(limb=default_limb(), inputs=inputs),
-            view=View(outputs=OUTPUTS, selected_input=1),
+            view=View(outputs=OUTPUTS, selected_inputs=(2,)),
             preferences=Preferences(Path(folder) / "studio.ini"),
             available_limbs=available_limbs(),
         )

@@ -105,7 +105,7 @@ def measured(limb: Limb, grows: str, length_s: float, inputs: int, outputs: int)
         axes="xyz",
         method="mag",
         outputs=tuple(range(1, outputs + 1)),
-        selected_input=SELECTED,
+        selected_inputs=(SELECTED + 1,),
     )
     given = {**sources(design, view), "limb_data": limb}
     size = new_graph().evaluate(("response_samples", "n_fft"), given)

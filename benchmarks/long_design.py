@@ -39,7 +39,7 @@ STUDIO = (*MAP, "selected_traces", "response_time_s", "selected_spectra", "input
 WANTED = {"map": MAP, "shown": SHOWN, "studio": STUDIO}
 SEED = 20240607
 LISTED = 5
-VIEW = View(axes="xyz", method="mag", outputs=(29, 52), selected_input=4)
+VIEW = View(axes="xyz", method="mag", outputs=(29, 52), selected_inputs=(5,))
 
 
 def long_design(duration_s: float) -> Design:

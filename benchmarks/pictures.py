@@ -37,7 +37,7 @@ def scenes() -> dict[str, tuple[Design, View, str]]:
             Input(location=12, waveform=Tone(frequency_hz=640.0), colour=3, muted=True),
         ),
     )
-    six = View(outputs=(29, 30, 33, 35, 38, 61), axes="z", selected_input=1)
+    six = View(outputs=(29, 30, 33, 35, 38, 61), axes="z", selected_inputs=(2,))
     return {
         "start": (start_design(limb), View(), "arrange_design"),
         "several": (several, six, "arrange_design"),
@@ -46,11 +46,12 @@ def scenes() -> dict[str, tuple[Design, View, str]]:
             View(
                 outputs=(29, 30, 33, 52),
                 axes="z",
-                traces_layout="stacked",
-                spectra_layout="stacked",
-                map_style="sensors",
                 delay_removed=True,
-                log_frequency=True,
+                panels=(
+                    ("skin", (("map_style", "sensors"),)),
+                    ("spectra", (("layout", "stacked"), ("log_frequency", True))),
+                    ("traces", (("layout", "stacked"),)),
+                ),
             ),
             "arrange_design",
         ),
@@ -58,7 +59,7 @@ def scenes() -> dict[str, tuple[Design, View, str]]:
         "presentation": (several, six, "arrange_presentation"),
         "empty": (
             Design(limb="synthetic-1"),
-            View(outputs=(), selected_input=None),
+            View(outputs=(), selected_inputs=()),
             "arrange_design",
         ),
     }

@@ -8,9 +8,11 @@ import numpy as np
 from skinsource.catalogue import available_limbs
 from skinsource.design import Design, Input
 from skinsource.limb import N_INPUTS, N_OUTPUTS
+from skinsource.panel_settings import with_settings
 from skinsource.projection import AXES, METHODS
 from skinsource.response_scaling import SCALINGS
 from skinsource.waveforms import Impulse, Noise, Tap, Tone
+from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.state.document import Document
 
 _MOST_INPUTS = 8
@@ -92,8 +94,9 @@ class RandomEdits:
 
     def _remove_input(self) -> None:
         selected = self._document.view.selected_input
-        if selected is not None and len(self._document.design.inputs) > 1:
-            self._edit("Remove", self._document.design.without_input(selected))
+        design = self._document.design
+        if selected is not None and len(design.inputs) > 1:
+            self._edit("Remove", design.without_input(design.index_of(selected)))
 
     def _mute(self) -> None:
         one = self._one()
@@ -104,8 +107,8 @@ class RandomEdits:
         self._change("Solo", solo=one is not None and not one.solo)
 
     def _select_input(self) -> None:
-        count = len(self._document.design.inputs)
-        self._look(selected_input=int(self._random.integers(count)) if count else None)
+        ids = self._document.design.ids
+        self._look(selected_inputs=(int(self._random.choice(ids)),) if ids else ())
 
     def _select_outputs(self) -> None:
         count = self._random.integers(1, 7)
@@ -115,7 +118,9 @@ class RandomEdits:
     def _look_otherwise(self) -> None:
         axes = AXES[self._random.integers(len(AXES))]
         method = METHODS[self._random.integers(len(METHODS))]
-        self._look(axes=axes, method=method, log_frequency=bool(self._random.integers(2)))
+        view = replace(self._document.view, axes=axes, method=method)
+        settings = SpectraSettings(log_frequency=bool(self._random.integers(2)))
+        self._document.look(with_settings(view, "spectra", settings))
 
     def _zoom(self) -> None:
         start_s = float(self._random.uniform(0, 0.2))
@@ -141,12 +146,13 @@ class RandomEdits:
 
     def _one(self) -> Input | None:
         selected = self._document.view.selected_input
-        return None if selected is None else self._document.design.inputs[selected]
+        return None if selected is None else self._document.design.input(selected)
 
     def _change(self, label: str, **changes: object) -> None:
         selected = self._document.view.selected_input
         if selected is not None:
-            self._edit(label, self._document.design.with_input(selected, **changes))
+            design = self._document.design
+            self._edit(label, design.with_input(design.index_of(selected), **changes))
 
     def _edit(self, label: str, design: Design) -> None:
         self._document.edit(label, design)

@@ -34,7 +34,7 @@ def place_inputs(you: Driver, _: Path) -> None:
     selected = document.view.selected_input
     you.key(KEY.Key_Z, CONTROL)
     you.expect(len(document.design.inputs) == 4, "Ctrl+Z brings it back")
-    you.expect(document.view.selected_input == 3, f"undo selects what came back, not {selected}")
+    you.expect(document.view.selected_input == 4, f"undo selects what came back, not {selected}")
     you.key(KEY.Key_Z, CONTROL, times=10)
     you.expect(document.design == start_design(document.design.limb), "undo leads to the start")
     you.expect(not document.modified, "at the start nothing is unsaved")
@@ -48,7 +48,7 @@ def edit_list(you: Driver, _: Path) -> None:
     """Select, mute, solo, duplicate in the list."""
     document, rows = you.window.document, you.window.inputs._list.rows
     you.click(rows.rows[0], QPoint(60, 12))
-    you.expect(document.view.selected_input == 0, "a click on a row selects")
+    you.expect(document.view.selected_input == 1, "a click on a row selects")
     you.key(KEY.Key_Down)
     you.key(KEY.Key_M)
     you.picture("second row muted by key")
@@ -74,7 +74,7 @@ def edit_list(you: Driver, _: Path) -> None:
 def edit_numbers(you: Driver, _: Path) -> None:
     """Kinds of waveform; numbers by typing, wheel, drag and keys; what is not allowed."""
     window, document = you.window, you.window.document
-    document.look(replace(document.view, selected_input=0))
+    document.look(replace(document.view, selected_inputs=(1,)))
     for kind in ("Tap", "Impulse", "Noise", "Tone"):
         field = you.widget("kind_field", window.inspector)
         you.focus(field)

@@ -1,14 +1,20 @@
 """Chapters of the walkthrough: outputs, plots, the map, and what is shown."""
 
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from driver import CONTROL, SHIFT, Driver
 from PySide6.QtCore import QPoint, Qt
 
 from skinsource.catalogue import available_limbs
+from skinsource.panel_settings import settings_of
+from skinsource_gui.panels.skin.settings import SkinSettings
+from skinsource_gui.panels.spectra.settings import SpectraSettings
 
 KEY = Qt.Key
+of_skin = partial(settings_of, panel="skin", kind=SkinSettings)
+of_spectra = partial(settings_of, panel="spectra", kind=SpectraSettings)
 
 
 def select_outputs(you: Driver, _: Path) -> None:
@@ -64,7 +70,10 @@ def read_plots(you: Driver, _: Path) -> None:
     you.click(you.widget("log-magnitude", window.spectra))
     you.wheel(spectra, 5, modifiers=CONTROL)
     you.picture("spectra linear and zoomed")
-    you.expect(document.view.frequency_range_hz is not None, "Ctrl and wheel zooms")
+    you.expect(
+        of_spectra(document.view).frequency_range_hz is not None,
+        "Ctrl and wheel zooms",
+    )
     you.double_click(spectra)
     for panel in (window.traces, window.spectra):
         you.click(you.widget("overlaid", panel))
@@ -77,7 +86,10 @@ def colour_the_map(you: Driver, _: Path) -> None:
     window, document = you.window, you.window.document
     high = you.widget("range_high", window.skin)
     you.drag(high, high.rect().center(), high.rect().center() + QPoint(0, 60))
-    you.expect(document.view.map_range_db is not None, "a handle sets the range")
+    you.expect(
+        of_skin(document.view).map_range_db is not None,
+        "a handle sets the range",
+    )
     you.picture("range dragged")
     field = you.widget("range_low_field", window.skin)
     you.double_click(field)
@@ -85,7 +97,7 @@ def colour_the_map(you: Driver, _: Path) -> None:
     you.key(KEY.Key_A, CONTROL)
     you.type("-45,5")
     you.key(KEY.Key_Return)
-    low = document.view.map_range_db[0]
+    low = of_skin(document.view).map_range_db[0]
     you.expect(low == -45.5, f"-45,5 is understood, not {low}")
     steps = document.undo_stack.index()
     you.key(KEY.Key_Z, CONTROL)
@@ -93,7 +105,10 @@ def colour_the_map(you: Driver, _: Path) -> None:
     you.key(KEY.Key_Y, CONTROL)
     you.picture("a level typed")
     you.click(you.widget("range_auto", window.skin))
-    you.expect(document.view.map_range_db is None, "Auto gives the range back")
+    you.expect(
+        of_skin(document.view).map_range_db is None,
+        "Auto gives the range back",
+    )
     you.click(you.widget("map_sensors_shown", window.skin))
     you.picture("no sensors")
     you.click(you.widget("map_sensors_only", window.skin))

@@ -22,9 +22,9 @@ class Panel(QWidget):
     title: ClassVar[str] = ""
     name: ClassVar[str] = ""
 
-    #: Label of the undo step, the new `Design`, number of the gesture or None.
-    design_edited = Signal(str, object, object)
-    #: The new `View`.
+    #: `Edit` or `Refusal`, number of the gesture or None.
+    edited = Signal(object, object)
+    #: The new `View`, of what is only looked at.
     view_changed = Signal(object)
     visibility_changed = Signal()
 

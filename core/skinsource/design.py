@@ -5,7 +5,7 @@ from typing import Any
 
 from skinsource import fields
 from skinsource.errors import InvalidInputError
-from skinsource.fields import NumberSpec
+from skinsource.fields import NumberSpec, TextSpec
 from skinsource.limb import check_input_location
 from skinsource.response_scaling import Scaling, check_scaling
 from skinsource.waveforms import Tone, Waveform
@@ -23,6 +23,15 @@ AMPLITUDE = NumberSpec(
 ONSET = NumberSpec(
     label="Onset", unit="s", minimum=0.0, maximum=600.0, step=0.005, hint="When the input starts"
 )
+
+
+TITLE = TextSpec(label="Title", longest=200, one_line=True)
+AUTHOR = TextSpec(label="Author", longest=200, one_line=True)
+NOTES = TextSpec(label="Notes", longest=20_000)
+LICENCE = TextSpec(label="Licence", longest=2_000)
+
+#: Ids and colours are whole numbers below this.
+_MOST = 2**31
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -43,6 +52,9 @@ class Input:
         A muted input is silent.  Where any input is solo, only solo inputs are heard.
     colour
         Number of its colour; kept for its life, so that the others keep theirs.
+    id
+        What tells it from the other inputs of its design, 1, 2, 3, …; 0: not given yet, the
+        design gives it one.
     """
 
     location: int
@@ -52,10 +64,12 @@ class Input:
     muted: bool = False
     solo: bool = False
     colour: int = 0
+    id: int = 0
 
     def __post_init__(self) -> None:
         check_input_location(self.location)
-        if not isinstance(self.waveform, Waveform):
+        # A class has all that its recipes have.
+        if isinstance(self.waveform, type) or not isinstance(self.waveform, Waveform):
             raise InvalidInputError(
                 f"waveform is {self.waveform!r}, expected a recipe of skinsource.waveforms"
             )
@@ -64,29 +78,35 @@ class Input:
             raise InvalidInputError(
                 f"muted and solo are {self.muted!r} and {self.solo!r}, expected True or False"
             )
-        if not isinstance(self.colour, int) or not 0 <= self.colour < 2**31:
-            raise InvalidInputError(f"colour is {self.colour!r}, expected 0, 1, 2, …")
+        for name in ("colour", "id"):
+            value = getattr(self, name)
+            if type(value) is not int or not 0 <= value < _MOST:
+                raise InvalidInputError(f"{name} is {value!r}, expected 0, 1, 2, …")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Design:
     """Everything that is saved, undone and redone.
 
-    Each field is a source of the evaluation graph, under its own name.
-
     Attributes
     ----------
     limb
         Name of the limb, see `skinsource.load_limb`.
     inputs
-        In the order in which they were placed.
+        In the order in which they are listed.  Those without an id get one.
     scaling
         ``"upstream"``, ``"relative"`` or ``"probe"``, see `skinsource.predict`.
+    title, author, notes, licence
+        Words about the design; nothing is computed from them.
     """
 
     limb: str
     inputs: tuple[Input, ...] = ()
     scaling: Scaling = "upstream"
+    title: str = fields.text("", TITLE)
+    author: str = fields.text("", AUTHOR)
+    notes: str = fields.text("", NOTES)
+    licence: str = fields.text("", LICENCE)
 
     def __post_init__(self) -> None:
         check_scaling(self.scaling)
@@ -100,6 +120,25 @@ class Design:
             raise InvalidInputError(
                 f"the design has {len(self.inputs)} inputs, expected at most {MAX_INPUTS}"
             )
+        fields.check(self)
+        object.__setattr__(self, "inputs", _with_ids(self.inputs))
+
+    @property
+    def ids(self) -> tuple[int, ...]:
+        """Ids of the inputs, in their order."""
+        return tuple(one.id for one in self.inputs)
+
+    def input(self, id: int) -> Input:
+        """The input with this id."""
+        return self.inputs[self.index_of(id)]
+
+    def index_of(self, id: int) -> int:
+        """Where in `inputs` the input with this id is."""
+        for index, one in enumerate(self.inputs):
+            if one.id == id:
+                return index
+        known = ", ".join(map(str, self.ids)) or "none"
+        raise InvalidInputError(f"no input has the id {id!r}; there are {known}")
 
     def with_input(self, index: int, **changes: Any) -> "Design":
         """Return a copy in which input ``index`` has ``changes`` applied."""
@@ -108,16 +147,28 @@ class Design:
         return replace(self, inputs=tuple(inputs))
 
     def adding(self, new: Input) -> "Design":
-        """Return a copy with one more input, in the first colour that is free."""
+        """Return a copy with one more input, with an id and a colour of its own."""
         taken = {present.colour for present in self.inputs}
         colour = next(k for k in range(MAX_INPUTS + 1) if k not in taken)
-        return replace(self, inputs=(*self.inputs, replace(new, colour=colour)))
+        return replace(self, inputs=(*self.inputs, replace(new, colour=colour, id=0)))
 
     def without_input(self, index: int) -> "Design":
         """Return a copy without input ``index``."""
         inputs = list(self.inputs)
         del inputs[index]
         return replace(self, inputs=tuple(inputs))
+
+
+def _with_ids(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
+    """Return ``inputs`` with the smallest free ids where there were none; refuse doubles."""
+    given = [one.id for one in inputs if one.id]
+    if len(set(given)) < len(given):
+        raise InvalidInputError(f"ids of the inputs are {given}, expected different ones")
+    if len(given) == len(inputs):
+        return inputs
+    taken = set(given)
+    free = (number for number in range(1, 2 * MAX_INPUTS + 1) if number not in taken)
+    return tuple(one if one.id else replace(one, id=next(free)) for one in inputs)
 
 
 def audible_indices(inputs: tuple[Input, ...]) -> tuple[int, ...]:

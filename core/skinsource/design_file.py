@@ -6,14 +6,14 @@ Layout of version 1 (all numbers float64 or int64, all texts UTF-8 of fixed leng
     /design      limb, scaling
     /design/inputs/0000 …    location, amplitude, onset_s, muted, solo, colour
     /design/inputs/0000/waveform    kind, and the fields of that kind
-    /view        the fields of `View`; an absent one is None
+    /view        what is looked at; an absent field is None
     /layout      bytes of the window's arrangement (may be empty)
 
 The reader refuses what it does not understand: nothing is guessed, nothing is dropped.
 """
 
 import io
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -22,7 +22,17 @@ import numpy as np
 from skinsource import hdf5
 from skinsource.design import MAX_INPUTS, Design, Input
 from skinsource.errors import DesignFileError, InvalidInputError, StorageError
-from skinsource.fields import specs_of
+from skinsource.fields import (
+    ChoiceSpec,
+    Range,
+    RangeSpec,
+    SwitchSpec,
+    check,
+    choice,
+    interval,
+    specs_of,
+    switch,
+)
 from skinsource.files import write_bytes
 from skinsource.limb import LIMB_NAMES
 from skinsource.view import View
@@ -38,10 +48,25 @@ SUFFIX = ".skinsource"
 #: Far above any design; a larger file is not one.
 _MAX_FILE_BYTES = 64 * 2**20
 _KINDS = {kind.__name__: kind for kind in KINDS}
+_VIEW_FIELDS = ("axes", "method", "outputs", "selected_input", "delay_removed", "time_range_s")
+#: Fields of /view that belong to panels: the panel, and the name of the field there.
+_PANEL_FIELDS = {
+    "map_style": ("skin", "map_style"),
+    "sensors_shown": ("skin", "sensors_shown"),
+    "map_range_db": ("skin", "map_range_db"),
+    "traces_layout": ("traces", "layout"),
+    "spectra_layout": ("spectra", "layout"),
+    "log_frequency": ("spectra", "log_frequency"),
+    "log_magnitude": ("spectra", "log_magnitude"),
+    "frequency_range_hz": ("spectra", "frequency_range_hz"),
+}
 _OPTIONAL_VIEW_FIELDS = frozenset(
     {"selected_input", "map_range_db", "time_range_s", "frequency_range_hz"}
 )
-_INPUT_FIELDS = tuple(field.name for field in fields(Input) if field.name != "waveform")
+_STYLE = ChoiceSpec(label="", options=(("interpolated", ""), ("sensors", "")))
+_LAYOUT = ChoiceSpec(label="", options=(("overlaid", ""), ("stacked", "")))
+_SWITCH, _RANGE = SwitchSpec(label=""), RangeSpec(label="")
+_INPUT_FIELDS = ("location", "amplitude", "onset_s", "muted", "solo", "colour")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,6 +76,23 @@ class DesignFile:
     design: Design
     view: View = View()
     layout: bytes = b""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _PanelFields:
+    """Fields of panels in version 1, and what they were by default."""
+
+    map_style: str = choice("interpolated", _STYLE)
+    sensors_shown: bool = switch(True, _SWITCH)
+    map_range_db: Range | None = interval(None, _RANGE)
+    traces_layout: str = choice("overlaid", _LAYOUT)
+    spectra_layout: str = choice("overlaid", _LAYOUT)
+    log_frequency: bool = switch(False, _SWITCH)
+    log_magnitude: bool = switch(True, _SWITCH)
+    frequency_range_hz: Range | None = interval(None, _RANGE)
+
+    def __post_init__(self) -> None:
+        check(self)
 
 
 def save_design(path: Path, content: DesignFile) -> None:
@@ -111,14 +153,32 @@ def _encoded(content: DesignFile) -> bytes:
         for index, one in enumerate(content.design.inputs):
             _write_input(inputs.create_group(f"{index:04d}"), one)
         view = file.create_group("view")
-        for field in fields(View):
-            value = getattr(content.view, field.name)
+        for name, value in _view_values(content).items():
             if value is not None:
-                _write(view, field.name, value)
+                _write(view, name, value)
         # A final zero, because an empty dataset cannot carry a checksum.
         layout = np.frombuffer(content.layout + b"\0", np.uint8)
         file.create_dataset("layout", data=layout, track_times=False, fletcher32=True)
     return image.getvalue()
+
+
+def _view_values(content: DesignFile) -> dict[str, Any]:
+    """Fields of /view; inputs are counted from 0."""
+    design, view = content.design, content.view
+    panels = {name: dict(held) for name, held in view.panels}
+    values = {
+        name: panels.get(panel, {}).get(own, getattr(_PanelFields(), name))
+        for name, (panel, own) in _PANEL_FIELDS.items()
+    }
+    known = [design.index_of(id) for id in view.selected_inputs if id in design.ids]
+    return values | {
+        "axes": view.axes,
+        "method": view.method,
+        "outputs": view.outputs,
+        "selected_input": known[-1] if known else None,
+        "delay_removed": view.delay_removed,
+        "time_range_s": view.time_range_s,
+    }
 
 
 def _write_input(group: "h5py.Group", one: Input) -> None:
@@ -163,9 +223,10 @@ class _Reader:
             )
         self._refuse_unknown("/", set(file.attrs), {"format", "version"})
         self._refuse_unknown("/", set(file), {"design", "view", "layout"})
+        design = self._design(self._member(file, "design", hdf5.Group))
         return DesignFile(
-            design=self._design(self._member(file, "design", hdf5.Group)),
-            view=self._view(self._member(file, "view", hdf5.Group)),
+            design=design,
+            view=self._view(self._member(file, "view", hdf5.Group), design),
             layout=self._layout(self._member(file, "layout", hdf5.Dataset)),
         )
 
@@ -202,12 +263,25 @@ class _Reader:
         del values["kind"]
         return _KINDS[kind](**values)
 
-    def _view(self, group: "h5py.Group") -> View:
+    def _view(self, group: "h5py.Group", design: Design) -> View:
         self._refuse_unknown("/view", set(group), set())
-        names = tuple(field.name for field in fields(View))
-        values: dict[str, Any] = dict.fromkeys(_OPTIONAL_VIEW_FIELDS)
+        names = (*_VIEW_FIELDS, *_PANEL_FIELDS)
+        values: dict[str, Any] = dict.fromkeys(("selected_input", "time_range_s"))
         values |= self._attributes(group, names, _OPTIONAL_VIEW_FIELDS)
-        return View(**values)
+        index = values.pop("selected_input")
+        if index is not None and (type(index) is not int or not 0 <= index < 2**31):
+            raise InvalidInputError(f"selected_input is {index!r}, expected None or 0, 1, 2, …")
+        # Selecting one behind the last selects the last.
+        last = len(design.inputs) - 1
+        chosen = () if index is None or last < 0 else (design.ids[min(index, last)],)
+        present = {name: values.pop(name) for name in _PANEL_FIELDS if name in values}
+        looked_at, usual = _PanelFields(**present), _PanelFields()
+        panels: dict[str, dict[str, Any]] = {}
+        for name, (panel, own) in _PANEL_FIELDS.items():
+            if getattr(looked_at, name) != getattr(usual, name):
+                panels.setdefault(panel, {})[own] = getattr(looked_at, name)
+        held = tuple((panel, tuple(own.items())) for panel, own in panels.items())
+        return View(selected_inputs=chosen, panels=held, **values)
 
     def _layout(self, dataset: "h5py.Dataset") -> bytes:
         self._refuse_unknown("/layout", set(dataset.attrs), set())

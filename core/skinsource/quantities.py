@@ -1,11 +1,10 @@
 """Every quantity the studio can show.  To add one, write one function here.
 
-A function's name is the quantity it computes, its parameters are the quantities it needs; the
-fields of the design and of the view are given.
+A function's name is the quantity it computes, its parameters are the quantities it needs; those
+fields of the design and of the view that numbers depend on are given, see `sources`.
 """
 
 from collections.abc import Callable
-from dataclasses import fields
 from typing import Any
 
 import numpy as np
@@ -27,7 +26,7 @@ def voices(inputs: tuple[Input, ...]) -> tuple[Voice, ...]:
     heard = set(audible_indices(inputs))
     return tuple(
         Voice(
-            id=index,
+            id=one.id,
             location=one.location,
             onset_s=one.onset_s,
             amplitude=one.amplitude,
@@ -74,13 +73,18 @@ RULES: tuple[Callable[..., Any], ...] = (
 
 
 def sources(design: Design, view: View) -> dict[str, Any]:
-    """Return the fields of design and view by name: where evaluation starts from."""
-    given = {
-        field.name: getattr(value, field.name)
-        for value in (design, view)
-        for field in fields(value)
+    """Return what evaluation starts from, by name: nothing that no quantity depends on."""
+    return {
+        "limb": design.limb,
+        "inputs": design.inputs,
+        "scaling": design.scaling,
+        "axes": view.axes,
+        "method": view.method,
+        "span": view.span,
+        "outputs": view.outputs,
+        "selected_input": view.selected_input,
+        "delay_removed": view.delay_removed,
     }
-    return {"span": "record", **given}
 
 
 def new_graph(shared: Shared | None = None) -> Graph:

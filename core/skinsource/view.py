@@ -1,23 +1,51 @@
-"""What is looked at: an immutable value, saved with the design but never undone."""
+"""What is looked at: an immutable value, saved with the design."""
 
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import Any
 
-import numpy as np
-
+from skinsource import fields, words
 from skinsource.errors import InvalidInputError
+from skinsource.fields import (
+    ChoiceSpec,
+    ListSpec,
+    NumberSpec,
+    PlainSpec,
+    Range,
+    RangeSpec,
+    SwitchSpec,
+)
 from skinsource.limb import N_OUTPUTS
-from skinsource.projection import AXES, METHODS, Axes, Method
+from skinsource.projection import Axes, Method
+from skinsource.span import Span
+from skinsource.wording import quoted
 
-MapStyle = Literal["interpolated", "sensors"]
-Layout = Literal["overlaid", "stacked"]
-MAP_STYLES: tuple[MapStyle, ...] = get_args(MapStyle)
-LAYOUTS: tuple[Layout, ...] = get_args(Layout)
+#: A value of one field of a panel's settings.
+Plain = None | bool | int | float | str | tuple[float, ...]
+#: Settings of panels: (name of the panel, ((name of a field, its value), …)), by name.
+PanelFields = tuple[tuple[str, tuple[tuple[str, Plain], ...]], ...]
 
-Range = tuple[float, float]
 
-# Beyond all that can be looked at, and below what a float can hold.
-_FAR = 1e300
+def _choice_of(label: str, options: tuple[words.Word, ...]) -> ChoiceSpec:
+    return ChoiceSpec(label=label, options=tuple((word.name, word.title) for word in options))
+
+
+AXES = _choice_of("Axes", words.AXES)
+METHOD = _choice_of("Method", words.METHODS)
+SPAN = _choice_of("Levels", words.SPANS)
+OUTPUTS = ListSpec(
+    label="Outputs",
+    of=NumberSpec(label="Output", minimum=1, maximum=N_OUTPUTS, whole=True),
+    most=N_OUTPUTS,
+    different=True,
+)
+SELECTED_INPUTS = ListSpec(
+    label="Selected inputs",
+    of=NumberSpec(label="Id of an input", minimum=1, maximum=2**31 - 1, whole=True),
+    different=True,
+)
+DELAY_REMOVED = SwitchSpec(label="Remove pre-trigger delay")
+TIME_RANGE = RangeSpec(label="Zoom of time axes", unit="s")
+PANELS = PlainSpec(label="Settings of panels")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -28,82 +56,51 @@ class View:
     ----------
     axes, method
         See `skinsource.project_axes`.
+    span
+        What levels average over: ``"record"``, the whole response, or ``"loudest"`` 100 ms of it.
     outputs
         Selected outputs, 1 to 72, in the order in which they were selected.
-    selected_input
-        Index of the selected input, or ``None``.
-    map_style, sensors_shown
-        Interpolated map or sensors only; whether sensors are marked on the interpolated map.
-    map_range_db
-        Levels of the ends of the colour bar; ``None``: the loudest output and 50 dB below it.
-    traces_layout, spectra_layout
-        ``"overlaid"`` or ``"stacked"``.
-    log_frequency, log_magnitude
-        Logarithmic axes of the spectra.
+    selected_inputs
+        Ids of the selected inputs; the one that was selected last stands last.  An id that no
+        input of the design has selects nothing.
     delay_removed
         Whether time axes are shifted by the pre-trigger delay of the responses.
-    time_range_s, frequency_range_hz
-        Zoom of the plots; ``None``: everything.
+    time_range_s
+        Zoom of time axes; ``None``: everything.
+    panels
+        What only one panel looks at, see `skinsource.panel_settings`.
     """
 
-    axes: Axes = "xyz"
-    method: Method = "pca"
-    outputs: tuple[int, ...] = (29, 52)
-    selected_input: int | None = 0
-    map_style: MapStyle = "interpolated"
-    sensors_shown: bool = True
-    map_range_db: Range | None = None
-    traces_layout: Layout = "overlaid"
-    spectra_layout: Layout = "overlaid"
-    log_frequency: bool = False
-    log_magnitude: bool = True
-    delay_removed: bool = False
-    time_range_s: Range | None = None
-    frequency_range_hz: Range | None = None
+    axes: Axes = fields.choice("xyz", AXES)
+    method: Method = fields.choice("pca", METHOD)
+    span: Span = fields.choice("record", SPAN)
+    outputs: tuple[int, ...] = fields.field(OUTPUTS, (29, 52))
+    selected_inputs: tuple[int, ...] = fields.field(SELECTED_INPUTS, (1,))
+    delay_removed: bool = fields.switch(False, DELAY_REMOVED)
+    time_range_s: Range | None = fields.interval(None, TIME_RANGE)
+    panels: PanelFields = fields.field(PANELS, ())
 
     def __post_init__(self) -> None:
-        _check_member("axes", self.axes, AXES)
-        _check_member("method", self.method, METHODS)
-        _check_member("map_style", self.map_style, MAP_STYLES)
-        _check_member("traces_layout", self.traces_layout, LAYOUTS)
-        _check_member("spectra_layout", self.spectra_layout, LAYOUTS)
-        if not (
-            isinstance(self.outputs, tuple)
-            and all(isinstance(output, int) and 1 <= output <= N_OUTPUTS for output in self.outputs)
-            and len(set(self.outputs)) == len(self.outputs)
-        ):
+        fields.check(self)
+        if not _is_table(self.panels) or not all(_is_table(held) for _, held in self.panels):
             raise InvalidInputError(
-                f"outputs are {self.outputs}, expected different whole numbers 1 to {N_OUTPUTS}"
+                f"View.panels is {quoted(self.panels)}, expected pairs of a panel's name and its "
+                "fields, each once"
             )
-        for name in ("sensors_shown", "log_frequency", "log_magnitude", "delay_removed"):
-            if not isinstance(getattr(self, name), bool):
-                raise InvalidInputError(
-                    f"{name} is {getattr(self, name)!r}, expected True or False"
-                )
-        if self.selected_input is not None and not (
-            isinstance(self.selected_input, int) and 0 <= self.selected_input < 2**31
-        ):
-            raise InvalidInputError(
-                f"selected_input is {self.selected_input!r}, expected None or 0, 1, 2, …"
-            )
-        for name in ("map_range_db", "time_range_s", "frequency_range_hz"):
-            object.__setattr__(self, name, _checked_range(name, getattr(self, name)))
+        in_order = tuple((name, tuple(sorted(held))) for name, held in sorted(self.panels))
+        object.__setattr__(self, "panels", in_order)
+
+    @property
+    def selected_input(self) -> int | None:
+        """Id of the input that was selected last, or None."""
+        return self.selected_inputs[-1] if self.selected_inputs else None
 
 
-def _check_member(name: str, value: str, allowed: tuple[str, ...]) -> None:
-    if value not in allowed:
-        raise InvalidInputError(f"{name} is {value!r}, expected one of {', '.join(allowed)}")
-
-
-def _checked_range(name: str, value: Range | None) -> Range | None:
-    if value is None:
-        return None
-    if isinstance(value, tuple) and len(value) == 2 and all(map(_is_ordinary, value)):
-        low, high = float(value[0]), float(value[1])
-        if low < high:
-            return low, high
-    raise InvalidInputError(f"{name} is {value!r}, expected None or two finite numbers, low < high")
-
-
-def _is_ordinary(end: object) -> bool:
-    return isinstance(end, int | float | np.floating) and bool(-_FAR < end < _FAR)
+def _is_table(pairs: Any) -> bool:
+    """Whether these are pairs of a name and something, and no name stands there twice."""
+    if not isinstance(pairs, tuple):
+        return False
+    if not all(isinstance(pair, tuple) and len(pair) == 2 for pair in pairs):
+        return False
+    names = [name for name, _ in pairs]
+    return all(isinstance(name, str) and name for name in names) and len(set(names)) == len(names)

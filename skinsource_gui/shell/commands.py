@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow
 
+from skinsource import edits
 from skinsource.errors import SkinSourceError
 from skinsource_gui.files.export_actions import ExportActions
 from skinsource_gui.files.pictures import save_picture
@@ -79,29 +80,27 @@ class Commands(QObject):
 
     def duplicate_input(self) -> None:
         document = self._window.document
-        index = document.view.selected_input
-        if index is not None:
-            one = document.design.inputs[index]
-            document.edit(f"Duplicate input {one.location}", document.design.adding(one))
-            last = len(document.design.inputs) - 1
-            document.look(replace(document.view, selected_input=last))
+        ids = document.view.selected_inputs
+        document.apply(edits.duplicate_inputs(document.design, document.view, ids))
 
     def remove_input(self) -> None:
         document = self._window.document
-        index = document.view.selected_input
-        if index is not None:
-            place = document.design.inputs[index].location
-            document.edit(f"Remove input {place}", document.design.without_input(index))
+        ids = document.view.selected_inputs
+        document.apply(edits.remove_inputs(document.design, document.view, ids))
 
     def mute_input(self, on: bool) -> None:
-        self._change_input("Mute" if on else "Unmute", muted=on)
+        document = self._window.document
+        ids = document.view.selected_inputs
+        document.apply(edits.mute_inputs(document.design, document.view, ids, on))
 
     def solo_input(self, on: bool) -> None:
-        self._change_input("Solo" if on else "End solo of", solo=on)
+        document = self._window.document
+        ids = document.view.selected_inputs
+        document.apply(edits.solo_inputs(document.design, document.view, ids, on))
 
     def clear_inputs(self) -> None:
         document = self._window.document
-        document.edit("Remove all inputs", replace(document.design, inputs=()))
+        document.apply(edits.clear_inputs(document.design, document.view))
 
     def select_no_outputs(self) -> None:
         document = self._window.document
@@ -183,14 +182,6 @@ class Commands(QObject):
 
     def _ask_where(self, title: str, name: str, kind: str) -> Path | None:
         return self._window.files.ask_where(title, self._window.preferences.folder / name, kind)
-
-    def _change_input(self, verb: str, **changes: bool) -> None:
-        document = self._window.document
-        index = document.view.selected_input
-        if index is not None:
-            place = document.design.inputs[index].location
-            changed = document.design.with_input(index, **changes)
-            document.edit(f"{verb} input {place}", changed)
 
     def _go_to_panel(self, step: int) -> None:
         # A panel that only says what to do has nothing for the keyboard.

@@ -8,6 +8,7 @@ from PySide6.QtGui import QAction, QStandardItemModel
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from skinsource.design import Design
+from skinsource.edits import Edit
 from skinsource.fields import ChoiceSpec
 from skinsource.limb import LIMB_NAMES
 from skinsource.projection import Axes, Method
@@ -23,7 +24,8 @@ _ENABLED = Qt.ItemFlag.ItemIsEnabled
 class SetupBar(QWidget):
     """Choices for what the whole window shows."""
 
-    design_edited = Signal(str, object, object)
+    #: `Edit` or `Refusal`, number of the gesture or None.
+    edited = Signal(object, object)
     view_changed = Signal(object)
 
     def __init__(self, parent: QWidget | None = None):
@@ -104,16 +106,16 @@ class SetupBar(QWidget):
 
     def _choose_limb(self, name: str, gesture: int | None) -> None:
         if self._design:
-            changed = replace(self._design, limb=name)
-            self.design_edited.emit(
-                f"Change limb to {word_of(LIMBS, name).title}", changed, gesture
-            )
+            self._edit(f"Change limb to {word_of(LIMBS, name).title}", gesture, limb=name)
 
     def _choose_scaling(self, scaling: Scaling, gesture: int | None) -> None:
         if self._design:
-            self.design_edited.emit(
-                "Change scaling", replace(self._design, scaling=scaling), gesture
-            )
+            self._edit("Change scaling", gesture, scaling=scaling)
+
+    def _edit(self, label: str, gesture: int | None, **changes: str) -> None:
+        if self._design and self._view:
+            design = replace(self._design, **changes)
+            self.edited.emit(Edit(label=label, design=design, view=self._view), gesture)
 
     def _choose_axes(self, axes: Axes) -> None:
         if self._view:

@@ -183,7 +183,8 @@ class MainWindow(QMainWindow):
             action.setEnabled(False)
             can_change.connect(action.setEnabled)
             text_change.connect(partial(_name_step, action))
-        self.setup_bar.design_edited.connect(self.document.edit)
+        self.setup_bar.edited.connect(self.document.apply)
+        self.document.refused.connect(self.complain)
         self.setup_bar.view_changed.connect(self.document.look)
         self.skin.picture_wanted.connect(self.commands.export_picture)
         self.files.failed.connect(self.complain)
@@ -234,7 +235,7 @@ class MainWindow(QMainWindow):
         self.status_line.show_design(design)
         self._limb_note.show_limb(design.limb)
         actions["remove_delay"].setChecked(view.delay_removed)
-        selected = None if view.selected_input is None else design.inputs[view.selected_input]
+        selected = None if view.selected_input is None else design.input(view.selected_input)
         for name in ("duplicate_input", "remove_input", "mute_input", "solo_input"):
             actions[name].setEnabled(selected is not None)
         actions["mute_input"].setChecked(selected is not None and selected.muted)

@@ -34,7 +34,7 @@ class Conductor(QObject):
         engine.finished.connect(self._deliver)
         for panel in panels:
             panel.visibility_changed.connect(self._ask)
-            panel.design_edited.connect(document.edit)
+            panel.edited.connect(document.apply)
             panel.view_changed.connect(document.look)
             panel.show_state(document.design, document.view)
 

@@ -7,31 +7,37 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from skinsource.design import Design
+from skinsource.edits import Edit, Refusal, kept_selection
 from skinsource.view import View
 
 #: Steps that can be undone; older ones are forgotten.
 MOST_STEPS = 1000
+# Gestures count from 1, and -1 tells Qt that a step joins no other.
+_NO_GESTURE, _CHOICE_OF_OUTPUTS = -1, 0
 
 
 class Document(QObject):
     """Holds one immutable design and one immutable view.
 
-    Every edit of the design swaps it for another, undoably.  The view is saved with the design,
-    but never undone.
+    Edits swap both at once.  A step of the history brings back the design, the selected outputs and
+    the selected inputs; what else the view holds is only looked at, and never undone.
     """
 
     changed = Signal()
     #: The path, or whether there is something unsaved, has changed.
     title_changed = Signal()
+    #: Why an edit was not made, in one sentence.
+    refused = Signal(str)
 
     def __init__(self, design: Design, view: View | None = None, parent: QObject | None = None):
         super().__init__(parent)
-        self._design = design
-        self._view = _fitted(view or View(), design)
+        self._design = self._saved = design
+        self._view = _existing(view or View(), design)
         self._path: Path | None = None
+        self._was_modified = False
         self.undo_stack = QUndoStack(self)
         self.undo_stack.setUndoLimit(MOST_STEPS)
-        self.undo_stack.cleanChanged.connect(self.title_changed)
+        self.undo_stack.cleanChanged.connect(self._tell_title)
 
     @property
     def design(self) -> Design:
@@ -50,64 +56,106 @@ class Document(QObject):
 
     @property
     def modified(self) -> bool:
-        """Whether there are edits that no file holds."""
-        return not self.undo_stack.isClean()
+        """Whether there are edits that no file holds; choosing outputs is none."""
+        return not self.undo_stack.isClean() and self._design != self._saved
+
+    def apply(self, outcome: Edit | Refusal, gesture: int | None = None) -> None:
+        """Take over what an edit leads to, or tell why there was none.
+
+        Edits of the same ``gesture`` (one drag of one handle) undo as one step, and so do choices
+        of outputs that follow each other.
+        """
+        if isinstance(outcome, Refusal):
+            self.refused.emit(outcome.sentence)
+            return
+        view = kept_selection(outcome.view, self._design, outcome.design)
+        before, after = _Step(self._design, self._view), _Step(outcome.design, view)
+        if before.is_same(after):
+            self.look(view)
+        else:
+            self.undo_stack.push(_Swap(self, outcome.label, before, after, gesture))
 
     def edit(self, label: str, design: Design, gesture: int | None = None) -> None:
-        """Replace the design.
-
-        Edits of the same ``gesture`` (one drag of one handle) undo as one step.
-        """
-        if design != self._design:
-            self.undo_stack.push(_Swap(self, label, design, gesture))
+        """Replace the design, as `apply` does."""
+        self.apply(Edit(label=label, design=design, view=self._view), gesture)
 
     def look(self, view: View) -> None:
         """Replace the view."""
-        fitted = _fitted(view, self._design)
-        if fitted != self._view:
-            self._view = fitted
-            self.changed.emit()
+        self._show(self._design, view)
 
     def start_over(self, design: Design, view: View, path: Path | None) -> None:
         """Take over another design, with an empty history."""
         self.undo_stack.clear()
-        self._design, self._view, self._path = design, _fitted(view, design), path
+        self._saved, self._path = design, path
+        self._design, self._view = design, _existing(view, design)
         self.changed.emit()
+        self._was_modified = False
         self.title_changed.emit()
 
     def mark_saved(self, path: Path) -> None:
         """Note that ``path`` holds the present design."""
-        self._path = path
+        self._path, self._saved = path, self._design
         self.undo_stack.setClean()
+        self._was_modified = False
         self.title_changed.emit()
 
-    def show_design(self, design: Design, *, again: bool) -> None:
-        """Put ``design`` in place of the present one; for undo steps only.
+    def show_step(self, design: Design, view: View) -> None:
+        """Put these in place of the present ones; for steps of the history only."""
+        self._show(design, view)
+        self._tell_title()
 
-        ``again``: an undo or redo, which selects the input that it changes.
-        """
-        view = _pointing_at_change(self._view, self._design, design) if again else self._view
-        self._design = design
-        self._view = _fitted(view, design)
-        self.changed.emit()
+    def _show(self, design: Design, view: View) -> None:
+        view = _existing(view, design)
+        if (design, view) != (self._design, self._view):
+            self._design, self._view = design, view
+            self.changed.emit()
+
+    def _tell_title(self) -> None:
+        if self.modified != self._was_modified:
+            self._was_modified = self.modified
+            self.title_changed.emit()
+
+
+class _Step:
+    """A design and a view, of which the history keeps the selections."""
+
+    def __init__(self, design: Design, view: View):
+        self.design, self.view = design, view
+
+    def is_same(self, other: "_Step") -> bool:
+        """Whether the history need not tell them apart."""
+        return self.design == other.design and self.view.outputs == other.view.outputs
+
+    def seen_as(self, view: View) -> View:
+        """Return ``view`` with the inputs and outputs that were selected then."""
+        return replace(view, outputs=self.view.outputs, selected_inputs=self.view.selected_inputs)
 
 
 class _Swap(QUndoCommand):
     """The only undo command there is: put that design in place of this one."""
 
-    def __init__(self, document: Document, label: str, after: Design, gesture: int | None):
+    def __init__(
+        self, document: Document, label: str, before: _Step, after: _Step, gesture: int | None
+    ):
         super().__init__(label)
         self._document = document
-        self._before, self._after = document.design, after
-        self._gesture = -1 if gesture is None else gesture
+        self._before, self._after = before, after
         self._done_before = False
+        self._gesture = _NO_GESTURE if gesture is None else gesture
+        # Emptying the selection is a step of its own: it is taken back most often.
+        if gesture is None and before.design == after.design and after.view.outputs:
+            self._gesture = _CHOICE_OF_OUTPUTS
 
     def redo(self) -> None:
-        self._document.show_design(self._after, again=self._done_before)
+        step = self._after
+        # The first time, all of the view is new.
+        view = step.seen_as(self._document.view) if self._done_before else step.view
         self._done_before = True
+        self._document.show_step(step.design, view)
 
     def undo(self) -> None:
-        self._document.show_design(self._before, again=True)
+        step = self._before
+        self._document.show_step(step.design, step.seen_as(self._document.view))
 
     def id(self) -> int:
         return self._gesture
@@ -116,28 +164,12 @@ class _Swap(QUndoCommand):
         if not isinstance(newer, _Swap):
             return False
         self._after = newer._after
-        self.setObsolete(self._after == self._before)
+        self.setText(newer.text())
+        self.setObsolete(self._before.is_same(self._after))
         return True
 
 
-def _pointing_at_change(view: View, before: Design, after: Design) -> View:
-    """Return ``view`` with the input selected that differs, or else the same one as before."""
-    known = {one.colour: one for one in before.inputs}
-    came = [k for k, one in enumerate(after.inputs) if one.colour not in known]
-    other = [k for k, one in enumerate(after.inputs) if known.get(one.colour, one) != one]
-    if came or other:
-        return replace(view, selected_input=(came or other)[0])
-    if view.selected_input is None:
-        return view
-    # Inputs went: the same one stays selected, or else its successor.
-    colour = before.inputs[view.selected_input].colour
-    same = [k for k, one in enumerate(after.inputs) if one.colour == colour]
-    return replace(view, selected_input=same[0] if same else view.selected_input)
-
-
-def _fitted(view: View, design: Design) -> View:
-    """Return ``view`` with a selected input that exists."""
-    selected, count = view.selected_input, len(design.inputs)
-    if selected is not None and selected >= count:
-        return replace(view, selected_input=count - 1 if count else None)
-    return view
+def _existing(view: View, design: Design) -> View:
+    """Return ``view`` with those selected inputs that exist."""
+    chosen = tuple(one for one in view.selected_inputs if one in design.ids)
+    return view if chosen == view.selected_inputs else replace(view, selected_inputs=chosen)

@@ -245,7 +245,8 @@ class Scene:
             )
         )
         design = Design(limb="synthetic-1", inputs=inputs, scaling=self.scaling)
-        looked = View(outputs=outputs, selected_input=selected, axes=axes, method=method)
+        chosen = () if selected is None else (selected + 1,)
+        looked = View(outputs=outputs, selected_inputs=chosen, axes=axes, method=method)
         given = {**sources(design, looked), "limb_data": self.limb}
         return new_graph().evaluate(("axis_traces", "output_rms"), given)
 

@@ -24,7 +24,7 @@ def places(design: Design) -> list[int]:
 
 def test_a_change_of_one_input_leaves_the_others_the_very_same():
     changed = THREE.with_input(1, amplitude=-2, waveform=Tap())
-    assert changed.inputs[1] == Input(location=2, colour=2, amplitude=-2.0, waveform=Tap())
+    assert changed.inputs[1] == Input(location=2, colour=2, id=2, amplitude=-2.0, waveform=Tap())
     assert changed.inputs[0] is THREE.inputs[0]
     assert changed.inputs[2] is THREE.inputs[2]
     assert THREE.inputs[1].amplitude == 1.0
@@ -151,3 +151,42 @@ def test_an_impossible_design_is_refused_by_name(wrong):
     (name,) = wrong
     with pytest.raises(InvalidInputError, match=name):
         Design(**{"limb": "synthetic-1", **wrong})
+
+
+def test_inputs_without_an_id_get_the_smallest_that_is_free():
+    given = (Input(location=1, id=2), Input(location=2), Input(location=3), Input(location=4, id=9))
+    design = Design(limb="any", inputs=given)
+    assert design.ids == (2, 1, 3, 9)
+    assert design.adding(Input(location=5, id=9)).ids == (2, 1, 3, 9, 4)
+
+
+def test_an_input_is_found_by_its_id_wherever_it_stands():
+    turned = replace(THREE, inputs=THREE.inputs[::-1])
+    for one in THREE.inputs:
+        assert turned.input(one.id) is one
+    assert [turned.index_of(one) for one in THREE.ids] == [2, 1, 0]
+    with pytest.raises(InvalidInputError, match="no input has the id 7; there are 1, 2, 3"):
+        THREE.input(7)
+
+
+def test_two_inputs_of_one_id_are_refused():
+    with pytest.raises(InvalidInputError, match="expected different ones"):
+        Design(limb="any", inputs=(Input(location=1, id=4), Input(location=2, id=4)))
+
+
+@pytest.mark.parametrize("name", ["id", "colour"])
+@pytest.mark.parametrize("value", [-1, 1.0, "1", None, True, 2**31])
+def test_ids_and_colours_are_whole_numbers(name, value):
+    with pytest.raises(InvalidInputError, match=f"{name} is"):
+        Input(location=1, **{name: value})
+
+
+@pytest.mark.parametrize("name", ["title", "author", "notes", "licence"])
+def test_words_about_a_design_are_texts_of_bounded_length(name):
+    assert getattr(replace(THREE, **{name: "Häuser"}), name) == "Häuser"
+    with pytest.raises(
+        InvalidInputError, match=rf"Design\.{name} is .*expected .* at most \d+ characters"
+    ):
+        replace(THREE, **{name: "a" * 50_000})
+    with pytest.raises(InvalidInputError, match=rf"Design\.{name} is 3, expected"):
+        replace(THREE, **{name: 3})

@@ -67,7 +67,8 @@ def saved(request, tmp_path) -> Path:
         Input(location=1 + k % 20, waveform=KINDS[k % len(KINDS)](), colour=k)
         for k in range(request.param)
     )
-    view = View(map_range_db=(-50.0, 0.0), time_range_s=(0.0, 0.1))
+    panels = (("skin", (("map_range_db", (-50.0, 0.0)),)),)
+    view = View(time_range_s=(0.0, 0.1), panels=panels)
     content = DesignFile(
         design=Design(limb="measured-1", inputs=inputs), view=view, layout=bytes(range(256)) * 4
     )

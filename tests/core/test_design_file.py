@@ -20,7 +20,7 @@ from skinsource.fields import ChoiceSpec, specs_of
 from skinsource.limb import LIMB_NAMES
 from skinsource.projection import AXES, METHODS
 from skinsource.response_scaling import SCALINGS
-from skinsource.view import LAYOUTS, MAP_STYLES, View
+from skinsource.view import View
 from skinsource.waveforms import KINDS, Noise, Tap, Tone
 
 CONTENT = DesignFile(
@@ -33,7 +33,11 @@ CONTENT = DesignFile(
         ),
         scaling="relative",
     ),
-    view=View(outputs=(72, 1), map_range_db=(-60.5, -10.0), selected_input=None),
+    view=View(
+        outputs=(72, 1),
+        selected_inputs=(),
+        panels=(("skin", (("map_range_db", (-60.5, -10.0)),)),),
+    ),
     layout=b"\0arrangement\0\xff\0",
 )
 
@@ -70,22 +74,40 @@ DESIGNS = st.builds(
     scaling=st.sampled_from(SCALINGS),
 )
 RANGES = st.none() | st.tuples(numbers(-1e9, 1e9), numbers(-1e9, 1e9)).filter(lambda r: r[0] < r[1])
+LAYOUTS = st.sampled_from(("overlaid", "stacked"))
+#: Settings of panels, by panel and field.
+PANEL_FIELDS = {
+    ("skin", "map_style"): st.sampled_from(("interpolated", "sensors")),
+    ("skin", "sensors_shown"): st.booleans(),
+    ("skin", "map_range_db"): RANGES,
+    ("spectra", "frequency_range_hz"): RANGES,
+    ("spectra", "layout"): LAYOUTS,
+    ("spectra", "log_frequency"): st.booleans(),
+    ("spectra", "log_magnitude"): st.booleans(),
+    ("traces", "layout"): LAYOUTS,
+}
+#: What is as by default is not held.
+USUAL = {None, "interpolated", "overlaid"}
+USUAL_SWITCHES = {"sensors_shown": True, "log_frequency": False, "log_magnitude": True}
+
+
+def as_held(values: dict) -> tuple:
+    panels: dict = {}
+    for (panel, name), value in values.items():
+        if value not in USUAL and USUAL_SWITCHES.get(name) != value:
+            panels.setdefault(panel, []).append((name, value))
+    return tuple((panel, tuple(held)) for panel, held in panels.items())
+
+
 VIEWS = st.builds(
     View,
     axes=st.sampled_from(AXES),
     method=st.sampled_from(METHODS),
     outputs=st.lists(st.integers(1, 72), unique=True).map(tuple),
-    selected_input=st.none() | st.integers(0, 99),
-    map_style=st.sampled_from(MAP_STYLES),
-    sensors_shown=st.booleans(),
-    map_range_db=RANGES,
-    traces_layout=st.sampled_from(LAYOUTS),
-    spectra_layout=st.sampled_from(LAYOUTS),
-    log_frequency=st.booleans(),
-    log_magnitude=st.booleans(),
+    selected_inputs=st.just(()) | st.integers(1, 12).map(lambda one: (one,)),
     delay_removed=st.booleans(),
     time_range_s=RANGES,
-    frequency_range_hz=RANGES,
+    panels=st.fixed_dictionaries(PANEL_FIELDS).map(as_held),
 )
 
 
@@ -97,6 +119,8 @@ VIEWS = st.builds(
 )
 @given(design=DESIGNS, view=VIEWS, layout=st.binary(max_size=300))
 def test_what_was_saved_is_opened_and_saved_again_as_the_same_bytes(tmp_path, design, view, layout):
+    chosen = tuple(one for one in view.selected_inputs if one in design.ids)
+    view = replace(view, selected_inputs=chosen)
     content = DesignFile(design=design, view=view, layout=layout)
     first, second = tmp_path / "first.skinsource", tmp_path / "second.skinsource"
     save_design(first, content)
@@ -197,7 +221,7 @@ DAMAGE = {
     "/view lacks axes": [remove("view", "axes")],
     "/view holds zoom": [add("view", "zoom", 2.0)],
     "/view holds inner": [put("view/inner", 1)],
-    "outputs are": [add("view", "outputs", [1, 1])],
+    r"View\.outputs is": [add("view", "outputs", [1, 1])],
     "map_range_db is": [add("view", "map_range_db", [1.0, 0.0])],
     "time_range_s is": [add("view", "time_range_s", [[1.0, 2.0], [3.0, 4.0]])],
     "sensors_shown is": [add("view", "sensors_shown", np.bytes_("yes"))],

@@ -1,6 +1,7 @@
 """The quantities of the studio: what they are, and what an edit makes run again."""
 
 from dataclasses import replace
+from inspect import signature
 
 import numpy as np
 import pytest
@@ -9,9 +10,10 @@ from skinsource.decibels import decibels
 from skinsource.design import Design, Input
 from skinsource.limb import Limb
 from skinsource.projection import AXES, METHODS, project_axes
-from skinsource.quantities import new_graph, sources
+from skinsource.quantities import RULES, new_graph, sources
 from skinsource.response import predict
 from skinsource.response_scaling import SCALINGS
+from skinsource.shared import Shared
 from skinsource.signals import sinusoid
 from skinsource.spectra import magnitude_spectrum, rms
 from skinsource.view import View
@@ -161,3 +163,13 @@ def test_results_cannot_be_written_to(studio):
     for array in studio.show(FOUR, *wanted):
         with pytest.raises(ValueError, match="read-only"):
             array[...] = 0.0
+
+
+def test_evaluation_starts_from_what_quantities_depend_on_and_from_nothing_else():
+    given = sources(FOUR, View())
+    looked = View(time_range_s=(0.0, 0.1), panels=(("skin", (("map_style", "sensors"),)),))
+    words = dict.fromkeys(("title", "author", "notes", "licence"), "words")
+    assert sources(replace(FOUR, **words), looked) == given
+    rules = (*RULES, *Shared().rules())
+    needed = {name for rule in rules for name in signature(rule).parameters}
+    assert given.keys() - {"span"} <= needed

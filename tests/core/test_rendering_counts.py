@@ -20,7 +20,7 @@ DESIGN = Design(
         Input(location=18, waveform=Tap(), onset_s=0.1, colour=2),
     ),
 )
-VIEW = View(axes="xyz", method="pca", outputs=(29, 52), selected_input=1)
+VIEW = View(axes="xyz", method="pca", outputs=(29, 52), selected_inputs=(2,))
 ALL = ("output_rms", "selected_traces", "selected_spectra")
 
 

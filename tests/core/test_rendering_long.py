@@ -25,7 +25,7 @@ LONG = Design(
         Input(location=3, waveform=Tap(), onset_s=1.0),
     ),
 )
-VIEW = View(axes="xyz", method="pca", outputs=(29, 52), selected_input=1)
+VIEW = View(axes="xyz", method="pca", outputs=(29, 52), selected_inputs=(2,))
 ALL = ("output_rms", "selected_traces", "selected_spectra", "axis_spectra")
 
 
@@ -143,7 +143,7 @@ def test_however_long_the_scene_no_output_need_be_selected(duration_s):
     graph = new_graph()
     for axes in AXES:
         for method in METHODS:
-            view = View(axes=axes, method=method, outputs=(), selected_input=0)
+            view = View(axes=axes, method=method, outputs=(), selected_inputs=(1,))
             found = graph.evaluate(PANELS_NEED, sources(design, view))
             n_times = found["response_time_s"].size
             assert n_times == round(duration_s * 1300) + 521

@@ -6,9 +6,10 @@ import pytest
 
 from skinsource.errors import InvalidInputError
 from skinsource.projection import AXES, METHODS
-from skinsource.view import LAYOUTS, MAP_STYLES, View
+from skinsource.span import SPANS
+from skinsource.view import View
 
-RANGES = ("map_range_db", "time_range_s", "frequency_range_hz")
+RANGES = ("time_range_s",)
 
 
 @pytest.mark.parametrize(
@@ -16,9 +17,7 @@ RANGES = ("map_range_db", "time_range_s", "frequency_range_hz")
     [
         ("axes", AXES),
         ("method", METHODS),
-        ("map_style", MAP_STYLES),
-        ("traces_layout", LAYOUTS),
-        ("spectra_layout", LAYOUTS),
+        ("span", SPANS),
     ],
 )
 def test_only_known_names_are_taken(name, allowed):
@@ -35,10 +34,10 @@ def test_any_different_outputs_can_be_selected_in_any_order(outputs):
 
 
 @pytest.mark.parametrize(
-    "outputs", [(0,), (73,), (1, 1), (1.0,), ("1",), [1], None, 1, "1", (None,), ((1, 2),)]
+    "outputs", [(0,), (73,), (1, 1), (1.5,), ("1",), [1], None, 1, "1", (None,), ((1, 2),)]
 )
 def test_impossible_outputs_are_refused(outputs):
-    with pytest.raises(InvalidInputError, match="outputs are"):
+    with pytest.raises(InvalidInputError, match=r"View\.outputs is"):
         View(outputs=outputs)
 
 
@@ -80,22 +79,56 @@ def test_no_range_means_everything(name):
     assert getattr(replace(View(), **{name: None}), name) is None
 
 
-@pytest.mark.parametrize("index", [-1, 0.0, "0", 2**31, ()])
-def test_an_impossible_selected_input_is_refused(index):
-    with pytest.raises(InvalidInputError, match="selected_input"):
-        View(selected_input=index)
-    assert View(selected_input=None).selected_input is None
+@pytest.mark.parametrize(
+    "ids", [(-1,), (0,), (1.5,), ("1",), (2**31,), (True,), (1, 1), [1], None, 1]
+)
+def test_impossible_selected_inputs_are_refused(ids):
+    with pytest.raises(InvalidInputError, match=r"View\.selected_inputs is"):
+        View(selected_inputs=ids)
+
+
+@pytest.mark.parametrize(("ids", "last"), [((), None), ((3,), 3), ((3, 1), 1)])
+def test_the_input_that_was_selected_last_stands_apart(ids, last):
+    assert View(selected_inputs=ids).selected_input == last
+
+
+def test_a_switch_is_true_or_false():
+    for value in (True, False):
+        assert View(delay_removed=value).delay_removed is value
+    for value in (0, 1, None, "yes"):
+        with pytest.raises(InvalidInputError, match=r"delay_removed is .*True or False"):
+            View(delay_removed=value)
+
+
+def test_settings_of_panels_are_held_by_name():
+    one = View(panels=(("skin", (("b", 1.5), ("a", None))), ("map", (("c", (1.0, 2.0)),))))
+    other = View(panels=(("map", (("c", (1.0, 2.0)),)), ("skin", (("a", None), ("b", 1.5)))))
+    assert one == other
+    assert hash(one) == hash(other)
 
 
 @pytest.mark.parametrize(
-    "name", ["sensors_shown", "log_frequency", "log_magnitude", "delay_removed"]
+    "panels",
+    [
+        None,
+        {},
+        [("skin", ())],
+        ("skin",),
+        (("skin",),),
+        ((1, ()),),
+        (("", ()),),
+        (("skin", ()), ("skin", ())),
+        (("skin", (("a", 1), ("a", 2))),),
+        (("skin", (("a", [1]),)),),
+        (("skin", (("a", math.nan),)),),
+        (("skin", (("a", object()),)),),
+        (("skin", (("a", "b" * 20_000),)),),
+        tuple((f"panel {k}", ()) for k in range(10_000)),
+    ],
 )
-def test_switches_are_true_or_false(name):
-    for value in (True, False):
-        assert getattr(replace(View(), **{name: value}), name) is value
-    for value in (0, 1, None, "yes"):
-        with pytest.raises(InvalidInputError, match=f"{name} is .*True or False"):
-            replace(View(), **{name: value})
+def test_settings_that_are_not_plain_are_refused(panels):
+    with pytest.raises(InvalidInputError, match=r"View\.panels is"):
+        View(panels=panels)
 
 
 def test_views_are_values():

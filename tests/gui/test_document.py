@@ -3,6 +3,7 @@ from dataclasses import replace
 import pytest
 
 from skinsource.design import Design, Input
+from skinsource.edits import Edit, Refusal
 from skinsource.view import View
 from skinsource.waveforms import Tone
 from skinsource_gui.state.document import Document
@@ -62,11 +63,11 @@ def test_looking_at_something_else_is_not_undone_and_not_unsaved(document):
     assert not document.undo_stack.canUndo()
 
 
-def test_the_selected_input_always_exists(document):
+def test_the_selected_inputs_always_exist(document):
     document.edit("add", document.design.adding(Input(location=3)))
-    document.look(View(selected_input=1))
+    document.look(View(selected_inputs=(2,)))
     document.undo_stack.undo()
-    assert document.view.selected_input == 0
+    assert document.view.selected_input == 1
     document.edit("delete", document.design.without_input(0))
     assert document.view.selected_input is None
 
@@ -88,35 +89,81 @@ def test_another_design_starts_with_an_empty_history(document):
     assert not document.modified
 
 
-def test_undo_and_redo_select_the_input_that_they_change(document):
+def test_undo_and_redo_bring_back_the_selection_that_belonged_to_the_edit(document):
     document.edit("add", document.design.adding(Input(location=3)))
     document.edit("add", document.design.adding(Input(location=9)))
-    document.look(View(selected_input=2))
+    document.look(View(selected_inputs=(3,)))
     document.edit("delete", document.design.without_input(2))
-    assert document.view.selected_input == 1
+    assert document.view.selected_input == 2
+    document.look(View(selected_inputs=(1,)))
     document.undo_stack.undo()
-    assert document.view.selected_input == 2  # the one that came back
-    document.edit("mute", document.design.with_input(0, muted=True))
-    assert document.view.selected_input == 2  # an edit selects nothing by itself
-    document.undo_stack.undo()
-    assert document.view.selected_input == 0
+    assert document.view.selected_inputs == (3,)  # the one that came back
     document.undo_stack.redo()
-    assert document.view.selected_input == 0
+    assert document.view.selected_inputs == (2,)
 
 
-def test_undoing_an_input_keeps_the_same_other_input_selected(document):
+def test_undo_leaves_what_is_only_looked_at(document):
     document.edit("add", document.design.adding(Input(location=3)))
-    document.edit("delete", document.design.without_input(0))
-    assert document.design.inputs[document.view.selected_input].location == 3
+    panels = (("skin", (("map_style", "sensors"),)),)
+    document.look(replace(document.view, axes="z", time_range_s=(0.0, 0.1), panels=panels))
     document.undo_stack.undo()
-    document.look(View(selected_input=1))
+    view = document.view
+    assert (view.axes, view.time_range_s, view.panels) == ("z", (0.0, 0.1), panels)
+
+
+def choose(document: Document, *outputs: int) -> None:
+    view = replace(document.view, outputs=outputs)
+    document.apply(Edit(label="Select outputs", design=document.design, view=view))
+
+
+def test_choices_of_outputs_that_follow_each_other_are_one_step(document):
+    for outputs in ((1,), (1, 2), (1, 2, 3)):
+        choose(document, *outputs)
+    assert document.undo_stack.count() == 1
+    assert not document.modified
+    document.undo_stack.undo()
+    assert document.view.outputs == View().outputs
     document.undo_stack.redo()
-    assert document.design.inputs[document.view.selected_input].location == 3
+    assert document.view.outputs == (1, 2, 3)
+
+
+def test_emptying_the_selection_of_outputs_is_a_step_of_its_own(document):
+    choose(document, 1, 2, 3)
+    choose(document)
+    document.undo_stack.undo()
+    assert document.view.outputs == (1, 2, 3)
+
+
+def test_an_edit_between_two_choices_keeps_them_apart(document):
+    choose(document, 1)
+    document.edit("f", with_frequency(document, 101.0))
+    choose(document, 2)
+    for outputs in ((1,), (1,), View().outputs):
+        document.undo_stack.undo()
+        assert document.view.outputs == outputs
+    assert document.design == ONE_TONE
+
+
+def test_a_refusal_is_told_and_changes_nothing(document):
+    told, changes = [], []
+    document.refused.connect(told.append)
+    document.changed.connect(lambda: changes.append(document.design))
+    document.apply(Refusal(sentence="There is no room."))
+    assert (told, changes) == (["There is no room."], [])
+
+
+def test_design_and_view_change_together_and_are_told_once(document):
+    told = []
+    document.changed.connect(lambda: told.append((document.design, document.view)))
+    design = document.design.adding(Input(location=3))
+    view = View(axes="z", selected_inputs=(2,))
+    document.apply(Edit(label="Place", design=design, view=view))
+    assert told == [(design, view)]
 
 
 def test_undo_of_a_limb_keeps_the_selection(document):
     document.edit("add", document.design.adding(Input(location=3)))
-    document.look(View(selected_input=1))
+    document.look(View(selected_inputs=(2,)))
     document.edit("limb", replace(document.design, limb="synthetic-3"))
     document.undo_stack.undo()
-    assert document.view.selected_input == 1
+    assert document.view.selected_input == 2

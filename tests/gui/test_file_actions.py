@@ -34,7 +34,8 @@ def place(window, location=3):
 
 def test_a_saved_design_comes_back_with_its_view_and_arrangement(window, settle, answers, tmp_path):
     place(window)
-    window.document.look(replace(window.document.view, outputs=(1, 61), map_range_db=(-40.0, 0.0)))
+    panels = (("skin", (("map_range_db", (-40.0, 0.0)),)),)
+    window.document.look(replace(window.document.view, outputs=(1, 61), panels=panels))
     window.docks["spectra"].hide()
     design, view = window.document.design, window.document.view
     answers["save"] = str(tmp_path / "tap")

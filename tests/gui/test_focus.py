@@ -122,7 +122,7 @@ def test_a_notice_comes_first(at_work):
 
 def test_the_row_that_is_selected_has_the_stops(make_window, qtbot):
     inputs = tuple(Input(location=k, waveform=Tone()) for k in (3, 7, 9))
-    window = make_window(Design(limb="synthetic-1", inputs=inputs), View(selected_input=1))
+    window = make_window(Design(limb="synthetic-1", inputs=inputs), View(selected_inputs=(2,)))
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
     window.inputs.setFocus()
@@ -145,7 +145,7 @@ def test_arrows_choose_among_buttons_that_exclude_each_other(at_work):
     while QApplication.focusWidget().objectName() != "overlaid":
         press(at_work, KEY.Key_Tab, SHIFT)
     press(at_work, KEY.Key_Right)
-    assert at_work.document.view.traces_layout == "stacked"
+    assert at_work.document.view.panels == (("traces", (("layout", "stacked"),)),)
     assert QApplication.focusWidget().objectName() == "stacked"
 
 

@@ -9,13 +9,26 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
 from skinsource.design import start_design
+from skinsource.panel_settings import settings_of, with_settings
 from skinsource.quantities import RULES, sources
 from skinsource.spectra import magnitude_spectrum
 from skinsource.view import View
 from skinsource_gui.panels.spectra.panel import SpectraPanel
+from skinsource_gui.panels.spectra.settings import SpectraSettings
+from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.widgets.plot.signal_view import SignalView
 
-LINEAR = View(method="pca", outputs=(29, 52), log_magnitude=False)
+LINEAR = with_settings(
+    View(method="pca", outputs=(29, 52)), "spectra", SpectraSettings(log_magnitude=False)
+)
+
+
+def settings(view):
+    return settings_of(view, "spectra", SpectraSettings)
+
+
+def seen(view, **changes):
+    return with_settings(view, "spectra", replace(settings(view), **changes))
 
 
 def results_for(view, *, n_times=650, amplitude=0.5, limb="synthetic-1"):
@@ -89,7 +102,7 @@ def test_the_level_switch_shows_db_of_the_same_results_at_once(show):
     plot, legend = plot_of(panel), panel.findChild(SignalView).legend
     plot.set_cursor(plot.curves.nearest(100.0))
     button = click(panel, "log-magnitude")
-    assert panel.views[-1].log_magnitude
+    assert settings(panel.views[-1]).log_magnitude
     assert button.isChecked()
     assert said_above(panel).unit == "dB re 1 m/s²"
     assert legend.text.readings == ("−6.0", "−26.0")
@@ -105,7 +118,7 @@ def test_frequency_goes_from_0_or_from_10_to_650_hz(show):
     window = plot_of(panel).window
     assert window.values(window.shown) == pytest.approx((0.0, 650.0))
     click(panel, "log-frequency")
-    assert panel.views[-1].log_frequency
+    assert settings(panel.views[-1]).log_frequency
     window = plot_of(panel).window
     assert window.values(window.shown) == pytest.approx((10.0, 650.0))
     labels = {text for _, text in plot_of(panel).stack.x_axis.ticks()}
@@ -120,7 +133,7 @@ def test_the_measured_band_is_told_from_what_lies_outside(show):
     assert above.left() == pytest.approx(area.left() + area.width() * 600 / 650)
     assert above.width() == pytest.approx(area.width() * 50 / 650)
     assert (below.top(), below.height()) == pytest.approx((area.top(), area.height()))
-    panel.show_state(start_design("synthetic-1"), replace(LINEAR, frequency_range_hz=(50.0, 300.0)))
+    panel.show_state(start_design("synthetic-1"), seen(LINEAR, frequency_range_hz=(50.0, 300.0)))
     assert axis.shaded() == []
 
 
@@ -140,25 +153,25 @@ def test_a_zoom_is_kept_in_the_view_and_survives_new_data(show):
     panel = show()
     plot = plot_of(panel)
     QTest.keyClick(plot, Qt.Key.Key_Plus)
-    zoom = panel.views[-1].frequency_range_hz
+    zoom = settings(panel.views[-1]).frequency_range_hz
     assert zoom == pytest.approx((325 - 650 / 3, 325 + 650 / 3))
     panel.show_results(results_for(panel.views[-1], n_times=901, amplitude=2.0))
     assert plot.window.shown == pytest.approx(zoom)
     QTest.keyClick(plot, Qt.Key.Key_0)
-    assert panel.views[-1].frequency_range_hz is None
+    assert settings(panel.views[-1]).frequency_range_hz is None
 
 
 def test_the_layout_is_that_of_the_spectra_alone(show):
     panel = show()
     click(panel, "stacked")
-    assert panel.views[-1].spectra_layout == "stacked"
-    assert panel.views[-1].traces_layout == "overlaid"
+    assert settings(panel.views[-1]).layout == "stacked"
+    assert settings_of(panel.views[-1], "traces", TracesSettings).layout == "overlaid"
     assert len(plot_of(panel).stack.rows) == 2
 
 
 def test_silence_is_drawn_without_a_warning(show):
     for level in (False, True):
-        panel = show(replace(LINEAR, log_magnitude=level), amplitude=0.0)
+        panel = show(seen(LINEAR, log_magnitude=level), amplitude=0.0)
         assert plot_of(panel).curves is not None
         panel.grab()
 

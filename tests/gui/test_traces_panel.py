@@ -9,9 +9,11 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
 from skinsource.design import start_design
+from skinsource.panel_settings import settings_of
 from skinsource.quantities import RULES, sources
 from skinsource.view import View
 from skinsource_gui.panels.traces.panel import TracesPanel
+from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.widgets.plot.signal_view import SignalView
 
 SIGNED = View(method="pca", outputs=(29, 52, 7))
@@ -144,12 +146,12 @@ def test_stacked_and_overlaid_are_chosen_by_mouse_and_by_arrow_keys(show, qtbot)
     panel.activateWindow()
     qtbot.waitUntil(panel.isActiveWindow)
     click(panel, "stacked")
-    assert panel.views[-1].traces_layout == "stacked"
+    assert settings_of(panel.views[-1], "traces", TracesSettings).layout == "stacked"
     assert len(plot_of(panel).stack.rows) == 3
     stacked = panel.findChild(QToolButton, "stacked")
     stacked.setFocus()
     QTest.keyClick(stacked, Qt.Key.Key_Left)
-    assert panel.views[-1].traces_layout == "overlaid"
+    assert settings_of(panel.views[-1], "traces", TracesSettings).layout == "overlaid"
     assert len(plot_of(panel).stack.rows) == 1
 
 

@@ -8,10 +8,13 @@ from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QComboBox, QWid
 
 from skinsource.catalogue import load_limb
 from skinsource.design import Design, Input
+from skinsource.edits import Edit
+from skinsource.panel_settings import with_settings
 from skinsource.projection import project_axes
 from skinsource.response import predict
 from skinsource.view import View
 from skinsource.waveforms import Tone
+from skinsource_gui.panels.skin.settings import SkinSettings
 
 
 @pytest.fixture
@@ -37,11 +40,12 @@ def test_dragging_a_frequency_reaches_the_screen_and_is_one_undo_step(window, se
     for frequency_hz in np.linspace(100, 200, 20):
         tone = Tone(frequency_hz=float(frequency_hz))
         design = window.document.design.with_input(0, waveform=tone)
-        window.inspector.design_edited.emit("Change frequency of input 7", design, 5)
+        edit = Edit(label="Change frequency", design=design, view=window.document.view)
+        window.inspector.edited.emit(edit, 5)
     settle()
     assert delivered[-1].request.given["inputs"][0].waveform.frequency_hz == 200.0
     assert window.document.undo_stack.count() == 1
-    assert window.actions_by_name["undo"].text() == "Undo change frequency of input 7"
+    assert window.actions_by_name["undo"].text() == "Undo change frequency"
     window.commands.undo()
     assert window.document.design == before
 
@@ -58,7 +62,8 @@ def test_hidden_panels_ask_for_nothing(window, settle, delivered):
 
 
 def test_a_sensors_only_map_does_not_interpolate(window, settle, delivered):
-    window.document.look(replace(window.document.view, map_style="sensors"))
+    settings = SkinSettings(map_style="sensors")
+    window.document.look(with_settings(window.document.view, "skin", settings))
     settle()
     window.document.edit("a", window.document.design.with_input(0, amplitude=3.0))
     settle()

@@ -61,7 +61,8 @@ def prepare(scene: Scene, method: Method) -> Prepared:
     graph, limb = new_graph(), made_up_limb()
     whole = method.setting.what == "all"
     outputs = tuple(range(1, N_OUTPUTS + 1)) if whole else VISIBLE_OUTPUTS
-    view = View(outputs=outputs, axes="xyz", selected_input=scene.changed)
+    chosen = () if scene.changed is None else (scene.changed + 1,)
+    view = View(outputs=outputs, axes="xyz", selected_inputs=chosen)
     drives = [made_up_drive(player.seed, player.n_times) for player in scene.players]
 
     def run(edition: int) -> Iterator[Block]:

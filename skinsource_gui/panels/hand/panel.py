@@ -7,8 +7,8 @@ from typing import ClassVar
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QMenu, QVBoxLayout, QWidget
 
-from skinsource.design import MAX_INPUTS, Design, Input, audible_inputs
-from skinsource.locations import input_place
+from skinsource import edits
+from skinsource.design import Design, Input, audible_inputs
 from skinsource.synthetic import standard_hand
 from skinsource.view import View
 from skinsource_gui.panel import Panel
@@ -65,43 +65,34 @@ class HandPanel(Panel):
         self.diagram.show_inputs(marks, self._selected())
 
     def _selected(self) -> int | None:
-        """The selected input, unless the design has lost it."""
-        index = self._view.selected_input
-        present = self._design is not None and index is not None
-        return index if present and index < len(self._design.inputs) else None
+        """Index of the selected input, unless the design has lost it."""
+        if self._design is None or self._view.selected_input not in self._design.ids:
+            return None
+        return self._design.index_of(self._view.selected_input)
 
     def _select(self, index: int | None) -> None:
-        if index != self._view.selected_input:
-            self.view_changed.emit(replace(self._view, selected_input=index))
+        chosen = () if index is None else (self._id(index),)
+        if chosen != self._view.selected_inputs:
+            self.view_changed.emit(replace(self._view, selected_inputs=chosen))
+
+    def _id(self, index: int) -> int:
+        return self._design.inputs[index].id
 
     def _add(self, site: int) -> None:
-        design, selected = self._design, self._selected()
-        if design is None:
-            return
-        if len(design.inputs) >= MAX_INPUTS:
-            self.diagram.show_note(f"No more than {MAX_INPUTS} inputs; remove one first")
-            return
-        new = Input(location=site)
-        if selected is not None:
-            model = design.inputs[selected]
-            new = replace(new, waveform=model.waveform, amplitude=model.amplitude)
-        self.design_edited.emit(f"Place input at {_site_words(site)}", design.adding(new), None)
-        self._select(len(design.inputs))
+        if self._design is not None:
+            self._tell(edits.place_input(self._design, self._view, site))
 
     def _move(self, index: int, site: int, gesture: int) -> None:
         if self._design is not None:
-            label = f"Move input to {_site_words(site)}"
-            self.design_edited.emit(label, self._design.with_input(index, location=site), gesture)
+            moved = edits.move_inputs(self._design, self._view, (self._id(index),), site)
+            self.edited.emit(moved, gesture)
 
     def _remove(self, index: int) -> None:
-        design = self._design
-        if design is None:
-            return
-        left = len(design.inputs) - 1
-        # Selected first: this index is good before and after, the old one perhaps only before.
-        self._select(min(index, left - 1) if left else None)
-        label = f"Remove input at {_site_words(design.inputs[index].location)}"
-        self.design_edited.emit(label, design.without_input(index), None)
+        if self._design is not None:
+            self._tell(edits.remove_inputs(self._design, self._view, (self._id(index),)))
+
+    def _tell(self, outcome: edits.Edit | edits.Refusal) -> None:
+        self.edited.emit(outcome, None)
 
     def _open_menu(self, site: int, at: QPoint) -> None:
         index = self.diagram.state.front_at(site)
@@ -130,19 +121,13 @@ class HandPanel(Panel):
 
     def _mute(self, index: int, muted: bool) -> None:
         if self._design is not None:
-            verb = "Mute" if muted else "Unmute"
-            label = f"{verb} input at {_site_words(self._design.inputs[index].location)}"
-            self.design_edited.emit(label, self._design.with_input(index, muted=muted), None)
+            ids = (self._id(index),)
+            self._tell(edits.mute_inputs(self._design, self._view, ids, muted))
 
     def _set_solo(self, index: int, solo: bool) -> None:
         if self._design is not None:
-            verb = "Solo" if solo else "Unsolo"
-            label = f"{verb} input at {_site_words(self._design.inputs[index].location)}"
-            self.design_edited.emit(label, self._design.with_input(index, solo=solo), None)
-
-
-def _site_words(site: int) -> str:
-    return f"{site} ({input_place(site).short_name})"
+            ids = (self._id(index),)
+            self._tell(edits.solo_inputs(self._design, self._view, ids, solo))
 
 
 def _words(one: Input) -> str:

@@ -7,7 +7,8 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QStackedLayout, QVBoxLayout, QWidget
 
-from skinsource.design import MAX_INPUTS, Design, amplitude_unit, audible_inputs
+from skinsource import edits
+from skinsource.design import Design, amplitude_unit, audible_inputs
 from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.inputs.input_list import InputList
@@ -71,7 +72,7 @@ class InputsPanel(Panel):
                     index=index,
                     shown=one,
                     silent=id(one) not in audible,
-                    selected=index == view.selected_input,
+                    selected=one.id == view.selected_input,
                     list_focused=False,
                     unit=unit,
                 )
@@ -105,46 +106,32 @@ class InputsPanel(Panel):
         self._foot.setStyleSheet(f"color: {theme.error};")
 
     def _select(self, index: int) -> None:
-        if index != self._view.selected_input:
-            self.view_changed.emit(replace(self._view, selected_input=index))
+        chosen = (self._id(index),)
+        if chosen != self._view.selected_inputs:
+            self.view_changed.emit(replace(self._view, selected_inputs=chosen))
 
     def _change_amplitude(self, index: int, value: float, gesture: int | None) -> None:
-        self._edit(index, "Change amplitude of", gesture, amplitude=value)
+        ids = (self._id(index),)
+        changed = edits.change_field(self._design, self._view, ids, "amplitude", value)
+        self.edited.emit(changed, gesture)
 
     def _toggle_mute(self, index: int) -> None:
-        muted = self._design.inputs[index].muted
-        self._edit(index, "Unmute" if muted else "Mute", None, muted=not muted)
+        self._tell(edits.toggle_mute(self._design, self._view, (self._id(index),)))
 
     def _toggle_solo(self, index: int) -> None:
-        solo = self._design.inputs[index].solo
-        self._edit(index, "End solo of" if solo else "Solo", None, solo=not solo)
-
-    def _edit(self, index: int, verb: str, gesture: int | None, **changes: Any) -> None:
-        location = self._design.inputs[index].location
-        design = self._design.with_input(index, **changes)
-        self.design_edited.emit(f"{verb} input {location}", design, gesture)
+        self._tell(edits.toggle_solo(self._design, self._view, (self._id(index),)))
 
     def _remove(self, index: int) -> None:
-        removed = self._design.inputs[index]
-        selected = self._view.selected_input
-        design = self._design.without_input(index)
-        if selected is not None and (selected > index or selected >= len(design.inputs)):
-            selected = selected - 1 if selected > 0 else None
-        self.design_edited.emit(f"Remove input {removed.location}", design, None)
-        self._select_after_edit(selected)
+        self._tell(edits.remove_inputs(self._design, self._view, (self._id(index),)))
 
     def _duplicate(self, index: int) -> None:
-        if len(self._design.inputs) >= MAX_INPUTS:
-            self._show_foot(f"A design holds at most {MAX_INPUTS} inputs; remove one first.")
-            return
-        original = self._design.inputs[index]
-        design = self._design.adding(original)
-        self.design_edited.emit(f"Duplicate input {original.location}", design, None)
-        self._select_after_edit(len(design.inputs) - 1)
+        self._tell(edits.duplicate_inputs(self._design, self._view, (self._id(index),)))
 
-    def _select_after_edit(self, selected: int | None) -> None:
-        if selected != self._view.selected_input:
-            self.view_changed.emit(replace(self._view, selected_input=selected))
+    def _id(self, index: int) -> int:
+        return self._design.inputs[index].id
+
+    def _tell(self, outcome: edits.Edit | edits.Refusal) -> None:
+        self.edited.emit(outcome, None)
 
     def _show_foot(self, words: str) -> None:
         self._foot.setText(words)

@@ -14,8 +14,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from skinsource import edits
 from skinsource.design import AMPLITUDE, ONSET, Design, Input, amplitude_unit, audible_inputs
-from skinsource.errors import InvalidInputError
+from skinsource.edits.kinds import KIND_SPEC, kind_name
 from skinsource.fields import ChoiceSpec, specs_of
 from skinsource.locations import INPUTS
 from skinsource.view import View
@@ -23,7 +24,6 @@ from skinsource.waveforms import Waveform
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.inspector.field_grid import FieldGrid
 from skinsource_gui.panels.inspector.input_heading import InputHeading
-from skinsource_gui.panels.inspector.waveform_kinds import KIND_SPEC, as_kind, kind_name
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.fields.field_cell import FieldCell, LabelledCell, WordsCell
 from skinsource_gui.widgets.inputs.input_words import fixed_length_text
@@ -48,7 +48,7 @@ class InspectorPanel(Panel):
         self._design: Design | None = None
         self._view = View()
         self._theme = LIGHT
-        self._shown: tuple[int, int] | None = None
+        self._shown: int | None = None
         self._own_cells: tuple[LabelledCell, ...] = ()
         self._built_for: type[Waveform] | None = None
         self._kind = FieldCell("kind", KIND_SPEC)
@@ -78,10 +78,9 @@ class InspectorPanel(Panel):
     @property
     def selected(self) -> Input | None:
         """The selected input."""
-        index = self._view.selected_input
-        if self._design is None or index is None or not 0 <= index < len(self._design.inputs):
+        if self._design is None or self._view.selected_input not in self._design.ids:
             return None
-        return self._design.inputs[index]
+        return self._design.input(self._view.selected_input)
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
@@ -96,11 +95,11 @@ class InspectorPanel(Panel):
             )
             self._stack.setCurrentWidget(self._empty)
             return
-        if self._shown != (view.selected_input, one.colour):
+        if self._shown != one.id:
             # What was being typed was meant for another input.
             self._forget_typing()
             self._preview.show_words("")
-            self._shown = (view.selected_input, one.colour)
+            self._shown = one.id
         self._show_input(
             one, silent=all(one is not heard for heard in audible_inputs(design.inputs))
         )
@@ -108,9 +107,10 @@ class InspectorPanel(Panel):
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self.show_stale(False)
-        waveforms, index = results["input_waveforms"], self._view.selected_input
+        waveforms = results["input_waveforms"]
         # Results of an older design may have another number of inputs; the next ones come soon.
         if self.selected is not None and len(waveforms) == len(self._design.inputs):
+            index = self._design.index_of(self.selected.id)
             self._preview.show_samples(waveforms[index], results["sample_rate_hz"])
 
     def show_stale(self, stale: bool) -> None:
@@ -208,42 +208,35 @@ class InspectorPanel(Panel):
             cell.forget_typing()
 
     def _change_kind(self, _: str, kind: str, gesture: int | None) -> None:
-        waveform = as_kind(self.selected.waveform, kind)
-        self._edit("Change waveform of", gesture, waveform=waveform)
+        self._tell(edits.change_kind(self._design, self._view, self._ids(), kind), gesture)
 
     def _change_place(self, _: str, number: str, gesture: int | None) -> None:
-        location = self.selected.location
-        if int(number) != location:
-            design = self._design.with_input(self._view.selected_input, location=int(number))
-            self.design_edited.emit(f"Move input {location} to {number}", design, gesture)
+        moved = edits.move_inputs(self._design, self._view, self._ids(), int(number))
+        self._tell(moved, gesture)
 
-    def _change_number(self, name: str, value: float, gesture: int | None) -> None:
-        spec = specs_of(Input)[name]
-        self._edit(f"Change {spec.label.lower()} of", gesture, **{name: value})
+    def _change_number(self, name: str, value: float | str, gesture: int | None) -> None:
+        changed = edits.change_field(self._design, self._view, self._ids(), name, value)
+        self._tell(changed, gesture)
 
     def _change_own_field(self, name: str, value: float | str, gesture: int | None) -> None:
-        waveform = self.selected.waveform
-        spec = specs_of(waveform)[name]
-        try:
-            changed = replace(waveform, **{name: value})
-        except InvalidInputError as error:
+        changed = edits.change_field(self._design, self._view, self._ids(), name, value)
+        if self.selected is not None and isinstance(changed, edits.Refusal):
             # Each number is allowed alone, but not together with the others.
             cell = next(cell for cell in self._field_cells() if cell.name == name)
-            cell.set_value(getattr(waveform, name))
-            cell.show_reason(str(error))
+            cell.set_value(getattr(self.selected.waveform, name))
+            cell.show_reason(changed.sentence)
             return
-        self._edit(f"Change {spec.label.lower()} of", gesture, waveform=changed)
+        self._tell(changed, gesture)
 
     def _toggle_mute(self) -> None:
-        muted = self.selected.muted
-        self._edit("Unmute" if muted else "Mute", None, muted=not muted)
+        self._tell(edits.toggle_mute(self._design, self._view, self._ids()), None)
 
     def _toggle_solo(self) -> None:
-        solo = self.selected.solo
-        self._edit("End solo of" if solo else "Solo", None, solo=not solo)
+        self._tell(edits.toggle_solo(self._design, self._view, self._ids()), None)
 
-    def _edit(self, verb: str, gesture: int | None, **changes: Any) -> None:
-        location = self.selected.location
-        design = self._design.with_input(self._view.selected_input, **changes)
-        if design != self._design:
-            self.design_edited.emit(f"{verb} input {location}", design, gesture)
+    def _ids(self) -> tuple[int, ...]:
+        return () if self.selected is None else (self.selected.id,)
+
+    def _tell(self, outcome: edits.Edit | edits.Refusal, gesture: int | None) -> None:
+        if isinstance(outcome, edits.Refusal) or outcome.design != self._design:
+            self.edited.emit(outcome, gesture)

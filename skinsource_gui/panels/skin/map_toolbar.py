@@ -3,8 +3,8 @@
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QToolButton, QWidget
 
-from skinsource.view import View
 from skinsource_gui.panels.skin.map_icons import fit_icon, hand_icon, sensors_icon
+from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.skin_map import HAND
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.pan_zoom import WHOLE
@@ -57,13 +57,13 @@ class MapToolbar(QWidget):
         self.all.clicked.connect(self._choose_all)
         self.hand.clicked.connect(self._choose_hand)
 
-    def show_view(self, view: View) -> None:
+    def show_settings(self, settings: SkinSettings) -> None:
         """Show the present choice."""
-        interpolated = view.map_style == "interpolated"
+        interpolated = settings.map_style == "interpolated"
         self.interpolated.setChecked(interpolated)
         self.sensors_only.setChecked(not interpolated)
         self.sensors.setEnabled(interpolated)
-        self.sensors.setChecked(view.sensors_shown or not interpolated)
+        self.sensors.setChecked(settings.sensors_shown or not interpolated)
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QGridLayout, QMenu, QWidget
 from skinsource.decibels import FLOOR_DB
 from skinsource.design import Design
 from skinsource.limb import Limb
+from skinsource.panel_settings import settings_of, with_settings
 from skinsource.surface import SurfaceOperator
 from skinsource.view import View
 from skinsource.words import LIMBS, signal_words, word_of
@@ -23,6 +24,7 @@ from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_picture import map_picture
 from skinsource_gui.panels.skin.map_toolbar import MapToolbar
 from skinsource_gui.panels.skin.readout_lines import ReadoutLines
+from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.skin_map import HAND, SkinMap
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.lateness import Lateness
@@ -46,7 +48,7 @@ class SkinPanel(Panel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._design: Design | None = None
-        self._view = View()
+        self._view, self._settings = View(), SkinSettings()
         self._theme = LIGHT
         self._content = MapContent()
         self._shown_limb = ""
@@ -73,14 +75,14 @@ class SkinPanel(Panel):
         self.setMinimumSize(300, 330)
         self.setFocusProxy(self.map)
         self._connect()
-        self.toolbar.show_view(self._view)
+        self.toolbar.show_settings(self._settings)
         self.show_theme(LIGHT)
         self._show_readout(self.map.readout())
 
     @property
     def needs(self) -> frozenset[str]:
         always = frozenset({"limb_map", "output_levels_db"})
-        if self._view.map_style == "sensors":
+        if self._settings.map_style == "sensors":
             return always
         return always | {"limb_data", "surface", "surface_levels_db"}
 
@@ -89,11 +91,12 @@ class SkinPanel(Panel):
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
-        self.toolbar.show_view(view)
-        self.colour_bar.choose(view.map_range_db)
+        self._settings = settings_of(view, self.name, SkinSettings)
+        self.toolbar.show_settings(self._settings)
+        self.colour_bar.choose(self._settings.map_range_db)
         if self._content.levels_db is not None:
             self.colour_bar.follow(self._content.levels_db)
-        if view.map_style == "sensors":
+        if self._settings.map_style == "sensors":
             # Kept, it would belong to an older design when it is shown again.
             self._change(field_levels_db=None)
         self._show_choice()
@@ -102,7 +105,7 @@ class SkinPanel(Panel):
         self._lateness.set_stale(False)
         self._shown_limb = "" if self._design is None else self._design.limb
         levels = results["output_levels_db"]
-        interpolated = self._view.map_style == "interpolated" and "surface_levels_db" in results
+        interpolated = self._settings.map_style == "interpolated" and "surface_levels_db" in results
         surface = results["surface"] if interpolated else None
         if surface is not None and surface is not self._surface:
             self._surface = surface
@@ -154,7 +157,7 @@ class SkinPanel(Panel):
         limbs = (self._shown_limb, "" if self._design is None else self._design.limb)
         self._change(
             outputs=self._view.outputs,
-            sensors_shown=self._view.sensors_shown,
+            sensors_shown=self._settings.sensors_shown,
             range_db=self.colour_bar.range_db,
             synthetic=any(limb.startswith("synthetic") for limb in limbs),
         )
@@ -188,13 +191,17 @@ class SkinPanel(Panel):
         self.view_changed.emit(replace(self._view, outputs=outputs))
 
     def _choose_range(self, range_db: tuple[float, float] | None) -> None:
-        self.view_changed.emit(replace(self._view, map_range_db=range_db))
+        self._change_settings(map_range_db=range_db)
 
     def _choose_style(self, style: str) -> None:
-        self.view_changed.emit(replace(self._view, map_style=style))
+        self._change_settings(map_style=style)
 
     def _switch_sensors(self, shown: bool) -> None:
-        self.view_changed.emit(replace(self._view, sensors_shown=shown))
+        self._change_settings(sensors_shown=shown)
+
+    def _change_settings(self, **changes: Any) -> None:
+        settings = replace(self._settings, **changes)
+        self.view_changed.emit(with_settings(self._view, self.name, settings))
 
     def _open_menu(self, at: QPoint) -> None:
         menu = QMenu(self)

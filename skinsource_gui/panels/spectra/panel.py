@@ -9,8 +9,10 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from skinsource.decibels import decibels
 from skinsource.design import Design
 from skinsource.limb import SAMPLE_RATE_HZ
+from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.panel import Panel
+from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
@@ -51,7 +53,7 @@ class SpectraPanel(Panel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setMinimumSize(240, 140)
-        self._view = View()
+        self._view, self._settings = View(), SpectraSettings()
         self._results: Mapping[str, Any] | None = None
         self._toolbar = PlotToolbar(self)
         self._log_frequency = self._toolbar.add_switch(
@@ -84,16 +86,17 @@ class SpectraPanel(Panel):
         return frozenset({"selected_spectra", "outputs", "axes", "method", "limb"})
 
     def show_state(self, design: Design, view: View) -> None:
-        level_changed = view.log_magnitude != self._view.log_magnitude
-        self._view = view
-        self._log_frequency.setChecked(view.log_frequency)
-        self._log_magnitude.setChecked(view.log_magnitude)
+        settings = settings_of(view, self.name, SpectraSettings)
+        level_changed = settings.log_magnitude != self._settings.log_magnitude
+        self._view, self._settings = view, settings
+        self._log_frequency.setChecked(settings.log_frequency)
+        self._log_magnitude.setChecked(settings.log_magnitude)
         self._toolbar.show_state(
-            layout=view.spectra_layout, zoomed=view.frequency_range_hz is not None
+            layout=settings.layout, zoomed=settings.frequency_range_hz is not None
         )
-        axis = _LOG_AXIS if view.log_frequency else _LINEAR_AXIS
-        stacked = view.spectra_layout == "stacked"
-        self._plot.set_view(axis, view.frequency_range_hz, stacked=stacked)
+        axis = _LOG_AXIS if settings.log_frequency else _LINEAR_AXIS
+        stacked = settings.layout == "stacked"
+        self._plot.set_view(axis, settings.frequency_range_hz, stacked=stacked)
         if not view.outputs:
             self._say(_NO_OUTPUTS)
         elif level_changed and self._results is not None:
@@ -121,7 +124,7 @@ class SpectraPanel(Panel):
 
     def _draw(self, results: Mapping[str, Any]) -> None:
         frequency_hz, magnitude = results["selected_spectra"]
-        level = self._view.log_magnitude
+        level = self._settings.log_magnitude
         rectified = results["method"] == "mag" and len(results["axes"]) > 1
         self._plot.show_curves(
             Curves(
@@ -135,7 +138,7 @@ class SpectraPanel(Panel):
         )
 
     def _choose_layout(self, layout: str) -> None:
-        self._change(spectra_layout=layout)
+        self._change(layout=layout)
 
     def _choose_log_frequency(self, log: bool) -> None:
         self._change(log_frequency=log)
@@ -150,6 +153,6 @@ class SpectraPanel(Panel):
         self._change(frequency_range_hz=None)
 
     def _change(self, **changes: Any) -> None:
-        changed = replace(self._view, **changes)
-        if changed != self._view:
-            self.view_changed.emit(changed)
+        settings = replace(self._settings, **changes)
+        if settings != self._settings:
+            self.view_changed.emit(with_settings(self._view, self.name, settings))

@@ -7,9 +7,11 @@ from typing import Any
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from skinsource.design import Design
+from skinsource.panel_settings import settings_of, with_settings
 from skinsource.quantities import PRE_TRIGGER_DELAY_S
 from skinsource.view import View
 from skinsource_gui.panel import Panel
+from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
@@ -48,7 +50,7 @@ class TracesPanel(Panel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setMinimumSize(240, 140)
-        self._view = View()
+        self._view, self._settings = View(), TracesSettings()
         self._toolbar = PlotToolbar(self)
         self._delay = self._toolbar.add_switch(
             "remove-delay",
@@ -79,9 +81,9 @@ class TracesPanel(Panel):
         return frozenset(drawn)
 
     def show_state(self, design: Design, view: View) -> None:
-        self._view = view
+        self._view, self._settings = view, settings_of(view, self.name, TracesSettings)
         self._delay.setChecked(view.delay_removed)
-        self._toolbar.show_state(layout=view.traces_layout, zoomed=view.time_range_s is not None)
+        self._toolbar.show_state(layout=self._settings.layout, zoomed=view.time_range_s is not None)
         if not view.outputs:
             self._plot.show_message(_NO_OUTPUTS)
         if self._drawn_removed == view.delay_removed:
@@ -116,10 +118,12 @@ class TracesPanel(Panel):
     def _apply_view(self) -> None:
         view = self._view
         axis = _DELAY_REMOVED_AXIS if self._drawn_removed else _DELAYED_AXIS
-        self._plot.set_view(axis, view.time_range_s, stacked=view.traces_layout == "stacked")
+        self._plot.set_view(axis, view.time_range_s, stacked=self._settings.layout == "stacked")
 
     def _choose_layout(self, layout: str) -> None:
-        self._change(traces_layout=layout)
+        settings = replace(self._settings, layout=layout)
+        if settings != self._settings:
+            self.view_changed.emit(with_settings(self._view, self.name, settings))
 
     def remove_delay(self, removed: bool) -> None:
         """Ask for time axes with or without the pre-trigger delay."""

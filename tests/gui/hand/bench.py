@@ -6,6 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource.design import Design, Input
+from skinsource.edits import Edit, Refusal
 from skinsource.locations import input_place
 from skinsource.view import View
 from skinsource_gui.panels.hand.panel import HandPanel
@@ -26,24 +27,28 @@ class Studio:
         self.panel = panel
         self.diagram = panel.diagram
         self.design = Design(limb="synthetic-1")
-        self.view = View(selected_input=None)
+        self.view = View(selected_inputs=())
         self.edits: list[tuple[str, Design, int | None]] = []
+        self.refusals: list[str] = []
         self.order: list[str] = []
-        panel.design_edited.connect(self._edit)
+        panel.edited.connect(self._edit)
         panel.view_changed.connect(self._look)
 
     def show(self, *inputs: Input, selected: int | None = None) -> None:
         self.design = Design(limb="synthetic-1")
         for one in inputs:
             self.design = self.design.adding(one)
-        self.view = View(selected_input=selected)
+        self.view = View(selected_inputs=() if selected is None else (selected + 1,))
         self.panel.show_state(self.design, self.view)
 
-    def _edit(self, label: str, design: Design, gesture: int | None) -> None:
-        self.edits.append((label, design, gesture))
+    def _edit(self, outcome: Edit | Refusal, gesture: int | None) -> None:
+        if isinstance(outcome, Refusal):
+            self.refusals.append(outcome.sentence)
+            return
+        self.edits.append((outcome.label, outcome.design, gesture))
         self.order.append("design")
-        self.design = design
-        self.panel.show_state(design, self.view)
+        self.design, self.view = outcome.design, outcome.view
+        self.panel.show_state(self.design, self.view)
 
     def _look(self, view: View) -> None:
         self.order.append("view")

@@ -18,7 +18,7 @@ def test_a_drag_moves_the_input_live_in_one_gesture(studio):
     assert studio.sites == [7, 13]
     studio.release(studio.diagram.site_centre(13))
     assert studio.diagram.state.moving is None
-    assert studio.view.selected_input == 1
+    assert studio.view.selected_input == 2
     assert [label for label, _, _ in studio.edits] == [
         f"Move input to 16 ({short(16)})",
         f"Move input to 13 ({short(13)})",

@@ -22,7 +22,7 @@ def test_tab_reaches_the_diagram_and_shows_the_cursor_on_the_selected_input(qtbo
     layout.addWidget(field)
     layout.addWidget(panel)
     panel.show_state(
-        Design(limb="synthetic-1", inputs=(Input(location=13),)), View(selected_input=0)
+        Design(limb="synthetic-1", inputs=(Input(location=13),)), View(selected_inputs=(1,))
     )
     with qtbot.waitActive(window):
         window.show()
@@ -89,9 +89,9 @@ def test_enter_and_space_place_and_then_select(studio, key):
     studio.show(Input(location=7), selected=0)
     studio.keys(KEY.Key_1, KEY.Key_2, key)
     assert studio.sites == [7, 12]
-    assert studio.view.selected_input == 1
+    assert studio.view.selected_input == 2
     studio.keys(KEY.Key_7, key)
-    assert studio.view.selected_input == 0
+    assert studio.view.selected_input == 1
     assert studio.sites == [7, 12]
 
 

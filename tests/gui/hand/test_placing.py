@@ -17,8 +17,8 @@ from tests.gui.hand.bench import CONTROL, LEFT, NONE, SHIFT
 def test_a_click_on_an_empty_site_places_an_input_there_and_selects_it(studio, site):
     studio.click(site)
     assert studio.sites == [site]
-    assert studio.view.selected_input == 0
-    assert studio.order == ["design", "view"]
+    assert studio.view.selected_input == 1
+    assert studio.order == ["design"]
     assert studio.edits[0][0].startswith(f"Place input at {site} (")
 
 
@@ -44,7 +44,7 @@ def test_a_new_input_copies_waveform_and_amplitude_of_the_selected_one(studio):
     studio.show(first, second, selected=1)
     studio.click(18)
     new = studio.design.inputs[2]
-    assert (new.waveform, new.amplitude) == (second.waveform, 0.25)
+    assert (new.waveform, new.amplitude) == (Noise(seed=1), 0.25)
     assert (new.onset_s, new.muted, new.colour) == (0.0, False, 2)
 
 
@@ -58,7 +58,7 @@ def test_a_new_input_is_plain_where_none_is_selected(studio):
 def test_a_click_on_an_input_selects_it_and_edits_nothing(studio):
     studio.show(Input(location=7), Input(location=3), selected=0)
     studio.click(3)
-    assert studio.view.selected_input == 1
+    assert studio.view.selected_input == 2
     assert studio.edits == []
 
 
@@ -68,7 +68,7 @@ def test_repeated_clicks_cycle_through_the_inputs_of_a_site(studio):
     for _ in range(5):
         studio.click(3)
         seen.append(studio.view.selected_input)
-    assert seen == [3, 1, 2, 3, 1]
+    assert seen == [4, 2, 3, 4, 2]
     assert studio.edits == []
 
 
@@ -77,11 +77,11 @@ def test_a_click_with_shift_or_control_adds_a_further_input(studio, modifier):
     studio.show(Input(location=3), selected=0)
     studio.click(3, modifier)
     assert studio.sites == [3, 3]
-    assert studio.view.selected_input == 1
+    assert studio.view.selected_input == 2
 
 
 def test_a_full_design_says_so_and_takes_no_more(studio):
     studio.show(*[Input(location=3)] * MAX_INPUTS)
     studio.click(7)
     assert studio.edits == []
-    assert str(MAX_INPUTS) in studio.diagram.state.note
+    assert str(MAX_INPUTS) in studio.refusals[-1]

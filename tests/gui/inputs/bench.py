@@ -5,6 +5,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from skinsource.design import Design, Input
+from skinsource.edits import Refusal
 from skinsource.view import View
 from skinsource_gui.panels.inputs.input_list import InputRows
 from skinsource_gui.panels.inputs.panel import InputsPanel
@@ -18,10 +19,14 @@ class Bench:
     def __init__(self, qtbot, design, selected=0):
         self.panel = InputsPanel()
         qtbot.addWidget(self.panel)
-        self.design, self.view = design, View(selected_input=selected)
+        self.design, self.view = (
+            design,
+            View(selected_inputs=() if selected < 0 else (selected + 1,)),
+        )
         self.edits = []
+        self.refusals = []
         self.told = []
-        self.panel.design_edited.connect(self._edit)
+        self.panel.edited.connect(self._edit)
         self.panel.view_changed.connect(self._look)
         self.panel.resize(460, 300)
         self.panel.show_state(self.design, self.view)
@@ -53,10 +58,14 @@ class Bench:
     def key(self, key, modifiers=Qt.KeyboardModifier.NoModifier):
         QTest.keyClick(QApplication.focusWidget(), key, modifiers)
 
-    def _edit(self, label, design, gesture):
-        self.edits.append((label, design, gesture))
-        self.told.append("design")
-        self.show(design)
+    def _edit(self, outcome, gesture):
+        if isinstance(outcome, Refusal):
+            self.refusals.append(outcome.sentence)
+            return
+        self.edits.append((outcome.label, outcome.design, gesture))
+        self.told.append("edit")
+        self.view = outcome.view
+        self.show(outcome.design)
 
     def _look(self, view):
         self.told.append("view")

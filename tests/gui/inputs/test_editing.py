@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtWidgets import QApplication
 
 from skinsource.design import MAX_INPUTS
 from skinsource.waveforms import Noise, Tap
@@ -16,23 +16,23 @@ def test_delete_removes_the_selected_input_and_selects_the_next(bench, key):
     bench.key(Qt.Key.Key_Down)
     bench.key(key)
     assert bench.places == [7, 15]
-    assert bench.view.selected_input == 1
-    assert bench.labels == ["Remove input 2"]
+    assert bench.view.selected_input == 3
+    assert bench.labels == ["Remove input at 2 (II tip)"]
 
 
 def test_removing_the_last_row_selects_the_one_before(bench):
     bench.key(Qt.Key.Key_End)
     bench.told.clear()
     bench.key(Qt.Key.Key_Delete)
-    assert bench.told == ["design", "view"]
-    assert bench.view.selected_input == 1
+    assert bench.told == ["edit"]
+    assert bench.view.selected_input == 2
 
 
 def test_removing_a_row_above_keeps_the_same_input_selected(bench):
     bench.key(Qt.Key.Key_End)
     click(bench.row(0).remove)
     assert bench.places == [2, 15]
-    assert bench.view.selected_input == 1
+    assert bench.view.selected_input == 3
 
 
 def test_removing_the_only_input_selects_nothing(qtbot):
@@ -46,19 +46,17 @@ def test_ctrl_d_duplicates_the_selected_input_in_a_colour_of_its_own(bench):
     bench.show(bench.design.with_input(0, amplitude=3.0, waveform=Noise(seed=4)))
     bench.key(Qt.Key.Key_D, Qt.KeyboardModifier.ControlModifier)
     copy, original = bench.design.inputs[3], bench.design.inputs[0]
-    assert replace(copy, colour=0) == original
-    assert copy.colour == 3
-    assert bench.view.selected_input == 3
-    assert bench.labels == ["Duplicate input 7"]
+    assert replace(copy, colour=0, id=1) == original
+    assert (copy.colour, copy.id) == (3, 4)
+    assert bench.view.selected_input == 4
+    assert bench.labels == ["Duplicate input at 7 (II pad)"]
 
 
 def test_one_input_too_many_is_refused_with_words(qtbot):
     bench = Bench(qtbot, design_of(*[1] * MAX_INPUTS))
     bench.key(Qt.Key.Key_D, Qt.KeyboardModifier.ControlModifier)
     assert bench.edits == []
-    words = bench.panel.findChild(QLabel, "inputs_problem")
-    assert words.isVisible()
-    assert str(MAX_INPUTS) in words.text()
+    assert str(MAX_INPUTS) in bench.refusals[-1]
 
 
 def test_typing_an_amplitude_edits_the_input_of_its_row_and_selects_it(bench):
@@ -66,9 +64,9 @@ def test_typing_an_amplitude_edits_the_input_of_its_row_and_selects_it(bench):
     QTest.keyClicks(bench.row(1).amplitude, "2.5")
     bench.key(Qt.Key.Key_Return)
     assert bench.design.inputs[1].amplitude == 2.5
-    assert bench.view.selected_input == 1
+    assert bench.view.selected_input == 2
     assert [(label, gesture) for label, _, gesture in bench.edits] == [
-        ("Change amplitude of input 2", None)
+        ("Change amplitude of input at 2 (II tip)", None)
     ]
 
 

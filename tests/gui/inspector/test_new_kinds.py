@@ -39,7 +39,7 @@ def test_a_new_kind_of_waveform_is_edited_without_a_change_of_the_panel(qtbot):
     bench.type("high_hz", "120")
     bench.choose("law", "Bow")
     assert bench.one.waveform == Sweep(high_hz=120.0, law="b")
-    assert bench.labels == ["Change end of input 7", "Change law of input 7"]
+    assert bench.labels == [f"Change {one} of input at 7 (II pad)" for one in ("end", "law")]
 
 
 def test_numbers_that_do_not_go_together_are_refused_with_the_reason(qtbot):

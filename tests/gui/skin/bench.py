@@ -1,6 +1,6 @@
 """What the tests of this folder share."""
 
-from dataclasses import replace
+from dataclasses import fields, replace
 
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QColor, QWheelEvent
@@ -8,7 +8,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from skinsource.design import start_design
+from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
+from skinsource_gui.panels.skin.settings import SkinSettings
 
 LEFT, MIDDLE = Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton
 
@@ -36,8 +38,16 @@ class Window:
         self.view = view
         self.panel.show_state(self.design, view)
 
+    @property
+    def settings(self):
+        return settings_of(self.view, "skin", SkinSettings)
+
     def show(self, **changes):
+        known = {field.name for field in fields(SkinSettings)}
+        own = {name: changes.pop(name) for name in known & changes.keys()}
         self.view = replace(self.view, **changes)
+        if own:
+            self.view = with_settings(self.view, "skin", replace(self.settings, **own))
         self.panel.show_state(self.design, self.view)
 
     def deliver(self, **changes):

@@ -38,7 +38,7 @@ def test_the_automatic_range_depends_on_the_present_levels_only(window):
 def test_a_handle_is_dragged(window):
     bar = window.panel.colour_bar
     drag(bar.strip.high, QPoint(10, 6), QPoint(10, 46))
-    low, high = window.view.map_range_db
+    low, high = window.settings.map_range_db
     assert low == -60.0
     assert -20.0 < high < -10.0
     assert bar.range_db == (low, high)
@@ -48,14 +48,14 @@ def test_a_handle_is_dragged(window):
 def test_a_handle_pulled_past_the_other_stops_before_it(window):
     bar = window.panel.colour_bar
     drag(bar.strip.low, QPoint(10, 6), QPoint(10, -900))
-    assert window.view.map_range_db == (-11.0, -10.0)
+    assert window.settings.map_range_db == (-11.0, -10.0)
 
 
 def test_a_drag_between_the_handles_moves_both(window):
     strip = window.panel.colour_bar.strip
     middle = QPoint(17, strip.height() // 2)
     drag(strip, middle, middle - QPoint(0, 30))
-    low, high = window.view.map_range_db
+    low, high = window.settings.map_range_db
     assert high > -10.0
     assert high - low == pytest.approx(50.0)
 
@@ -73,18 +73,18 @@ def test_the_scale_stands_still_while_a_handle_is_dragged(window):
 def test_a_double_click_brings_the_automatic_range_back(window):
     window.show(map_range_db=(-30.0, -20.0))
     QTest.mouseDClick(window.panel.colour_bar.strip, LEFT, PLAIN, QPoint(17, 200))
-    assert window.view.map_range_db is None
+    assert window.settings.map_range_db is None
     assert window.panel.colour_bar.range_db == (-60.0, -10.0)
 
 
 def test_keys_move_a_handle_or_the_whole_range(window):
     strip = window.panel.colour_bar.strip
     QTest.keyClick(strip.high, Qt.Key.Key_Up)
-    assert window.view.map_range_db == (-60.0, -9.0)
+    assert window.settings.map_range_db == (-60.0, -9.0)
     QTest.keyClick(strip.low, Qt.Key.Key_Down, CONTROL)
-    assert window.view.map_range_db == (-60.1, -9.0)
+    assert window.settings.map_range_db == (-60.1, -9.0)
     QTest.keyClick(strip, Qt.Key.Key_PageUp)
-    assert window.view.map_range_db == pytest.approx((-50.1, 1.0))
+    assert window.settings.map_range_db == pytest.approx((-50.1, 1.0))
 
 
 def test_exact_levels_are_typed(window):
@@ -93,7 +93,7 @@ def test_exact_levels_are_typed(window):
     field.selectAll()
     QTest.keyClicks(field, "-42.5")
     QTest.keyClick(field, Qt.Key.Key_Return)
-    assert window.view.map_range_db == (-42.5, -10.0)
+    assert window.settings.map_range_db == (-42.5, -10.0)
     assert field.text() == "−42.5"
 
 
@@ -102,7 +102,7 @@ def test_a_level_may_have_a_decimal_comma_and_a_unit(window):
     field.setFocus()
     QTest.keyClicks(field, "-45,5 dB")
     QTest.keyClick(field, Qt.Key.Key_Return)
-    assert window.view.map_range_db == (-45.5, -10.0)
+    assert window.settings.map_range_db == (-45.5, -10.0)
 
 
 @pytest.mark.parametrize(
@@ -121,7 +121,7 @@ def test_a_typed_end_pushes_the_other_one_before_it(window, name, typed, range_d
     field = getattr(bar, name)
     QTest.keyClicks(field, typed)
     QTest.keyClick(field, Qt.Key.Key_Return)
-    assert window.view.map_range_db == range_db
+    assert window.settings.map_range_db == range_db
     assert (bar.low_field.value_si, bar.high_field.value_si) == range_db
 
 
@@ -138,9 +138,9 @@ def test_an_end_that_leaves_no_room_for_the_other_is_refused_with_a_sentence(win
 def test_the_switch_holds_the_range_and_frees_it(window):
     button = window.panel.colour_bar.auto_button
     QTest.mouseClick(button, LEFT)
-    assert window.view.map_range_db == (-60.0, -10.0)
+    assert window.settings.map_range_db == (-60.0, -10.0)
     QTest.mouseClick(button, LEFT)
-    assert window.view.map_range_db is None
+    assert window.settings.map_range_db is None
 
 
 def test_ticks_are_round_and_apart():

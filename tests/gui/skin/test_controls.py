@@ -34,19 +34,19 @@ def test_an_output_tells_its_number_place_and_level(window):
 def test_buttons_change_the_view(window):
     toolbar = window.panel.toolbar
     QTest.mouseClick(toolbar.sensors_only, LEFT)
-    assert window.view.map_style == "sensors"
+    assert window.settings.map_style == "sensors"
     assert not toolbar.sensors.isEnabled()
     QTest.mouseClick(toolbar.interpolated, LEFT)
-    assert window.view.map_style == "interpolated"
+    assert window.settings.map_style == "interpolated"
     QTest.mouseClick(toolbar.sensors, LEFT)
-    assert not window.view.sensors_shown
+    assert not window.settings.sensors_shown
 
 
 def test_arrows_choose_the_style(window):
     toolbar = window.panel.toolbar
     toolbar.interpolated.setFocus()
     QTest.keyClick(toolbar.interpolated, Qt.Key.Key_Right)
-    assert window.view.map_style == "sensors"
+    assert window.settings.map_style == "sensors"
 
 
 def test_everything_that_can_be_used_is_reached_by_tab_and_named(window):

@@ -4,7 +4,6 @@ from typing import Any
 
 from skinsource.fields import ChoiceSpec, NumberSpec, specs_of
 from skinsource.waveforms import KINDS, Waveform
-from skinsource_gui.widgets.fields.number_steps import clamped
 
 #: What is called what.
 KIND_SPEC = ChoiceSpec(
@@ -19,12 +18,11 @@ def kind_name(waveform: Waveform) -> str:
     return type(waveform).__name__
 
 
-def as_kind(waveform: Waveform, name: str) -> Waveform:
-    """A waveform of kind ``name`` that shares what it can with ``waveform``.
+def as_kind(waveform: Waveform, kind: type[Waveform]) -> Waveform:
+    """A waveform of another kind that shares what it can with ``waveform``.
 
     A number that the other kind does not allow becomes the nearest one that it does.
     """
-    kind = next(kind for kind in KINDS if kind.__name__ == name)
     if kind is type(waveform):
         return waveform
     present = specs_of(waveform)
@@ -34,7 +32,13 @@ def as_kind(waveform: Waveform, name: str) -> Waveform:
             continue
         value = getattr(waveform, field)
         if isinstance(spec, NumberSpec):
-            shared[field] = round(clamped(value, spec)) if spec.whole else clamped(value, spec)
-        elif value in dict(spec.options):
+            shared[field] = nearest(value, spec)
+        elif isinstance(spec, ChoiceSpec) and value in dict(spec.options):
             shared[field] = value
     return kind(**shared)
+
+
+def nearest(value: float, spec: NumberSpec) -> float:
+    """The allowed number nearest to ``value``."""
+    within = min(max(value, spec.minimum), spec.maximum)
+    return round(within) if spec.whole else float(within)

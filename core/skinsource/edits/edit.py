@@ -1,0 +1,74 @@
+"""What an edit leads to."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from typing import Any
+
+from skinsource.design import Design, Input
+from skinsource.errors import InvalidInputError
+from skinsource.locations import input_place
+from skinsource.view import View
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Edit:
+    """Another design and another view, both at once.
+
+    Attributes
+    ----------
+    label
+        What was done, as the history names it: "Mute input at 7 (II pad)".
+    design, view
+        What there is afterwards.
+    """
+
+    label: str
+    design: Design
+    view: View
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Refusal:
+    """Nothing is done; ``sentence`` says why, and what to do instead."""
+
+    sentence: str
+
+
+NOTHING_CHOSEN = Refusal(sentence="No input is selected; click one, on the hand or in the list.")
+
+
+def present(design: Design, ids: Iterable[int]) -> tuple[Input, ...]:
+    """Those inputs that ``design`` has, in its order."""
+    wanted = set(ids)
+    return tuple(one for one in design.inputs if one.id in wanted)
+
+
+def inputs_words(chosen: tuple[Input, ...]) -> str:
+    """What the history calls them: "input at 7 (II pad)", or "3 inputs"."""
+    return (
+        f"input at {place_words(chosen[0].location)}"
+        if len(chosen) == 1
+        else (f"{len(chosen)} inputs")
+    )
+
+
+def place_words(location: int) -> str:
+    """Number and short name of an input place, "7 (II pad)"."""
+    return f"{location} ({input_place(location).short_name})"
+
+
+def changed(
+    design: Design, view: View, verb: str, changes: dict[int, dict[str, Any]]
+) -> Edit | Refusal:
+    """Change fields of inputs, by id; refused where an input would not allow its new values."""
+    chosen = present(design, changes)
+    if not chosen:
+        return NOTHING_CHOSEN
+    try:
+        inputs = tuple(
+            replace(one, **changes[one.id]) if one.id in changes else one for one in design.inputs
+        )
+        after = replace(design, inputs=inputs)
+    except InvalidInputError as error:
+        return Refusal(sentence=str(error))
+    return Edit(label=f"{verb} {inputs_words(chosen)}", design=after, view=view)

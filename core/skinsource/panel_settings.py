@@ -1,0 +1,52 @@
+"""What only one panel looks at: its own frozen settings, kept in `View.panels` as plain data.
+
+A panel's settings are a frozen dataclass whose fields are made with `skinsource.fields`, so that
+files can hold the settings of panels that this library does not know.
+"""
+
+from dataclasses import fields as dataclass_fields
+from dataclasses import replace
+from typing import Any, TypeVar
+
+from skinsource.errors import InvalidInputError
+from skinsource.view import Plain, View
+
+Settings = TypeVar("Settings")
+
+
+def settings_of(view: View, panel: str, kind: type[Settings]) -> Settings:
+    """Return the settings of one panel.
+
+    A field that the view does not hold has its default, and so has one whose value does not fit
+    its specification: what is only looked at must not keep a design from being seen.
+    """
+    held = dict(dict(view.panels).get(panel, ()))
+    settings = kind()
+    for field in dataclass_fields(settings):  # type: ignore[arg-type]
+        if field.name in held:
+            settings = _with_field(settings, field.name, held[field.name])
+    return settings
+
+
+def with_settings(view: View, panel: str, settings: Any) -> View:
+    """Return ``view`` with these settings of one panel; fields it does not know are kept.
+
+    What is as by default is not held, so that views that look alike are equal.
+    """
+    panels = dict(view.panels)
+    held: dict[str, Plain] = dict(panels.pop(panel, ()))
+    usual = type(settings)()
+    for field in dataclass_fields(settings):
+        held.pop(field.name, None)
+        if getattr(settings, field.name) != getattr(usual, field.name):
+            held[field.name] = getattr(settings, field.name)
+    if held:
+        panels[panel] = tuple(held.items())
+    return replace(view, panels=tuple(panels.items()))
+
+
+def _with_field(settings: Settings, name: str, value: Plain) -> Settings:
+    try:
+        return replace(settings, **{name: value})  # type: ignore[type-var]
+    except InvalidInputError:
+        return settings
