@@ -1,9 +1,12 @@
 """The command ``skinsource``: what it writes, and its exit codes."""
 
+import errno
 import io
+import os
 import socket
 import subprocess
 import sys
+from pathlib import Path
 
 import h5py
 import pytest
@@ -183,3 +186,57 @@ def test_the_bar_writes_nothing_where_there_is_no_terminal():
     with ProgressBar(file) as bar:
         bar(1, 2, "Checking")
     assert file.getvalue() == ""
+
+
+@pytest.fixture
+def closed(tmp_path, monkeypatch):
+    """Make a folder that may not be searched, as the system says to all but its administrator."""
+    folder = tmp_path / "closed"
+    folder.mkdir()
+    look = os.stat
+
+    def refuse(path, *how, **more):
+        if isinstance(path, str | os.PathLike) and Path(path).is_relative_to(folder / "inside"):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(path))
+        return look(path, *how, **more)
+
+    monkeypatch.setattr(os, "stat", refuse)
+    return folder
+
+
+LONG_NAME = "n" * 300
+WHERE_NOBODY_LOOKS = [
+    pytest.param(LONG_NAME, "File name too long", id="a name that is too long"),
+    pytest.param("closed/inside", "Permission denied", id="a folder that may not be searched"),
+]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has other limits")
+@pytest.mark.parametrize(("folder", "reason"), WHERE_NOBODY_LOOKS)
+@pytest.mark.parametrize("words", [("list",), ("remove", "--yes"), ("install", ".")])
+def test_a_data_folder_that_cannot_be_looked_into_is_one_clear_line(
+    run, tmp_path, monkeypatch, folder, reason, words, closed
+):
+    monkeypatch.setenv("SKINSOURCE_DATA", str(tmp_path / folder))
+    code, _, err = run("dataset", *words)
+    assert code == 1
+    assert reason in err or words[0] == "install"
+    assert len(err.splitlines()) == 1
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has other limits")
+@pytest.mark.parametrize(("folder", "reason"), WHERE_NOBODY_LOOKS)
+def test_without_a_data_folder_to_look_into_the_synthetic_limbs_are_there(
+    run, tmp_path, monkeypatch, folder, reason, closed
+):
+    monkeypatch.setenv("SKINSOURCE_DATA", str(tmp_path / folder))
+    code, out, _ = run("limbs")
+    assert code == 0
+    assert len(out.splitlines()) == 4
+
+
+def test_a_download_that_cannot_be_looked_at_is_one_clear_line(run, tmp_path, closed):
+    for path in (tmp_path / LONG_NAME, tmp_path / "closed" / "inside"):
+        code, out, err = run("dataset", "install", path)
+        assert (code, out) == (1, "")
+        assert "cannot be looked at" in err

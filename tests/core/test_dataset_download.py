@@ -1,7 +1,9 @@
 """Downloading from a server on this machine that can be told to misbehave."""
 
+import contextlib
 import hashlib
 import http.server
+import os
 import socket
 import sys
 import threading
@@ -9,7 +11,7 @@ from dataclasses import dataclass, field, replace
 
 import pytest
 
-from skinsource.dataset import published
+from skinsource.dataset import download, published, upkeep
 from skinsource.dataset.fetch import fetch
 from skinsource.dataset.store import is_installed, load_measured_limb
 from skinsource.errors import DownloadError, MissingExtraError, Stopped, StorageError
@@ -35,6 +37,9 @@ class Served:
     #: What it says where it has nothing.
     regret: str = "Not Found"
     url: str = ""
+    #: Whether the responses come a few bytes at a time.
+    dribbles: bool = False
+    enough: threading.Event = field(default_factory=threading.Event)
 
 
 class Handler(http.server.BaseHTTPRequestHandler):
@@ -60,6 +65,12 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.send_header("Content-Length", str(len(body) - first))
         self.end_headers()
         end = first + served.cuts.pop(0) if served.cuts and name == RESPONSES else len(body)
+        if served.dribbles and name == RESPONSES:
+            with contextlib.suppress(OSError):  # the client has gone
+                while not served.enough.wait(0.01):
+                    self.wfile.write(body[first : first + 4])
+                    first += 4
+            return
         self.wfile.write(body[first:end])
 
     def log_message(self, *_):
@@ -78,6 +89,7 @@ def served(made_up_download, monkeypatch):
         thread = threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.01})
         thread.start()
         yield served
+        served.enough.set()
         server.shutdown()
         thread.join()
 
@@ -281,3 +293,38 @@ def test_a_missing_package_is_found_out_before_anything_is_downloaded(
     with pytest.raises(MissingExtraError, match=r'pip install "skinsource\[dataset\]"'):
         fetch(files=files)
     assert served.asked == []
+
+
+def test_a_server_that_sends_next_to_nothing_is_given_up(served, files, part, monkeypatch):
+    monkeypatch.setattr(download, "_PACE_S", 0.2)
+    served.dribbles = True
+    with pytest.raises(DownloadError, match=r"comes too slowly \(\d+ bytes in 0\.2 s"):
+        fetch(files=files)
+    assert 0 < part.stat().st_size < 1000
+    assert not is_installed()
+
+
+def test_a_stop_is_heard_while_a_server_dribbles(served, files):
+    served.dribbles = True
+    asked = []
+
+    def stop() -> bool:
+        asked.append(None)
+        return len(asked) > 20
+
+    with pytest.raises(Stopped):
+        fetch(files=files, stop=stop)
+
+
+def test_old_leftovers_of_downloads_are_swept_and_young_ones_stay(served, files, user_data):
+    folder = user_data / "measured-download" / "visualization"
+    folder.mkdir(parents=True)
+    old, young, other = folder / "tmpab_c12xy", folder / "tmpzz9zz9zz", folder / "tmpnotes.txt"
+    for path in (old, young, other):
+        path.write_bytes(b"x")
+    os.utime(old, (0, 0))
+    os.utime(other, (0, 0))
+    fetch(files=files)
+    assert [path.exists() for path in (old, young, other)] == [False, True, True]
+    upkeep.remove()
+    assert [path.exists() for path in (young, other)] == [False, True]

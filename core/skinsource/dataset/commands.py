@@ -14,9 +14,9 @@ from skinsource.dataset.store import (
     HOW_TO_GET,
     StoreInfo,
     describe,
-    is_installed,
 )
 from skinsource.dataset.upkeep import installed_files, remove, verify
+from skinsource.errors import DatasetMissingError
 from skinsource.limb import HAND_LENGTHS_MM
 
 
@@ -73,10 +73,11 @@ def _fetch(arguments: argparse.Namespace) -> int:
 
 
 def _list(_: argparse.Namespace) -> int:
-    if not is_installed():
+    try:
+        info = describe()
+    except DatasetMissingError:
         sys.stdout.write(f"The measured dataset is not installed. {HOW_TO_GET}\n")
         return 0
-    info = describe()
     for number in info.limbs:
         length_mm = HAND_LENGTHS_MM[number - 1]
         sys.stdout.write(f"measured-{number}  hand length {length_mm:g} mm\n")

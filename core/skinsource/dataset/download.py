@@ -1,5 +1,6 @@
 """One file over HTTP, continued where it was cut."""
 
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -18,6 +19,8 @@ STOPPED = (
 _GO_ON = "Check the connection and run 'skinsource dataset fetch' again"
 _CONNECT_S, _READ_S = 10.0, 30.0
 _PIECE_BYTES = 2**16
+# Below a thousand bytes per second the files would take a day.
+_PACE_S, _LEAST_BYTES = 60.0, 60_000
 _ALL, _PART, _RANGE_REFUSED = 200, 206, 416
 
 
@@ -42,12 +45,13 @@ def download(file: RemoteFile, part: Path, *, report: Callable[[int], None], sto
         ``stop`` said so.
     """
     requests = optional_package("requests")
+    network = optional_package("urllib3.exceptions")
     with requests.Session() as session:
         while (before := _size(part)) < file.size_bytes:
             reason = "the answer ended early"
             try:
                 continued = _receive(session, file, part, report, stop)
-            except OSError as error:  # requests' own errors are among them
+            except (OSError, network.HTTPError) as error:  # requests' own errors are OSErrors
                 continued, reason = True, printable(error)
             if not continued:
                 part.unlink()
@@ -78,8 +82,10 @@ def _receive(
         _refuse_other_answers(answer, file, have)
         have = have if answer.status_code == _PART else 0
         with _opened(part, "ab" if have else "wb") as out:
-            for piece in answer.iter_content(_PIECE_BYTES):
+            pace = _Pace(file)
+            for piece in _pieces(answer):
                 stop_if(stop, STOPPED)
+                pace.note(len(piece))
                 with _explained(part):
                     out.write(piece)
                     out.flush()
@@ -88,6 +94,33 @@ def _receive(
                 if have > file.size_bytes:
                     break
     return True
+
+
+def _pieces(answer: Any) -> Iterator[bytes]:
+    # What has come, at once: a slow server would keep a larger piece, and the user, waiting.
+    while piece := answer.raw.read1(_PIECE_BYTES, decode_content=True):
+        yield piece
+
+
+class _Pace:
+    """Gives up on a server that sends next to nothing."""
+
+    def __init__(self, file: RemoteFile) -> None:
+        self._url = file.url
+        self._since_s = time.monotonic()
+        self._n_bytes = 0
+
+    def note(self, n_bytes: int) -> None:
+        """Count what has come; raise `DownloadError` where it was too little for too long."""
+        self._n_bytes += n_bytes
+        now_s = time.monotonic()
+        if now_s - self._since_s >= _PACE_S:
+            if self._n_bytes < _LEAST_BYTES:
+                raise DownloadError(
+                    f"{self._url}: comes too slowly ({self._n_bytes} bytes in {_PACE_S:g} s, "
+                    f"expected at least {_LEAST_BYTES}); what has arrived is kept. {_GO_ON}."
+                )
+            self._since_s, self._n_bytes = now_s, 0
 
 
 def _opened(part: Path, mode: str) -> IO[bytes]:

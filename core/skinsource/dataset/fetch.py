@@ -1,6 +1,8 @@
 """Downloading the published files and installing them."""
 
 import logging
+import time
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -8,11 +10,14 @@ from skinsource.dataset.download import download
 from skinsource.dataset.install import install
 from skinsource.dataset.optional import optional_package
 from skinsource.dataset.published import RemoteFile, checksum_of, published_files
-from skinsource.dataset.source import download_folder
+from skinsource.dataset.source import download_folder, leftovers
 from skinsource.dataset.store import StoreInfo
 from skinsource.errors import DownloadError, StorageError
 from skinsource.files import make_folder
 from skinsource.job import Progress, Stop, never, silent
+
+# Younger ones may belong to a download that runs.
+_A_DAY_S = 24 * 3600.0
 
 
 def fetch(
@@ -54,6 +59,7 @@ def fetch(
     files = published_files() if files is None else files
     downloads = download_folder() if downloads is None else downloads
     make_folder(downloads)
+    _sweep(downloads)
     # pooch would tell of each file on stderr, in the middle of the progress bar
     pooch.get_logger().setLevel(logging.WARNING)
     registry = pooch.create(
@@ -71,6 +77,13 @@ def fetch(
     progress(total, total, "Downloaded")
     # Each file was compared with ``files`` when it came.
     return install(downloads, folder=folder, unpublished=True, progress=progress, stop=stop)
+
+
+def _sweep(downloads: Path) -> None:
+    for path in leftovers(downloads):
+        with suppress(OSError):
+            if path.stat().st_mtime < time.time() - _A_DAY_S:
+                path.unlink()
 
 
 class _OneDownload:

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from skinsource.assets import user_folder
 from skinsource.errors import DatasetError, StorageError
+from skinsource.files import is_file, is_folder
 
 RESPONSES_FILE = "impulseResponses.mat"
 MAP_FOLDER = "visualization"
@@ -24,6 +25,8 @@ _FOLDERS = (
     "*/visualization",
     "*/source/visualization",
 )
+# What Python calls temporary files.
+_TEMPORARY = "tmp" + "[a-z0-9_]" * 8
 _RESPONSES_FOLDERS = ("", "*", "*/source")
 
 
@@ -48,6 +51,12 @@ def download_folder() -> Path:
     return user_folder() / "measured-download"
 
 
+def leftovers(downloads: Path) -> tuple[Path, ...]:
+    """Temporary files of the package pooch that killed downloads left in their folder."""
+    folders = (folder for folder in (downloads, downloads / MAP_FOLDER) if is_folder(folder))
+    return tuple(path for folder in folders for path in sorted(folder.glob(_TEMPORARY)))
+
+
 def find_source(path: Path) -> Source:
     """Find the files of the download in a folder, or beside ``impulseResponses.mat`` itself.
 
@@ -58,13 +67,14 @@ def find_source(path: Path) -> Source:
     DatasetError
         Files are missing; the message names them.
     """
-    if not path.exists():
+    whole = is_folder(path)
+    if not whole and not is_file(path):
         raise StorageError(
             f"{path}: no such file or folder. Give the folder that holds {RESPONSES_FILE} and the "
             "toolbox's folder 'visualization', or get both with 'skinsource dataset fetch'."
         )
-    folder = path if path.is_dir() else path.parent
-    responses = _first(folder, _RESPONSES_FOLDERS, RESPONSES_FILE) if path.is_dir() else path
+    folder = path if whole else path.parent
+    responses = _first(folder, _RESPONSES_FOLDERS, RESPONSES_FILE) if whole else path
     if responses is None:
         raise DatasetError(
             f"{path}: holds no {RESPONSES_FILE}. Give the folder that holds it and the toolbox's "
@@ -72,7 +82,7 @@ def find_source(path: Path) -> Source:
         )
     surface = _first(folder, _FOLDERS, "surface.mat")
     map_folder = folder / MAP_FOLDER if surface is None else surface.parent
-    missing = [name for name in MAP_FILES if not (map_folder / name).is_file()]
+    missing = [name for name in MAP_FILES if not is_file(map_folder / name)]
     if missing:
         raise DatasetError(
             f"{map_folder}: missing {', '.join(missing)}. Put the toolbox's folder 'visualization' "

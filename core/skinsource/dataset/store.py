@@ -4,6 +4,7 @@ The file is opened for each reading and closed again, so that it can be replaced
 while limbs are in use.
 """
 
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -25,6 +26,7 @@ from skinsource.errors import (
     StorageError,
     UnknownLimbError,
 )
+from skinsource.files import is_file
 from skinsource.limb import HAND_LENGTHS_MM, Limb, LimbMap
 from skinsource.wording import quoted
 
@@ -77,7 +79,8 @@ def store_path() -> Path:
 
 def is_installed() -> bool:
     """Whether there is a store."""
-    return store_path().is_file()
+    # Of a folder that may not be searched nothing can be used either.
+    return os.path.isfile(store_path())
 
 
 def describe(path: Path | None = None) -> StoreInfo:
@@ -160,15 +163,15 @@ def load_mask(number: int) -> NDArray[np.bool_]:
 @contextmanager
 def open_store(path: Path) -> Iterator[Contents]:
     """Open the store for reading; explain in our own words why that is not possible."""
+    if not is_file(path):
+        raise DatasetMissingError(
+            f"The measured dataset is not installed (no {path}). {HOW_TO_GET}"
+        )
     try:
         with hdf5.File(path, "r", locking="best-effort") as file:
             yield Contents(file, path)
     except SkinSourceError:
         raise
-    except FileNotFoundError as error:
-        raise DatasetMissingError(
-            f"The measured dataset is not installed (no {path}). {HOW_TO_GET}"
-        ) from error
     except PermissionError as error:
         raise StorageError(f"{path}: may not be read. Change its permissions.") from error
     except (OSError, RuntimeError, LookupError, TypeError, ValueError, OverflowError) as error:

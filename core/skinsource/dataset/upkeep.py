@@ -6,9 +6,16 @@ from pathlib import Path
 
 from skinsource.dataset import layout
 from skinsource.dataset.contents import Contents
-from skinsource.dataset.source import MAP_FILES, MAP_FOLDER, RESPONSES_FILE, download_folder
+from skinsource.dataset.source import (
+    MAP_FILES,
+    MAP_FOLDER,
+    RESPONSES_FILE,
+    download_folder,
+    leftovers,
+)
 from skinsource.dataset.store import open_store, store_path
 from skinsource.errors import StorageError
+from skinsource.files import is_file, is_folder
 from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.limb import N_INPUTS
 
@@ -56,10 +63,13 @@ def installed_files() -> tuple[Path, ...]:
     """Files that `remove` would delete: the store, downloads, remains of killed installations."""
     store = store_path()
     downloads = download_folder()
+    if not is_folder(store.parent):
+        return ()
     candidates = [store, *sorted(store.parent.glob(f".{store.name}.*.part"))]
     for name in (RESPONSES_FILE, *(f"{MAP_FOLDER}/{name}" for name in MAP_FILES)):
         candidates += [downloads / name, downloads / f"{name}.part"]
-    return tuple(path for path in candidates if path.is_file())
+    candidates += leftovers(downloads)
+    return tuple(path for path in candidates if is_file(path))
 
 
 def remove() -> None:

@@ -1,6 +1,14 @@
 """Files are read with a limit, and written whole or not at all."""
 
-from skinsource.files.reading import is_there, read_bytes
+from skinsource.files.reading import is_file, is_folder, is_there, read_bytes
 from skinsource.files.writing import make_folder, replacing, write_bytes
 
-__all__ = ["is_there", "make_folder", "read_bytes", "replacing", "write_bytes"]
+__all__ = [
+    "is_file",
+    "is_folder",
+    "is_there",
+    "make_folder",
+    "read_bytes",
+    "replacing",
+    "write_bytes",
+]

@@ -50,5 +50,32 @@ def is_there(path: Path) -> bool:
         return False
 
 
+def is_file(path: Path) -> bool:
+    """Whether ``path`` is a regular file, or a link to one.
+
+    Raises
+    ------
+    StorageError
+        That cannot be found out: the folder may not be searched, or no name can be that long.
+    """
+    return stat.S_ISREG(_mode_of(path))
+
+
+def is_folder(path: Path) -> bool:
+    """Whether ``path`` is a folder, or a link to one; raises what `is_file` raises."""
+    return stat.S_ISDIR(_mode_of(path))
+
+
+def _mode_of(path: Path) -> int:
+    try:
+        return path.stat().st_mode
+    except (FileNotFoundError, NotADirectoryError):
+        return 0
+    except (OSError, ValueError) as error:
+        raise StorageError(
+            f"{named(path)}: cannot be looked at ({reason_of(error)}). {advice_on_reading(error)}"
+        ) from error
+
+
 #: Opening a pipe does not wait for whoever writes to it.
 _AT_ONCE = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0)
