@@ -1,11 +1,20 @@
 """Pictures are written whole or not at all."""
 
+from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QBuffer, QIODevice
-from PySide6.QtGui import QImage, QPixmap
+from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QRect, QSize, QSizeF
+from PySide6.QtGui import QImage, QPageSize, QPainter, QPdfWriter, QPixmap
+from PySide6.QtSvg import QSvgGenerator
 
 from skinsource.files import write_bytes
+
+#: Draws a picture with a painter, so wide and so high, px.
+Draw = Callable[[QPainter, int, int], None]
+
+# Pixels in an inch of a page or a drawing, as in CSS.
+_PER_INCH = 96
+_POINTS = 72
 
 
 def save_picture(path: Path, picture: QImage | QPixmap) -> None:
@@ -20,3 +29,63 @@ def save_picture(path: Path, picture: QImage | QPixmap) -> None:
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     picture.save(buffer, "PNG")
     write_bytes(path, bytes(buffer.data().data()))
+
+
+def save_drawing(path: Path, draw: Draw, width: int, height: int) -> None:
+    """Write what ``draw`` draws to ``path``, as its ending says: PNG, or lines as SVG or PDF.
+
+    Parameters
+    ----------
+    path
+        The file; another ending than ``.svg`` and ``.pdf`` means PNG.
+    draw
+        Draws the picture.
+    width, height
+        Of the picture, px; 96 of them are an inch of a page.
+
+    Raises
+    ------
+    StorageError
+        The folder cannot be written, or the disk is full.
+    """
+    writers = {".svg": _svg, ".pdf": _pdf}
+    write = writers.get(path.suffix.lower())
+    if write is None:
+        save_picture(path, drawn_image(draw, width, height))
+        return
+    buffer = QBuffer()
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    write(buffer, draw, width, height)
+    write_bytes(path, bytes(buffer.data().data()))
+
+
+def drawn_image(draw: Draw, width: int, height: int) -> QImage:
+    """What ``draw`` draws, as pixels."""
+    image = QImage(width, height, QImage.Format.Format_RGB32)
+    painter = QPainter(image)
+    draw(painter, width, height)
+    painter.end()
+    return image
+
+
+def _svg(device: QIODevice, draw: Draw, width: int, height: int) -> None:
+    drawing = QSvgGenerator()
+    drawing.setOutputDevice(device)
+    drawing.setResolution(_PER_INCH)
+    drawing.setSize(QSize(width, height))
+    drawing.setViewBox(QRect(0, 0, width, height))
+    drawing.setTitle("SkinSource")
+    painter = QPainter(drawing)
+    draw(painter, width, height)
+    painter.end()
+
+
+def _pdf(device: QIODevice, draw: Draw, width: int, height: int) -> None:
+    page = QPdfWriter(device)
+    page.setResolution(_PER_INCH)
+    points = QSizeF(width, height) * _POINTS / _PER_INCH
+    page.setPageSize(QPageSize(points, QPageSize.Unit.Point))
+    page.setPageMargins(QMarginsF())
+    painter = QPainter(page)
+    draw(painter, width, height)
+    painter.end()

@@ -6,6 +6,22 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QImage, QPainter
 
 
+class PaintedAnew:
+    """Paints each time; for pages and files, where lines stay lines."""
+
+    def paint(
+        self,
+        painter: QPainter,
+        room: QRectF,
+        depends_on: tuple[object, ...],
+        paint_anew: Callable[[QPainter], None],
+    ) -> None:
+        """Paint what ``paint_anew`` paints, as `KeptPicture.paint` does."""
+        painter.save()
+        paint_anew(painter)
+        painter.restore()
+
+
 class KeptPicture:
     """Remembers how something was painted, and paints it so again until it looks different."""
 

@@ -9,6 +9,7 @@ from skinsource import words
 from skinsource.limb import LIMB_NAMES
 from skinsource.projection import AXES, METHODS
 from skinsource.response_scaling import SCALINGS
+from skinsource.span import SPANS
 
 PAGE = Path(__file__).parents[2] / "docs" / "words.md"
 
@@ -33,6 +34,7 @@ def test_the_page_of_words_shows_them_as_they_are():
         (words.SCALINGS, SCALINGS),
         (words.AXES, AXES),
         (words.METHODS, METHODS),
+        (words.SPANS, SPANS),
     ],
 )
 def test_every_value_of_a_choice_has_a_title_and_a_sentence(options, names):

@@ -5,12 +5,12 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
+from skinsource.words import level_words, span_words
 from skinsource_gui.panels.skin.level_range import Range, tick_levels
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.level_text import minus
 
-#: What the levels on the map are relative to.
-SCALE_TITLE = "dB re 1 m/s²"
+_UNIT = "dB re 1 m/s²"
 
 
 def level_y(level_db: float, axis_db: Range, ramp: QRectF) -> float:
@@ -26,6 +26,7 @@ def paint_colour_scale(
     range_db: Range,
     table: NDArray[np.uint32],
     theme: Theme,
+    span: str,
 ) -> None:
     """Draw the colours in ``ramp``, ticks and title to its right, in the painter's font.
 
@@ -41,6 +42,8 @@ def paint_colour_scale(
         Levels of the lowest and the highest colour.
     table, theme
         Colours.
+    span
+        What the levels are the RMS over, as in `skinsource.words`.
     """
     line = painter.fontMetrics().height()
     top, bottom = (level_y(level, axis_db, ramp) for level in reversed(range_db))
@@ -64,15 +67,18 @@ def paint_colour_scale(
         painter.setPen(QColor(theme.text))
         beside = QRectF(ramp.right() + 0.5 * line, y - line / 2, 4 * line, line)
         painter.drawText(beside, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, words)
-    _paint_title(painter, ramp, ramp.right() + 0.9 * line + widest, theme)
+    _paint_title(painter, ramp, ramp.right() + 0.9 * line + widest, theme, span)
 
 
-def _paint_title(painter: QPainter, ramp: QRectF, left: float, theme: Theme) -> None:
+def _paint_title(painter: QPainter, ramp: QRectF, left: float, theme: Theme, span: str) -> None:
+    metrics = painter.fontMetrics()
+    titles = (f"{_UNIT}, {level_words(span)}", f"{_UNIT}, {span_words(span)}")
+    fitting = (title for title in titles if metrics.horizontalAdvance(title) <= ramp.height())
     line = painter.fontMetrics().height()
     painter.save()
     painter.setPen(QColor(theme.dim))
     painter.translate(left + line / 2, ramp.center().y())
     painter.rotate(-90)
     along = QRectF(-ramp.height() / 2, -line / 2, ramp.height(), line)
-    painter.drawText(along, Qt.AlignmentFlag.AlignCenter, SCALE_TITLE)
+    painter.drawText(along, Qt.AlignmentFlag.AlignCenter, next(fitting, _UNIT))
     painter.restore()

@@ -104,6 +104,7 @@ class ColourStrip(QWidget):
         self._range: Range = (-50.0, 0.0)
         self._axis = _axis_of(self._range)
         self._marks: tuple[tuple[float, QColor], ...] = ()
+        self._span = "record"
         self._at_press: Range | None = None
         self._grip_y: float | None = None
         self._scale = KeptPicture()
@@ -138,6 +139,12 @@ class ColourStrip(QWidget):
             self._marks = marks
             self.update()
 
+    def show_span(self, span: str) -> None:
+        """Say what the levels are the RMS over."""
+        if span != self._span:
+            self._span = span
+            self.update()
+
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
         self._theme = theme
@@ -150,7 +157,7 @@ class ColourStrip(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(tabular(small_font(self.font())))
         ramp = self._ramp()
-        scale = (self._axis, self._range, self._theme)
+        scale = (self._axis, self._range, self._theme, self._span)
         ground = self.palette().window().color()
         self._scale.paint(painter, QRectF(self.rect()), scale, self._paint_scale, ground)
         painter.setPen(QPen(QColor(self._theme.base), 0.5))
@@ -195,8 +202,8 @@ class ColourStrip(QWidget):
             super().keyPressEvent(event)
 
     def _paint_scale(self, painter: QPainter) -> None:
-        axis, levels = self._axis, self._range
-        paint_colour_scale(painter, self._ramp(), axis, levels, self._table, self._theme)
+        axis, levels, theme = self._axis, self._range, self._theme
+        paint_colour_scale(painter, self._ramp(), axis, levels, self._table, theme, self._span)
 
     def _new_handle(self, name: str, words: str, change_end: Change) -> RangeHandle:
         handle = RangeHandle(name, words, self)

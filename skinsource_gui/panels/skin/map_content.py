@@ -31,8 +31,8 @@ class MapContent:
         Whether sensors are marked on the interpolated map.
     synthetic
         Whether the responses are computed, not measured.
-    title
-        For pictures.
+    span
+        What levels are the RMS over.
     message
         Why there is no map; shown in its middle, instead of it.
     note
@@ -49,7 +49,7 @@ class MapContent:
     outputs: tuple[int, ...] = ()
     sensors_shown: bool = True
     synthetic: bool = False
-    title: str = ""
+    span: str = "record"
     message: str = ""
     note: str = ""
     outdated: bool = False

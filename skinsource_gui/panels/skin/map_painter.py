@@ -22,7 +22,7 @@ from skinsource_gui.panels.skin.map_layout import PALMAR_TITLE, MapLayout
 from skinsource_gui.panels.skin.output_labels import output_labels, square
 from skinsource_gui.panels.skin.output_picking import DORSAL_OUTPUTS
 from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.kept_picture import KeptPicture
+from skinsource_gui.widgets.kept_picture import KeptPicture, PaintedAnew
 
 _HINTS = QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
 
@@ -36,16 +36,24 @@ class MapPainter:
         Outline and places.
     table
         Colours, see `colour_table`.
+    kept
+        `KeptPicture` on the screen, `PaintedAnew` for pages and files.
     """
 
-    def __init__(self, limb_map: LimbMap, table: NDArray[np.uint32]) -> None:
+    def __init__(
+        self,
+        limb_map: LimbMap,
+        table: NDArray[np.uint32],
+        kept: type[KeptPicture | PaintedAnew] = KeptPicture,
+    ) -> None:
         self._outline = QPainterPath()
         self._outline.addPolygon(QPolygonF([QPointF(x, y) for x, y in limb_map.outline]))
         self._outline.closeSubpath()
         self._table = table
+        self._kept = kept
         self._layout: MapLayout | None = None
         self._screen_outline = QPainterPath()
-        self._still, self._selection = KeptPicture(), KeptPicture()
+        self._still, self._selection = self._kept(), self._kept()
 
     def paint(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
@@ -54,7 +62,7 @@ class MapPainter:
         if layout is not self._layout:
             self._layout = layout
             self._screen_outline = layout.frame.transform().map(self._outline)
-            self._still, self._selection = KeptPicture(), KeptPicture()
+            self._still, self._selection = self._kept(), self._kept()
         painter.setRenderHints(_HINTS)
         self._paint_ground(painter, content, layout, theme)
         self._paint_still(painter, content, layout, theme)

@@ -1,7 +1,9 @@
 """The map as a picture for a page or a slide."""
 
-from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter
+from dataclasses import dataclass
+
+from PySide6.QtCore import QRectF, QSizeF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from skinsource_gui.panels.skin.colour_maps import colour_table
 from skinsource_gui.panels.skin.colour_scale import paint_colour_scale
@@ -10,49 +12,98 @@ from skinsource_gui.panels.skin.map_layout import fitted_beside_palmar, map_layo
 from skinsource_gui.panels.skin.map_painter import MapPainter, small_font
 from skinsource_gui.panels.skin.map_words import paint_words
 from skinsource_gui.theme import Theme, tabular
+from skinsource_gui.widgets.kept_picture import PaintedAnew
 
 # Lines of text in the height of the picture, and the limits of a line, px.
 _LINES = 48
 _SMALLEST_FONT_PX, _LARGEST_FONT_PX = 9, 64
+# A heading may take this part of the height; where it needs more, its font shrinks.
+_HEADING = 0.12
+# Size of the details, in fonts of the title.
+_DETAILS = 0.8
+_WRAPPED = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap
 
 
-def map_picture(content: MapContent, width: int, height: int, theme: Theme, family: str) -> QImage:
-    """Picture of the map with title, colour bar and, where due, the synthetic mark.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Heading:
+    """What stands above the map: what is shown, and of what."""
+
+    title: str
+    details: str
+
+
+def paint_picture(
+    painter: QPainter,
+    size: QSizeF,
+    content: MapContent,
+    heading: Heading,
+    theme: Theme,
+    family: str,
+) -> None:
+    """Draw the map with heading, colour bar and, where due, the synthetic mark.
 
     Parameters
     ----------
-    content
-        What the map shows.
-    width, height
+    painter
+        Of an image, a page or a drawing.
+    size
         Of the picture, px.
+    content, heading
+        What the map shows, and how it is called.
     theme, family
         Colours, and the family of the font.
     """
-    picture = QImage(width, height, QImage.Format.Format_RGB32)
-    picture.fill(QColor(theme.base))
-    font = QFont(family)
-    size = min(height / _LINES, width / _LINES * 1.6)
-    font.setPixelSize(round(min(max(size, _SMALLEST_FONT_PX), _LARGEST_FONT_PX)))
-    font = tabular(font)
-    painter = QPainter(picture)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    whole = QRectF(0, 0, size.width(), size.height())
+    painter.fillRect(whole, QColor(theme.base))
+    font = QFont(family)
+    pixels = min(whole.height() / _LINES, whole.width() / _LINES * 1.6)
+    font.setPixelSize(round(min(max(pixels, _SMALLEST_FONT_PX), _LARGEST_FONT_PX)))
+    font = tabular(font)
     line = QFontMetricsF(font).height()
-    head = QRectF(line, 0.6 * line, width - 2 * line, 1.5 * line)
-    painter.setFont(font)
-    painter.setPen(QColor(theme.text))
-    painter.drawText(head, Qt.AlignmentFlag.AlignCenter, content.title)
-    bar_width = 6.2 * line
-    room = QRectF(line, head.bottom(), width - 2 * line - bar_width, height - head.bottom() - line)
+    inner = whole.adjusted(line, 0.6 * line, -line, -line)
+    inner.setTop(_paint_heading(painter, inner, heading, font, theme) + 0.4 * line)
+    room = inner.adjusted(0, 0, -6.2 * line, 0)
     painter.setFont(small_font(font))
     if content.limb_map is not None:
         _paint_map(painter, content, room, theme)
     ramp = QRectF(room.right() + line, room.top() + line, line, room.height() - 2 * line)
     levels = content.range_db
-    paint_colour_scale(painter, ramp, levels, levels, colour_table(), theme)
+    painter.setFont(small_font(font))
+    paint_colour_scale(painter, ramp, levels, levels, colour_table(), theme, content.span)
     painter.setFont(font)
     paint_words(painter, content, room, theme)
-    painter.end()
-    return picture
+
+
+def heading_font(font: QFont, text: str, area: QRectF) -> QFont:
+    """Copy of ``font``, shrunk until ``text`` fits into ``area`` in as many lines as it takes."""
+    copy = QFont(font)
+    while copy.pixelSize() > 1:
+        needed = QFontMetricsF(copy).boundingRect(QRectF(area), int(_WRAPPED), text)
+        if needed.width() <= area.width() and needed.height() <= area.height():
+            break
+        copy.setPixelSize(copy.pixelSize() - 1)
+    return copy
+
+
+def _paint_heading(
+    painter: QPainter, inner: QRectF, heading: Heading, font: QFont, theme: Theme
+) -> float:
+    """Draw title and details; return where they end."""
+    title_font = QFont(font)
+    title_font.setBold(True)
+    top = inner.top()
+    for words, usual, colour in (
+        (heading.title, title_font, theme.text),
+        (heading.details, small_font(font, _DETAILS), theme.dim),
+    ):
+        area = QRectF(inner.left(), top, inner.width(), _HEADING / 2 * inner.height())
+        painter.setFont(heading_font(usual, words, area))
+        painter.setPen(QColor(colour))
+        painter.drawText(area, int(_WRAPPED), words)
+        metrics = QFontMetricsF(painter.font())
+        top += metrics.boundingRect(area, int(_WRAPPED), words).height() + 0.15 * metrics.height()
+    return top
 
 
 def _paint_map(painter: QPainter, content: MapContent, room: QRectF, theme: Theme) -> None:
@@ -60,4 +111,5 @@ def _paint_map(painter: QPainter, content: MapContent, room: QRectF, theme: Them
     bounds = outline_bounds(content.limb_map)
     frame = fitted_beside_palmar(bounds, room, metrics)
     layout = map_layout(content.limb_map, frame, room, metrics)
-    MapPainter(content.limb_map, colour_table()).paint(painter, content, layout, theme)
+    map_painter = MapPainter(content.limb_map, colour_table(), PaintedAnew)
+    map_painter.paint(painter, content, layout, theme)

@@ -11,7 +11,7 @@ def output_readout(content: MapContent, number: int) -> str:
     """Number and place of an output, and in a second line its level."""
     levels = content.coloured_levels_db
     words = output_text(number)
-    return words if levels is None else f"{words}\n{level_text(levels[number - 1])}"
+    return words if levels is None else f"{words}\n{level_text(levels[number - 1], content.span)}"
 
 
 def pixel_readout(content: MapContent, layout: MapLayout, at: QPointF) -> str:
@@ -20,4 +20,4 @@ def pixel_readout(content: MapContent, layout: MapLayout, at: QPointF) -> str:
     if field is None or levels is None or layout.palmar_card.contains(at):
         return ""
     level = field.level_at(levels, *layout.frame.to_drawing(at))
-    return "" if level is None else level_text(level)
+    return "" if level is None else level_text(level, content.span)

@@ -6,8 +6,8 @@ from functools import partial
 from typing import Any, ClassVar
 
 import numpy as np
-from PySide6.QtCore import QPoint, QSize, Qt, Signal
-from PySide6.QtGui import QGuiApplication, QImage
+from PySide6.QtCore import QPoint, QSize, QSizeF, Qt, Signal
+from PySide6.QtGui import QGuiApplication, QImage, QPainter
 from PySide6.QtWidgets import QGridLayout, QMenu, QWidget
 
 from skinsource.decibels import FLOOR_DB
@@ -16,12 +16,12 @@ from skinsource.limb import Limb
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.surface import SurfaceOperator
 from skinsource.view import View
-from skinsource.words import LIMBS, signal_words, word_of
+from skinsource.words import LIMBS, SCALINGS, level_words, signal_words, word_of
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.skin.colour_bar import ColourBar
 from skinsource_gui.panels.skin.field_image import FieldImage
 from skinsource_gui.panels.skin.map_content import MapContent
-from skinsource_gui.panels.skin.map_picture import map_picture
+from skinsource_gui.panels.skin.map_picture import Heading, paint_picture
 from skinsource_gui.panels.skin.map_toolbar import MapToolbar
 from skinsource_gui.panels.skin.readout_lines import ReadoutLines
 from skinsource_gui.panels.skin.settings import SkinSettings
@@ -135,10 +135,31 @@ class SkinPanel(Panel):
             part.show_theme(theme)
         self._show_choice()
 
-    def picture(self, width: int, height: int) -> QImage:
-        """The map with title, colour bar and, where due, the synthetic mark; size in px."""
-        content = replace(self._content, title=self._picture_title(), outdated=False)
-        return map_picture(content, width, height, self._theme, self.font().family())
+    def draw_picture(
+        self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
+    ) -> None:
+        """Draw the map for a page or a slide, with all that is needed to read it; size in px."""
+        content = replace(self._content, outdated=False)
+        size = QSizeF(width, height)
+        paint_picture(painter, size, content, self.heading(), theme, self.font().family())
+
+    def picture(self, width: int, height: int, theme: Theme = LIGHT) -> QImage:
+        """What `draw_picture` draws, as pixels."""
+        image = QImage(width, height, QImage.Format.Format_RGB32)
+        painter = QPainter(image)
+        self.draw_picture(painter, width, height, theme)
+        painter.end()
+        return image
+
+    def heading(self) -> Heading:
+        """What pictures of the map are called."""
+        design, view = self._design, self._view
+        parts = [signal_words(view.axes, view.method)]
+        if design is not None:
+            scaling = word_of(SCALINGS, design.scaling).title.lower()
+            parts = [word_of(LIMBS, design.limb).title, *parts, f"scaling: {scaling}"]
+        level = level_words(self._content.span)
+        return Heading(title=f"Skin acceleration, {level}", details=" · ".join(parts))
 
     def _connect(self) -> None:
         self.toolbar.style_chosen.connect(self._choose_style)
@@ -216,11 +237,6 @@ class SkinPanel(Panel):
 
     def _copy_picture(self) -> None:
         QGuiApplication.clipboard().setImage(self.picture(*PICTURE_PX))
-
-    def _picture_title(self) -> str:
-        limb = "" if self._design is None else f", {word_of(LIMBS, self._design.limb).title}"
-        signal = signal_words(self._view.axes, self._view.method)
-        return f"RMS skin acceleration{limb}, {signal}"
 
 
 def _field_image(surface: SurfaceOperator, limb: Limb) -> FieldImage:

@@ -2,6 +2,7 @@
 
 from skinsource.decibels import FLOOR_DB
 from skinsource.locations import output_place
+from skinsource.words import span_words
 
 
 def minus(text: str) -> str:
@@ -9,8 +10,8 @@ def minus(text: str) -> str:
     return text.replace("-", "−")
 
 
-def level_text(level_db: float) -> str:
-    """A level in dB and as an acceleration."""
+def level_text(level_db: float, span: str) -> str:
+    """A level in dB and as an acceleration, and what it is the RMS over."""
     if level_db <= FLOOR_DB:
         return "silent"
     acceleration = 10.0 ** (level_db / 20.0)
@@ -20,7 +21,7 @@ def level_text(level_db: float) -> str:
         amount = f"{acceleration * 1e3:.3g} mm/s²"
     else:
         amount = f"{acceleration:.2e} m/s²"
-    return minus(f"{level_db:.1f} dB re 1 m/s²  ({amount})")
+    return minus(f"{level_db:.1f} dB re 1 m/s²  ({amount} RMS, {span_words(span)})")
 
 
 def output_text(number: int) -> str:

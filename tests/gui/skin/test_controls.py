@@ -14,11 +14,12 @@ def test_the_readout_follows_the_mouse(window):
     view = window.panel.map
     QTest.mouseMove(view, place(window, 29))
     assert window.panel.readout.text() == (
-        "Output 29, Digit II, beside the nail, radial\n−11.0 dB re 1 m/s²  (0.282 m/s²)"
+        "Output 29, Digit II, beside the nail, radial\n"
+        "−11.0 dB re 1 m/s²  (0.282 m/s² RMS, whole record)"
     )
     window.show(outputs=())
     QTest.mouseMove(view, (place(window, 60) + place(window, 69)) / 2)
-    assert window.panel.readout.text().endswith(" mm/s²)")
+    assert window.panel.readout.text().endswith(" mm/s² RMS, whole record)")
     QTest.mouseMove(view, QPoint(5, 5))
     assert window.panel.readout.text().startswith("No output selected")
 
