@@ -1,0 +1,175 @@
+"""Levels over the loudest 100 ms: against direct computation, and what they do not depend on."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from skinsource.design import Design, Input
+from skinsource.errors import Stopped
+from skinsource.limb import Limb
+from skinsource.projection import AXES, METHODS, project_axes
+from skinsource.quantities import new_graph, sources
+from skinsource.response import predict
+from skinsource.spectra import rms
+from skinsource.synthetic import load_synthetic_limb
+from skinsource.view import View
+from skinsource.waveforms import Impulse, Noise, Tap, Tone
+
+SHORT = Design(
+    limb="synthetic-1",
+    scaling="relative",
+    inputs=(
+        Input(location=7, waveform=Tone(frequency_hz=100.0), onset_s=0.2),
+        Input(location=3, waveform=Noise(seed=2), amplitude=-0.5),
+        Input(location=16, waveform=Tap(), amplitude=2.0, onset_s=1.5),
+    ),
+)
+LONG = Design(
+    limb="synthetic-1",
+    scaling="relative",
+    inputs=(
+        Input(location=7, waveform=Tone(frequency_hz=90.0, duration_s=0.3), onset_s=0.1),
+        Input(location=4, waveform=Noise(seed=2, duration_s=0.2), amplitude=3.0, onset_s=17.0),
+        Input(location=4, waveform=Tap(), onset_s=3.0),
+    ),
+)
+
+
+@pytest.fixture(scope="module")
+def limb() -> Limb:
+    return load_synthetic_limb(1)
+
+
+def shown(design: Design, view: View, *wanted: str, span: str = "loudest", graph=None, **stop):
+    given = {**sources(design, view), "span": span}
+    found = (graph or new_graph()).evaluate(wanted, given, **stop)
+    return [found[name] for name in wanted]
+
+
+def acceleration(limb: Limb, design: Design) -> np.ndarray:
+    starts = [round(one.onset_s * 1300) for one in design.inputs]
+    played = [one.waveform.samples(1300.0) for one in design.inputs]
+    n_times = max(start + one.size for start, one in zip(starts, played, strict=True))
+    drives = np.zeros((len(played), n_times))
+    for row, start, one in zip(drives, starts, played, strict=True):
+        row[start : start + one.size] = one
+    places = [one.location for one in design.inputs]
+    amplitudes = [one.amplitude for one in design.inputs]
+    return predict(limb, drives, places, amplitudes, design.scaling)
+
+
+@pytest.mark.parametrize("design", [SHORT, LONG], ids=["at once", "streamed"])
+@pytest.mark.parametrize("selected", [0, None])
+def test_loudest_levels_are_those_of_the_projected_signals(limb, design, selected):
+    field = acceleration(limb, design)
+    graph = new_graph()
+    for axes in AXES:
+        for method in METHODS:
+            view = replace(View(axes=axes, method=method), **chosen(design, selected))
+            (found,) = shown(design, view, "output_rms", graph=graph)
+            expected = rms(project_axes(field, axes, method), "loudest", 1300.0)
+            np.testing.assert_allclose(found, expected, rtol=1e-11, err_msg=f"{axes} {method}")
+
+
+def chosen(design: Design, index: int | None) -> dict:
+    """Fields of a view that select the input at ``index``."""
+    return {"selected_input": index}
+
+
+def test_a_loud_burst_leaves_the_level_of_what_is_loud_elsewhere_alone(limb):
+    # The burst of a strong tap far away is followed by silence, then by a quiet tone elsewhere.
+    quiet = Input(location=16, waveform=Tone(frequency_hz=200.0, duration_s=0.5))
+    loud = Input(location=3, waveform=Tap(), amplitude=1000.0)
+    both = replace(SHORT, inputs=(loud, replace(quiet, onset_s=2.0)))
+    field = acceleration(limb, both)
+    for axes, method in (("z", "soc"), ("xyz", "pca"), ("xyz", "mag")):
+        (found,) = shown(both, View(axes=axes, method=method), "output_rms")
+        expected = rms(project_axes(field, axes, method), "loudest")
+        np.testing.assert_allclose(found, expected, rtol=1e-11)
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("waveform", [Tone(), Tap(), Impulse(), Noise(seed=3, duration_s=0.4)])
+def test_the_loudest_level_does_not_change_when_the_onset_moves(method, waveform):
+    graph, found = new_graph(), []
+    for onset_s in (0.0, 0.05, 1.0, 9.0, 14.0):
+        design = replace(SHORT, inputs=(Input(location=7, waveform=waveform, onset_s=onset_s),))
+        found += shown(design, View(method=method), "output_levels_db", graph=graph)
+    # A main axis is that of data centred over the record, so that silence moves it a little.
+    limit = 0.01 if method == "pca" else 1e-9
+    assert np.ptp(found, axis=0).max() < limit
+
+
+@pytest.mark.parametrize("frequency_hz", [60.0, 100.0, 250.0])
+@pytest.mark.parametrize("window", ["none", "tukey"])
+@pytest.mark.parametrize("scaling", ["upstream", "probe"])
+def test_the_loudest_level_of_a_tone_hardly_changes_with_its_length(frequency_hz, window, scaling):
+    graph, found = new_graph(), []
+    for duration_s in (0.2, 0.3, 0.5, 1.0, 3.0):
+        tone = Tone(frequency_hz=frequency_hz, duration_s=duration_s, window=window)
+        design = replace(SHORT, scaling=scaling, inputs=(Input(location=7, waveform=tone),))
+        found += shown(design, View(), "output_levels_db", graph=graph)
+    levels = np.array(found)
+    heard = levels[-1] > levels[-1].max() - 20.0
+    assert np.ptp(levels[:, heard], axis=0).max() < 0.5
+
+
+def test_the_level_of_the_whole_record_changes_with_the_onset():
+    later = SHORT.with_input(0, onset_s=9.0)
+    before, after = (
+        shown(design, View(), "output_levels_db", span="record")[0] for design in (SHORT, later)
+    )
+    assert np.abs(before - after).max() > 1.0
+
+
+def test_nothing_of_it_runs_where_the_whole_record_counts():
+    graph = new_graph()
+    shown(SHORT, View(), "output_rms", graph=graph)
+    assert graph.work.inverse_transforms == 72
+    shown(SHORT, View(), "output_rms", graph=graph, span="record")
+    assert graph.work.inverse_transforms == graph.work.forward_transforms == 0
+    graph = new_graph()
+    shown(SHORT, View(), "output_rms", graph=graph, span="record")
+    assert graph.work.inverse_transforms == 0
+
+
+def test_what_it_takes_is_counted():
+    for axes, method, transforms in (("xyz", "pca", 72), ("z", "mag", 72), ("xyz", "mag", 216)):
+        graph = new_graph()
+        shown(SHORT, View(axes=axes, method=method), "output_rms", graph=graph)
+        assert graph.work.inverse_transforms == transforms
+
+
+class Countdown:
+    def __init__(self, times: int) -> None:
+        self.left = times
+
+    def __call__(self) -> bool:
+        self.left -= 1
+        return self.left < 0
+
+
+@pytest.mark.parametrize("design", [SHORT, LONG], ids=["at once", "streamed"])
+def test_it_stops_when_it_is_asked_to_and_is_right_afterwards(design):
+    graph = new_graph()
+    shown(design, View(), "output_rms", graph=graph, span="record")
+    asked = Countdown(10**9)
+    shown(design, View(), "output_rms", stop=asked, graph=graph)
+    needed = 10**9 - asked.left
+    assert needed >= 4
+    for times in range(1, needed):
+        graph = new_graph()
+        shown(design, View(), "output_rms", graph=graph, span="record")
+        with pytest.raises(Stopped):
+            shown(design, View(), "output_rms", stop=Countdown(times), graph=graph)
+    expected = shown(design, View(), "output_rms")
+    np.testing.assert_array_equal(shown(design, View(), "output_rms", graph=graph), expected)
+
+
+def test_silence_has_the_lowest_level_by_either_span():
+    for inputs in ((), (Input(location=7, amplitude=0.0),), (Input(location=7, muted=True),)):
+        for method in METHODS:
+            silent = replace(SHORT, inputs=inputs)
+            (levels,) = shown(silent, View(method=method), "output_levels_db")
+            assert (levels == -200.0).all()

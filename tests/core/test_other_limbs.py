@@ -1,0 +1,142 @@
+"""Limbs of other sizes and rates: through the whole graph, against plain convolution."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from skinsource.design import Design, Input
+from skinsource.errors import InvalidInputError
+from skinsource.limb import Limb, LimbMap
+from skinsource.projection import AXES, METHODS, project_axes
+from skinsource.quantities import new_graph, sources
+from skinsource.response import predict
+from skinsource.spectra import magnitude_spectrum, rms
+from skinsource.view import View
+from skinsource.waveforms import Noise, Tap, Tone
+
+N_INPUTS, N_OUTPUTS, N_TAPS, RATE_HZ = 7, 10, 200, 2000.0
+OUTPUTS = (10, 2, 5)
+SHORT = Design(
+    limb="made-up",
+    inputs=(
+        Input(location=7, waveform=Tone(frequency_hz=600.0, duration_s=0.3)),
+        Input(location=3, waveform=Noise(seed=2), amplitude=-0.5, onset_s=0.05),
+        Input(location=7, waveform=Tap(), amplitude=2.0, onset_s=0.1),
+    ),
+)
+LONG = SHORT.with_input(1, onset_s=30.0)
+WANTED = (
+    "input_waveforms",
+    "limb_map",
+    "output_rms",
+    "output_levels_db",
+    "response_time_s",
+    "selected_spectra",
+    "selected_traces",
+    "surface_levels_db",
+    "trace_error",
+)
+
+
+def made_up_limb(n_taps: int = N_TAPS) -> Limb:
+    rng = np.random.default_rng(4)
+    around = np.linspace(0, 2 * np.pi, 24, endpoint=False)
+    return Limb(
+        name="made-up",
+        hand_length_mm=100.0,
+        synthetic=True,
+        map=LimbMap(
+            outline=50.0 * np.column_stack((np.cos(around), np.sin(around))),
+            output_positions=rng.uniform(-30, 30, (N_OUTPUTS, 2)),
+            input_positions=rng.uniform(-30, 30, (N_INPUTS, 2)),
+            hand_length_px=100.0,
+        ),
+        read_response=lambda place: np.random.default_rng(place).standard_normal(
+            (N_OUTPUTS, 3, n_taps)
+        ),
+        sample_rate_hz=RATE_HZ,
+        shape=(N_INPUTS, N_OUTPUTS, 3, n_taps),
+    )
+
+
+def plainly(limb: Limb, design: Design) -> np.ndarray:
+    """Acceleration, (10, 3, n_times), by direct convolution, channel by channel."""
+    played = [
+        (round(one.onset_s * RATE_HZ), one.waveform.samples(RATE_HZ)) for one in design.inputs
+    ]
+    n_times = max(start + samples.size for start, samples in played) + limb.n_taps - 1
+    total = np.zeros((N_OUTPUTS, 3, n_times))
+    for one, (start, samples) in zip(design.inputs, played, strict=True):
+        alone = np.zeros_like(total)
+        for channel in np.ndindex(N_OUTPUTS, 3):
+            answer = np.convolve(samples, limb.response_to(one.location)[channel])
+            alone[channel][start : start + answer.size] = answer
+        largest = alone.max() if design.scaling == "upstream" else 1.0
+        total += alone * (one.amplitude / largest)
+    return total
+
+
+def shown(limb: Limb, design: Design, view: View, span: str, graph=None) -> dict:
+    given = {**sources(design, view), "limb_data": limb, "span": span}
+    return (graph or new_graph()).evaluate(WANTED, given)
+
+
+@pytest.mark.parametrize("design", [SHORT, LONG], ids=["at once", "streamed"])
+@pytest.mark.parametrize("scaling", ["upstream", "relative"])
+def test_every_quantity_is_that_of_plain_convolution(design, scaling):
+    limb, graph = made_up_limb(), new_graph()
+    design = replace(design, scaling=scaling)
+    field = plainly(limb, design)
+    for axes in AXES:
+        for method in METHODS:
+            for span in ("record", "loudest"):
+                view = View(axes=axes, method=method, outputs=OUTPUTS)
+                found = shown(limb, design, view, span, graph)
+                signals = project_axes(field, axes, method)
+                peak = np.abs(signals).max()
+                expected = rms(signals, span, RATE_HZ)
+                np.testing.assert_allclose(found["output_rms"], expected, rtol=1e-11)
+                picked = signals[[output - 1 for output in OUTPUTS]]
+                np.testing.assert_allclose(found["selected_traces"], picked, atol=1e-13 * peak)
+                hz, magnitudes = magnitude_spectrum(picked, RATE_HZ)
+                np.testing.assert_array_equal(found["selected_spectra"][0], hz)
+                np.testing.assert_allclose(
+                    found["selected_spectra"][1], magnitudes, atol=1e-13 * peak
+                )
+    assert found["trace_error"].estimate < 1e-14
+    assert found["response_time_s"][1] == 1 / RATE_HZ
+    levels = found["surface_levels_db"]
+    inside = np.isfinite(levels)
+    assert inside.any()
+    assert levels[inside].max() <= found["output_levels_db"].max() + 1e-9
+
+
+@pytest.mark.parametrize("n_taps", [1, 31, 1024, 1025, 3000])
+def test_responses_of_any_length_are_streamed_right(n_taps):
+    limb = made_up_limb(n_taps)
+    design = replace(LONG, scaling="upstream")
+    found = shown(limb, design, View(outputs=OUTPUTS, axes="z"), "record")
+    signals = plainly(limb, design)[:, 2]
+    peak = np.abs(signals).max()
+    np.testing.assert_allclose(
+        found["selected_traces"], signals[[output - 1 for output in OUTPUTS]], atol=1e-13 * peak
+    )
+
+
+def test_prediction_takes_the_limb_as_it_is():
+    limb = made_up_limb()
+    drive = Noise(seed=1).samples(RATE_HZ)
+    found = predict(limb, [drive], [7], scaling="relative")
+    expected = np.convolve(drive, limb.response_to(7)[9, 2])
+    assert found.shape == (N_OUTPUTS, 3, drive.size + N_TAPS - 1)
+    np.testing.assert_allclose(found[9, 2], expected, atol=1e-12)
+    with pytest.raises(InvalidInputError, match="the whole numbers 1 to 7"):
+        predict(limb, [drive], [8])
+
+
+def test_a_response_of_another_shape_than_the_limb_says_is_refused():
+    limb = made_up_limb()
+    limb.n_taps = 199
+    with pytest.raises(InvalidInputError, match=r"shape \(10, 3, 200\), expected \(10, 3, 199\)"):
+        limb.response_to(1)
