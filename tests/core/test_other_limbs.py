@@ -78,7 +78,7 @@ def plainly(limb: Limb, design: Design) -> np.ndarray:
 
 
 def shown(limb: Limb, design: Design, view: View, span: str, graph=None) -> dict:
-    given = {**sources(design, view), "limb_data": limb, "span": span}
+    given = sources(design, replace(view, span=span)) | {"limb_data": limb}
     return (graph or new_graph()).evaluate(WANTED, given)
 
 
