@@ -70,7 +70,7 @@ class Drag(QObject):
     def __init__(self, window: WatchedWindow) -> None:
         super().__init__(window)
         self._window = window
-        self._field = window.inspector.findChild(NumberField, "frequency_hz_field")
+        self._field = window.panel("inspector").findChild(NumberField, "frequency_hz_field")
         self._travel_px = 0
         self._outcome: Outcome | None = None
         self._arrived_s = self._delivered_s = 0.0
@@ -173,7 +173,7 @@ def measure(options: argparse.Namespace, seconds: float) -> bool:
         window.paints = []
         window.resize(*map(int, options.size.split("x")))
         window.show()
-        window.commands.arrange_design()
+        window.do("arrange_design")
         window.catch_up()
         exempt_from_collection()
         drag = Drag(window)

@@ -88,7 +88,7 @@ def photograph(
         )
         window.resize(*size)
         window.show()
-        getattr(window.commands, arrangement)()
+        window.do(arrangement)
         QApplication.processEvents()
         window.catch_up()
         QApplication.processEvents()

@@ -13,7 +13,7 @@ KEY = Qt.Key
 
 def place_inputs(you: Driver, _: Path) -> None:
     """Click, drag, keyboard, delete, undo, redo."""
-    document, hand = you.window.document, you.window.hand.diagram
+    document, hand = you.window.document, you.window.panel("hand").diagram
     you.picture("start")
     you.click(hand, hand.site_centre(3))
     you.click(hand, hand.site_centre(18))
@@ -46,7 +46,7 @@ def place_inputs(you: Driver, _: Path) -> None:
 
 def edit_list(you: Driver, _: Path) -> None:
     """Select, mute, solo, duplicate in the list."""
-    document, rows = you.window.document, you.window.inputs._list.rows
+    document, rows = you.window.document, you.window.panel("inputs")._list.rows
     you.click(rows.rows[0], QPoint(60, 12))
     you.expect(document.view.selected_input == 1, "a click on a row selects")
     you.key(KEY.Key_Down)
@@ -64,7 +64,7 @@ def edit_list(you: Driver, _: Path) -> None:
     you.expect(len(document.design.inputs) == count + 1, "Ctrl+D duplicates once")
     you.key(KEY.Key_Delete)
     you.expect(len(document.design.inputs) == count, "Delete in the list removes one")
-    you.focus(you.window.skin.map)
+    you.focus(you.window.panel("skin").map)
     you.key(KEY.Key_D, CONTROL)
     you.expect(len(document.design.inputs) == count + 1, "Ctrl+D works anywhere")
     you.key(KEY.Key_Z, CONTROL)
@@ -76,12 +76,12 @@ def edit_numbers(you: Driver, _: Path) -> None:
     window, document = you.window, you.window.document
     document.look(replace(document.view, selected_inputs=(1,)))
     for kind in ("Tap", "Impulse", "Noise", "Tone"):
-        field = you.widget("kind_field", window.inspector)
+        field = you.widget("kind_field", window.panel("inspector"))
         you.focus(field)
         you.type(kind)
         you.picture(f"waveform {kind}")
         you.expect(document.design.inputs[0].waveform.title == kind, f"typing chooses {kind}")
-    field = you.widget("frequency_hz_field", window.inspector)
+    field = you.widget("frequency_hz_field", window.panel("inspector"))
     you.double_click(field)
     you.picture("typing a frequency")
     you.type("0,12 kHz")
@@ -112,7 +112,7 @@ def edit_numbers(you: Driver, _: Path) -> None:
     you.drag(field, middle, middle + QPoint(80, 0))
     you.expect(document.undo_stack.count() == steps + 1, "a drag is one undo step")
     you.picture("a frequency dragged")
-    onset = you.widget("onset_s_field", window.inspector)
+    onset = you.widget("onset_s_field", window.panel("inspector"))
     you.focus(onset)
     you.type("0.1 s")
     you.key(KEY.Key_Tab)

@@ -1,6 +1,5 @@
 """Chapters of the walkthrough: files, arrangements, themes and pages."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -56,11 +55,11 @@ def export_field(you: Driver, folder: Path) -> None:
     """The whole field, written and read back; another one given up by keyboard."""
     window, document = you.window, you.window.document
     path = folder / "field.npz"
-    window.commands.arrange_design()
+    window.do("arrange_design")
     with you.answering(path):
-        window.commands.export_field()
+        window.do("export_field")
     you.picture("exporting the field")
-    you.expect(you.waited(lambda: not window.commands.exports.jobs.busy), "the export ends")
+    you.expect(you.waited(lambda: not window.runner.busy), "the export ends")
     you.picture("exported")
     you.expect(path.name in window.statusBar().currentMessage(), "the status bar tells of it")
     with np.load(path, allow_pickle=False) as archive:
@@ -74,12 +73,12 @@ def export_field(you: Driver, folder: Path) -> None:
     document.edit("Add a long input", document.design.adding(long))
     you.settle()
     with you.answering(folder / "long.npz"):
-        window.commands.export_field()
-    you.focus(window.spectra)
+        window.do("export_field")
+    you.focus(window.panel("spectra"))
     you.key(KEY.Key_Tab)
     you.picture("the keyboard on Cancel")
     you.key(KEY.Key_Space)
-    you.expect(you.waited(lambda: not window.commands.exports.jobs.busy), "Cancel ends it")
+    you.expect(you.waited(lambda: not window.runner.busy), "Cancel ends it")
     you.picture("an export given up")
     you.expect(not (folder / "long.npz").exists(), "nothing is left of it")
     you.key(KEY.Key_Z, CONTROL)
@@ -106,14 +105,8 @@ def arrange(you: Driver, _: Path) -> None:
     you.picture("palette with theme typed", palette)
     you.expect(palette.list.count() == 3, "theme finds the three themes")
     you.key(KEY.Key_Escape)
-    pages: tuple[Callable[[], None], ...] = (
-        window.commands.show_keys,
-        window.commands.show_dataset_help,
-        window.commands.show_about,
-        window.commands.show_accuracy,
-    )
-    for page in pages:
-        page()
+    for page in ("show_keys", "show_dataset", "show_about", "show_accuracy"):
+        window.do(page)
         QApplication.processEvents()
         dialog = next(one for one in window.findChildren(QDialog) if one.isVisible())
         dialog.activateWindow()
@@ -126,6 +119,6 @@ def arrange(you: Driver, _: Path) -> None:
     you.expect(window.isFullScreen(), "F11 fills the screen")
     you.key(KEY.Key_F11)
     you.expect(not window.isFullScreen(), "and gives it back")
-    window.commands.use_dark_theme()
+    window.do("use_dark_theme")
     you.picture("dark")
-    window.commands.use_light_theme()
+    window.do("use_light_theme")

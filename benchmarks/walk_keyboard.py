@@ -15,7 +15,7 @@ _MOST_STOPS = 100
 def go_by_keyboard(you: Driver, _: Path) -> None:
     """Tab and Shift+Tab through all panels; F6 from one to the next."""
     window = you.window
-    you.focus(window.hand)
+    you.focus(window.panel("hand"))
     for words, modifiers, order in (("Tab", NONE, _ORDER), ("Shift Tab", SHIFT, _ORDER[::-1])):
         start = QApplication.focusWidget()
         went = [_panel_with_keyboard(you)]

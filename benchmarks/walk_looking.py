@@ -19,7 +19,7 @@ of_spectra = partial(settings_of, panel="spectra", kind=SpectraSettings)
 
 def select_outputs(you: Driver, _: Path) -> None:
     """Click, shift, rubber band, keyboard, volar ones."""
-    document, skin = you.window.document, you.window.skin.map
+    document, skin = you.window.document, you.window.panel("skin").map
     you.click(skin, skin.place_of(35).toPoint())
     you.click(skin, skin.place_of(61).toPoint(), SHIFT)
     you.expect(document.view.outputs == (35, 61), "click selects, shift-click adds a volar one")
@@ -43,8 +43,8 @@ def select_outputs(you: Driver, _: Path) -> None:
 def read_plots(you: Driver, _: Path) -> None:
     """Zoom, crosshair, stacked, logarithmic, delay."""
     window, document = you.window, you.window.document
-    traces = you.surface("traces-plot", window.traces)
-    spectra = you.surface("spectra-plot", window.spectra)
+    traces = you.surface("traces-plot", window.panel("traces"))
+    spectra = you.surface("spectra-plot", window.panel("spectra"))
     middle = traces.rect().center()
     you.hover(traces, middle)
     you.picture("crosshair in traces")
@@ -52,22 +52,22 @@ def read_plots(you: Driver, _: Path) -> None:
     shown = document.view.time_range_s
     you.expect(shown is not None, "a drag zooms the traces")
     you.picture("traces zoomed")
-    you.click(you.widget("remove-delay", window.traces))
+    you.click(you.widget("remove-delay", window.panel("traces")))
     moved = document.view.time_range_s
     you.expect(moved is not None and moved != shown, "without delay the same piece is shown")
     you.key(KEY.Key_T, CONTROL)
     you.expect(document.view.time_range_s == shown, "the menu does the same as the switch")
-    you.focus(you.widget("traces-plot", window.traces))
+    you.focus(you.widget("traces-plot", window.panel("traces")))
     you.key(KEY.Key_Right, SHIFT)
     you.key(KEY.Key_0)
     you.picture("traces keyboard crosshair")
     you.expect(document.view.time_range_s is None, "0 shows everything")
     you.key(KEY.Key_Escape)
-    you.click(you.widget("stacked", window.traces))
-    you.click(you.widget("stacked", window.spectra))
-    you.click(you.widget("log-frequency", window.spectra))
+    you.click(you.widget("stacked", window.panel("traces")))
+    you.click(you.widget("stacked", window.panel("spectra")))
+    you.click(you.widget("log-frequency", window.panel("spectra")))
     you.picture("stacked and logarithmic")
-    you.click(you.widget("log-magnitude", window.spectra))
+    you.click(you.widget("log-magnitude", window.panel("spectra")))
     you.wheel(spectra, 5, modifiers=CONTROL)
     you.picture("spectra linear and zoomed")
     you.expect(
@@ -75,23 +75,23 @@ def read_plots(you: Driver, _: Path) -> None:
         "Ctrl and wheel zooms",
     )
     you.double_click(spectra)
-    for panel in (window.traces, window.spectra):
+    for panel in (window.panel("traces"), window.panel("spectra")):
         you.click(you.widget("overlaid", panel))
-    you.focus(you.widget("overlaid", window.spectra))
+    you.focus(you.widget("overlaid", window.panel("spectra")))
     you.picture("focus on a checked button")
 
 
 def colour_the_map(you: Driver, _: Path) -> None:
     """Range of the colours; sensors; styles."""
     window, document = you.window, you.window.document
-    high = you.widget("range_high", window.skin)
+    high = you.widget("range_high", window.panel("skin"))
     you.drag(high, high.rect().center(), high.rect().center() + QPoint(0, 60))
     you.expect(
         of_skin(document.view).map_range_db is not None,
         "a handle sets the range",
     )
     you.picture("range dragged")
-    field = you.widget("range_low_field", window.skin)
+    field = you.widget("range_low_field", window.panel("skin"))
     you.double_click(field)
     you.picture("typing a level")
     you.key(KEY.Key_A, CONTROL)
@@ -104,20 +104,20 @@ def colour_the_map(you: Driver, _: Path) -> None:
     you.expect(document.undo_stack.index() == steps - 1, "Ctrl+Z in a level at rest undoes")
     you.key(KEY.Key_Y, CONTROL)
     you.picture("a level typed")
-    you.click(you.widget("range_auto", window.skin))
+    you.click(you.widget("range_auto", window.panel("skin")))
     you.expect(
         of_skin(document.view).map_range_db is None,
         "Auto gives the range back",
     )
-    you.click(you.widget("map_sensors_shown", window.skin))
+    you.click(you.widget("map_sensors_shown", window.panel("skin")))
     you.picture("no sensors")
-    you.click(you.widget("map_sensors_only", window.skin))
+    you.click(you.widget("map_sensors_only", window.panel("skin")))
     you.picture("sensors only")
-    you.click(you.widget("map_interpolated", window.skin))
-    you.click(you.widget("map_sensors_shown", window.skin))
-    you.click(you.widget("map_fit_hand", window.skin))
+    you.click(you.widget("map_interpolated", window.panel("skin")))
+    you.click(you.widget("map_sensors_shown", window.panel("skin")))
+    you.click(you.widget("map_fit_hand", window.panel("skin")))
     you.picture("the hand alone")
-    you.click(you.widget("map_fit_all", window.skin))
+    you.click(you.widget("map_fit_all", window.panel("skin")))
 
 
 def change_setup(you: Driver, _: Path) -> None:
@@ -131,7 +131,7 @@ def change_setup(you: Driver, _: Path) -> None:
     you.key(KEY.Key_Home)
     you.picture("a single axis")
     you.expect(document.view.axes == "x", "Home chooses the first axis")
-    unit = you.widget("amplitude_field", window.inspector).spec.unit
+    unit = you.widget("amplitude_field", window.panel("inspector")).spec.unit
     you.expect(unit == "×", "the unit of the amplitude follows the scaling")
     you.focus(you.widget("limb", window.setup_bar))
     you.key(KEY.Key_End)

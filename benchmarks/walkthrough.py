@@ -62,7 +62,7 @@ def main() -> int:
         )
         window.resize(*map(int, options.size.split("x")))
         window.show()
-        window.commands.arrange_design()
+        window.do("arrange_design")
         you = Driver(window, options.folder)
         you.settle()
         you.expect(window.notice.text == "", f"the start design is shown ({window.notice.text})")

@@ -25,7 +25,7 @@ def run(folder: Path, design: Path | None) -> int:
         window = make_window(design, Preferences(folder / "studio.ini"))
         window.resize(*_SIZE_PX)
         window.show()
-        window.commands.arrange_design()
+        window.do("arrange_design")
         application.processEvents()
         window.catch_up()
         application.processEvents()
@@ -50,7 +50,7 @@ def _tell(_kind: QtMsgType, _context: QMessageLogContext, text: str) -> None:
 def _write(window: MainWindow, folder: Path) -> list[str]:
     design, view = window.document.design, window.document.view
     save_picture(folder / "window.png", window.grab())
-    save_picture(folder / "rms-map.png", window.skin.picture(800, 1200))
+    save_picture(folder / "rms-map.png", window.panel("skin").picture(800, 1200))
     export_levels(folder / "rms-map.csv", design, view)
     export_traces(folder / "traces.csv", design, view)
     return ["window.png", "rms-map.png", "rms-map.csv", "traces.csv"]

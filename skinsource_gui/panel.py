@@ -26,6 +26,8 @@ class Panel(QWidget):
     edited = Signal(object, object)
     #: The new `View`, of what is only looked at.
     view_changed = Signal(object)
+    #: The name of an action of the window, such as "export_picture".
+    action_wanted = Signal(str)
     visibility_changed = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from string import Template
 
-from PySide6.QtGui import QColor, QFont, QPalette
+from PySide6.QtGui import QColor, QFont, QFontDatabase, QPalette
 from PySide6.QtWidgets import QApplication
 
 from skinsource_gui.resources import read_text
@@ -117,9 +117,15 @@ DARK = Theme(
 THEMES = {theme.name: theme for theme in (LIGHT, DARK)}
 
 
-def apply_theme(app: QApplication, theme: Theme) -> None:
-    """Give every widget of ``app`` the colours of ``theme``."""
+def apply_theme(app: QApplication, theme: Theme, text_scale: float = 1.0) -> None:
+    """Give every widget of ``app`` the colours of ``theme``, and words of that size.
+
+    ``text_scale`` is 1 for words as large as the desktop has them.
+    """
     app.setStyle("Fusion")
+    font = scaled(QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont), text_scale)
+    if font != app.font():
+        app.setFont(font)
     app.setPalette(_palette(theme))
     app.setStyleSheet(
         Template(read_text("theme.qss")).substitute(
@@ -130,6 +136,16 @@ def apply_theme(app: QApplication, theme: Theme) -> None:
             }
         )
     )
+
+
+def scaled(font: QFont, scale: float) -> QFont:
+    """Copy of ``font`` that is ``scale`` times as large."""
+    copy = QFont(font)
+    if copy.pointSizeF() > 0:
+        copy.setPointSizeF(copy.pointSizeF() * scale)
+    else:
+        copy.setPixelSize(round(copy.pixelSize() * scale))
+    return copy
 
 
 def tabular(font: QFont) -> QFont:

@@ -81,13 +81,18 @@ class FileActions(QObject):
         path = self.ask_where("Save the design", start, _FILTER)
         return path is not None and self._save_to(path)
 
-    def ask_where(self, title: str, start: Path, kinds: str) -> Path | None:
-        """Ask for a file to write, with the ending of ``start``; None if there shall be none."""
+    def ask_where(
+        self, title: str, start: Path, kinds: str, endings: tuple[str, ...] = ()
+    ) -> Path | None:
+        """Ask for a file to write; None if there shall be none.
+
+        It has one of the ``endings``, or that of ``start``.
+        """
         name, _ = QFileDialog.getSaveFileName(self._window, title, str(start), kinds)
         if not name:
             return None
         path = Path(name)
-        if path.suffix.lower() != start.suffix.lower():
+        if path.suffix.lower() not in (start.suffix.lower(), *endings):
             # The dialog asked about the name as it was typed.
             path = path.with_name(path.name + start.suffix)
             if path.exists() and not self._may_replace(path):

@@ -1,96 +1,154 @@
-"""The one table of what can be done: menus, shortcuts, the palette and the help page use it."""
+"""The one table of what can be done: menus, shortcuts, the palette and the keys page use it."""
 
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import Any
 
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ActionSpec:
-    """One thing that can be done.
-
-    Attributes
-    ----------
-    name
-        Name of the action and of the window's method that does it.
-    text, hint
-        What the menu says; what it does, in a sentence.
-    menu
-        Menu it stands in.
-    keys
-        Shortcuts, first the one that is shown.
-    checkable
-        Whether it switches something on and off.
-    separated
-        Whether a line stands before it.
-    group
-        Of the checkable actions with the same group, one is on.
-    """
-
-    name: str
-    text: str
-    menu: str
-    hint: str
-    keys: tuple[str, ...] = ()
-    checkable: bool = False
-    separated: bool = False
-    group: str = ""
-
-
-def _action(
-    name: str, menu: str, text: str, hint: str, *keys: str, **more: bool | str
-) -> ActionSpec:
-    return ActionSpec(name=name, menu=menu, text=text, hint=hint, keys=keys, **more)
-
+from skinsource import edits
+from skinsource.design import Design, Input
+from skinsource.edits import Edit, Refusal
+from skinsource.view import View
+from skinsource_gui.files.exports import EXPORTS
+from skinsource_gui.shell.action_spec import ActionSpec
+from skinsource_gui.shell.arrangements import ARRANGEMENTS
 
 MENUS = ("File", "Edit", "View", "Help")
 
-ACTIONS: tuple[ActionSpec, ...] = (
-    _action("new_design", "File", "New", "Start over with an empty design", "Ctrl+N"),
-    _action("open_design", "File", "Open…", "Open a design file", "Ctrl+O"),
-    _action("save_design", "File", "Save", "Save the design", "Ctrl+S", separated=True),
-    _action("save_design_as", "File", "Save as…", "Save under another name", "Ctrl+Shift+S"),
+
+def _action(name: str, menu: str, text: str, hint: str, *keys: str, **more: Any) -> ActionSpec:
+    return ActionSpec(name=name, menu=menu, text=text, hint=hint, keys=keys, **more)
+
+
+def _has_inputs(design: Design, view: View) -> bool:
+    return bool(design.inputs)
+
+
+def _has_outputs(design: Design, view: View) -> bool:
+    return bool(view.outputs)
+
+
+def _selected(design: Design, view: View) -> list[Input]:
+    return [one for one in design.inputs if one.id in view.selected_inputs]
+
+
+def _has_selected(design: Design, view: View) -> bool:
+    return bool(view.selected_inputs)
+
+
+def _all_muted(design: Design, view: View) -> bool:
+    chosen = _selected(design, view)
+    return bool(chosen) and all(one.muted for one in chosen)
+
+
+def _all_solo(design: Design, view: View) -> bool:
+    chosen = _selected(design, view)
+    return bool(chosen) and all(one.solo for one in chosen)
+
+
+def _of_selected(
+    edit: Callable[[Design, View, Iterable[int]], Edit | Refusal],
+) -> Callable[[Design, View], Edit | Refusal]:
+    """Return ``edit`` of the inputs that are selected."""
+
+    def of_selected(design: Design, view: View) -> Edit | Refusal:
+        return edit(design, view, view.selected_inputs)
+
+    return of_selected
+
+
+def _select_no_outputs(design: Design, view: View) -> Edit:
+    return Edit(label="Select no outputs", design=design, view=replace(view, outputs=()))
+
+
+def _delay_removed(design: Design, view: View) -> bool:
+    return view.delay_removed
+
+
+_FILE = (
     _action(
-        "export_picture",
+        "new_design",
         "File",
-        "Export picture of the skin map…",
-        "Save the skin map as PNG, with its colour bar",
-        "Ctrl+Shift+E",
+        "New",
+        "Start over with an empty design",
+        "Ctrl+N",
+        command="files.new",
+        keywords="clear empty reset blank",
+    ),
+    _action(
+        "open_design",
+        "File",
+        "Open…",
+        "Open a design file",
+        "Ctrl+O",
+        command="files.ask_and_open",
+        keywords="load read import",
+    ),
+    _action(
+        "save_design",
+        "File",
+        "Save",
+        "Save the design",
+        "Ctrl+S",
+        command="files.save",
+        keywords="write store keep",
         separated=True,
     ),
     _action(
-        "export_traces",
+        "save_design_as",
         "File",
-        "Export traces as CSV…",
-        "Save the traces of the selected outputs, with times and units",
-        "Ctrl+E",
+        "Save as…",
+        "Save under another name",
+        "Ctrl+Shift+S",
+        command="files.ask_and_save",
+        keywords="copy rename",
+    ),
+    *(
+        ActionSpec(
+            name=f"export_{export.name}",
+            menu="File",
+            text=f"Export {export.title}",
+            hint=export.hint,
+            keys=export.keys,
+            keywords=f"save write {export.keywords}",
+            command="exports.export",
+            argument=export.name,
+            enabled=export.enabled,
+            separated=export is EXPORTS[0],
+        )
+        for export in EXPORTS
     ),
     _action(
-        "export_levels",
+        "cancel_job",
         "File",
-        "Export RMS levels as CSV…",
-        "Save the RMS of all 72 outputs, in m/s² and dB",
-    ),
-    _action(
-        "export_field",
-        "File",
-        "Export whole field as NPZ…",
-        "Save the acceleration of all 72 outputs on three axes, for NumPy",
-    ),
-    _action(
-        "cancel_export",
-        "File",
-        "Cancel export",
-        "Stop the export that runs; no file is left",
+        "Cancel what is running",
+        "Stop the export, installation or benchmark that runs; nothing half done is left",
         "Ctrl+.",
+        command="jobs.cancel",
+        keywords="stop abort export installation benchmark",
     ),
-    _action("quit_studio", "File", "Quit", "Close the studio", "Ctrl+Q", separated=True),
-    _action("undo", "Edit", "Undo", "Take the last edit back", "Ctrl+Z"),
-    _action("redo", "Edit", "Redo", "Do it again", "Ctrl+Shift+Z", "Ctrl+Y"),
+    _action(
+        "quit_studio",
+        "File",
+        "Quit",
+        "Close the studio",
+        "Ctrl+Q",
+        command="frame.close",
+        keywords="exit end leave",
+        separated=True,
+    ),
+)
+_EDIT = (
+    _action("undo", "Edit", "Undo", "Take the last edit back", "Ctrl+Z", command="steps.undo"),
+    _action("redo", "Edit", "Redo", "Do it again", "Ctrl+Shift+Z", "Ctrl+Y", command="steps.redo"),
     _action(
         "duplicate_input",
         "Edit",
         "Duplicate input",
         "Add a copy of the selected input",
         "Ctrl+D",
+        edit=_of_selected(edits.duplicate_inputs),
+        enabled=_has_selected,
+        keywords="copy clone actuator",
         separated=True,
     ),
     _action(
@@ -99,6 +157,9 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "Remove input",
         "Remove the selected input (Delete, on the hand and in the list)",
         "Ctrl+Backspace",
+        edit=_of_selected(edits.remove_inputs),
+        enabled=_has_selected,
+        keywords="delete actuator",
     ),
     _action(
         "mute_input",
@@ -106,85 +167,133 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "Mute input",
         "Silence the selected input",
         "Ctrl+M",
-        checkable=True,
+        edit=_of_selected(edits.toggle_mute),
+        enabled=_has_selected,
+        checked=_all_muted,
+        keywords="silence off actuator",
     ),
     _action(
         "solo_input",
         "Edit",
         "Solo input",
-        "Hear only the solo inputs",
+        "Only solo inputs are felt, all others rest",
         "Ctrl+Shift+M",
-        checkable=True,
+        edit=_of_selected(edits.toggle_solo),
+        enabled=_has_selected,
+        checked=_all_solo,
+        keywords="alone only actuator",
     ),
-    _action("clear_inputs", "Edit", "Remove all inputs", "Empty the hand"),
+    _action(
+        "clear_inputs",
+        "Edit",
+        "Remove all inputs",
+        "Empty the hand",
+        edit=edits.clear_inputs,
+        enabled=_has_inputs,
+        keywords="delete clear actuators",
+    ),
     _action(
         "select_no_outputs",
         "Edit",
         "Select no outputs",
         "Empty the selection of outputs",
         "Ctrl+Shift+A",
+        edit=_select_no_outputs,
+        enabled=_has_outputs,
+        keywords="deselect sensors clear",
         separated=True,
     ),
+)
+_VIEW = (
     _action(
         "remove_delay",
         "View",
         "Remove 52 ms pre-trigger delay",
         "Shift time axes so that the response starts with the stimulus",
         "Ctrl+T",
-        checkable=True,
+        command="looks.toggle_delay",
+        checked=_delay_removed,
+        keywords="time shift latency traces",
+    ),
+    *(
+        ActionSpec(
+            name=f"arrange_{arrangement.name}",
+            menu="View",
+            text=f"Arrange for {arrangement.text}",
+            hint=arrangement.hint,
+            keys=arrangement.keys,
+            keywords="layout panels docks lecture",
+            command="arrangements.show",
+            argument=arrangement.name,
+            separated=arrangement is ARRANGEMENTS[0],
+        )
+        for arrangement in ARRANGEMENTS
     ),
     _action(
-        "arrange_design",
+        "next_panel",
         "View",
-        "Arrange for designing",
-        "All panels, the hand and the skin in front",
-        "Ctrl+1",
+        "Go to next panel",
+        "Give the keyboard to it",
+        "F6",
+        command="panel_focus.next",
+        keywords="focus keyboard",
         separated=True,
     ),
     _action(
-        "arrange_analysis",
+        "previous_panel",
         "View",
-        "Arrange for analysis",
-        "The skin, traces and spectra, large",
-        "Ctrl+2",
+        "Go to previous panel",
+        "Give the keyboard to it",
+        "Shift+F6",
+        command="panel_focus.previous",
+        keywords="focus keyboard",
+    ),
+    *(
+        _action(
+            f"use_{name}_theme",
+            "View",
+            f"{name.capitalize()} theme",
+            hint,
+            command="appearance.use_theme",
+            argument=name,
+            keywords="colour color appearance mode",
+            group="theme",
+            separated=name == "light",
+        )
+        for name, hint in (
+            ("light", "Dark words on a light ground"),
+            ("dark", "Light words on a dark ground"),
+            ("system", "As the desktop has it"),
+        )
     ),
     _action(
-        "arrange_presentation",
+        "enlarge_text",
         "View",
-        "Arrange for presenting",
-        "The hand and the skin alone, large",
-        "Ctrl+3",
-    ),
-    _action(
-        "next_panel", "View", "Go to next panel", "Give the keyboard to it", "F6", separated=True
-    ),
-    _action(
-        "previous_panel", "View", "Go to previous panel", "Give the keyboard to it", "Shift+F6"
-    ),
-    _action(
-        "use_light_theme",
-        "View",
-        "Light theme",
-        "Dark words on a light ground",
-        checkable=True,
-        group="theme",
+        "Larger text",
+        "Make all words larger, for a lecture hall or tired eyes",
+        "Ctrl++",
+        "Ctrl+=",
+        command="appearance.enlarge_text",
+        keywords="font size zoom big",
         separated=True,
     ),
     _action(
-        "use_dark_theme",
+        "shrink_text",
         "View",
-        "Dark theme",
-        "Light words on a dark ground",
-        checkable=True,
-        group="theme",
+        "Smaller text",
+        "Make all words smaller",
+        "Ctrl+-",
+        command="appearance.shrink_text",
+        keywords="font size zoom small",
     ),
     _action(
-        "use_system_theme",
+        "reset_text",
         "View",
-        "System theme",
-        "As the desktop has it",
-        checkable=True,
-        group="theme",
+        "Normal text",
+        "Make words as large as the desktop has them",
+        "Ctrl+0",
+        command="appearance.reset_text",
+        keywords="font size zoom reset",
     ),
     _action(
         "toggle_full_screen",
@@ -192,27 +301,53 @@ ACTIONS: tuple[ActionSpec, ...] = (
         "Full screen",
         "The window over the whole screen",
         "F11",
+        command="frame.toggle_full_screen",
+        keywords="maximise present",
         separated=True,
     ),
+)
+_HELP = (
     _action(
         "find_action",
         "Help",
         "Search actions…",
         "Type a few letters of anything the studio can do",
         "Ctrl+K",
+        command="pages.search",
+        keywords="palette find command",
     ),
     _action(
         "show_accuracy",
         "Help",
         "Accuracy and speed…",
         "What is promised about errors and times, what is measured now, and a benchmark",
+        command="pages.show_accuracy",
+        keywords="error benchmark precision performance",
     ),
-    _action("show_keys", "Help", "Keys and mouse", "Every shortcut on one page", "F1"),
     _action(
-        "show_dataset_help",
+        "show_keys",
+        "Help",
+        "Keys and mouse",
+        "Every shortcut on one page",
+        "F1",
+        command="pages.show_keys",
+        keywords="help shortcuts keyboard manual",
+    ),
+    _action(
+        "show_dataset",
         "Help",
         "Get the measured limbs…",
-        "How to install the measured impulse responses",
+        "Install the measured impulse responses, from a folder or by download",
+        command="pages.show_dataset",
+        keywords="dataset download install limb data matlab zenodo",
     ),
-    _action("show_about", "Help", "About SkinSource studio", "Version, licence, and what to cite"),
+    _action(
+        "show_about",
+        "Help",
+        "About SkinSource studio",
+        "Version, licence, and what to cite",
+        command="pages.show_about",
+        keywords="version licence cite citation help",
+    ),
 )
+ACTIONS: tuple[ActionSpec, ...] = (*_FILE, *_EDIT, *_VIEW, *_HELP)

@@ -1,60 +1,161 @@
 """Arrangements of the docks to start from."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDockWidget, QMainWindow
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow
 
 _ACROSS, _DOWN = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
+_TOP = Qt.DockWidgetArea.TopDockWidgetArea
 
 
-def arrange_design(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
-    """Place and edit on the left, the skin in the middle, tracks and curves on the right."""
-    _columns(window, docks)
-    width, height = window.width(), window.height()
-    _show(docks, *docks)
-    window.resizeDocks(
-        [docks["hand"], docks["skin"], docks["inputs"]],
-        [int(width * 0.23), int(width * 0.27), int(width * 0.50)],
-        _ACROSS,
-    )
-    window.resizeDocks([docks["hand"], docks["inspector"]], [height * 42, height * 58], _DOWN)
-    window.resizeDocks(
-        [docks["inputs"], docks["traces"], docks["spectra"]],
-        [int(height * 0.26), int(height * 0.37), int(height * 0.37)],
-        _DOWN,
-    )
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where a panel stands in an arrangement.
+
+    Attributes
+    ----------
+    column
+        From the left, 0 is the first.  Panels of one column stand in the order of their table.
+    height
+        Share of the column's height, beside the shares of the others.
+    """
+
+    column: int
+    height: int = 40
 
 
-def arrange_analysis(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
-    """The skin on the left, traces over spectra on the right."""
-    _columns(window, docks)
-    _show(docks, "skin", "traces", "spectra")
-    width, height = window.width(), window.height()
-    window.resizeDocks([docks["skin"], docks["traces"]], [width * 32, width * 68], _ACROSS)
-    window.resizeDocks([docks["traces"], docks["spectra"]], [height, height], _DOWN)
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ArrangementSpec:
+    """One arrangement.
+
+    Attributes
+    ----------
+    name, text, hint, keys
+        As those of an action; ``text`` goes on after "Arrange for".
+    columns
+        Widths of the columns, as shares.
+    text_scale
+        Size of all words, beside the size that is chosen otherwise.
+    """
+
+    name: str
+    text: str
+    hint: str
+    keys: tuple[str, ...]
+    columns: tuple[int, ...]
+    text_scale: float = 1.0
 
 
-def arrange_presentation(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
-    """The hand beside the skin."""
-    _columns(window, docks)
-    _show(docks, "hand", "skin")
-    width = window.width()
-    window.resizeDocks([docks["hand"], docks["skin"]], [width, width], _ACROSS)
+ARRANGEMENTS: tuple[ArrangementSpec, ...] = (
+    ArrangementSpec(
+        name="design",
+        text="designing",
+        hint="All panels, the hand and the skin in front",
+        keys=("Ctrl+1",),
+        columns=(23, 27, 50),
+    ),
+    ArrangementSpec(
+        name="analysis",
+        text="analysis",
+        hint="The skin, traces and spectra, large",
+        keys=("Ctrl+2",),
+        columns=(32, 68),
+    ),
+    ArrangementSpec(
+        name="presentation",
+        text="presenting",
+        hint="The hand, the skin, and frequency and amplitude to turn, in large words",
+        keys=("Ctrl+3",),
+        columns=(50, 50),
+        text_scale=1.35,
+    ),
+)
+
+#: For each panel its place in each arrangement; None: hidden there.
+Places = Mapping[str, Mapping[str, Place | None]]
 
 
-def _columns(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
-    for dock in docks.values():
-        dock.setFloating(False)
-        window.removeDockWidget(dock)
-    window.addDockWidget(Qt.DockWidgetArea.TopDockWidgetArea, docks["hand"])
-    window.splitDockWidget(docks["hand"], docks["skin"], _ACROSS)
-    window.splitDockWidget(docks["skin"], docks["inputs"], _ACROSS)
-    window.splitDockWidget(docks["hand"], docks["inspector"], _DOWN)
-    window.splitDockWidget(docks["inputs"], docks["traces"], _DOWN)
-    window.splitDockWidget(docks["traces"], docks["spectra"], _DOWN)
+class Arrangements(QObject):
+    """Puts the docks of one window into one of the arrangements.
+
+    Parameters
+    ----------
+    window
+        Holds the docks; also the parent.
+    docks
+        By the name of their panel, in the order in which they stand in a column.
+    places
+        Where each stands in each arrangement.  A panel about which nothing is said stands at the
+        foot of the last column.
+    """
+
+    #: The arrangement that is taken up; before that happens.
+    chosen = Signal(object)
+
+    def __init__(
+        self, window: QMainWindow, docks: Mapping[str, QDockWidget], places: Places
+    ) -> None:
+        super().__init__(window)
+        self._window, self._docks, self._places = window, docks, places
+
+    def show(self, name: str) -> None:
+        """Take up the arrangement ``name``."""
+        spec = next(one for one in ARRANGEMENTS if one.name == name)
+        self.chosen.emit(spec)
+        shown = {panel: self._place(panel, spec) for panel in self._docks}
+        columns = self._columns(shown, spec)
+        self._put(columns)
+        for panel, dock in self._docks.items():
+            dock.setVisible(shown[panel] is not None)
+        self._share_room([[one for one in column if shown[one]] for column in columns], shown, spec)
+        # A panel that was a window of its own may have had the keyboard.
+        if QApplication.activeWindow() is not self._window:
+            self._window.activateWindow()
+
+    def _place(self, panel: str, spec: ArrangementSpec) -> Place | None:
+        return self._places.get(panel, {}).get(spec.name, Place(len(spec.columns) - 1))
+
+    def _columns(self, shown: Mapping[str, Place | None], spec: ArrangementSpec) -> list[list[str]]:
+        last = len(spec.columns) - 1
+        columns: list[list[str]] = [[] for _ in spec.columns]
+        for panel, place in shown.items():
+            # What is hidden comes back where it stands in the first arrangement.
+            where = place or self._place(panel, ARRANGEMENTS[0]) or Place(last)
+            columns[min(where.column, last)].append(panel)
+        return [column for column in columns if column]
+
+    def _put(self, columns: Sequence[Sequence[str]]) -> None:
+        for dock in self._docks.values():
+            dock.setFloating(False)
+            self._window.removeDockWidget(dock)
+        tops = [self._docks[column[0]] for column in columns]
+        self._window.addDockWidget(_TOP, tops[0])
+        for left, right in pairwise(tops):
+            self._window.splitDockWidget(left, right, _ACROSS)
+        for column in columns:
+            for above, below in pairwise(column):
+                self._window.splitDockWidget(self._docks[above], self._docks[below], _DOWN)
+
+    def _share_room(
+        self,
+        columns: Sequence[Sequence[str]],
+        places: Mapping[str, Place | None],
+        spec: ArrangementSpec,
+    ) -> None:
+        width, height = self._window.width(), self._window.height()
+        filled = [column for column in columns if column]
+        shares = [spec.columns[min(places[one[0]].column, len(spec.columns) - 1)] for one in filled]
+        self._window.resizeDocks(
+            [self._docks[column[0]] for column in filled], _shared(width, shares), _ACROSS
+        )
+        for column in filled:
+            docks = [self._docks[panel] for panel in column]
+            heights = _shared(height, [places[panel].height for panel in column])
+            self._window.resizeDocks(docks, heights, _DOWN)
 
 
-def _show(docks: Mapping[str, QDockWidget], *names: str) -> None:
-    for name, dock in docks.items():
-        dock.setVisible(name in names)
+def _shared(whole: int, shares: Sequence[int]) -> list[int]:
+    return [whole * share // sum(shares) for share in shares]

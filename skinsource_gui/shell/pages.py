@@ -1,99 +1,88 @@
-"""Pages of help: keys and mouse, the measured dataset, about."""
+"""The pages that open in front of the window, or beside it."""
 
-from collections.abc import Iterable
-from html import escape
+import importlib
+from collections.abc import Callable, Sequence
+from typing import Any
 
-from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QDialog, QWidget
 
-from skinsource import __version__
-from skinsource_gui.shell.actions import ActionSpec
+from skinsource_gui.shell import help_pages
+from skinsource_gui.shell.action_spec import ActionSpec
+from skinsource_gui.shell.palette import Palette
 
-_MOUSE = (
-    ("Click a place on the hand", "place an input there, or select the one that is there"),
-    ("Drag an input to another place", "move it"),
-    ("Drag or turn the wheel on a number", "change it; Ctrl makes it fine"),
-    ("Double click a number", "type it, with or without its unit"),
-    ("Click a sensor on the skin map", "select that output; Shift adds, a frame selects many"),
-    ("Ctrl and wheel on a map or plot", "zoom at the cursor; 0 or a double click shows all"),
-    ("Drag across a plot", "zoom to that stretch"),
-)
-_KEYS = (
-    ("Tab, Shift+Tab", "go from control to control through all panels, and back"),
-    ("Left and Right on Overlaid", "change to Stacked; so for all buttons of which one is on"),
-    ("Arrow keys on the hand or the skin", "move the ring from place to place"),
-    ("Enter or Space", "place or select there"),
-    ("Shift and arrow keys on the hand", "move the selected input"),
-    ("Delete", "remove the selected input"),
-    ("M, S in the list of inputs", "mute, solo"),
-    ("Left and right in a plot", "move the crosshair; + and − zoom, Esc takes it away"),
-    ("Space or Enter on the skin", "select the output; Shift adds, Ctrl+A selects all, Esc none"),
-    ("Up and Down in a number", "change it; Ctrl fine, Shift coarse, Esc takes typing back"),
-)
-_DATASET = """
-<h3>Get the measured limbs</h3>
-<p>The impulse responses of four measured limbs are published by their authors
-(<a href="https://doi.org/10.5281/zenodo.10547601">doi&nbsp;10.5281/zenodo.10547601</a>).
-They are not ours to pass on, so the studio starts on a
-synthetic limb until you install them. In a terminal:</p>
-<p><b>skinsource dataset fetch</b><br>downloads 70 MB, checks and installs them;</p>
-<p><b>skinsource dataset install FOLDER</b><br>installs them from a folder that holds
-<i>impulseResponses.mat</i> and the toolbox's folder <i>visualization</i>.</p>
-<p>Both need the extra <i>dataset</i>: <b>pip install "skinsource[dataset]"</b>. Then come back to
-the studio: the limbs can be chosen at once.</p>
-"""
-_ABOUT = f"""
-<h3>SkinSource studio {__version__}</h3>
-<p>Design vibrotactile stimuli and see how they travel across hand and arm. BSD-3-Clause.</p>
-<p>Please cite the work it rests on: Tummala, Reardon, Fani, Goetz, Bianchi, Visell, <i>SkinSource:
-A Data-Driven Toolbox for Predicting Touch-Elicited Vibrations in the Upper Limb</i>, IEEE Haptics
-Symposium 2024, <a href="https://doi.org/10.1109/HAPTICS59260.2024.10520852">doi&nbsp;10.1109/HAPTICS59260.2024.10520852</a>,
-and its dataset,
-<a href="https://doi.org/10.5281/zenodo.10547601">doi&nbsp;10.5281/zenodo.10547601</a>.</p>
-"""
+#: Makes a page in front of a window.
+MakePage = Callable[[QWidget], QDialog]
 
 
-def keys_page(actions: Iterable[ActionSpec], parent: QWidget) -> QDialog:
-    """Every shortcut and what the mouse does, on one page."""
-    rows = [("Mouse", None), *_MOUSE, ("Keyboard", None), *_KEYS, ("Actions", None)]
-    rows += [
-        (_shown(action.keys), f"{action.text} – {action.hint}") for action in actions if action.keys
-    ]
-    cells = "".join(
-        f"<tr><td colspan=2><h3>{escape(left)}</h3></td></tr>"
-        if right is None
-        else f"<tr><td><b>{escape(left)}</b>&nbsp;&nbsp;</td><td>{escape(right)}</td></tr>"
-        for left, right in rows
-    )
-    return _page("Keys and mouse", f"<table cellpadding=2>{cells}</table>", parent)
+class Pages(QObject):
+    """Opens the pages of one window.
+
+    Parameters
+    ----------
+    window
+        In front of which they open; also the parent.
+    specs
+        What the keys page lists.
+    findable
+        Gives what the palette finds; actions without a parent are the palette's.
+    make_accuracy, make_dataset
+        Make the pages that take long to import, once they are wanted.
+    """
+
+    def __init__(
+        self,
+        window: QWidget,
+        specs: Sequence[ActionSpec],
+        findable: Callable[[], list[QAction]],
+        make_accuracy: MakePage,
+        make_dataset: MakePage,
+    ) -> None:
+        super().__init__(window)
+        self._window, self._specs, self._findable = window, specs, findable
+        self._make_accuracy, self._make_dataset = make_accuracy, make_dataset
+        self.accuracy: Any = None
+
+    def search(self) -> None:
+        """Open the palette."""
+        Palette(self._findable(), self._window).open()
+
+    def show_accuracy(self) -> None:
+        """Open the page on errors and times, which stands beside the window."""
+        if self.accuracy is None:
+            # It keeps what was measured while it is closed.
+            self.accuracy = self._make_accuracy(self._window)
+        self.accuracy.show()
+        self.accuracy.raise_()
+        self.accuracy.activateWindow()
+
+    def show_keys(self) -> None:
+        """Open the page of keys and mouse."""
+        help_pages.keys_page(self._specs, self._window).open()
+
+    def show_dataset(self) -> None:
+        """Open the page on the measured limbs."""
+        self._make_dataset(self._window).open()
+
+    def show_about(self) -> None:
+        """Open the page on version, licence and citation."""
+        help_pages.about_page(self._window).open()
+
+    def end(self) -> None:
+        """Close what stands beside the window, and stop what runs."""
+        if self.accuracy is not None:
+            self.accuracy.end()
 
 
-def dataset_page(parent: QWidget) -> QDialog:
-    """How to get the measured limbs."""
-    return _page("Get the measured limbs", _DATASET, parent)
+def late(module: str, name: str, *arguments: object) -> MakePage:
+    """Return what makes the page ``name`` of ``module``; imported when it is first wanted.
 
+    Few open such a page; the start of the studio shall not wait for it.
+    """
 
-def about_page(parent: QWidget) -> QDialog:
-    """Version, licence, and what to cite."""
-    return _page("About SkinSource studio", _ABOUT, parent)
+    def make(parent: QWidget) -> QDialog:
+        page = getattr(importlib.import_module(module), name)
+        return page(*arguments, parent)
 
-
-def _shown(keys: tuple[str, ...]) -> str:
-    native = QKeySequence.SequenceFormat.NativeText
-    return ", ".join(QKeySequence(key).toString(native) for key in keys)
-
-
-def _page(title: str, html: str, parent: QWidget) -> QDialog:
-    dialog = QDialog(parent)
-    dialog.setWindowTitle(title)
-    dialog.resize(640, 480)
-    browser = QTextBrowser()
-    browser.setObjectName("page_text")
-    browser.setHtml(html)
-    browser.setOpenExternalLinks(True)
-    buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-    buttons.rejected.connect(dialog.reject)
-    layout = QVBoxLayout(dialog)
-    layout.addWidget(browser)
-    layout.addWidget(buttons)
-    return dialog
+    return make

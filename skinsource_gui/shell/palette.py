@@ -16,16 +16,35 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+_NOTHING_FOUND = "Nothing found"
+_HINT = "Try another word, such as export, limb, mute or theme; F1 shows all keys"
+#: Property of an action: other words by which it is found.
+KEYWORDS = "keywords"
+
 
 class Palette(QDialog):
-    """A list of actions that narrows while one types; Enter runs the marked one."""
+    """A list of actions that narrows while one types; Enter runs the marked one.
 
-    def __init__(self, actions: Sequence[QAction], parent: QWidget | None = None):
+    Parameters
+    ----------
+    actions
+        What can be found; those without a parent are kept as long as the palette.
+    """
+
+    def __init__(
+        self,
+        actions: Sequence[QAction],
+        parent: QWidget | None = None,
+    ):
         super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle("Search actions")
         self.setObjectName("palette")
         self.resize(460, 360)
         self._actions = actions
+        for action in actions:
+            if action.parent() is None:
+                action.setParent(self)
         self.line = QLineEdit()
         self.line.setPlaceholderText("Type a few letters…")
         self.line.setAccessibleName("Search actions")
@@ -60,13 +79,23 @@ class Palette(QDialog):
             item.setToolTip(action.toolTip())
             item.setData(Qt.ItemDataRole.UserRole, action)
             self.list.addItem(item)
-        self.list.setCurrentRow(0)
+        if self.list.count():
+            self.list.setCurrentRow(0)
+        else:
+            self._say_nothing_found()
+
+    def _say_nothing_found(self) -> None:
+        for words in (_NOTHING_FOUND, _HINT):
+            item = QListWidgetItem(words)
+            item.setFlags(Qt.ItemFlag.NoItemFlags)
+            self.list.addItem(item)
 
     def _run(self) -> None:
         item = self.list.currentItem()
-        if item is not None:
+        action = None if item is None else item.data(Qt.ItemDataRole.UserRole)
+        if action is not None:
             self.accept()
-            item.data(Qt.ItemDataRole.UserRole).trigger()
+            action.trigger()
 
 
 class _KeysAtTheRight(QStyledItemDelegate):
@@ -78,6 +107,8 @@ class _KeysAtTheRight(QStyledItemDelegate):
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex) -> None:
         super().paint(painter, option, index)
         action = index.data(Qt.ItemDataRole.UserRole)
+        if action is None:
+            return
         state = "on   " if action.isCheckable() and action.isChecked() else ""
         keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
         chosen = option.state & QStyle.StateFlag.State_Selected
@@ -93,12 +124,19 @@ class _KeysAtTheRight(QStyledItemDelegate):
 def matching(actions: Sequence[QAction], letters: str) -> list[QAction]:
     """Return the actions that are meant by ``letters``, the likeliest first.
 
-    Where some have the letters in one piece, those that have them scattered are left out.
+    First come those that say the letters in one piece, then those that have a keyword which
+    begins with them; only where there is neither, those that say them scattered.
     """
-    whole = [one for one in actions if letters.strip().lower() in one.text().lower()]
-    scores = {action: score(letters, action.text()) for action in whole or actions}
+    typed = letters.strip().lower()
+    said = [one for one in actions if typed in one.text().lower()]
+    meant = [one for one in actions if one not in said and _is_keyword(one, typed)]
+    scores = {one: score(letters, one.text()) for one in (said or ([] if meant else actions))}
     found = [action for action, gaps in scores.items() if gaps is not None]
-    return sorted(found, key=lambda action: scores[action])
+    return sorted(found, key=lambda action: scores[action]) + meant
+
+
+def _is_keyword(action: QAction, typed: str) -> bool:
+    return any(word.startswith(typed) for word in str(action.property(KEYWORDS) or "").split())
 
 
 def score(letters: str, text: str) -> int | None:

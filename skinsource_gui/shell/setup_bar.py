@@ -74,7 +74,7 @@ class SetupBar(QWidget):
                 "" if there else "Not installed; Help > Get the measured limbs… says how"
             )
 
-    def choices(self, parent: QObject) -> list[QAction]:
+    def choices(self, parent: QObject | None) -> list[QAction]:
         """One action for each choice that can be made, owned by ``parent``."""
         actions = []
         for field in (self._limb, self._scaling, self._axes, self._method):

@@ -1,54 +1,56 @@
 """The main window."""
 
-import logging
 from collections.abc import Sequence
-from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QEventLoop, Qt
-from PySide6.QtGui import QAction, QGuiApplication
-from PySide6.QtWidgets import QAbstractButton, QApplication, QDockWidget, QMainWindow, QToolBar
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QMainWindow
 
 from skinsource.design import Design
-from skinsource.errors import SkinSourceError
 from skinsource.quantities import new_graph
 from skinsource.view import View
+from skinsource_gui.files.export_actions import ExportActions
 from skinsource_gui.files.file_actions import FileActions
+from skinsource_gui.files.pictures import Draw
 from skinsource_gui.panel import Panel
-from skinsource_gui.panels.hand.panel import HandPanel
-from skinsource_gui.panels.inputs.panel import InputsPanel
-from skinsource_gui.panels.inspector.panel import InspectorPanel
-from skinsource_gui.panels.skin.panel import SkinPanel
-from skinsource_gui.panels.spectra.panel import SpectraPanel
-from skinsource_gui.panels.traces.panel import TracesPanel
-from skinsource_gui.shell.arrangements import arrange_design
-from skinsource_gui.shell.commands import Commands
+from skinsource_gui.shell.action_set import ActionSet
+from skinsource_gui.shell.actions import ACTIONS
+from skinsource_gui.shell.appearance import Appearance
+from skinsource_gui.shell.arrangements import Arrangements
+from skinsource_gui.shell.bars import setup_toolbar
+from skinsource_gui.shell.docks import dock_of, toggles
 from skinsource_gui.shell.focus_order import move_focus
-from skinsource_gui.shell.menus import build_menus
-from skinsource_gui.shell.notice_bar import NoticeBar
+from skinsource_gui.shell.looks import Looks
+from skinsource_gui.shell.menus import fill_menu_bar
+from skinsource_gui.shell.notice import Notice
+from skinsource_gui.shell.pages import Pages, late
+from skinsource_gui.shell.panel_focus import PanelFocus
+from skinsource_gui.shell.panels import PANELS
+from skinsource_gui.shell.recent_menu import RecentMenu
+from skinsource_gui.shell.reports import Reports
+from skinsource_gui.shell.running_jobs import RunningJobs
+from skinsource_gui.shell.screen_fit import ScreenFit
 from skinsource_gui.shell.setup_bar import SetupBar
+from skinsource_gui.shell.window_frame import WindowFrame
 from skinsource_gui.state.conductor import Conductor
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.engine import Outcome
 from skinsource_gui.state.installed_limbs import InstalledLimbs
+from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.patient_engine import PatientEngine
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.status.accuracy import Accuracy
+from skinsource_gui.status.job_bar import JobBar
 from skinsource_gui.status.limb_note import LimbNote
 from skinsource_gui.status.status_line import StatusLine
-from skinsource_gui.theme import THEMES, Theme, apply_theme
+from skinsource_gui.theme import Theme
 
-_log = logging.getLogger(__name__)
-_REPORT_MS = 5000
+_LARGEST_AT_FIRST = (1600, 940)
 _PREPARING = "Preparing…"
-_DOCK_BUTTONS = {
-    "qt_dockwidget_closebutton": "Hide this panel; View > Panels brings it back",
-    "qt_dockwidget_floatbutton": "Take this panel out of the window, or back into it",
-}
 
 
 class MainWindow(QMainWindow):
-    """Puts document, engine, panels and menus together; decides nothing else."""
+    """Puts document, engine, panels and actions together; decides nothing else."""
 
     def __init__(
         self,
@@ -60,76 +62,52 @@ class MainWindow(QMainWindow):
     ):
         super().__init__()
         self.setObjectName("studio")
-        self.resize(1366, 728)
+        self.resize(*_LARGEST_AT_FIRST)
         self.setDockNestingEnabled(True)
         self.setAcceptDrops(True)
         self.preferences = preferences
         self.document = Document(design, view, self)
         self.engine = PatientEngine(new_graph(), self)
-        self.hand, self.skin = HandPanel(), SkinPanel()
-        self.inputs, self.inspector = InputsPanel(), InspectorPanel()
-        self.traces, self.spectra = TracesPanel(), SpectraPanel()
-        # In the order in which the keyboard reaches them.
-        self.panels: tuple[Panel, ...] = (
-            self.hand,
-            self.inputs,
-            self.inspector,
-            self.skin,
-            self.traces,
-            self.spectra,
-        )
-        self.docks = {panel.name: self._dock(panel) for panel in self.panels}
-        self.files = FileActions(self.document, preferences, self, lambda: self.saveState().data())
-        self.commands = Commands(self)
-        self.actions_by_name: dict[str, QAction] = build_menus(self, self.commands)
-        self.commands.exports.show_state()
-        self.notice = NoticeBar()
-        self._impossible = ""
-        self._heights: dict[QDockWidget, int] = {}
+        self.runner = JobRunner(self)
+        self.panels: tuple[Panel, ...] = tuple(spec.panel() for spec in PANELS)
+        self.docks = {panel.name: dock_of(panel, self) for panel in self.panels}
         self.limbs = InstalledLimbs(tuple(available_limbs), self)
+        self.notice = Notice(self)
         self.setup_bar = SetupBar()
         self.status_line = StatusLine(self, self.engine)
+        self.job_bar = JobBar(self.runner)
         self.accuracy = Accuracy(self.engine, self)
+        self.reports = Reports(
+            self.document, self.notice, self.statusBar(), self.status_line, self.accuracy
+        )
         self._limb_note = LimbNote()
-        self._notices = self._bar("Notices")
-        self._build_bars()
+        self._make_capabilities()
+        self.action_set = ActionSet(ACTIONS, self.document, self._capabilities(), self)
+        self.actions_by_name = self.action_set.by_name
+        self._build()
         self.conductor = Conductor(self.document, self.engine, self.panels)
         self._connect()
-        self.use_theme(preferences.theme_name)
-        self._restore(preferences.geometry, preferences.layout)
+        self.appearance.apply()
+        self._restore()
         self._show_limbs()
         self._show_state()
         self._show_title()
-        for panel in (self.skin, self.inspector, self.traces, self.spectra):
-            panel.show_problem(_PREPARING)
+        for panel in self.panels:
+            if panel.needs:
+                panel.show_problem(_PREPARING)
 
     @property
     def theme(self) -> Theme:
         """The colours in use."""
-        return self._theme
+        return self.appearance.theme
 
-    def use_theme(self, name: str) -> None:
-        """Take over ``"light"``, ``"dark"`` or ``"system"``, and remember it."""
-        self.preferences.theme_name = name
-        dark = QGuiApplication.styleHints().colorScheme() == Qt.ColorScheme.Dark
-        self._theme = THEMES.get(name, THEMES["dark" if dark else "light"])
-        application = QApplication.instance()
-        if isinstance(application, QApplication):
-            apply_theme(application, self._theme)
-        self.notice.show_theme(self._theme)
-        self._limb_note.show_theme(self._theme)
-        self.status_line.show_theme(self._theme)
-        self.actions_by_name[f"use_{name if name in THEMES else 'system'}_theme"].setChecked(True)
-        for panel in self.panels:
-            panel.show_theme(self._theme)
-        self._show_state()
+    def panel(self, name: str) -> Panel:
+        """The panel of that name."""
+        return next(panel for panel in self.panels if panel.name == name)
 
-    def restore_arrangement(self, layout: bytes) -> None:
-        """Put the docks where ``layout`` (from `saveState`) has them."""
-        if layout:
-            self.restoreState(QByteArray(layout))
-        # What was saved may have been said then.
-        self._notices.setVisible(bool(self.notice.text))
+    def do(self, name: str) -> None:
+        """Do what the table of actions calls ``name``, if it can be done now."""
+        self.actions_by_name[name].trigger()
 
     def catch_up(self) -> None:
         """Wait until the panels show the present design."""
@@ -138,110 +116,110 @@ class MainWindow(QMainWindow):
         while self.engine.busy:
             loop.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
 
-    def _dock(self, panel: Panel) -> QDockWidget:
-        dock = QDockWidget(panel.title, self)
-        dock.setObjectName(panel.name)
-        dock.setWidget(panel)
-        for name, hint in _DOCK_BUTTONS.items():
-            button = dock.findChild(QAbstractButton, name)
-            button.setToolTip(hint)
-        return dock
+    def _make_capabilities(self) -> None:
+        self.appearance = Appearance(self.preferences, self)
+        places = {spec.panel.name: spec.places for spec in PANELS}
+        self.arrangements = Arrangements(self, self.docks, places)
+        self.files = FileActions(
+            self.document, self.preferences, self, lambda: self.saveState().data()
+        )
+        self.exports = ExportActions(
+            self.document, self.preferences, self.files, self.runner, self._drawer_of, self
+        )
+        self.running_jobs = RunningJobs(self.runner, self)
+        self.pages = Pages(
+            self,
+            ACTIONS,
+            self._findable,
+            late(
+                "skinsource_gui.accuracy_page.page",
+                "AccuracyPage",
+                self.status_line,
+                lambda: self.theme,
+                self.preferences,
+            ),
+            late("skinsource_gui.dataset_page.page", "DatasetPage", self.runner, self.limbs),
+        )
 
-    def _build_bars(self) -> None:
-        self._notices.addWidget(self.notice)
-        self._notices.hide()
-        self.notice.shown.connect(self._make_room_for_notice)
-        self.addToolBarBreak()
-        bar = self._bar("Setup")
-        bar.addWidget(self.setup_bar)
-        bar.addSeparator()
-        for name in ("undo", "redo"):
-            bar.addAction(self.actions_by_name[name])
-        bar.addSeparator()
-        bar.addAction(self.actions_by_name["find_action"])
+    def _capabilities(self) -> dict[str, object]:
+        # By the names that the table of actions has for them.
+        return {
+            "files": self.files,
+            "exports": self.exports,
+            "jobs": self.running_jobs,
+            "steps": self.document.undo_stack,
+            "looks": Looks(self.document),
+            "arrangements": self.arrangements,
+            "panel_focus": PanelFocus(self.panels, self),
+            "appearance": self.appearance,
+            "pages": self.pages,
+            "frame": WindowFrame(self),
+        }
+
+    def _build(self) -> None:
+        actions = self.actions_by_name
+        recent = RecentMenu(self.preferences, self)
+        recent.chosen.connect(self.files.open)
+        shown = [dock.toggleViewAction() for dock in self.docks.values()]
+        fill_menu_bar(self.menuBar(), ACTIONS, actions, recent, shown)
+        groups = [[actions["undo"], actions["redo"]], [actions["find_action"]]]
+        setup_toolbar(self, self.setup_bar, groups)
         self.statusBar().addWidget(self.status_line, 1)
         self.statusBar().addPermanentWidget(self._limb_note)
-
-    def _bar(self, title: str) -> QToolBar:
-        bar = QToolBar(title, self)
-        bar.setObjectName(title.lower())
-        bar.setMovable(False)
-        bar.toggleViewAction().setVisible(False)
-        bar.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
-        self.addToolBar(bar)
-        return bar
+        self.statusBar().addPermanentWidget(self.job_bar)
 
     def _connect(self) -> None:
-        self.document.changed.connect(self._show_state)
-        self.document.title_changed.connect(self._show_title)
-        history = self.document.undo_stack
-        for name, can_change, text_change in (
-            ("undo", history.canUndoChanged, history.undoTextChanged),
-            ("redo", history.canRedoChanged, history.redoTextChanged),
-        ):
-            action = self.actions_by_name[name]
-            action.setEnabled(False)
-            can_change.connect(action.setEnabled)
-            text_change.connect(partial(_name_step, action))
-        self.setup_bar.edited.connect(self.document.apply)
-        self.document.refused.connect(self.complain)
-        self.setup_bar.view_changed.connect(self.document.look)
-        self.skin.picture_wanted.connect(self.commands.export_picture)
-        self.files.failed.connect(self.complain)
-        self.files.done.connect(self._report)
-        self.files.opened.connect(self.restore_arrangement)
-        self._limb_note.help_wanted.connect(self.commands.show_dataset_help)
-        QGuiApplication.styleHints().colorSchemeChanged.connect(self._follow_desktop)
-        self.conductor.failed.connect(self._show_impossible)
-        self.conductor.delivered.connect(self._show_outcome)
+        document, reports = self.document, self.reports
+        document.changed.connect(self._show_state)
+        document.title_changed.connect(self._show_title)
+        document.refused.connect(reports.complain)
+        self.action_set.edited.connect(document.apply)
+        self.appearance.changed.connect(self._show_theme)
+        self.arrangements.chosen.connect(self._fit_room)
+        self.setup_bar.edited.connect(document.apply)
+        self.setup_bar.view_changed.connect(document.look)
+        self.files.failed.connect(reports.complain)
+        self.files.done.connect(reports.report)
+        self.files.opened.connect(self._restore_arrangement)
+        self.exports.failed.connect(reports.complain)
+        for panel in self.panels:
+            panel.action_wanted.connect(self.do)
+        self.runner.changed.connect(self._show_running)
+        self._limb_note.help_wanted.connect(self.pages.show_dataset)
+        self.conductor.failed.connect(reports.show_impossible)
+        self.conductor.delivered.connect(reports.show_outcome)
         self.accuracy.checked.connect(self.status_line.show_error)
-        self.engine.finished.connect(self._log_fault)
+        self.engine.finished.connect(reports.log_fault)
         self.limbs.changed.connect(self._show_limbs)
         # What could not be computed before is tried again.
-        self.limbs.changed.connect(self.document.changed)
+        self.limbs.changed.connect(document.changed)
 
-    def complain(self, reason: str) -> None:
-        """Show what went wrong, where the user looks."""
-        self.statusBar().clearMessage()
-        self.notice.say(reason, "error")
+    def _findable(self) -> list[QAction]:
+        others = [one for name, one in self.actions_by_name.items() if name != "find_action"]
+        return [*others, *toggles(self.docks.values()), *self.setup_bar.choices(None)]
 
-    def _make_room_for_notice(self, shown: bool) -> None:
-        docks = [one for one in self.docks.values() if one.isVisible() and not one.isFloating()]
-        if shown and not self._notices.isVisible():
-            self._heights = {dock: dock.height() for dock in docks}
-        self._notices.setVisible(shown)
-        if not shown:
-            # Without this, docks would share the room anew.
-            same = [dock for dock in docks if dock in self._heights]
-            heights = [self._heights[dock] for dock in same]
-            self.resizeDocks(same, heights, Qt.Orientation.Vertical)
+    def _drawer_of(self, panel: str) -> Draw:
+        self.catch_up()
+        return self.panel(panel).draw_picture
 
-    def _report(self, words: str) -> None:
-        self.notice.be_quiet()
-        self.statusBar().showMessage(words, _REPORT_MS)
-
-    def _show_impossible(self, reason: str) -> None:
-        self._impossible = reason
-        self.status_line.show_no_outcome()
-        self.complain(reason)
-
-    def _follow_desktop(self) -> None:
-        if self.preferences.theme_name == "system":
-            self.use_theme("system")
+    def _fit_room(self, arrangement) -> None:
+        self.appearance.fit_room(arrangement.text_scale)
 
     def _show_state(self) -> None:
-        design, view, actions = self.document.design, self.document.view, self.actions_by_name
+        design, view = self.document.design, self.document.view
         self.setup_bar.show_state(design, view)
         self.status_line.show_design(design)
         self._limb_note.show_limb(design.limb)
-        actions["remove_delay"].setChecked(view.delay_removed)
-        selected = None if view.selected_input is None else design.input(view.selected_input)
-        for name in ("duplicate_input", "remove_input", "mute_input", "solo_input"):
-            actions[name].setEnabled(selected is not None)
-        actions["mute_input"].setChecked(selected is not None and selected.muted)
-        actions["solo_input"].setChecked(selected is not None and selected.solo)
-        actions["clear_inputs"].setEnabled(bool(design.inputs))
-        actions["select_no_outputs"].setEnabled(bool(view.outputs))
+
+    def _show_theme(self, theme: Theme) -> None:
+        for part in (self.notice, self._limb_note, self.status_line, *self.panels):
+            part.show_theme(theme)
+        name = self.preferences.theme_name
+        known = f"use_{name}_theme" in self.actions_by_name
+        self.actions_by_name[f"use_{name if known else 'system'}_theme"].setChecked(True)
+
+    def _show_running(self) -> None:
+        self.actions_by_name["cancel_job"].setEnabled(self.runner.current is not None)
 
     def _show_limbs(self) -> None:
         self.setup_bar.show_available(self.limbs.names)
@@ -252,49 +230,40 @@ class MainWindow(QMainWindow):
         self.setWindowTitle(f"{path.stem if path else 'Untitled'}[*] – SkinSource studio")
         self.setWindowModified(self.document.modified)
 
-    def _show_outcome(self, outcome: Outcome) -> None:
-        if self._impossible and self.notice.text == self._impossible:
-            self.notice.be_quiet()
-        self._impossible = ""
-        self.status_line.show_outcome(outcome)
-        self.accuracy.show_outcome(outcome)
+    def _restore_arrangement(self, layout: bytes) -> None:
+        if layout:
+            self.restoreState(QByteArray(layout))
 
-    def _log_fault(self, outcome: Outcome) -> None:
-        if outcome.error is not None and not isinstance(outcome.error, SkinSourceError):
-            _log.error("an evaluation failed", exc_info=outcome.error)
-
-    def _restore(self, geometry: QByteArray, layout: QByteArray) -> None:
-        if geometry.isEmpty() or not self.restoreGeometry(geometry):
-            screen = self.screen().availableSize()
-            self.resize(min(1600, screen.width()), min(940, screen.height()))
-        arrange_design(self, self.docks)
-        self.restore_arrangement(layout.data())
+    def _restore(self) -> None:
+        fit = ScreenFit(self)
+        if not self.restoreGeometry(self.preferences.geometry):
+            self.move(self.screen().availableGeometry().topLeft())
+        fit.guess()
+        self.arrangements.show("design")
+        self._restore_arrangement(self.preferences.layout.data())
+        self._show_running()
 
     def focusNextPrevChild(self, forward: bool) -> bool:
-        regions = (self._notices, self.setup_bar, *self.panels, self.statusBar())
+        regions = (self.notice.buttons, self.setup_bar, *self.panels, self.statusBar())
         return move_focus(self, regions, forward=forward)
 
     def dragEnterEvent(self, event) -> None:
         if any(url.isLocalFile() for url in event.mimeData().urls()):
-            event.acceptProposedAction()
+            event.setDropAction(Qt.DropAction.CopyAction)
+            event.accept()
 
     def dropEvent(self, event) -> None:
         paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
         self.files.open(paths[0])
 
     def closeEvent(self, event) -> None:
-        if not (self.files.may_lose_changes() and self.commands.exports.may_close()):
+        if not (self.files.may_lose_changes() and self.running_jobs.may_close()):
             event.ignore()
             return
         self.preferences.geometry = self.saveGeometry()
         self.preferences.layout = self.saveState()
         self.preferences.flush()
         self.engine.close()
-        self.commands.end()
+        self.running_jobs.end()
+        self.pages.end()
         super().closeEvent(event)
-
-
-def _name_step(action: QAction, step: str) -> None:
-    word = action.objectName().capitalize()
-    action.setText(f"{word} {step[:1].lower()}{step[1:]}" if step else word)
-    action.setIconText(word)

@@ -27,8 +27,12 @@ class InstalledLimbs(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.WindowActivate:
-            found = available_limbs()
-            if found != self.names:
-                self.names = found
-                self.changed.emit()
+            self.look()
         return super().eventFilter(watched, event)
+
+    def look(self) -> None:
+        """Look which limbs are there now."""
+        found = available_limbs()
+        if found != self.names:
+            self.names = found
+            self.changed.emit()

@@ -29,6 +29,18 @@ class Preferences:
         self._settings.setValue("theme", name)
 
     @property
+    def text_scale(self) -> float:
+        """Size of words, 1 as the desktop has it."""
+        try:
+            return float(self._settings.value("text_scale", 1.0))
+        except (TypeError, ValueError):
+            return 1.0
+
+    @text_scale.setter
+    def text_scale(self, scale: float) -> None:
+        self._settings.setValue("text_scale", scale)
+
+    @property
     def geometry(self) -> QByteArray:
         """Place and size of the window; empty at first."""
         return self._bytes("geometry")

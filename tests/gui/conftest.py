@@ -1,12 +1,14 @@
 """A studio window of its own for each test, on the small built-in limb."""
 
 import threading
+from dataclasses import replace
 
 import pytest
 from PySide6.QtWidgets import QApplication
 
 from skinsource.catalogue import available_limbs
 from skinsource.design import start_design
+from skinsource_gui.files import export_actions
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
 
@@ -40,7 +42,7 @@ def make_window(qtbot, preferences, monkeypatch):
         qtbot.addWidget(window, before_close_func=_forget_changes)
         opened.append(window)
         window.show()
-        window.commands.arrange_design()
+        window.do("arrange_design")
         qtbot.waitExposed(window)
         qtbot.waitUntil(lambda: not window.engine.busy)
         return window
@@ -58,6 +60,20 @@ def make_window(qtbot, preferences, monkeypatch):
 def window(make_window):
     """The studio on its start design, with everything drawn."""
     return make_window()
+
+
+@pytest.fixture
+def write_with(monkeypatch):
+    """Have an export of the table written by another function."""
+
+    def replace_write(name, write):
+        table = tuple(
+            replace(spec, write=write) if spec.name == name else spec
+            for spec in export_actions.EXPORTS
+        )
+        monkeypatch.setattr(export_actions, "EXPORTS", table)
+
+    return replace_write
 
 
 @pytest.fixture

@@ -75,7 +75,7 @@ def child(tmp_path, monkeypatch):
 @pytest.fixture
 def page(window, child):
     window.actions_by_name["show_accuracy"].trigger()
-    return window.commands._accuracy_page
+    return window.pages.accuracy
 
 
 def find(page, kind, name):
@@ -129,7 +129,7 @@ def test_the_command_that_is_started_exists():
 def test_the_page_opens_once(window, page):
     page.close()
     window.actions_by_name["show_accuracy"].trigger()
-    assert window.commands._accuracy_page is page
+    assert window.pages.accuracy is page
     assert page.isVisible()
 
 

@@ -17,11 +17,12 @@ from PySide6.QtWidgets import (
 
 from skinsource.design import Design, Input
 from skinsource.errors import Stopped
+from skinsource.job import Job
 from skinsource.rendering import trace_rules
 from skinsource.rendering.check import TraceError
 from skinsource.waveforms import Noise, Tone
-from skinsource_gui.files import export_actions
-from skinsource_gui.files.export_bar import ExportBar
+from skinsource_gui.state.job_runner import JobProgress, JobRunner
+from skinsource_gui.status.job_bar import JobBar
 
 YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
 #: Written in some seconds.
@@ -55,13 +56,13 @@ def wait(qtbot, window):
     """Wait until nothing is exported."""
 
     def until_done():
-        qtbot.waitUntil(lambda: not window.commands.exports.jobs.busy, timeout=20_000)
+        qtbot.waitUntil(lambda: not window.runner.busy, timeout=20_000)
 
     return until_done
 
 
 @pytest.fixture
-def gate(monkeypatch):
+def gate(write_with):
     """Hold exports of the field until they are let go, or stopped."""
     gate = threading.Event()
     gate.started = threading.Event()
@@ -74,7 +75,7 @@ def gate(monkeypatch):
                 raise Stopped
         path.write_text(str(len(design.inputs)))
 
-    monkeypatch.setattr(export_actions, "export_field", write)
+    write_with("field", write)
     return gate
 
 
@@ -97,39 +98,42 @@ def test_traces_levels_and_field_hold_the_present_design(window, wait, answers, 
     assert window.preferences.folder == tmp_path
 
 
-def test_a_bar_is_shown_only_when_it_is_known_how_far_an_export_is(qtbot):
-    bar = ExportBar()
+def test_a_bar_is_shown_only_when_it_is_known_how_far_a_job_is(qtbot):
+    runner = JobRunner()
+    bar = JobBar(runner)
     qtbot.addWidget(bar)
-    bar.show_order("/home/you/field.npz", "field.npz", 0)
-    bar.show_progress(0, 0, "Computing")
-    assert part(bar, QLabel, "export_percent").text() == "computing…"
-    assert not part(bar, QProgressBar, "export_progress").isVisible()
-    bar.show_progress(1, 4, "Writing")
-    assert part(bar, QLabel, "export_percent").text() == "25 %"
-    assert part(bar, QProgressBar, "export_progress").isVisible()
+    runner.current = Job("Exporting field.npz", None)
+    runner.changed.emit()
+    assert part(bar, QLabel, "job_percent").text() == "computing…"
+    assert not part(bar, QProgressBar, "job_progress").isVisible()
+    runner.progressed.emit(runner.current, JobProgress(1, 4, "Writing", 0.1))
+    assert part(bar, QLabel, "job_percent").text() == "25 %"
+    assert part(bar, QProgressBar, "job_progress").isVisible()
+    runner.progressed.emit(runner.current, JobProgress(1, 4, "Writing", 5.0))
+    assert part(bar, QLabel, "job_percent").text() == "25 % · about 15 s left"
 
 
 def test_traces_of_no_outputs_cannot_be_exported(window, answers):
-    window.commands.select_no_outputs()
-    window.commands.export_traces()
-    assert "No output is selected" in window.notice.text
-    assert not window.commands.exports.jobs.busy
+    window.do("select_no_outputs")
+    window.do("export_traces")
+    assert not window.actions_by_name["export_traces"].isEnabled()
+    assert not window.runner.busy
 
 
 def test_a_dialog_that_is_cancelled_exports_nothing(window, answers):
-    window.commands.export_levels()
-    assert not window.commands.exports.jobs.busy
+    window.do("export_levels")
+    assert not window.runner.busy
 
 
 def test_the_design_of_the_moment_is_exported_while_editing_goes_on(
     qtbot, window, wait, gate, answers, tmp_path
 ):
     answers["save"] = str(tmp_path / "field.npz")
-    window.commands.export_field()
+    window.do("export_field")
     assert gate.started.wait(5)
     window.document.edit("Place", window.document.design.adding(Input(location=3)))
     qtbot.waitUntil(lambda: not window.engine.busy)
-    assert window.commands.exports.jobs.busy
+    assert window.runner.busy
     gate.set()
     wait()
     assert (tmp_path / "field.npz").read_text() == "1"
@@ -139,22 +143,22 @@ def test_a_running_export_is_seen_and_cancelled_with_a_click(
     qtbot, window, wait, gate, answers, tmp_path
 ):
     answers["save"] = str(tmp_path / "field.npz")
-    bar = part(window, QPushButton, "cancel_exporting")
+    bar = part(window, QPushButton, "cancel_running_job")
     assert not bar.isVisible()
-    assert not window.actions_by_name["cancel_export"].isEnabled()
-    window.commands.export_field()
-    window.commands.export_field()
-    qtbot.waitUntil(lambda: part(window, QLabel, "export_percent").text() == "34 %")
-    assert part(window, QLabel, "export_name").text() == "Exporting field.npz (+1)"
-    assert part(window, QProgressBar, "export_progress").value() == 340
-    assert window.actions_by_name["cancel_export"].isEnabled()
+    assert not window.actions_by_name["cancel_job"].isEnabled()
+    window.do("export_field")
+    window.do("export_field")
+    qtbot.waitUntil(lambda: part(window, QLabel, "job_percent").text() == "34 %")
+    assert part(window, QLabel, "job_name").text() == "Exporting field.npz (+1)"
+    assert part(window, QProgressBar, "job_progress").value() == 340
+    assert window.actions_by_name["cancel_job"].isEnabled()
     for left in (1, 0):
         gate.started.wait(5)
         QTest.mouseClick(bar, Qt.MouseButton.LeftButton)
-        qtbot.waitUntil(lambda n=left: len(window.commands.exports.jobs.unfinished) == n)
+        qtbot.waitUntil(lambda n=left: len(window.runner.unfinished) == n)
     wait()
     assert not bar.isVisible()
-    assert not window.actions_by_name["cancel_export"].isEnabled()
+    assert not window.actions_by_name["cancel_job"].isEnabled()
     assert "cancelled" in window.statusBar().currentMessage()
     assert os.listdir(tmp_path) == []
 
@@ -164,14 +168,14 @@ def test_an_export_is_cancelled_from_the_keyboard(
     qtbot, window, wait, gate, answers, tmp_path, by_shortcut
 ):
     answers["save"] = str(tmp_path / "field.npz")
-    window.commands.export_field()
+    window.do("export_field")
     assert gate.started.wait(5)
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
     if by_shortcut:
         QTest.keyClick(window, Qt.Key.Key_Period, Qt.KeyboardModifier.ControlModifier)
     else:
-        button = part(window, QPushButton, "cancel_exporting")
+        button = part(window, QPushButton, "cancel_running_job")
         button.setFocus(Qt.FocusReason.TabFocusReason)
         QTest.keyClick(button, Qt.Key.Key_Space)
     wait()
@@ -186,8 +190,8 @@ def test_a_long_export_stops_at_once_and_leaves_nothing(
     window.document.start_over(LONG, window.document.view, None)
     answers["save"] = str(tmp_path / name)
     window.actions_by_name[f"export_{name.split('.')[0]}"].trigger()
-    qtbot.waitUntil(lambda: "%" in part(window, QLabel, "export_percent").text(), timeout=20_000)
-    window.actions_by_name["cancel_export"].trigger()
+    qtbot.waitUntil(lambda: "%" in part(window, QLabel, "job_percent").text(), timeout=20_000)
+    window.actions_by_name["cancel_job"].trigger()
     wait()
     assert os.listdir(tmp_path) == []
 
@@ -198,13 +202,13 @@ def test_what_is_too_inaccurate_is_written_only_if_the_user_agrees(
     poor = TraceError(estimate=2e-3, bound=1.0)
     monkeypatch.setattr(trace_rules, "trace_error_of", lambda *_: poor)
     answers["save"] = str(tmp_path / "levels.csv")
-    window.commands.export_levels()
+    window.do("export_levels")
     qtbot.waitUntil(lambda: len(answers["asked"]) == 1)
     wait()
     assert "2.0e-03" in answers["asked"][0]
     assert os.listdir(tmp_path) == []
     answers["question"] = YES
-    window.commands.export_levels()
+    window.do("export_levels")
     qtbot.waitUntil(lambda: (tmp_path / "levels.csv").exists())
     wait()
     assert len(answers["asked"]) == 2
@@ -213,20 +217,20 @@ def test_what_is_too_inaccurate_is_written_only_if_the_user_agrees(
 
 def test_a_folder_that_cannot_be_written_is_one_clear_error(window, wait, answers, tmp_path):
     answers["save"] = str(tmp_path / "nowhere" / "levels.csv")
-    window.commands.export_levels()
+    window.do("export_levels")
     wait()
     assert "levels.csv: cannot be written" in window.notice.text
 
 
 def test_a_mistake_of_the_studio_is_told_and_the_studio_lives(
-    window, wait, answers, tmp_path, monkeypatch, caplog
+    window, wait, answers, tmp_path, write_with, caplog
 ):
     def fail(*_, **__):
         raise ZeroDivisionError("oh")
 
-    monkeypatch.setattr(export_actions, "export_levels", fail)
+    write_with("levels", fail)
     answers["save"] = str(tmp_path / "levels.csv")
-    window.commands.export_levels()
+    window.do("export_levels")
     wait()
     assert "ZeroDivisionError: oh" in window.notice.text
     assert "an export failed" in caplog.text
@@ -236,12 +240,12 @@ def test_closing_during_an_export_asks_first_and_then_leaves_nothing(
     window, gate, answers, tmp_path
 ):
     answers["save"] = str(tmp_path / "field.npz")
-    window.commands.export_field()
+    window.do("export_field")
     assert gate.started.wait(5)
     window.close()
     assert window.isVisible()
     assert "field.npz" in answers["asked"][0]
-    assert window.commands.exports.jobs.busy
+    assert window.runner.busy
     answers["question"] = YES
     window.close()
     assert not window.isVisible()
@@ -250,7 +254,7 @@ def test_closing_during_an_export_asks_first_and_then_leaves_nothing(
 
 def test_closing_without_an_export_asks_nothing(window, wait, answers, tmp_path):
     answers["save"] = str(tmp_path / "levels.csv")
-    window.commands.export_levels()
+    window.do("export_levels")
     wait()
     window.close()
     assert answers["asked"] == []
@@ -264,14 +268,14 @@ def test_the_status_bar_has_room_for_an_export_in_a_small_window(
     answers["save"] = str(tmp_path / ("long-name-" * 12 + ".npz"))
     window.document.look(replace(window.document.view, outputs=tuple(range(1, 73))))
     width = window.width()
-    window.commands.export_field()
+    window.do("export_field")
     assert gate.started.wait(5)
     qtbot.waitUntil(lambda: not window.engine.busy)
     QApplication.processEvents()
     assert window.width() == width
     for kind, name in (
-        (QLabel, "export_name"),
-        (QPushButton, "cancel_exporting"),
+        (QLabel, "job_name"),
+        (QPushButton, "cancel_running_job"),
         (QLabel, "limb_note"),
     ):
         widget = part(window, kind, name)

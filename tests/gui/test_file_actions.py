@@ -39,15 +39,15 @@ def test_a_saved_design_comes_back_with_its_view_and_arrangement(window, settle,
     window.docks["spectra"].hide()
     design, view = window.document.design, window.document.view
     answers["save"] = str(tmp_path / "tap")
-    window.commands.save_design()
+    window.do("save_design")
     assert not window.document.modified
     assert window.document.path == tmp_path / "tap.skinsource"
     answers["question"] = QMessageBox.StandardButton.Discard
-    window.commands.new_design()
+    window.do("new_design")
     assert window.document.design.inputs == ()
-    window.commands.arrange_design()
+    window.do("arrange_design")
     answers["open"] = str(tmp_path / "tap.skinsource")
-    window.commands.open_design()
+    window.do("open_design")
     settle()
     assert window.document.design == design
     assert window.document.view == view
@@ -60,7 +60,7 @@ def test_unsaved_work_is_not_lost_by_opening_closing_or_starting_over(window, an
     place(window)
     assert window.isWindowModified()
     design = window.document.design
-    window.commands.new_design()
+    window.do("new_design")
     window.files.open(tmp_path / "other.skinsource")
     window.close()
     assert answers["asked"] == ["question"] * 3
@@ -89,7 +89,7 @@ def test_a_file_that_is_no_design_is_refused_and_what_is_open_stays(window, answ
 def test_a_folder_that_cannot_be_written_is_one_clear_error(window, answers, tmp_path):
     place(window)
     answers["save"] = str(tmp_path / "no" / "such" / "folder.skinsource")
-    window.commands.save_design()
+    window.do("save_design")
     assert "cannot be written" in window.notice.text
     assert window.document.modified
 
@@ -100,7 +100,7 @@ def test_recent_files_are_offered_newest_first_and_missing_ones_dropped(
     for name in ("one", "two"):
         place(window)
         answers["save"] = str(tmp_path / f"{name}.skinsource")
-        window.commands.save_design_as()
+        window.do("save_design_as")
     assert [path.stem for path in preferences.recent_files] == ["two", "one"]
     (tmp_path / "one.skinsource").unlink()
     window.files.open(tmp_path / "one.skinsource")
@@ -112,14 +112,14 @@ def test_recent_files_are_offered_newest_first_and_missing_ones_dropped(
 
 def test_the_picture_of_the_map_is_a_png(window, settle, answers, tmp_path):
     answers["save"] = str(tmp_path / "map.png")
-    window.commands.export_picture()
+    window.do("export_picture")
     assert (tmp_path / "map.png").read_bytes().startswith(b"\x89PNG")
 
 
 def test_a_name_with_a_point_keeps_it_and_gets_the_ending(window, answers, tmp_path):
     place(window)
     answers["save"] = str(tmp_path / "my.first")
-    window.commands.save_design()
+    window.do("save_design")
     assert window.document.path == tmp_path / "my.first.skinsource"
 
 
@@ -127,7 +127,7 @@ def test_an_existing_file_is_not_replaced_behind_the_dialog(window, answers, tmp
     (tmp_path / "old.skinsource").write_bytes(b"precious")
     place(window)
     answers["save"] = str(tmp_path / "old")
-    window.commands.save_design()
+    window.do("save_design")
     assert answers["asked"] == ["save", "question"]
     assert (tmp_path / "old.skinsource").read_bytes() == b"precious"
     assert window.document.modified
@@ -135,7 +135,7 @@ def test_an_existing_file_is_not_replaced_behind_the_dialog(window, answers, tmp
 
 def test_dialogs_begin_in_the_folder_of_the_last_file(window, answers, tmp_path, preferences):
     answers["save"] = str(tmp_path / "map.png")
-    window.commands.export_picture()
+    window.do("export_picture")
     assert preferences.folder == tmp_path
     (tmp_path / "map.png").unlink()
 
@@ -143,7 +143,7 @@ def test_dialogs_begin_in_the_folder_of_the_last_file(window, answers, tmp_path,
 def test_what_went_well_is_told_in_the_status_bar(window, answers, tmp_path):
     window.complain("something old")
     answers["save"] = str(tmp_path / "a.skinsource")
-    window.commands.save_design()
+    window.do("save_design")
     assert "a.skinsource" in window.statusBar().currentMessage()
     assert window.notice.text == ""
 
@@ -161,12 +161,12 @@ def test_a_notice_that_was_open_while_saving_does_not_come_back(window, answers,
 def test_a_file_dropped_on_the_window_is_opened(window, settle, answers, tmp_path):
     place(window)
     answers["save"] = str(tmp_path / "a.skinsource")
-    window.commands.save_design()
+    window.do("save_design")
     design = window.document.design
-    window.commands.new_design()
+    window.do("new_design")
     data = QMimeData()
     data.setUrls([QUrl.fromLocalFile(str(tmp_path / "a.skinsource"))])
-    middle = window.traces.mapTo(window, window.traces.rect().center())
+    middle = window.panel("traces").mapTo(window, window.panel("traces").rect().center())
     arguments = (Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton, NO_KEYS)
     entering = QDragEnterEvent(middle, *arguments)
     QApplication.sendEvent(window, entering)

@@ -10,7 +10,6 @@ from skinsource.design import Design, Input
 from skinsource.errors import Stopped
 from skinsource.view import View
 from skinsource.waveforms import Tone
-from skinsource_gui.files import export_actions
 
 KEY = Qt.Key
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -22,7 +21,7 @@ def at_work(qtbot, window):
     """The window, with the keyboard in the hand."""
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
-    window.hand.setFocus()
+    window.panel("hand").setFocus()
     return window
 
 
@@ -46,7 +45,7 @@ def walk(window, modifiers=PLAIN):
 
 def region_of(window, widget):
     parts = {
-        "notice": window.notice,
+        "notice": window.notice.buttons,
         "setup": window.setup_bar,
         "status": window.statusBar(),
         **{panel.name: panel for panel in window.panels},
@@ -105,15 +104,15 @@ def test_what_is_disabled_or_hidden_is_left_out(at_work, settle):
 
 @pytest.mark.parametrize("arrangement", ["design", "analysis", "presentation"])
 def test_each_arrangement_has_its_own_round(at_work, arrangement):
-    getattr(at_work.commands, f"arrange_{arrangement}")()
+    at_work.do(f"arrange_{arrangement}")
     QApplication.processEvents()
-    at_work.skin.setFocus()
+    at_work.panel("skin").setFocus()
     visible = {panel.name for panel in at_work.panels if panel.isVisible()}
     assert {region for region, _ in walk(at_work)} == visible | {"setup", "status"}
 
 
 def test_a_notice_comes_first(at_work):
-    at_work.complain("Something went wrong")
+    at_work.reports.complain("Something went wrong")
     at_work.setup_bar._limb.setFocus()
     assert press(at_work, KEY.Key_Tab, SHIFT).objectName() == "close_notice"
     press(at_work, KEY.Key_Space)
@@ -125,14 +124,16 @@ def test_the_row_that_is_selected_has_the_stops(make_window, qtbot):
     window = make_window(Design(limb="synthetic-1", inputs=inputs), View(selected_inputs=(2,)))
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
-    window.inputs.setFocus()
+    window.panel("inputs").setFocus()
     amplitude = press(window, KEY.Key_Tab)
-    assert amplitude is window.inputs._list.rows.rows[1].amplitude
+    assert amplitude is window.panel("inputs")._list.rows.rows[1].amplitude
 
 
 def test_tab_ends_typing_and_goes_on(at_work):
     field = next(
-        one for one in at_work.inspector._cells() if one.field.objectName() == "duration_s_field"
+        one
+        for one in at_work.panel("inspector")._cells()
+        if one.field.objectName() == "duration_s_field"
     ).field
     field.setFocus()
     QTest.keyClicks(field, "300")
@@ -141,7 +142,7 @@ def test_tab_ends_typing_and_goes_on(at_work):
 
 
 def test_arrows_choose_among_buttons_that_exclude_each_other(at_work):
-    at_work.traces.setFocus()
+    at_work.panel("traces").setFocus()
     while QApplication.focusWidget().objectName() != "overlaid":
         press(at_work, KEY.Key_Tab, SHIFT)
     press(at_work, KEY.Key_Right)
@@ -152,31 +153,33 @@ def test_arrows_choose_among_buttons_that_exclude_each_other(at_work):
 def test_a_field_that_tab_reaches_scrolls_into_sight(at_work):
     at_work.resize(1366, 500)
     QApplication.processEvents()
-    at_work.skin.toolbar.setFocus()
+    at_work.panel("skin").toolbar.setFocus()
     while QApplication.focusWidget().objectName() != "location_field":
         press(at_work, KEY.Key_Tab, SHIFT)
     place = QApplication.focusWidget()
     assert place.visibleRegion().boundingRect() == place.rect()
 
 
-def test_a_running_export_is_reached_and_cancelled_with_tab(at_work, qtbot, monkeypatch, tmp_path):
+def test_a_running_export_is_reached_and_cancelled_with_tab(
+    at_work, qtbot, monkeypatch, tmp_path, write_with
+):
     def write(path, *_, stop, **__):
         while not stop():
             threading.Event().wait(0.001)
         raise Stopped
 
-    monkeypatch.setattr(export_actions, "export_field", write)
+    write_with("field", write)
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "f.npz"), ""))
-    at_work.commands.export_field()
-    at_work.spectra.setFocus()
-    assert press(at_work, KEY.Key_Tab).objectName() == "cancel_exporting"
+    at_work.do("export_field")
+    at_work.panel("spectra").setFocus()
+    assert press(at_work, KEY.Key_Tab).objectName() == "cancel_running_job"
     press(at_work, KEY.Key_Space)
-    qtbot.waitUntil(lambda: not at_work.commands.exports.jobs.busy)
-    assert not at_work.commands.exports.bar.isVisible()
+    qtbot.waitUntil(lambda: not at_work.runner.busy)
+    assert not at_work.job_bar.isVisible()
 
 
 def test_the_way_to_the_measured_limbs_is_followed_with_enter(at_work):
-    at_work.spectra.setFocus()
+    at_work.panel("spectra").setFocus()
     assert press(at_work, KEY.Key_Tab).objectName() == "limb_note"
     press(at_work, KEY.Key_Return)
     page = next(one for one in at_work.findChildren(QDialog) if one.isVisible())
@@ -198,9 +201,9 @@ def test_f6_goes_from_panel_to_panel_in_the_same_order(at_work):
 
 
 def test_f6_passes_by_panels_that_have_nothing_for_the_keyboard(at_work, settle):
-    at_work.commands.clear_inputs()
+    at_work.do("clear_inputs")
     settle()
-    at_work.hand.setFocus()
+    at_work.panel("hand").setFocus()
     went = [region_of(at_work, press(at_work, KEY.Key_F6)) for _ in range(4)]
     assert went == ["skin", "traces", "spectra", "hand"]
 
@@ -209,7 +212,7 @@ def test_f6_goes_to_a_panel_that_floats_and_back_and_tab_stays_in_it(at_work, qt
     at_work.docks["traces"].setFloating(True)
     at_work.activateWindow()
     qtbot.waitUntil(at_work.isActiveWindow)
-    at_work.skin.setFocus()
+    at_work.panel("skin").setFocus()
     press(at_work, KEY.Key_F6)
     qtbot.waitUntil(lambda: region_with_keyboard(at_work) == "traces")
     for _ in range(6):

@@ -64,7 +64,7 @@ def test_no_shortcut_is_given_twice():
     assert len(keys) == len(set(keys))
 
 
-@pytest.mark.parametrize("name", ["find_action", "show_keys", "show_dataset_help", "show_about"])
+@pytest.mark.parametrize("name", ["find_action", "show_keys", "show_dataset", "show_about"])
 def test_each_page_opens(window, name):
     window.actions_by_name[name].trigger()
     dialog = window.findChild(QDialog)

@@ -147,7 +147,7 @@ def test_until_there_are_results_every_picture_says_so(qtbot, preferences):
         start_design("synthetic-1"), preferences=preferences, available_limbs=available_limbs()
     )
     qtbot.addWidget(window)
-    for panel in (window.skin, window.traces, window.spectra):
+    for panel in (window.panel("skin"), window.panel("traces"), window.panel("spectra")):
         panel.resize(400, 400)
         assert shows_something(panel), panel.name
         panel.show_problem("")

@@ -48,7 +48,7 @@ def test_mute_and_solo_are_in_the_menu_too(window):
     window.actions_by_name["mute_input"].trigger()
     assert window.document.design.inputs[0].muted
     assert window.actions_by_name["mute_input"].isChecked()
-    window.commands.undo()
+    window.do("undo")
     assert not window.actions_by_name["mute_input"].isChecked()
     window.document.edit("a", Design(limb="synthetic-1"))
     assert not window.actions_by_name["solo_input"].isEnabled()

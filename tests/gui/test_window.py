@@ -41,12 +41,12 @@ def test_dragging_a_frequency_reaches_the_screen_and_is_one_undo_step(window, se
         tone = Tone(frequency_hz=float(frequency_hz))
         design = window.document.design.with_input(0, waveform=tone)
         edit = Edit(label="Change frequency", design=design, view=window.document.view)
-        window.inspector.edited.emit(edit, 5)
+        window.panel("inspector").edited.emit(edit, 5)
     settle()
     assert delivered[-1].request.given["inputs"][0].waveform.frequency_hz == 200.0
     assert window.document.undo_stack.count() == 1
     assert window.actions_by_name["undo"].text() == "Undo change frequency"
-    window.commands.undo()
+    window.do("undo")
     assert window.document.design == before
 
 
@@ -75,7 +75,7 @@ def test_a_limb_that_is_not_installed_says_so_and_empties_the_pictures(window, s
     window.document.edit("Change limb", design)
     settle()
     assert "skinsource dataset" in window.notice.text
-    window.commands.undo()
+    window.do("undo")
     settle()
     assert window.notice.text == ""
 
@@ -95,7 +95,7 @@ def test_a_single_axis_needs_no_method(window):
 @pytest.mark.parametrize("size", [(1366, 728), (1920, 1040)])
 def test_each_arrangement_fits_the_screen(window, arrangement, size):
     window.resize(*size)
-    getattr(window.commands, f"arrange_{arrangement}")()
+    window.do(f"arrange_{arrangement}")
     QApplication.processEvents()
     assert (window.width(), window.height()) == size
     for panel in window.panels:

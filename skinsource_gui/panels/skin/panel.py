@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any, ClassVar
 
 import numpy as np
-from PySide6.QtCore import QPoint, QSize, QSizeF, Qt, Signal
+from PySide6.QtCore import QPoint, QSize, QSizeF, Qt
 from PySide6.QtGui import QGuiApplication, QImage, QPainter
 from PySide6.QtWidgets import QGridLayout, QMenu, QWidget
 
@@ -41,9 +41,6 @@ class SkinPanel(Panel):
 
     title: ClassVar[str] = "Skin"
     name: ClassVar[str] = "skin"
-
-    #: The user wants the map as a file.
-    picture_wanted = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -232,7 +229,7 @@ class SkinPanel(Panel):
         menu.addAction("Fit hand and arm\t0", partial(self.map.pan_zoom.show, WHOLE))
         menu.addSeparator()
         menu.addAction("Copy picture", self._copy_picture)
-        menu.addAction("Save picture as…", self.picture_wanted.emit)
+        menu.addAction("Save picture as…", partial(self.action_wanted.emit, "export_picture"))
         menu.popup(at)
 
     def _copy_picture(self) -> None:

@@ -124,7 +124,7 @@ def menu_of(window, qtbot):
 
 def test_the_right_button_offers_fits_and_pictures(window, qtbot):
     view, wanted = window.panel.map, []
-    window.panel.picture_wanted.connect(lambda: wanted.append(True))
+    window.panel.action_wanted.connect(wanted.append)
     menu, actions = menu_of(window, qtbot)
     assert [name for name in actions if name] == [
         "Fit hand",
@@ -137,7 +137,7 @@ def test_the_right_button_offers_fits_and_pictures(window, qtbot):
     actions["Fit hand and arm"].trigger()
     assert view.pan_zoom.fit == WHOLE
     actions["Save picture as…"].trigger()
-    assert wanted == [True]
+    assert wanted == ["export_picture"]
     actions["Copy picture"].trigger()
     assert QApplication.clipboard().image() == window.panel.picture(1200, 1800)
     menu.close()

@@ -1,23 +1,23 @@
 import threading
+from functools import partial
 from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QThread
 
-from skinsource.design import Design
 from skinsource.errors import Stopped
-from skinsource.view import View
-from skinsource_gui.files.export_jobs import ExportJobs, ExportOrder
+from skinsource.job import Job
+from skinsource_gui.state.job_runner import JobProgress, JobRunner
 
 
 class Writer:
-    """An export that ends when it is told to, or stopped; what it was asked to do is noted."""
+    """Work that ends when it is told to, or stopped; what it was asked to do is noted."""
 
     def __init__(self):
         self.go_on, self.started, self.cleared = threading.Event(), threading.Event(), None
         self.threads, self.error = [], None
 
-    def __call__(self, path, design, view, *, progress, stop, largest_error):
+    def __call__(self, path, *, progress, stop):
         self.threads.append(QThread.currentThread())
         self.started.set()
         progress(0, 0, "Computing")
@@ -28,42 +28,41 @@ class Writer:
                 raise Stopped
         if self.error:
             raise self.error
-        path.write_text(design.limb)
+        path.write_text("all of it")
+        return path.name
 
 
 @pytest.fixture
 def jobs(qtbot):
     """Jobs that are closed at the end; what they tell is noted in `told`."""
     before = set(threading.enumerate())
-    jobs = ExportJobs()
+    jobs = JobRunner()
     jobs.told = []
-    for name in ("written", "cancelled"):
-        getattr(jobs, name).connect(lambda order, n=name: jobs.told.append((n, order.path.name)))
-    jobs.failed.connect(lambda order, error: jobs.told.append((str(error), order.path.name)))
+    jobs.done.connect(lambda job, result: jobs.told.append(("done", job.title)))
+    jobs.cancelled.connect(lambda job: jobs.told.append(("cancelled", job.title)))
+    jobs.failed.connect(lambda job, error: jobs.told.append((str(error), job.title)))
     yield jobs
     jobs.close()
     assert set(threading.enumerate()) == before
 
 
-def order(path: Path, write) -> ExportOrder:
-    return ExportOrder(
-        write=write, path=path, design=Design(limb="limb"), view=View(), largest_error=1e-3
-    )
+def order(path: Path, work) -> Job:
+    return Job(path.name, partial(work, path))
 
 
 def test_orders_are_carried_out_one_after_another_away_from_this_thread(qtbot, jobs, tmp_path):
     writers = [Writer(), Writer()]
     for name, writer in zip("ab", writers, strict=True):
         jobs.add(order(tmp_path / name, writer))
-    assert [one.path.name for one in jobs.unfinished] == ["a", "b"]
+    assert [one.title for one in jobs.unfinished] == ["a", "b"]
     assert writers[0].started.wait(5)
     assert not writers[1].started.is_set()
     writers[0].go_on.set()
-    qtbot.waitUntil(lambda: jobs.told == [("written", "a")])
-    assert jobs.current.path.name == "b"
+    qtbot.waitUntil(lambda: jobs.told == [("done", "a")])
+    assert jobs.current.title == "b"
     writers[1].go_on.set()
     qtbot.waitUntil(lambda: not jobs.busy)
-    assert jobs.told == [("written", "a"), ("written", "b")]
+    assert jobs.told == [("done", "a"), ("done", "b")]
     assert jobs.unfinished == ()
     assert QThread.currentThread() not in writers[0].threads + writers[1].threads
 
@@ -77,7 +76,7 @@ def test_cancel_stops_the_present_order_alone(qtbot, jobs, tmp_path):
     qtbot.waitUntil(second.started.is_set)
     second.go_on.set()
     qtbot.waitUntil(lambda: not jobs.busy)
-    assert jobs.told == [("cancelled", "a"), ("written", "b")]
+    assert jobs.told == [("cancelled", "a"), ("done", "b")]
     assert not (tmp_path / "a").exists()
 
 
@@ -106,7 +105,7 @@ def test_a_cancel_that_comes_too_late_says_that_the_file_was_written(qtbot, jobs
         pass
     jobs.cancel()
     qtbot.waitUntil(lambda: not jobs.busy)
-    assert jobs.told == [("written", "a")]
+    assert jobs.told == [("done", "a")]
 
 
 def test_a_failing_order_tells_why_and_the_next_one_begins(qtbot, jobs, tmp_path):
@@ -116,7 +115,7 @@ def test_a_failing_order_tells_why_and_the_next_one_begins(qtbot, jobs, tmp_path
         writer.go_on.set()
         jobs.add(order(tmp_path / name, writer))
     qtbot.waitUntil(lambda: not jobs.busy)
-    assert jobs.told == [("why", "a"), ("written", "b")]
+    assert jobs.told == [("why", "a"), ("done", "b")]
 
 
 def test_closing_forgets_all_orders_and_waits_for_the_thread(jobs, tmp_path):
@@ -131,19 +130,44 @@ def test_closing_forgets_all_orders_and_waits_for_the_thread(jobs, tmp_path):
 
 def test_there_is_no_thread_before_there_is_something_to_export(qtbot):
     before = threading.active_count()
-    ExportJobs().close()
+    JobRunner().close()
     assert threading.active_count() == before
 
 
 def test_progress_is_told_some_times_a_second(qtbot, jobs, tmp_path):
     told = []
-    jobs.progressed.connect(lambda *now: told.append(now))
+    jobs.progressed.connect(lambda _, progress: told.append(progress))
 
-    def write(path, design, view, *, progress, stop, largest_error):
+    def write(path, *, progress, stop):
         for done in range(100_000):
             progress(done, 100_000, "Writing")
 
     jobs.add(order(tmp_path / "a", write))
     qtbot.waitUntil(lambda: not jobs.busy)
-    assert told[0] == (0, 100_000, "Writing")
+    assert (told[0].done, told[0].total, told[0].text) == (0, 100_000, "Writing")
     assert len(told) < 100
+
+
+def test_a_job_that_waits_is_taken_back_and_the_present_one_goes_on(qtbot, jobs, tmp_path):
+    first, second = Writer(), Writer()
+    waiting = order(tmp_path / "b", second)
+    jobs.add(order(tmp_path / "a", first))
+    jobs.add(waiting)
+    jobs.cancel(waiting)
+    first.go_on.set()
+    qtbot.waitUntil(lambda: not jobs.busy)
+    assert jobs.told == [("cancelled", "b"), ("done", "a")]
+    assert not second.started.is_set()
+
+
+def test_the_result_of_a_job_is_told_with_it(qtbot, jobs, tmp_path):
+    writer, results = Writer(), []
+    writer.go_on.set()
+    jobs.done.connect(lambda job, result: results.append(result))
+    jobs.add(order(tmp_path / "a", writer))
+    qtbot.waitUntil(lambda: results == ["a"])
+
+
+def test_the_time_left_is_told_from_what_is_done():
+    assert JobProgress(1, 4, "Writing", 5.0).seconds_left == 15.0
+    assert JobProgress(0, 0, "Computing", 5.0).seconds_left is None

@@ -1,0 +1,1 @@
+"""The page on which the measured limbs are installed."""

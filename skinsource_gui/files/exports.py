@@ -1,0 +1,124 @@
+"""The one table of exports: menus, shortcuts and the palette are made from it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+from skinsource.design import Design
+from skinsource.export import export_field, export_levels, export_traces
+from skinsource.job import Progress, Stop
+from skinsource.view import View
+
+
+class Write(Protocol):
+    """A function of `skinsource.export`."""
+
+    def __call__(
+        self,
+        path: Path,
+        design: Design,
+        view: View,
+        *,
+        progress: Progress,
+        stop: Stop,
+        largest_error: float,
+    ) -> Any:
+        """Compute and write."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ExportSpec:
+    """One thing that can be exported.
+
+    It is either written by a function, as a job, or a picture of a panel.
+
+    Attributes
+    ----------
+    name
+        Of the action, after ``export_``.
+    title
+        What the menu says, after "Export".
+    file_name, kinds
+        Suggested name of the file; what can be written, as words and ending, first that of the
+        suggested name.
+    hint
+        What is written, in a sentence.
+    write
+        Computes and writes the file.
+    panel, size_px
+        The panel whose picture is saved, and width and height of that.
+    enabled
+        Whether there is anything to export; always when not given.
+    keys, keywords
+        As those of an action.
+    """
+
+    name: str
+    title: str
+    file_name: str
+    kinds: tuple[tuple[str, str], ...]
+    hint: str
+    write: Write | None = None
+    panel: str = ""
+    size_px: tuple[int, int] = (1200, 1800)
+    enabled: Callable[[Design, View], bool] | None = None
+    keys: tuple[str, ...] = ()
+    keywords: str = ""
+
+    @property
+    def filter(self) -> str:
+        """What the dialog offers."""
+        return ";;".join(f"{words} (*{ending})" for words, ending in self.kinds)
+
+    @property
+    def endings(self) -> tuple[str, ...]:
+        """The endings that the file may have."""
+        return tuple(ending for _, ending in self.kinds)
+
+
+def _has_outputs(design: Design, view: View) -> bool:
+    return bool(view.outputs)
+
+
+EXPORTS: tuple[ExportSpec, ...] = (
+    ExportSpec(
+        name="picture",
+        title="picture of the skin map…",
+        file_name="skin-map.png",
+        kinds=(("PNG", ".png"), ("SVG", ".svg"), ("PDF", ".pdf")),
+        hint="Save the skin map as PNG, SVG or PDF, with its colour bar",
+        panel="skin",
+        keys=("Ctrl+Shift+E",),
+        keywords="image figure screenshot heatmap vector pdf svg png",
+    ),
+    ExportSpec(
+        name="traces",
+        title="traces as CSV…",
+        file_name="traces.csv",
+        kinds=(("CSV", ".csv"),),
+        hint="Save the traces of the selected outputs, with times and units",
+        write=export_traces,
+        enabled=_has_outputs,
+        keys=("Ctrl+E",),
+        keywords="table excel matlab waveform acceleration",
+    ),
+    ExportSpec(
+        name="levels",
+        title="RMS levels as CSV…",
+        file_name="rms-levels.csv",
+        kinds=(("CSV", ".csv"),),
+        hint="Save the RMS of all outputs, in m/s² and dB",
+        write=export_levels,
+        keywords="table excel matlab decibels",
+    ),
+    ExportSpec(
+        name="field",
+        title="whole field as NPZ…",
+        file_name="field.npz",
+        kinds=(("NumPy archive", ".npz"),),
+        hint="Save the acceleration of all outputs on three axes, for NumPy",
+        write=export_field,
+        keywords="python numpy matlab data array",
+    ),
+)

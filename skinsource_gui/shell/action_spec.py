@@ -1,0 +1,64 @@
+"""What an entry of the table of actions says."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from skinsource.design import Design
+from skinsource.edits import Edit, Refusal
+from skinsource.view import View
+
+#: Asked with what is open now.
+Condition = Callable[[Design, View], bool]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ActionSpec:
+    """One thing that can be done.
+
+    It is either a ``command`` or an ``edit``.
+
+    Attributes
+    ----------
+    name
+        Name of the action, the same for ever.
+    menu, text
+        Menu it stands in; what the menu says.
+    hint
+        What it does, in a sentence.
+    keys
+        Shortcuts, first the one that is shown.
+    keywords
+        Other words by which the palette finds it.
+    command
+        ``"capability.method"``: who does it, and what it is called there.
+    argument
+        What the command is told, if anything.
+    edit
+        Makes the edit from the design and the view.
+    enabled
+        Whether it can be done now; always when not given.
+    checked
+        Whether it is on now; no switch when not given.
+    separated
+        Whether a line stands before it.
+    group
+        Of the switches with the same group, one is on.
+    """
+
+    name: str
+    menu: str
+    text: str
+    hint: str
+    keys: tuple[str, ...] = ()
+    keywords: str = ""
+    command: str = ""
+    argument: str = ""
+    edit: Callable[[Design, View], Edit | Refusal] | None = None
+    enabled: Condition | None = None
+    checked: Condition | None = None
+    separated: bool = False
+    group: str = ""
+
+    def __post_init__(self) -> None:
+        if bool(self.command) == (self.edit is not None):
+            raise ValueError(f"action {self.name}: expected either a command or an edit")

@@ -1,0 +1,84 @@
+"""Pages of help: keys and mouse, about."""
+
+from collections.abc import Iterable
+from html import escape
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
+
+from skinsource import __version__
+from skinsource_gui.shell.action_spec import ActionSpec
+
+_MOUSE = (
+    ("Click a place on the hand", "place an input there, or select the one that is there"),
+    ("Drag an input to another place", "move it"),
+    ("Drag or turn the wheel on a number", "change it; Ctrl makes it fine"),
+    ("Double click a number", "type it, with or without its unit"),
+    ("Click a sensor on the skin map", "select that output; Shift adds, a frame selects many"),
+    ("Ctrl and wheel on a map or plot", "zoom at the cursor; 0 or a double click shows all"),
+    ("Drag across a plot", "zoom to that stretch"),
+)
+_KEYS = (
+    ("Tab, Shift+Tab", "go from control to control through all panels, and back"),
+    ("Left and Right on Overlaid", "change to Stacked; so for all buttons of which one is on"),
+    ("Arrow keys on the hand or the skin", "move the ring from place to place"),
+    ("Enter or Space", "place or select there"),
+    ("Shift and arrow keys on the hand", "move the selected input"),
+    ("Delete", "remove the selected input"),
+    ("M, S in the list of inputs", "mute, solo"),
+    ("Left and right in a plot", "move the crosshair; + and − zoom, Esc takes it away"),
+    ("Space or Enter on the skin", "select the output; Shift adds, Ctrl+A selects all, Esc none"),
+    ("Up and Down in a number", "change it; Ctrl fine, Shift coarse, Esc takes typing back"),
+)
+_ABOUT = f"""
+<h3>SkinSource studio {__version__}</h3>
+<p>Design vibrotactile stimuli and see how they travel across hand and arm. BSD-3-Clause.</p>
+<p>Please cite the work it rests on: Tummala, Reardon, Fani, Goetz, Bianchi, Visell, <i>SkinSource:
+A Data-Driven Toolbox for Predicting Touch-Elicited Vibrations in the Upper Limb</i>, IEEE Haptics
+Symposium 2024, <a href="https://doi.org/10.1109/HAPTICS59260.2024.10520852">doi&nbsp;10.1109/HAPTICS59260.2024.10520852</a>,
+and its dataset,
+<a href="https://doi.org/10.5281/zenodo.10547601">doi&nbsp;10.5281/zenodo.10547601</a>.</p>
+"""
+
+
+def keys_page(actions: Iterable[ActionSpec], parent: QWidget) -> QDialog:
+    """Every shortcut and what the mouse does, on one page."""
+    rows = [("Mouse", None), *_MOUSE, ("Keyboard", None), *_KEYS, ("Actions", None)]
+    rows += [
+        (_shown(action.keys), f"{action.text} – {action.hint}") for action in actions if action.keys
+    ]
+    cells = "".join(
+        f"<tr><td colspan=2><h3>{escape(left)}</h3></td></tr>"
+        if right is None
+        else f"<tr><td><b>{escape(left)}</b>&nbsp;&nbsp;</td><td>{escape(right)}</td></tr>"
+        for left, right in rows
+    )
+    return _page("Keys and mouse", f"<table cellpadding=2>{cells}</table>", parent)
+
+
+def about_page(parent: QWidget) -> QDialog:
+    """Version, licence, and what to cite."""
+    return _page("About SkinSource studio", _ABOUT, parent)
+
+
+def _shown(keys: tuple[str, ...]) -> str:
+    native = QKeySequence.SequenceFormat.NativeText
+    return ", ".join(QKeySequence(key).toString(native) for key in keys)
+
+
+def _page(title: str, html: str, parent: QWidget) -> QDialog:
+    dialog = QDialog(parent)
+    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    dialog.setWindowTitle(title)
+    dialog.resize(640, 480)
+    browser = QTextBrowser()
+    browser.setObjectName("page_text")
+    browser.setHtml(html)
+    browser.setOpenExternalLinks(True)
+    buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+    buttons.rejected.connect(dialog.reject)
+    layout = QVBoxLayout(dialog)
+    layout.addWidget(browser)
+    layout.addWidget(buttons)
+    return dialog

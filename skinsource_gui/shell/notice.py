@@ -1,0 +1,119 @@
+"""The one way to tell the user that something went wrong, or what is offered."""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QMainWindow, QPushButton, QToolButton, QWidget
+
+from skinsource_gui.theme import UNIT_PX, Theme
+
+#: What can be done about it: words of the button, and what it does.
+Choice = tuple[str, Callable[[], object]]
+
+
+class Notice(QObject):
+    """Words over the lower edge of a window; they stay until closed, replaced or outdated.
+
+    Nothing moves to make room for them, and a click on the words reaches what lies below.
+
+    Parameters
+    ----------
+    window
+        Over whose panels they lie, just above the status bar; also the parent.
+    """
+
+    def __init__(self, window: QMainWindow) -> None:
+        super().__init__(window)
+        self._window = window
+        self._colours = {"error": "", "warning": "", "info": ""}
+        self._background, self._border = "", ""
+        self._kind = "info"
+        self._words = QLabel(window)
+        self._words.setObjectName("notice")
+        self._words.setWordWrap(True)
+        self._words.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        # Who aims at what was here a moment ago shall hit it.
+        self._words.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.buttons = QWidget(window)
+        self.buttons.setObjectName("notice_buttons")
+        self._row = QHBoxLayout(self.buttons)
+        self._row.setContentsMargins(0, 0, 0, 0)
+        self._row.setSpacing(UNIT_PX)
+        self._choices: list[QPushButton] = []
+        self._close = QToolButton()
+        self._close.setText("✕")
+        self._close.setObjectName("close_notice")
+        self._close.setToolTip("Close this notice")
+        self._close.setAccessibleName("Close this notice")
+        self._close.clicked.connect(self.be_quiet)
+        self._row.addWidget(self._close)
+        self.be_quiet()
+        window.installEventFilter(self)
+
+    @property
+    def text(self) -> str:
+        """What it says; empty while hidden."""
+        return self._words.text() if not self._words.isHidden() else ""
+
+    def say(self, text: str, kind: str = "info", choices: Sequence[Choice] = ()) -> None:
+        """Show ``text``; ``kind`` is ``"error"``, ``"warning"`` or ``"info"``."""
+        self._kind = kind
+        self._offer(choices)
+        self._words.setText(text)
+        self._paint()
+        for part in (self._words, self.buttons):
+            part.show()
+            part.raise_()
+        self._place()
+
+    def be_quiet(self) -> None:
+        """Take away what it says."""
+        if self.buttons.isAncestorOf(self._window.focusWidget()):
+            self._window.setFocus()
+        self._words.hide()
+        self.buttons.hide()
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self._colours = {"error": theme.error, "warning": theme.warning, "info": theme.accent}
+        self._background, self._border = theme.raised, theme.border
+        self._paint()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() in (QEvent.Type.Resize, QEvent.Type.LayoutRequest) and self.text:
+            self._place()
+        return super().eventFilter(watched, event)
+
+    def _offer(self, choices: Sequence[Choice]) -> None:
+        for button in self._choices:
+            button.hide()
+            button.deleteLater()
+        self._choices = []
+        for words, act in choices:
+            button = QPushButton(words)
+            button.setObjectName("notice_choice")
+            button.setAutoDefault(False)
+            button.clicked.connect(partial(self._choose, act))
+            self._row.insertWidget(len(self._choices), button)
+            self._choices.append(button)
+
+    def _choose(self, act: Callable[[], object], _checked: bool = False) -> None:
+        self.be_quiet()
+        act()
+
+    def _place(self) -> None:
+        width, bottom = self._window.width(), self._window.statusBar().y()
+        size = self.buttons.sizeHint()
+        self._words.setContentsMargins(UNIT_PX, UNIT_PX // 2, size.width() + 2 * UNIT_PX, 4)
+        height = max(self._words.heightForWidth(width), size.height() + UNIT_PX)
+        self._words.setGeometry(0, bottom - height, width, height)
+        top = bottom - height + (height - size.height()) // 2
+        self.buttons.setGeometry(width - size.width() - UNIT_PX, top, size.width(), size.height())
+
+    def _paint(self) -> None:
+        self._words.setStyleSheet(
+            f"#notice {{ background: {self._background}; border: none; "
+            f"border-top: 1px solid {self._border}; "
+            f"border-left: 4px solid {self._colours[self._kind]}; }}"
+        )

@@ -1,0 +1,44 @@
+"""Moves the keyboard from panel to panel."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtWidgets import QApplication
+
+from skinsource_gui.panel import Panel
+from skinsource_gui.shell.focus_order import tab_stops
+
+
+class PanelFocus(QObject):
+    """Gives the keyboard to the next panel, or the one before.
+
+    Parameters
+    ----------
+    panels
+        In the order in which the keyboard reaches them.
+    """
+
+    def __init__(self, panels: Sequence[Panel], parent: QObject) -> None:
+        super().__init__(parent)
+        self._panels = panels
+
+    def next(self) -> None:
+        """Go to the next panel."""
+        self._go(1)
+
+    def previous(self) -> None:
+        """Go to the panel before."""
+        self._go(-1)
+
+    def _go(self, step: int) -> None:
+        # A panel that only says what to do has nothing for the keyboard.
+        panels = [panel for panel in self._panels if tab_stops(panel, ())]
+        focused = QApplication.focusWidget()
+        here = [k for k, panel in enumerate(panels) if focused and panel.isAncestorOf(focused)]
+        if panels:
+            start = here[0] if here else -min(step, 0) - 1
+            panel = panels[(start + step) % len(panels)]
+            panel.activateWindow()
+            stops = tab_stops(panel, ())
+            first = panel.focusProxy()
+            (first if first in stops else stops[0]).setFocus(Qt.FocusReason.ShortcutFocusReason)

@@ -1,0 +1,47 @@
+"""The one table of panels: the window makes, places and lists them from it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from skinsource_gui.panel import Panel
+from skinsource_gui.panels.hand.panel import HandPanel
+from skinsource_gui.panels.inputs.panel import InputsPanel
+from skinsource_gui.panels.inspector.panel import InspectorPanel
+from skinsource_gui.panels.skin.panel import SkinPanel
+from skinsource_gui.panels.spectra.panel import SpectraPanel
+from skinsource_gui.panels.traces.panel import TracesPanel
+from skinsource_gui.shell.arrangements import Place
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PanelSpec:
+    """One panel.
+
+    Attributes
+    ----------
+    panel
+        Its class.
+    places
+        Where it stands in each arrangement, by name; None: hidden there.  Where nothing is said,
+        at the foot of the last column.
+    """
+
+    panel: type[Panel]
+    places: Mapping[str, Place | None] = field(default_factory=dict)
+
+
+def _places(
+    design: Place | None, analysis: Place | None, presentation: Place | None
+) -> Mapping[str, Place | None]:
+    return {"design": design, "analysis": analysis, "presentation": presentation}
+
+
+#: In the order in which the keyboard reaches them.
+PANELS: tuple[PanelSpec, ...] = (
+    PanelSpec(panel=HandPanel, places=_places(Place(0, 42), None, Place(0))),
+    PanelSpec(panel=InputsPanel, places=_places(Place(2, 26), None, None)),
+    PanelSpec(panel=InspectorPanel, places=_places(Place(0, 58), None, None)),
+    PanelSpec(panel=SkinPanel, places=_places(Place(1), Place(0), Place(1))),
+    PanelSpec(panel=TracesPanel, places=_places(Place(2, 37), Place(1), None)),
+    PanelSpec(panel=SpectraPanel, places=_places(Place(2, 37), Place(1), None)),
+)

@@ -1,0 +1,49 @@
+"""The long jobs of one window: cancelling them, and closing while they run."""
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QMessageBox, QWidget
+
+from skinsource_gui.state.job_runner import JobRunner
+
+_Answer = QMessageBox.StandardButton
+
+
+class RunningJobs(QObject):
+    """Cancels what runs, and asks before the window takes it along.
+
+    Parameters
+    ----------
+    runner
+        Carries the jobs out.
+    window
+        In front of which questions are asked; also the parent.
+    """
+
+    def __init__(self, runner: JobRunner, window: QWidget) -> None:
+        super().__init__(window)
+        self._runner, self._window = runner, window
+
+    def cancel(self) -> None:
+        """Stop the job that is being carried out; the next one begins."""
+        self._runner.cancel()
+
+    def may_close(self) -> bool:
+        """Whether the window may go: nothing is being done, or the user gives it up."""
+        titles = "; ".join(job.title for job in self._runner.unfinished)
+        if not titles:
+            return True
+        answer = QMessageBox.question(
+            self._window,
+            "Something is running",
+            f"Not finished yet: {titles}. Stop it and close? Nothing half done is left.",
+            _Answer.Yes | _Answer.Cancel,
+            _Answer.Cancel,
+        )
+        return answer == _Answer.Yes
+
+    def end(self) -> None:
+        """Stop all for good; nothing unfinished is left."""
+        if self._runner.busy:
+            # To clear away a gigabyte can take a second.
+            self._window.hide()
+        self._runner.close()

@@ -1,0 +1,59 @@
+"""Keeps a window, frame and all, on the screen."""
+
+from PySide6.QtCore import QEvent, QMargins, QObject, QRect, QSize
+from PySide6.QtWidgets import QStyle, QWidget
+
+
+def fitted(inside: QRect, available: QRect, frame: QMargins) -> QRect:
+    """Return ``inside`` moved, and where it must be cut, so that its frame is on the screen.
+
+    Parameters
+    ----------
+    inside
+        Of the window, without its frame.
+    available
+        Room on the screen.
+    frame
+        Widths of the window's frame.
+    """
+    room = available.marginsRemoved(frame)
+    size = QSize(min(inside.width(), room.width()), min(inside.height(), room.height()))
+    left = min(max(inside.left(), room.left()), room.left() + room.width() - size.width())
+    top = min(max(inside.top(), room.top()), room.top() + room.height() - size.height())
+    return QRect(left, top, size.width(), size.height())
+
+
+class ScreenFit(QObject):
+    """Fits ``window`` onto its screen when it is first shown.
+
+    The window manager gives it a frame some time after that; as long as there is none, one is
+    guessed.
+    """
+
+    def __init__(self, window: QWidget) -> None:
+        super().__init__(window)
+        self._window = window
+        window.installEventFilter(self)
+
+    def guess(self) -> None:
+        """Fit it with a frame as most desktops have it."""
+        bar = self._window.style().pixelMetric(QStyle.PixelMetric.PM_TitleBarHeight)
+        edge = self._window.style().pixelMetric(QStyle.PixelMetric.PM_DefaultFrameWidth)
+        self._fit(QMargins(edge, bar + edge, edge, 2 * edge))
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        moved = event.type() in (QEvent.Type.Move, QEvent.Type.WindowActivate)
+        handle = self._window.windowHandle()
+        if moved and self._window.isVisible() and handle is not None:
+            frame = handle.frameMargins()
+            if not frame.isNull():
+                watched.removeEventFilter(self)
+                self._fit(frame)
+        return super().eventFilter(watched, event)
+
+    def _fit(self, frame: QMargins) -> None:
+        if not self._window.windowState():
+            inside = self._window.geometry()
+            best = fitted(inside, self._window.screen().availableGeometry(), frame)
+            if best != inside:
+                self._window.setGeometry(best)
