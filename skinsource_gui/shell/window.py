@@ -165,8 +165,8 @@ class MainWindow(QMainWindow):
         groups = [[actions["undo"], actions["redo"]], [actions["find_action"]]]
         setup_toolbar(self, self.setup_bar, groups)
         self.statusBar().addWidget(self.status_line, 1)
-        self.statusBar().addPermanentWidget(self._limb_note)
         self.statusBar().addPermanentWidget(self.job_bar)
+        self.statusBar().addPermanentWidget(self._limb_note)
 
     def _connect(self) -> None:
         document, reports = self.document, self.reports

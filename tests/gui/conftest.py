@@ -90,3 +90,4 @@ def settle(qtbot, window):
 def _forget_changes(window):
     # A modal question at the end would wait for ever.
     window.document.undo_stack.setClean()
+    window.runner.close()

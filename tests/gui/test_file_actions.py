@@ -141,21 +141,11 @@ def test_dialogs_begin_in_the_folder_of_the_last_file(window, answers, tmp_path,
 
 
 def test_what_went_well_is_told_in_the_status_bar(window, answers, tmp_path):
-    window.complain("something old")
+    window.reports.complain("something old")
     answers["save"] = str(tmp_path / "a.skinsource")
     window.do("save_design")
     assert "a.skinsource" in window.statusBar().currentMessage()
     assert window.notice.text == ""
-
-
-def test_a_notice_that_was_open_while_saving_does_not_come_back(window, answers, tmp_path):
-    path = tmp_path / "a.skinsource"
-    window.complain("something old")
-    layout = window.saveState().data()
-    window.notice.be_quiet()
-    window.restore_arrangement(layout)
-    assert not window.notice.isVisible()
-    answers["save"] = str(path)
 
 
 def test_a_file_dropped_on_the_window_is_opened(window, settle, answers, tmp_path):

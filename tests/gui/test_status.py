@@ -1,6 +1,6 @@
 from dataclasses import replace
 
-from PySide6.QtWidgets import QAbstractScrollArea
+from PySide6.QtWidgets import QLabel
 
 from skinsource.design import Design
 from skinsource_gui.status.limb_note import LimbNote
@@ -20,20 +20,7 @@ def test_the_way_to_measured_limbs_is_told_only_where_they_are_missing(qtbot):
 
 def test_the_link_of_the_note_opens_the_page(window):
     window.findChild(LimbNote).linkActivated.emit("#get")
-    assert "measured" in window.findChild(QAbstractScrollArea, "page_text").toPlainText()
-
-
-def test_a_notice_leaves_the_panels_as_high_as_they_were(window, settle):
-    window.resize(1366, 768)
-    settle()
-    heights = [dock.height() for dock in window.docks.values()]
-    window.complain("A long reason. " * 20)
-    settle()
-    assert window.notice.height() < 60
-    assert window.height() == 768
-    window.notice.be_quiet()
-    settle()
-    assert [dock.height() for dock in window.docks.values()] == heights
+    assert "measured" in window.findChild(QLabel, "page_text").text()
 
 
 def test_the_menu_and_the_switch_shift_a_zoomed_time_axis_alike(window):

@@ -1,0 +1,73 @@
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel, QPushButton, QToolButton
+
+LONG = "A long reason that goes on and on. " * 20
+
+
+@pytest.mark.parametrize("words", ["short", LONG])
+def test_a_notice_moves_nothing(window, settle, words):
+    places = [dock.geometry() for dock in window.docks.values()]
+    window.reports.complain(words)
+    settle()
+    assert [dock.geometry() for dock in window.docks.values()] == places
+    label = window.findChild(QLabel, "notice")
+    assert label.isVisible()
+    assert label.geometry().bottom() < window.statusBar().y()
+    assert label.height() >= label.heightForWidth(label.width())
+
+
+def test_a_click_on_the_words_reaches_what_lies_below(window, settle):
+    window.reports.complain("Something went wrong")
+    settle()
+    words = window.findChild(QLabel, "notice")
+    middle = words.geometry().center()
+    below = window.childAt(middle)
+    assert below is not words
+    assert below is not window.notice.buttons
+    window.notice.be_quiet()
+    assert window.childAt(middle) is below
+
+
+def test_a_notice_follows_the_window(window, settle):
+    window.reports.complain("Something went wrong")
+    window.resize(1100, 700)
+    settle()
+    words, buttons = window.findChild(QLabel, "notice"), window.notice.buttons
+    assert words.width() == 1100
+    assert words.geometry().contains(buttons.geometry())
+
+
+def test_a_notice_goes_away_with_the_next_edit_but_not_with_a_look(window):
+    window.reports.complain("Something went wrong")
+    window.do("remove_delay")
+    assert window.notice.text == "Something went wrong"
+    window.do("mute_input")
+    assert window.notice.text == ""
+
+
+def test_a_notice_is_closed_with_its_button(window):
+    window.reports.complain("Something went wrong")
+    QTest.mouseClick(window.findChild(QToolButton, "close_notice"), Qt.MouseButton.LeftButton)
+    assert window.notice.text == ""
+
+
+def test_what_is_offered_is_done_once_and_the_notice_goes(window):
+    done = []
+    window.notice.say("Open it?", choices=(("Open", lambda: done.append("open")),))
+    button = window.findChild(QPushButton, "notice_choice")
+    assert window.notice.buttons.geometry().contains(
+        button.mapTo(window, QPoint(button.width() // 2, button.height() // 2))
+    )
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert done == ["open"]
+    assert window.notice.text == ""
+    window.notice.say("Something else")
+    assert not [one for one in window.findChildren(QPushButton, "notice_choice") if one.isVisible()]
+
+
+def test_what_went_well_is_forgotten_when_another_design_is_begun(window):
+    window.reports.report("Saved second.skinsource")
+    window.do("new_design")
+    assert window.statusBar().currentMessage() == ""
