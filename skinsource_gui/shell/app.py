@@ -12,6 +12,7 @@ from skinsource.assets import user_folder
 from skinsource.catalogue import available_limbs, default_limb
 from skinsource.design import start_design
 from skinsource.files import make_folder
+from skinsource_gui.shell.screen_fit import ScreenFit
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
 
@@ -57,6 +58,7 @@ def run(path: Path | None) -> int:
     application = make_application()
     make_folder(user_folder())
     window = make_window(path, Preferences(user_folder() / "studio.ini"))
+    ScreenFit(window).guess()
     window.show()
     settled = QTimer(window, singleShot=True, interval=_SETTLED_ANYWAY_MS)
     settled.timeout.connect(exempt_from_collection)

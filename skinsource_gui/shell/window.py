@@ -30,7 +30,6 @@ from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.shell.recent_menu import RecentMenu
 from skinsource_gui.shell.reports import Reports
 from skinsource_gui.shell.running_jobs import RunningJobs
-from skinsource_gui.shell.screen_fit import ScreenFit
 from skinsource_gui.shell.setup_bar import SetupBar
 from skinsource_gui.shell.window_frame import WindowFrame
 from skinsource_gui.state.conductor import Conductor
@@ -235,10 +234,7 @@ class MainWindow(QMainWindow):
             self.restoreState(QByteArray(layout))
 
     def _restore(self) -> None:
-        fit = ScreenFit(self)
-        if not self.restoreGeometry(self.preferences.geometry):
-            self.move(self.screen().availableGeometry().topLeft())
-        fit.guess()
+        self.restoreGeometry(self.preferences.geometry)
         self.arrangements.show("design")
         self._restore_arrangement(self.preferences.layout.data())
         self._show_running()

@@ -83,10 +83,11 @@ class TimingLabel(QLabel):
             draw_s=now_s - arrived_s,
             total_s=now_s - outcome.request.since_s,
         )
-        # The first picture follows no edit.
-        if not self._is_first:
-            self.times.note(self.last.total_s)
-        self._is_first = False
+        if self._is_first:
+            # The first picture follows no edit: how long it took says nothing about edits.
+            self._is_first, self.last = False, None
+            return
+        self.times.note(self.last.total_s)
         self.noted.emit()
         if not self._pause.isActive():
             self._say()
