@@ -9,7 +9,8 @@ from skinsource import shared
 from skinsource.design import Design, Input
 from skinsource.errors import StorageError
 from skinsource.export import export_levels, export_traces
-from skinsource.limb import Limb, LimbMap
+from skinsource.limb import VOLAR_OUTPUTS, Limb, LimbMap
+from skinsource.locations import OUTPUTS
 from skinsource.projection import project_axes
 from skinsource.quantities import new_graph, sources
 from skinsource.response import predict
@@ -22,6 +23,9 @@ INPUTS = (
     Input(location=13, waveform=Tap(), amplitude=-1 / 3, muted=True),
 )
 VIEW = View(axes="xz", method="soc", outputs=(72, 1, 30))
+
+
+TEXTS = ("side", "place")
 
 
 def made_up_response(place: int) -> np.ndarray:
@@ -56,7 +60,8 @@ def read(path: Path) -> tuple[list[str], list[str], np.ndarray]:
     lines = path.read_text(encoding="utf-8").splitlines()
     about = [line for line in lines if line.startswith("#")]
     names, *rows = csv.reader(io.StringIO("\n".join(lines[len(about) :])))
-    return about, names, np.array([[float(cell) for cell in row] for row in rows])
+    width = sum(name not in TEXTS for name in names)
+    return about, names, np.array([[float(cell) for cell in row[:width]] for row in rows])
 
 
 def signal(limb) -> np.ndarray:
@@ -81,7 +86,7 @@ def test_levels_read_back_exactly(tmp_path, made_up_limbs):
     path = tmp_path / "levels.csv"
     export_levels(path, Design(limb="measured-2", inputs=INPUTS), VIEW)
     _, names, table = read(path)
-    assert names == ["output", "rms_m_per_s2", "level_db_re_1_m_per_s2"]
+    assert names == ["output", "rms_m_per_s2", "level_db_re_1_m_per_s2", *TEXTS]
     expected = rms(signal(made_up_limbs("x")))
     np.testing.assert_array_equal(table[:, 0], np.arange(1, 73))
     np.testing.assert_allclose(table[:, 1], expected, rtol=1e-12)
@@ -95,6 +100,21 @@ def test_pandas_reads_the_tables_without_help(tmp_path):
     table = pandas.read_csv(path, comment="#")
     np.testing.assert_array_equal(table["output"], np.arange(1, 73))
     np.testing.assert_allclose(table["rms_m_per_s2"], read(path)[2][:, 1], rtol=1e-14)
+
+
+def test_levels_name_the_places_and_say_what_they_are_the_rms_over(tmp_path):
+    path = tmp_path / "levels.csv"
+    for span, words in (
+        ("record", "whole record (record)"),
+        ("loudest", "loudest 100 ms (loudest)"),
+    ):
+        export_levels(path, Design(limb="measured-2", inputs=INPUTS), View(span=span))
+        lines = path.read_text("utf-8").splitlines()
+        assert f"# levels: RMS over the {words}" in lines
+        rows = list(csv.reader(line for line in lines if not line.startswith("#")))[1:]
+        assert [row[4] for row in rows] == [place.name for place in OUTPUTS]
+        assert [int(row[0]) for row in rows if row[3] == "palm"] == list(VOLAR_OUTPUTS)
+        assert {row[3] for row in rows} == {"back", "palm"}
 
 
 def test_silence_is_minus_200_db_and_no_infinity(tmp_path):

@@ -1,6 +1,7 @@
 """Tables as CSV: comment lines, one header line, then numbers that read back exactly."""
 
 from collections.abc import Sequence
+from itertools import zip_longest
 from typing import BinaryIO
 
 import numpy as np
@@ -35,16 +36,26 @@ class CsvTable:
         self._file, self._stop = file, stop
         self._write([*(f"# {line}" for line in about), ",".join(header)])
 
-    def add(self, rows: Floats) -> None:
-        """Write ``rows``, (n_rows, n_columns)."""
+    def add(self, rows: Floats, texts: Sequence[Sequence[str]] = ()) -> None:
+        """Write ``rows``, (n_rows, n_columns), each followed by its ``texts``, if there are any."""
         step = max(_CELLS_AT_ONCE // max(rows.shape[1], 1), 1)
         for first in range(0, len(rows), step):
             stop_if(self._stop)
             piece = rows[first : first + step].tolist()
-            self._write([",".join([_exact(value) for value in row]) for row in piece])
+            words = [list(map(_quoted, row)) for row in texts[first : first + step]]
+            self._write(
+                [
+                    ",".join([*map(_exact, row), *more])
+                    for row, more in zip_longest(piece, words, fillvalue=())
+                ]
+            )
 
     def _write(self, lines: list[str]) -> None:
         self._file.write(("\n".join(lines) + "\n").encode())
+
+
+def _quoted(text: str) -> str:
+    return '"' + text.replace('"', '""') + '"'
 
 
 def _exact(value: float) -> str:

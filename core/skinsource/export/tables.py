@@ -21,8 +21,10 @@ from skinsource.export.output_file import output_file
 from skinsource.export.scene import PIECE_SAMPLES, Scene
 from skinsource.job import Progress, Stop, never, silent
 from skinsource.limb import PRE_TRIGGER_DELAY_S
+from skinsource.locations import OUTPUTS, output_place
 from skinsource.projection import axis_numbers
 from skinsource.view import View
+from skinsource.words import SPANS, word_of
 
 
 def export_traces(
@@ -92,7 +94,7 @@ def export_levels(
     stop: Stop = never,
     largest_error: float = math.inf,
 ) -> None:
-    """Compute and write the RMS of each of the 72 outputs, in m/s² and in dB re 1 m/s².
+    """Compute and write the RMS of each output, in m/s² and in dB re 1 m/s², side and place.
 
     Parameters and errors are those of `export_traces`.
     """
@@ -104,16 +106,26 @@ def export_levels(
     about = [
         *about_design(scene),
         about_axes(scene),
+        f"levels: RMS over the {word_of(SPANS, view.span).both.lower()}",
         *about_method(scene),
         about_error(error, f"the traces of output {loudest}, the loudest"),
     ]
-    header = ["output", "rms_m_per_s2", "level_db_re_1_m_per_s2"]
+    header = ["output", "rms_m_per_s2", "level_db_re_1_m_per_s2", "side", "place"]
     with output_file(path, stop) as file:
         table = CsvTable(file, about, header, stop)
         table.add(
-            np.vstack((scene.all_outputs, wanted["output_rms"], wanted["output_levels_db"])).T
+            np.vstack((scene.all_outputs, wanted["output_rms"], wanted["output_levels_db"])).T,
+            [_side_and_place(output) for output in scene.all_outputs],
         )
         progress(1, 1, "Writing")
+
+
+def _side_and_place(output: int) -> tuple[str, str]:
+    """Side and place of an output; empty where a limb has outputs of its own."""
+    if output > len(OUTPUTS):
+        return "", ""
+    place = output_place(output)
+    return ("palm" if place.side == "volar" else "back"), place.name
 
 
 def _trace_blocks(scene: Scene) -> Iterator[Floats]:

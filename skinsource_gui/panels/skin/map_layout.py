@@ -8,6 +8,8 @@ from PySide6.QtCore import QPointF, QRectF, QSizeF
 from PySide6.QtGui import QFontMetricsF
 
 from skinsource.limb import VOLAR_OUTPUTS, LimbMap
+from skinsource.words import PALM_SIDE
+from skinsource_gui.panels.skin.triad import triad_size
 from skinsource_gui.widgets.frame import Frame, fitted
 
 Floats = NDArray[np.float64]
@@ -15,7 +17,6 @@ Floats = NDArray[np.float64]
 #: Palmar outputs as they are laid out: rows from the wrist to the elbow, the middle of
 #: the arm on the left and its ulnar side on the right.
 PALMAR_ROWS = ((61, 62), (63, 64), (66, 65))
-PALMAR_TITLE = "Palmar side"
 
 _MARGIN_PX = 10.0
 # Height of a line of text at which sizes are as written here, px.
@@ -50,8 +51,8 @@ class MapLayout:
         Of the outputs; the six palmar ones lie in their own group.
     dot_radius, disc_radius, palmar_radius
         Of a sensor on the interpolated map, of one that carries its colour, of a palmar one.
-    palmar_card
-        Area of the palmar group.
+    palmar_card, triad_card
+        Areas of the palmar group, and of the sensors' axes; the latter empty without room.
     unit
         Factor for sizes that follow the text.
     """
@@ -63,34 +64,58 @@ class MapLayout:
     disc_radius: float
     palmar_radius: float
     palmar_card: QRectF
+    triad_card: QRectF
     unit: float
 
 
 def palmar_size(metrics: QFontMetricsF) -> QSizeF:
     """Size of the palmar group."""
     line = metrics.height()
-    width = max(metrics.horizontalAdvance(PALMAR_TITLE), 3.4 * line) + 0.9 * line
+    width = max(metrics.horizontalAdvance(PALM_SIDE), 3.4 * line) + 0.9 * line
     return QSizeF(width, (1.6 + 1.75 * len(PALMAR_ROWS)) * line)
 
 
-def fitted_beside_palmar(bounds: QRectF, room: QRectF, metrics: QFontMetricsF) -> Frame:
-    """The frame that fits ``bounds`` into ``room`` without the palmar group in its way."""
-    inner = room.adjusted(_MARGIN_PX, _MARGIN_PX, -_MARGIN_PX, -_MARGIN_PX)
-    card = palmar_size(metrics)
-    beside = fitted(bounds, inner.adjusted(0, 0, -card.width(), 0), up=True)
-    above = fitted(bounds, inner.adjusted(0, 0, 0, -card.height()), up=True)
+def fitted_beside_cards(bounds: QRectF, room: QRectF, metrics: QFontMetricsF) -> Frame:
+    """The frame that fits ``bounds`` into ``room`` without the cards in its way."""
+    beside, above = _fits(bounds, room, metrics)
     return beside if beside.scale >= above.scale else above
 
 
+def _fits(bounds: QRectF, room: QRectF, metrics: QFontMetricsF) -> tuple[Frame, Frame]:
+    """The frame beside a column of cards, and the one above a row of them."""
+    inner = room.adjusted(_MARGIN_PX, _MARGIN_PX, -_MARGIN_PX, -_MARGIN_PX)
+    palm, triad = palmar_size(metrics), triad_size(metrics)
+    width, height = max(palm.width(), triad.width()), max(palm.height(), triad.height())
+    return (
+        fitted(bounds, inner.adjusted(0, 0, -width, 0), up=True),
+        fitted(bounds, inner.adjusted(0, 0, 0, -height), up=True),
+    )
+
+
+def _cards(
+    limb_map: LimbMap, room: QRectF, metrics: QFontMetricsF, unit: float
+) -> tuple[QRectF, QRectF]:
+    """Areas of palmar group and axes: in the lower right corner, where they stay while zooming."""
+    edge = 4 * unit
+    palm, triad = palmar_size(metrics), triad_size(metrics)
+    corner = QPointF(room.right() - palm.width() - edge, room.bottom() - palm.height() - edge)
+    palm_card = QRectF(corner, palm)
+    beside, above = _fits(outline_bounds(limb_map), room, metrics)
+    if beside.scale >= above.scale:
+        at = QPointF(room.right() - triad.width() - edge, corner.y() - triad.height() - edge)
+    else:
+        at = QPointF(corner.x() - triad.width() - edge, room.bottom() - triad.height() - edge)
+    triad_card = QRectF(at, triad)
+    # Above it there is a line for a mark.
+    free = room.adjusted(edge, 2 * metrics.height(), 0, 0)
+    return palm_card, triad_card if free.contains(triad_card) else QRectF()
+
+
 def map_layout(limb_map: LimbMap, frame: Frame, room: QRectF, metrics: QFontMetricsF) -> MapLayout:
-    """Lay the map out in ``room``, with the palmar group in its lower right corner."""
+    """Lay the map out in ``room``, with the cards in its lower right corner."""
     line = metrics.height()
     unit = line / _USUAL_LINE_PX
-    size = palmar_size(metrics)
-    corner = QPointF(
-        room.right() - size.width() - 4 * unit, room.bottom() - size.height() - 4 * unit
-    )
-    card = QRectF(corner, size)
+    card, triad_card = _cards(limb_map, room, metrics, unit)
     points = frame.to_screen(limb_map.output_positions)
     for row, numbers in enumerate(PALMAR_ROWS):
         for side, number in zip((-1, 1), numbers, strict=True):
@@ -107,6 +132,7 @@ def map_layout(limb_map: LimbMap, frame: Frame, room: QRectF, metrics: QFontMetr
         disc_radius=min(max(0.46 * spacing, 3.6 * unit), 12.0 * unit),
         palmar_radius=0.72 * line,
         palmar_card=card,
+        triad_card=triad_card,
         unit=unit,
     )
 

@@ -16,11 +16,13 @@ from PySide6.QtGui import (
 )
 
 from skinsource.limb import VOLAR_OUTPUTS, LimbMap
+from skinsource.words import PALM_SIDE
 from skinsource_gui.panels.skin.colour_maps import is_light, level_colours
 from skinsource_gui.panels.skin.map_content import MapContent
-from skinsource_gui.panels.skin.map_layout import PALMAR_TITLE, MapLayout
+from skinsource_gui.panels.skin.map_layout import MapLayout
 from skinsource_gui.panels.skin.output_labels import output_labels, square
 from skinsource_gui.panels.skin.output_picking import DORSAL_OUTPUTS
+from skinsource_gui.panels.skin.triad import paint_triad
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.kept_picture import KeptPicture, PaintedAnew
 
@@ -68,7 +70,7 @@ class MapPainter:
         self._paint_still(painter, content, layout, theme)
         if content.shown_field is None:
             self._paint_discs(painter, content, layout, theme)
-            _paint_palmar_card(painter, layout, theme)
+            _paint_cards(painter, layout, theme)
         self._paint_palmar(painter, content, layout, theme)
         self._paint_selection(painter, content, layout, theme)
 
@@ -102,7 +104,7 @@ class MapPainter:
             if dots:
                 _paint_dots(on_image, layout)
             if on_field:
-                _paint_palmar_card(on_image, layout, theme)
+                _paint_cards(on_image, layout, theme)
 
         self._still.paint(painter, layout.room, (theme.name, dots, on_field), paint)
 
@@ -206,17 +208,25 @@ def small_font(font: QFont, factor: float = 0.86) -> QFont:
     return copy
 
 
-def _paint_palmar_card(painter: QPainter, layout: MapLayout, theme: Theme) -> None:
+def _paint_cards(painter: QPainter, layout: MapLayout, theme: Theme) -> None:
+    """Draw the ground of the palmar group, and the sensors' axes."""
     card = layout.palmar_card
+    _paint_card(painter, card, layout, theme)
+    painter.setPen(QColor(theme.dim))
+    line = painter.fontMetrics().height()
+    head = QRectF(card.left(), card.top(), card.width(), 1.4 * line)
+    painter.drawText(head, Qt.AlignmentFlag.AlignCenter, PALM_SIDE)
+    if not layout.triad_card.isEmpty():
+        _paint_card(painter, layout.triad_card, layout, theme)
+        paint_triad(painter, layout.triad_card, theme)
+
+
+def _paint_card(painter: QPainter, card: QRectF, layout: MapLayout, theme: Theme) -> None:
     ground = QColor(theme.base)
     ground.setAlphaF(0.88)
     painter.setPen(QPen(QColor(theme.grid), 1))
     painter.setBrush(ground)
     painter.drawRoundedRect(card, 4 * layout.unit, 4 * layout.unit)
-    painter.setPen(QColor(theme.dim))
-    line = painter.fontMetrics().height()
-    head = QRectF(card.left(), card.top(), card.width(), 1.4 * line)
-    painter.drawText(head, Qt.AlignmentFlag.AlignCenter, PALMAR_TITLE)
 
 
 def _paint_dots(painter: QPainter, layout: MapLayout) -> None:

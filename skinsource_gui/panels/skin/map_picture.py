@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 from skinsource_gui.panels.skin.colour_maps import colour_table
 from skinsource_gui.panels.skin.colour_scale import paint_colour_scale
 from skinsource_gui.panels.skin.map_content import MapContent
-from skinsource_gui.panels.skin.map_layout import fitted_beside_palmar, map_layout, outline_bounds
+from skinsource_gui.panels.skin.map_layout import fitted_beside_cards, map_layout, outline_bounds
 from skinsource_gui.panels.skin.map_painter import MapPainter, small_font
 from skinsource_gui.panels.skin.map_words import paint_words
 from skinsource_gui.theme import Theme, tabular
@@ -109,7 +109,7 @@ def _paint_heading(
 def _paint_map(painter: QPainter, content: MapContent, room: QRectF, theme: Theme) -> None:
     metrics = QFontMetricsF(painter.font())
     bounds = outline_bounds(content.limb_map)
-    frame = fitted_beside_palmar(bounds, room, metrics)
+    frame = fitted_beside_cards(bounds, room, metrics)
     layout = map_layout(content.limb_map, frame, room, metrics)
     map_painter = MapPainter(content.limb_map, colour_table(), PaintedAnew)
     map_painter.paint(painter, content, layout, theme)

@@ -17,7 +17,8 @@ def output_readout(content: MapContent, number: int) -> str:
 def pixel_readout(content: MapContent, layout: MapLayout, at: QPointF) -> str:
     """Level of the interpolated map at a screen place, empty outside."""
     field, levels = content.shown_field, content.field_levels_db
-    if field is None or levels is None or layout.palmar_card.contains(at):
+    on_card = layout.palmar_card.contains(at) or layout.triad_card.contains(at)
+    if field is None or levels is None or on_card:
         return ""
     level = field.level_at(levels, *layout.frame.to_drawing(at))
     return "" if level is None else level_text(level, content.span)

@@ -3,18 +3,27 @@
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 
+from skinsource.words import BACK_SIDE
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_painter import small_font
 from skinsource_gui.theme import Theme
 
 SYNTHETIC_MARK = "SYNTHETIC"
 OUTDATED_MARK = "Updating…"
+_LOWER_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignBottom
 
 
 def paint_words(painter: QPainter, content: MapContent, room: QRectF, theme: Theme) -> None:
-    """Draw message, synthetic mark, note and the mark of something outdated in ``room``."""
+    """Draw side, message, synthetic mark, note and the mark of something outdated in ``room``."""
     unit = QFontMetricsF(painter.font()).height() / 14
     inner = room.adjusted(8 * unit, 5 * unit, -5 * unit, -6 * unit)
+    if content.limb_map is not None:
+        painter.save()
+        painter.setFont(small_font(painter.font()))
+        top = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop
+        corner = QRectF(inner.left(), inner.top(), 0.3 * inner.width(), inner.height())
+        _paint_card(painter, corner, BACK_SIDE, QColor(theme.dim), theme, top)
+        painter.restore()
     if content.synthetic:
         paint_synthetic_mark(painter, inner, theme)
     if content.message:
@@ -24,7 +33,7 @@ def paint_words(painter: QPainter, content: MapContent, room: QRectF, theme: The
         colour = theme.dim if content.outdated else theme.warning
         area = QRectF(inner)
         area.setWidth(0.55 * inner.width())
-        _paint_card(painter, area, words, QColor(colour), theme, Qt.AlignmentFlag.AlignLeft)
+        _paint_card(painter, area, words, QColor(colour), theme, _LOWER_LEFT)
 
 
 def paint_synthetic_mark(painter: QPainter, area: QRectF, theme: Theme) -> None:
@@ -64,8 +73,8 @@ def _paint_card(
     theme: Theme,
     side: Qt.AlignmentFlag,
 ) -> None:
-    """Words at the lower edge of ``area``."""
-    flags = side | Qt.AlignmentFlag.AlignBottom | Qt.TextFlag.TextWordWrap
+    """Words at a ``side`` of ``area``."""
+    flags = side | Qt.TextFlag.TextWordWrap
     needed = QFontMetricsF(painter.font()).boundingRect(area, int(flags), words)
     ground = QColor(theme.base)
     ground.setAlphaF(0.88)

@@ -177,9 +177,11 @@ class SkinPanel(Panel):
             outputs=self._view.outputs,
             sensors_shown=self._settings.sensors_shown,
             range_db=self.colour_bar.range_db,
+            span=self._view.span,
             synthetic=any(limb.startswith("synthetic") for limb in limbs),
         )
         levels = self._content.coloured_levels_db
+        self.colour_bar.strip.show_span(self._view.span)
         self.colour_bar.show_marks(
             ()
             if levels is None

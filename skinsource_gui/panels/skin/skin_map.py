@@ -14,11 +14,12 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QToolTip, QWidget
 
+from skinsource.words import TRIAD_SENTENCE
 from skinsource_gui.panels.skin.colour_maps import colour_table
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import (
     MapLayout,
-    fitted_beside_palmar,
+    fitted_beside_cards,
     hand_bounds,
     map_layout,
     outline_bounds,
@@ -31,6 +32,7 @@ from skinsource_gui.panels.skin.output_mouse import REACH_PX, OutputMouse
 from skinsource_gui.panels.skin.output_picking import output_at
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.pan_zoom import FREE, WHOLE, PanZoom
+from skinsource_gui.widgets.tooltips import tooltip
 
 #: The fit that shows the hand without the arm.
 HAND = "hand"
@@ -236,8 +238,8 @@ class SkinMap(QWidget):
             return
         metrics = QFontMetricsF(small_font(self.font()))
         fits = {
-            WHOLE: fitted_beside_palmar(outline_bounds(limb_map), room, metrics),
-            HAND: fitted_beside_palmar(hand_bounds(limb_map), room, metrics),
+            WHOLE: fitted_beside_cards(outline_bounds(limb_map), room, metrics),
+            HAND: fitted_beside_cards(hand_bounds(limb_map), room, metrics),
         }
         self.pan_zoom.arrange(fits, limb_map.outline, room)
 
@@ -252,7 +254,9 @@ class SkinMap(QWidget):
     def _show_tooltip(self, event: QHelpEvent) -> None:
         at = QPointF(event.pos())
         number = None if self._layout is None else output_at(self._layout.points, at, REACH_PX)
-        if number is None:
+        if self._layout is not None and self._layout.triad_card.contains(at):
+            QToolTip.showText(event.globalPos(), tooltip(TRIAD_SENTENCE), self)
+        elif number is None:
             QToolTip.hideText()
         else:
             QToolTip.showText(event.globalPos(), output_readout(self.content, number), self)

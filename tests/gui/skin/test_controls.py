@@ -4,6 +4,7 @@ from PySide6.QtGui import QColor, QHelpEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
+from skinsource.words import TRIAD_SENTENCE
 from skinsource_gui.theme import DARK, LIGHT
 from tests.gui.skin.bench import LEFT, pixel, place
 
@@ -80,3 +81,41 @@ def test_the_map_follows_the_theme(window, theme):
     window.panel.show_theme(theme)
     corner = pixel(window.panel.map.grab().toImage(), QPoint(4, 4))
     assert corner == QColor(theme.base).getRgb()[:3]
+
+
+def test_readings_say_what_a_level_is_the_rms_over(window):
+    window.show(span="loudest")
+    view = window.panel.map
+    QTest.mouseMove(view, place(window, 29))
+    assert window.panel.readout.text().endswith("(0.282 m/s² RMS, loudest 100 ms)")
+    assert window.panel.heading().title == "Skin acceleration, RMS over the loudest 100 ms"
+
+
+def test_the_scale_says_what_its_levels_are_the_rms_over(window):
+    strip = window.panel.colour_bar.strip
+    before = strip.grab().toImage()
+    window.show(span="loudest")
+    assert strip.grab().toImage() != before
+    window.show(span="record")
+    assert strip.grab().toImage() == before
+
+
+@pytest.mark.parametrize("size", [(300, 330), (300, 900), (420, 640), (1200, 500)])
+def test_the_map_shows_which_way_the_axes_point_and_says_more_on_hover(window, size):
+    window.panel.resize(*size)
+    view = window.panel.map
+    card = view.map_layout().triad_card
+    assert view.map_layout().room.contains(card)
+    assert not card.intersects(view.map_layout().palmar_card)
+    inked = view.grab(card.toRect()).toImage()
+    dark = sum(
+        QColor(inked.pixel(x, y)).lightnessF() < 0.5
+        for x in range(inked.width())
+        for y in range(inked.height())
+    )
+    assert dark > 100
+    at = card.center().toPoint()
+    event = QHelpEvent(QEvent.Type.ToolTip, at, view.mapToGlobal(at))
+    QApplication.sendEvent(view, event)
+    assert " ".join(QToolTip.text().split()) == TRIAD_SENTENCE
+    QToolTip.hideText()

@@ -69,9 +69,9 @@ def test_nothing_of_the_outline_is_cut_off_or_covered_at_any_size(window):
         layout = window.panel.map.map_layout()
         x, y = layout.frame.to_screen(outline).T
         assert layout.room.contains(QRectF(QPointF(x.min(), y.min()), QPointF(x.max(), y.max())))
-        card = layout.palmar_card
-        inside = (x > card.left()) & (x < card.right()) & (y > card.top()) & (y < card.bottom())
-        assert not inside.any(), size
+        for card in (layout.palmar_card, layout.triad_card):
+            inside = (x > card.left()) & (x < card.right()) & (y > card.top()) & (y < card.bottom())
+            assert not inside.any(), size
 
 
 def test_an_output_reached_by_arrows_comes_into_sight(window):
