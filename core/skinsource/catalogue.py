@@ -28,7 +28,7 @@ def load_limb(name: str) -> Limb:
     DatasetMissingError
         It is a measured one, and the measured dataset is not installed.
     """
-    if name not in LIMB_NAMES:
+    if not isinstance(name, str) or name not in LIMB_NAMES:
         raise UnknownLimbError(
             f"limb {quoted(name)} is not known; available now: {', '.join(available_limbs())}"
         )

@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from skinsource.arguments import positive_number, real_array, real_number
 from skinsource.errors import InvalidInputError
 
 #: What silence is shown as.  Nothing measured or predicted comes near it.
@@ -32,9 +33,9 @@ def decibels(
     InvalidInputError
         An amplitude is NaN, infinite or negative, or the reference is not positive.
     """
-    amplitude = np.asarray(x, np.float64)
-    if not (np.isfinite(reference) and reference > 0):
-        raise InvalidInputError(f"reference is {reference}, expected a positive amplitude")
+    amplitude = real_array("amplitude", x, "finite numbers of zero or more")
+    reference = positive_number("reference", reference)
+    floor_db = real_number("floor_db", floor_db)
     usable = np.isfinite(amplitude) & (amplitude >= 0)
     if not usable.all():
         first = tuple(int(i) for i in np.argwhere(~usable)[0])

@@ -5,8 +5,8 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from skinsource.arguments import LARGEST_SAMPLE, one_of, real_array
 from skinsource.errors import InvalidInputError
-from skinsource.wording import quoted
 
 Floats = NDArray[np.float64]
 Axes = Literal["x", "y", "z", "xy", "xz", "yz", "xyz"]
@@ -43,24 +43,21 @@ def project_axes(acceleration: ArrayLike, axes: Axes = "xyz", method: Method = "
     InvalidInputError
         Unknown axes or method, wrong shape, no samples, or values that are not finite.
     """
-    if axes not in AXES:
-        raise InvalidInputError(f"axes {quoted(axes)} are not known; choose from {', '.join(AXES)}")
-    if method not in METHODS:
-        raise InvalidInputError(
-            f"method {quoted(method)} is not known; choose from {', '.join(METHODS)}"
-        )
-    data = np.asarray(acceleration, np.float64)
+    one_of("axes", axes, AXES)
+    one_of("method", method, METHODS)
+    data = real_array("acceleration", acceleration, "(n_outputs, 3, n_times)")
     if data.ndim != 3 or data.shape[1] != 3:
         raise InvalidInputError(
             f"acceleration has shape {data.shape}, expected (n_outputs, 3, n_times)"
         )
     if data.shape[-1] == 0:
         raise InvalidInputError("acceleration has no samples, expected at least one")
-    if not np.isfinite(data).all():
-        place = np.argwhere(~np.isfinite(data))[0]
+    # NaN is the maximum of whatever holds it, and not less than anything.
+    if data.size and not np.abs(data).max() <= LARGEST_SAMPLE:
+        place = np.argwhere(~(np.abs(data) <= LARGEST_SAMPLE))[0]
         raise InvalidInputError(
             f"acceleration of output {place[0] + 1}, axis {'xyz'[place[1]]}, sample {place[2]} is "
-            "not a finite number"
+            f"{data[tuple(place)]}, not a finite number of at most {LARGEST_SAMPLE:g}"
         )
     if len(axes) == 1:
         return data[:, "xyz".index(axes)].copy()
@@ -140,7 +137,7 @@ def main_axis_gap(covariance: ArrayLike) -> Floats:
     InvalidInputError
         Wrong shape, or values that are not finite.
     """
-    matrices = np.asarray(covariance, np.float64)
+    matrices = real_array("covariance", covariance, "(n_outputs, n_axes, n_axes)")
     if matrices.ndim != 3 or matrices.shape[1] != matrices.shape[2] or matrices.shape[1] == 0:
         raise InvalidInputError(
             f"covariance has shape {matrices.shape}, expected (n_outputs, n_axes, n_axes)"

@@ -1,10 +1,12 @@
 """How the skin answers: superposition of convolutions (eq. 1 of the SkinSource paper)."""
 
 from collections.abc import Iterable, Sequence
+from itertools import islice
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skinsource.arguments import real_array
 from skinsource.arrays import Floats
 from skinsource.chain import LARGEST, Drive, drive_of, first_unusable
 from skinsource.errors import InvalidInputError
@@ -17,6 +19,7 @@ from skinsource.rendering.streaming import StreamedVibration
 from skinsource.rendering.sums import sum_of_vibrations
 from skinsource.rendering.transforms import forward, inverse
 from skinsource.response_scaling import Scaling, check_scaling
+from skinsource.wording import quoted
 
 
 def predict(
@@ -53,6 +56,8 @@ def predict(
     InvalidInputError
         Empty or unequal drives, values that are not finite, unknown places or scaling.
     """
+    if not isinstance(limb, Limb):
+        raise InvalidInputError(f"limb is {quoted(limb)}, expected a Limb, see load_limb")
     check_scaling(scaling)
     samples = _checked_drives(drives)
     places = _checked_locations(locations, len(samples), limb.n_inputs)
@@ -70,6 +75,8 @@ def predict(
     return _at_once(limb, heard, scaling, response_samples, n_fft)
 
 
+# Far more than anybody has drives for.
+_MOST_LOCATIONS = 10**5
 _Heard = tuple[Drive, int, float]
 
 
@@ -119,13 +126,7 @@ def _at_once(
 
 
 def _checked_drives(drives: ArrayLike) -> Floats:
-    try:
-        samples = _real(drives)
-    except (TypeError, ValueError) as error:
-        raise InvalidInputError(
-            "drives cannot be read as one array of real numbers: expected (n_inputs, n_times), all "
-            "inputs of equal length. Pad the shorter ones with zeros."
-        ) from error
+    samples = real_array("drives", drives, "(n_inputs, n_times), all inputs of equal length")
     if samples.ndim == 1:
         samples = samples[None]
     if samples.ndim != 2 or 0 in samples.shape:
@@ -146,7 +147,8 @@ def _checked_drives(drives: ArrayLike) -> Floats:
 def _checked_locations(locations: Sequence[int] | int, n_drives: int, n_inputs: int) -> list[int]:
     # An array would make 1 of True and 7.0 of 7 beside 2.5.
     found = locations.tolist() if isinstance(locations, np.ndarray) else locations
-    places = list(found) if isinstance(found, Iterable) else [found]
+    # There may be no end to them.
+    places = list(islice(found, _MOST_LOCATIONS)) if isinstance(found, Iterable) else [found]
     for place in places:
         check_input_location(place, n_inputs)
     if len(places) != n_drives:
@@ -159,12 +161,7 @@ def _checked_locations(locations: Sequence[int] | int, n_drives: int, n_inputs: 
 def _checked_amplitudes(amplitudes: ArrayLike | None, n_inputs: int) -> Floats:
     if amplitudes is None:
         return np.ones(n_inputs)
-    try:
-        factors = np.atleast_1d(_real(amplitudes))
-    except (TypeError, ValueError) as error:
-        raise InvalidInputError(
-            f"amplitudes cannot be read as numbers: expected {n_inputs}, one for each drive"
-        ) from error
+    factors = np.atleast_1d(real_array("amplitudes", amplitudes, f"{n_inputs}, one for each drive"))
     if factors.shape != (n_inputs,):
         raise InvalidInputError(
             f"amplitudes has shape {factors.shape}, expected ({n_inputs},): one for each drive"
@@ -174,8 +171,3 @@ def _checked_amplitudes(amplitudes: ArrayLike | None, n_inputs: int) -> Floats:
             f"amplitudes are {factors.tolist()}, expected finite numbers of at most {LARGEST:g}"
         )
     return factors
-
-
-def _real(values: ArrayLike) -> Floats:
-    # Texts and complex numbers are refused, not read or halved.
-    return np.asarray(values).astype(np.float64, casting="same_kind", copy=False)

@@ -2,8 +2,7 @@
 
 from typing import Literal, get_args
 
-from skinsource.errors import InvalidInputError
-from skinsource.wording import quoted
+from skinsource.arguments import one_of
 
 Scaling = Literal["upstream", "relative", "probe"]
 SCALINGS: tuple[Scaling, ...] = get_args(Scaling)
@@ -11,7 +10,4 @@ SCALINGS: tuple[Scaling, ...] = get_args(Scaling)
 
 def check_scaling(scaling: str) -> None:
     """Raise `InvalidInputError` unless ``scaling`` is one of `SCALINGS`."""
-    if scaling not in SCALINGS:
-        raise InvalidInputError(
-            f"scaling {quoted(scaling)} is not known; choose from {', '.join(SCALINGS)}"
-        )
+    one_of("scaling", scaling, SCALINGS)

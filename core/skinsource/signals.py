@@ -3,13 +3,20 @@
 Times are ``arange(n) / sample_rate_hz``; amplitude 1 is the peak of the recipe.
 """
 
-from math import floor, isfinite
+from math import floor
 from typing import Literal, get_args
 
 import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from skinsource.arguments import (
+    finite_array,
+    one_of,
+    positive_number,
+    real_number,
+    whole_number,
+)
 from skinsource.errors import InvalidInputError
 from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.wording import quoted
@@ -25,7 +32,11 @@ TAP_SAMPLES = 21
 #: The measured band of the impulse responses.
 BAND_HZ = (25.0, 600.0)
 
+#: Samples of the longest signal that is made: a day at 1300 Hz takes 0.9 GB.
+MAX_SAMPLES = 120_000_000
+
 _PHASE_BLOCK = 256
+_LARGEST_SEED = 2**128 - 1
 
 
 def sample_count(duration_s: float, sample_rate_hz: float = SAMPLE_RATE_HZ) -> int:
@@ -33,9 +44,14 @@ def sample_count(duration_s: float, sample_rate_hz: float = SAMPLE_RATE_HZ) -> i
 
     The product is rounded first, because 0.35 s x 1300 Hz is 454.99999999999994 in binary.
     """
-    if not (duration_s >= 0 and isfinite(duration_s * sample_rate_hz)):
-        raise InvalidInputError(f"duration_s is {duration_s}, expected a finite time of 0 or more")
-    return floor(round(duration_s * sample_rate_hz, 6) + 0.5)
+    duration = real_number("duration_s", duration_s, "a finite time of 0 or more", least=0.0)
+    samples = duration * positive_number("sample_rate_hz", sample_rate_hz)
+    if samples > MAX_SAMPLES:
+        raise InvalidInputError(
+            f"duration_s is {duration:g}: {samples:g} samples at {sample_rate_hz:g} Hz, expected "
+            f"at most {MAX_SAMPLES} samples"
+        )
+    return floor(round(samples, 6) + 0.5)
 
 
 def window(name: WindowName, n: int) -> Floats:
@@ -50,13 +66,8 @@ def window(name: WindowName, n: int) -> Floats:
     n
         Length in samples, 0 or more.
     """
-    if name not in WINDOWS:
-        raise InvalidInputError(
-            f"window {quoted(name)} is not known; choose from {', '.join(WINDOWS)}"
-        )
-    if not n >= 0 or n % 1:
-        raise InvalidInputError(f"a window of {n} samples cannot be made; expected 0, 1, 2, …")
-    n = int(n)
+    one_of("window", name, WINDOWS)
+    n = whole_number("n", n, 0, MAX_SAMPLES)
     if name == "hanning":
         return 0.5 * (1.0 - np.cos(2.0 * np.pi * np.arange(1, n + 1) / (n + 1)))
     samples = np.ones(n)
@@ -88,23 +99,23 @@ def sinusoid(
     InvalidInputError
         The frequency is not between 0 and half the sample rate, where it would alias.
     """
-    if not 0 <= frequency_hz < sample_rate_hz / 2:
+    frequency = real_number("frequency_hz", frequency_hz)
+    rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
+    phase = real_number("phase_rad", phase_rad)
+    one_of("window", window_name, WINDOWS)
+    if not 0 <= frequency < rate_hz / 2:
         raise InvalidInputError(
-            f"frequency_hz is {frequency_hz}, expected 0 to {sample_rate_hz / 2:g} Hz (half the "
-            f"sample rate of {sample_rate_hz:g} Hz); a higher tone would alias"
+            f"frequency_hz is {frequency:g}, expected 0 to {rate_hz / 2:g} Hz (half the sample "
+            f"rate of {rate_hz:g} Hz); a higher tone would alias"
         )
-    if not np.isfinite(phase_rad):
-        raise InvalidInputError(f"phase_rad is {phase_rad}, expected a finite number")
     n = sample_count(duration_s, sample_rate_hz)
     # Turns per sample as a fraction of whole numbers; dividing those rounds once.
-    (hz, per_hz), (rate, per_rate) = (
-        float(value).as_integer_ratio() for value in (frequency_hz, sample_rate_hz)
-    )
+    (hz, per_hz), (rate, per_rate) = (value.as_integer_ratio() for value in (frequency, rate_hz))
     above, below = hz * per_rate, per_hz * rate
     starts = [k * above % below / below for k in range(0, n, _PHASE_BLOCK)]
     within = np.arange(_PHASE_BLOCK) * (above / below)
     turns = np.add.outer(np.array(starts), within).ravel()[:n]
-    samples = np.sin(2.0 * np.pi * turns + phase_rad)
+    samples = np.sin(2.0 * np.pi * turns + phase)
     if window_name != "none":
         samples *= window(window_name, n)
     return samples
@@ -156,18 +167,18 @@ def white_noise(
         The band is empty or lies above half the sample rate, the seed is negative, or the noise
         is too short to hold a single frequency of the band.
     """
-    low, high = band_hz
-    if not 0 <= low < high <= sample_rate_hz / 2:
+    rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
+    band = finite_array("band_hz", band_hz, "two frequencies")
+    one_of("window", window_name, WINDOWS)
+    if band.shape != (2,) or not 0 <= band[0] < band[1] <= rate_hz / 2:
         raise InvalidInputError(
-            f"band_hz is {band_hz}, expected 0 <= low < high <= {sample_rate_hz / 2:g}"
+            f"band_hz is {quoted(band_hz)}, expected 0 <= low < high <= {rate_hz / 2:g}"
         )
-    if not seed >= 0 or seed % 1:
-        raise InvalidInputError(f"seed is {seed}, expected a whole number of 0 or more")
+    low, high = band.tolist()
+    seed = whole_number("seed", seed, 0, _LARGEST_SEED)
     n = sample_count(duration_s, sample_rate_hz)
-    spectrum = (
-        scipy.fft.rfft(np.random.default_rng(int(seed)).standard_normal(n)) if n else np.zeros(0)
-    )
-    frequency_hz = np.arange(len(spectrum)) * sample_rate_hz / max(n, 1)
+    spectrum = scipy.fft.rfft(np.random.default_rng(seed).standard_normal(n)) if n else np.zeros(0)
+    frequency_hz = np.arange(len(spectrum)) * rate_hz / max(n, 1)
     spectrum[(frequency_hz < low) | (frequency_hz > high)] = 0.0
     if n and not spectrum.any():
         raise InvalidInputError(

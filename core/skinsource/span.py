@@ -8,10 +8,9 @@ from typing import Literal, get_args
 
 import numpy as np
 
+from skinsource.arguments import one_of, positive_number
 from skinsource.arrays import Floats
-from skinsource.errors import InvalidInputError
 from skinsource.signals import sample_count
-from skinsource.wording import quoted
 
 Span = Literal["record", "loudest"]
 SPANS: tuple[Span, ...] = get_args(Span)
@@ -22,15 +21,12 @@ LOUDEST_WINDOW_S = 0.1
 
 def check_span(span: str) -> None:
     """Raise `InvalidInputError` unless ``span`` is one of `SPANS`."""
-    if span not in SPANS:
-        raise InvalidInputError(f"span {quoted(span)} is not known; choose from {', '.join(SPANS)}")
+    one_of("span", span, SPANS)
 
 
 def window_samples(sample_rate_hz: float) -> int:
     """Samples of the window of ``"loudest"``, at least one: 130 at 1300 Hz."""
-    if not (np.isfinite(sample_rate_hz) and sample_rate_hz > 0):
-        raise InvalidInputError(f"sample_rate_hz is {sample_rate_hz}, expected a positive number")
-    return max(sample_count(LOUDEST_WINDOW_S, sample_rate_hz), 1)
+    return max(sample_count(LOUDEST_WINDOW_S, positive_number("sample_rate_hz", sample_rate_hz)), 1)
 
 
 def loudest_energy(signals: Floats, n_window: int) -> Floats:
@@ -94,4 +90,4 @@ def _window_sums(squares: Floats, n: int) -> Floats:
     # From a place in a block to its end, and from there up to before the same place in the next.
     sums = from_on[..., :-1, :].copy()
     sums[..., 1:] += up_to[..., 1:, :-1]
-    return sums.reshape(*squares.shape[:-1], -1)[..., :n_sums]
+    return sums.reshape(*squares.shape[:-1], (n_blocks - 1) * n)[..., :n_sums]

@@ -1,13 +1,16 @@
 """Levels over time and over frequency."""
 
+import math
+
 import numpy as np
 import scipy
 from numpy.typing import ArrayLike
 
+from skinsource.arguments import LARGEST_SAMPLE, finite_array, one_of, positive_number
 from skinsource.arrays import Complexes, Floats
 from skinsource.errors import InvalidInputError
 from skinsource.limb import SAMPLE_RATE_HZ
-from skinsource.span import Span, check_span, loudest_energy, window_samples
+from skinsource.span import SPANS, Span, loudest_energy, window_samples
 
 
 def rms(x: ArrayLike, span: Span = "record", sample_rate_hz: float = SAMPLE_RATE_HZ) -> Floats:
@@ -27,14 +30,17 @@ def rms(x: ArrayLike, span: Span = "record", sample_rate_hz: float = SAMPLE_RATE
     Raises
     ------
     InvalidInputError
-        There are no samples, or the span or the rate is none.
+        There are no samples, a sample is no finite real number, or the span or the rate is none.
     """
-    check_span(span)
-    data = _samples(x)
+    one_of("span", span, SPANS)
+    rate = positive_number("sample_rate_hz", sample_rate_hz)
+    data, scale = _scaled(_samples(x, math.inf))
     if span == "record":
-        return np.sqrt(np.mean(np.square(data), axis=-1))
-    n_window = window_samples(sample_rate_hz)
-    return np.sqrt(loudest_energy(data, n_window) / n_window)
+        energy = np.mean(np.square(data), axis=-1)
+    else:
+        n_window = window_samples(rate)
+        energy = loudest_energy(data, n_window) / n_window
+    return np.sqrt(energy) * scale
 
 
 def magnitude_spectrum(x: ArrayLike, sample_rate_hz: float) -> tuple[Floats, Floats]:
@@ -58,12 +64,12 @@ def magnitude_spectrum(x: ArrayLike, sample_rate_hz: float) -> tuple[Floats, Flo
     Raises
     ------
     InvalidInputError
-        There are no samples, or the rate is not positive.
+        There are no samples, a sample is no finite real number, or the rate is not positive.
     """
-    data = _samples(x)
-    if not (np.isfinite(sample_rate_hz) and sample_rate_hz > 0):
-        raise InvalidInputError(f"sample_rate_hz is {sample_rate_hz}, expected a positive number")
-    return one_sided_magnitude(scipy.fft.rfft(data), data.shape[-1], sample_rate_hz)
+    rate = positive_number("sample_rate_hz", sample_rate_hz)
+    data, scale = _scaled(_samples(x, LARGEST_SAMPLE))
+    frequency_hz, magnitude = one_sided_magnitude(scipy.fft.rfft(data), data.shape[-1], rate)
+    return frequency_hz, magnitude * scale[..., None]
 
 
 def one_sided_magnitude(
@@ -76,8 +82,17 @@ def one_sided_magnitude(
     return frequency_hz, magnitude
 
 
-def _samples(x: ArrayLike) -> Floats:
-    data = np.asarray(x, np.float64)
+def _scaled(data: Floats) -> tuple[Floats, Floats]:
+    """Signals divided by a power of two each, near their largest sample; and those powers.
+
+    Squares and sums then neither over- nor underflow, and nothing rounds.
+    """
+    exponent = np.frexp(np.abs(data).max(axis=-1))[1] - 1
+    return np.ldexp(data, -exponent[..., None]), np.ldexp(1.0, exponent)
+
+
+def _samples(x: ArrayLike, largest: float) -> Floats:
+    data = finite_array("signal", x, "(..., n_times)", largest)
     if data.ndim == 0 or data.shape[-1] == 0:
         raise InvalidInputError(
             f"signal has shape {data.shape}, expected (..., n_times) with at least one sample"

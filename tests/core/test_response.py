@@ -189,7 +189,9 @@ def test_a_wrong_number_of_places_is_refused(limb, places):
     "drives", [[[1.0, 2.0], [1.0]], [[1.0], None], "tone", [["1.0"]], [[1j]], None, [{}]]
 )
 def test_drives_that_are_no_array_of_numbers_are_refused(limb, drives):
-    with pytest.raises(InvalidInputError, match="drives cannot be read as one array"):
+    with pytest.raises(
+        InvalidInputError, match=r"drives (cannot be read as one array|holds complex)"
+    ):
         predict(limb, drives, [1])
 
 
@@ -220,7 +222,9 @@ def test_a_wrong_number_of_amplitudes_is_refused(limb, amplitudes):
 
 @pytest.mark.parametrize("amplitudes", [["a", "b"], [[1], [2, 3]], [1j, 2], [None, 1]])
 def test_amplitudes_that_are_no_numbers_are_refused(limb, amplitudes):
-    with pytest.raises(InvalidInputError, match="amplitudes cannot be read as numbers"):
+    with pytest.raises(
+        InvalidInputError, match=r"amplitudes (cannot be read as one array|holds complex)"
+    ):
         predict(limb, np.ones((2, 5)), [1, 2], amplitudes)
 
 

@@ -60,7 +60,7 @@ def test_no_samples_and_one_sample_have_windows(name):
 
 @pytest.mark.parametrize("n", [-1, 2.5, math.nan, math.inf])
 def test_an_impossible_length_is_refused(n):
-    with pytest.raises(InvalidInputError, match="cannot be made"):
+    with pytest.raises(InvalidInputError, match="expected a whole number"):
         window("tukey", n)
 
 

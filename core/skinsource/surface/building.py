@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import scipy
 
+from skinsource.arguments import real_number
 from skinsource.arrays import Booleans, Floats
 from skinsource.errors import InvalidInputError
 from skinsource.job import Stop, never, stop_if
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 
 # Longest edge of an own outline, in raster units.
 _LONGEST_EDGE = 4.0
+_LENGTHS = "a positive number of 1e-9 to 1e9"
 _MOST_PIXELS = 20_000_000
 # Pixels this near to an edge, as a part of the outline's extent, are inside.
 _ON_EDGE = 1e-12
@@ -49,6 +51,8 @@ def surface_operator(limb: Limb, spacing_mm: float = 1.0, stop: Stop = never) ->
     InvalidInputError
         The spacing or the limb's map cannot be used.
     """
+    if not isinstance(limb, Limb):
+        raise InvalidInputError(f"limb is {quoted(limb)}, expected a Limb, see load_limb")
     return surface_operator_from_map(limb.map, limb.hand_length_mm, spacing_mm, stop)
 
 
@@ -111,8 +115,7 @@ def _check_map(limb_map: LimbMap, hand_length_mm: float, spacing_mm: float) -> N
         "hand_length_px": limb_map.hand_length_px,
     }
     for name, length in lengths.items():
-        if not (np.isfinite(length) and length > 0):
-            raise InvalidInputError(f"{name} is {quoted(length)}; expected a positive number.")
+        real_number(name, length, _LENGTHS, least=1e-9, most=1e9)
     outputs, outline, table = limb_map.output_positions, limb_map.outline, limb_map.visibility
     if outputs.ndim != 2 or outputs.shape[1] != 2 or not np.isfinite(outputs).all(axis=1).any():
         raise InvalidInputError(

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skinsource.arguments import real_array
 from skinsource.arrays import Booleans, Floats
 from skinsource.decibels import FLOOR_DB
 from skinsource.errors import InvalidInputError
@@ -73,7 +74,7 @@ class SurfaceOperator:
             The shape is wrong, the value of an output with a place is NaN or +inf, or outputs at
             one place have different values.
         """
-        given = np.asarray(values, dtype=np.float64)
+        given = real_array("values", values, "one value per output")
         n_outputs = self.weights.shape[1]
         if given.ndim not in (1, 2) or given.shape[0] != n_outputs:
             raise InvalidInputError(
