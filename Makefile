@@ -30,7 +30,7 @@ fix: .venv/ready-to-test  ## let ruff mend what it can
 pictures: .venv/ready-to-test  ## pictures of the window, light and dark, in build/pictures
 	QT_QPA_PLATFORM=offscreen $(BIN)/python benchmarks/pictures.py
 
-bench: .venv/ready-to-test  ## every promise of speed and memory, measured (5 minutes)
+bench: .venv/ready-to-test  ## promises of speed and memory, as ratios; on any machine (5 minutes)
 	@failed=0; for each in $(BENCHMARKS); do \
 	  echo "== $$each"; QT_QPA_PLATFORM=offscreen $(BIN)/python benchmarks/$$each || failed=1; \
 	done; exit $$failed

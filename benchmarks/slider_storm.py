@@ -7,6 +7,7 @@ came in the wrong order, and the gaps in which the GUI thread answered nothing.
 """
 
 import os
+import statistics
 import sys
 from time import perf_counter, sleep
 
@@ -14,6 +15,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 
 from PySide6.QtCore import QEventLoop, Qt, QTimer
+from yardstick import judge
 
 from skinsource.graph import Graph
 from skinsource_gui.shell.app import make_application
@@ -21,6 +23,8 @@ from skinsource_gui.state.conductor import PATIENCE_S
 from skinsource_gui.state.engine import Engine, Outcome, Request
 
 CHANGES, PERIOD_MS, EVALUATION_S = 1000, 5, 0.04
+#: In times an evaluation.
+MOST_LATE, LONGEST_GAP = 3.75, 1.25
 
 
 class Storm:
@@ -28,6 +32,7 @@ class Storm:
 
     def __init__(self) -> None:
         self.seen: list[int] = []
+        self.computed_s: list[float] = []
         self.seen_at_s = self.last_sent_s = 0.0
         self.beats_s: list[float] = []
         self._sent = 0
@@ -64,6 +69,7 @@ class Storm:
 
     def _note(self, outcome: Outcome) -> None:
         self.seen.append(outcome.values["_evaluate"])
+        self.computed_s.append(outcome.compute_s)
         self.seen_at_s = perf_counter()
         if self.seen[-1] == CHANGES:
             self.loop.quit()
@@ -82,10 +88,13 @@ def main() -> int:
     p99_ms = gaps_ms[int(0.99 * (len(gaps_ms) - 1))]
     ordered = storm.seen == sorted(storm.seen)
     print(f"{CHANGES} changes at {1000 // PERIOD_MS} Hz, {len(storm.seen)} evaluations")
-    print(f"last value {late_ms:.0f} ms after release (promised: 150)")
     print(f"order never reversed: {ordered}")
-    print(f"GUI gap p99 {p99_ms:.1f} ms (promised: 50), longest {gaps_ms[-1]:.1f} ms")
-    return int(late_ms > 150 or not ordered or p99_ms > 50)
+    print(f"longest time in which the GUI answered nothing {gaps_ms[-1]:.1f} ms")
+    # On a busy machine an evaluation takes longer than it means to.
+    beside = "an evaluation", 1e3 * statistics.median(storm.computed_s)
+    soon = judge("last value after release", late_ms, "ms", beside, MOST_LATE)
+    fluent = judge("p99 of times without an answer", p99_ms, "ms", beside, LONGEST_GAP)
+    return int(not (soon and fluent and ordered))
 
 
 if __name__ == "__main__":
