@@ -3,12 +3,12 @@
 from dataclasses import dataclass, replace
 from typing import Any
 
-from skinsource import fields
+from skinsource import fields, words
 from skinsource.errors import InvalidInputError
-from skinsource.fields import NumberSpec, TextSpec
-from skinsource.limb import check_input_location
-from skinsource.response_scaling import Scaling, check_scaling
-from skinsource.waveforms import Tone, Waveform
+from skinsource.fields import ChoiceSpec, ListSpec, NumberSpec, RecipeSpec, SwitchSpec, TextSpec
+from skinsource.limb import N_INPUTS
+from skinsource.response_scaling import Scaling
+from skinsource.waveforms import Tone, Waveform, kinds
 
 #: More inputs than places are allowed; a hundred of them are a mistake.
 MAX_INPUTS = 100
@@ -30,8 +30,21 @@ AUTHOR = TextSpec(label="Author", longest=200, one_line=True)
 NOTES = TextSpec(label="Notes", longest=20_000)
 LICENCE = TextSpec(label="Licence", longest=2_000)
 
-#: Ids and colours are whole numbers below this.
-_MOST = 2**31
+PLACE = NumberSpec(label="Place", minimum=1, maximum=N_INPUTS, whole=True)
+WAVEFORM = RecipeSpec(label="Waveform", kinds=kinds)
+MUTED = SwitchSpec(label="Mute", hint="A muted input is silent")
+SOLO = SwitchSpec(label="Solo", hint="Where any input is solo, only solo inputs are heard")
+_MOST = 2**31 - 1
+COLOUR = NumberSpec(label="Colour", minimum=0, maximum=_MOST, whole=True)
+ID = NumberSpec(label="Id", minimum=0, maximum=_MOST, whole=True)
+
+LIMB = TextSpec(label="Limb", longest=200, one_line=True)
+INPUTS = ListSpec(
+    label="Inputs", of=RecipeSpec(label="Input", kinds=lambda: (Input,)), most=MAX_INPUTS
+)
+SCALING = ChoiceSpec(
+    label="Scaling", options=tuple((word.name, word.title) for word in words.SCALINGS)
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,31 +70,17 @@ class Input:
         design gives it one.
     """
 
-    location: int
-    waveform: Waveform = Tone()
+    location: int = fields.field(PLACE)
+    waveform: Waveform = fields.field(WAVEFORM, Tone())
     amplitude: float = fields.number(1.0, AMPLITUDE)
     onset_s: float = fields.number(0.0, ONSET)
-    muted: bool = False
-    solo: bool = False
-    colour: int = 0
-    id: int = 0
+    muted: bool = fields.switch(False, MUTED)
+    solo: bool = fields.switch(False, SOLO)
+    colour: int = fields.number(0, COLOUR)
+    id: int = fields.number(0, ID)
 
     def __post_init__(self) -> None:
-        check_input_location(self.location)
-        # A class has all that its recipes have.
-        if isinstance(self.waveform, type) or not isinstance(self.waveform, Waveform):
-            raise InvalidInputError(
-                f"waveform is {self.waveform!r}, expected a recipe of skinsource.waveforms"
-            )
         fields.check(self)
-        if not (isinstance(self.muted, bool) and isinstance(self.solo, bool)):
-            raise InvalidInputError(
-                f"muted and solo are {self.muted!r} and {self.solo!r}, expected True or False"
-            )
-        for name in ("colour", "id"):
-            value = getattr(self, name)
-            if type(value) is not int or not 0 <= value < _MOST:
-                raise InvalidInputError(f"{name} is {value!r}, expected 0, 1, 2, …")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -100,26 +99,15 @@ class Design:
         Words about the design; nothing is computed from them.
     """
 
-    limb: str
-    inputs: tuple[Input, ...] = ()
-    scaling: Scaling = "upstream"
+    limb: str = fields.field(LIMB)
+    inputs: tuple[Input, ...] = fields.field(INPUTS, ())
+    scaling: Scaling = fields.choice("upstream", SCALING)
     title: str = fields.text("", TITLE)
     author: str = fields.text("", AUTHOR)
     notes: str = fields.text("", NOTES)
     licence: str = fields.text("", LICENCE)
 
     def __post_init__(self) -> None:
-        check_scaling(self.scaling)
-        if not isinstance(self.limb, str):
-            raise InvalidInputError(f"limb is {self.limb!r}, expected the name of a limb")
-        if not (
-            isinstance(self.inputs, tuple) and all(isinstance(one, Input) for one in self.inputs)
-        ):
-            raise InvalidInputError(f"inputs are {self.inputs!r}, expected a tuple of Input")
-        if len(self.inputs) > MAX_INPUTS:
-            raise InvalidInputError(
-                f"the design has {len(self.inputs)} inputs, expected at most {MAX_INPUTS}"
-            )
         fields.check(self)
         object.__setattr__(self, "inputs", _with_ids(self.inputs))
 

@@ -1,4 +1,4 @@
-"""Damaged design files: whatever happens to the bytes, no other design is ever opened.
+"""Damaged design files of version 1: whatever happens to them, no other design is ever opened.
 
 The attempts run in a process of their own, because a damaged file can end HDF5 or keep it busy.
 """
@@ -10,12 +10,10 @@ from pathlib import Path
 
 import pytest
 
-from skinsource.design import Design, Input
-from skinsource.design_file import DesignFile, open_design, save_design
+from skinsource.design_file import open_design
 from skinsource.errors import DesignFileError
-from skinsource.view import View
-from skinsource.waveforms import KINDS
 
+FOLDER = Path(__file__).parents[1] / "references" / "designs-v1"
 SEED = 20261
 ATTEMPTS = """
 import collections
@@ -61,19 +59,11 @@ def attempts(path: Path, way: str, count: int) -> dict[str, int]:
     return json.loads(result.stdout)
 
 
-@pytest.fixture(params=[2, 30], ids=["2 inputs", "30 inputs"])
+@pytest.fixture(params=["every-kind", "many-inputs"])
 def saved(request, tmp_path) -> Path:
-    inputs = tuple(
-        Input(location=1 + k % 20, waveform=KINDS[k % len(KINDS)](), colour=k)
-        for k in range(request.param)
-    )
-    panels = (("skin", (("map_range_db", (-50.0, 0.0)),)),)
-    view = View(time_range_s=(0.0, 0.1), panels=panels)
-    content = DesignFile(
-        design=Design(limb="measured-1", inputs=inputs), view=view, layout=bytes(range(256)) * 4
-    )
-    save_design(tmp_path / "design.skinsource", content)
-    return tmp_path / "design.skinsource"
+    path = tmp_path / "design.skinsource"
+    path.write_bytes((FOLDER / f"{request.param}.skinsource").read_bytes())
+    return path
 
 
 @pytest.mark.parametrize(("way", "count"), [("flip", 250), ("hole", 60), ("shift", 40)])
@@ -89,7 +79,7 @@ def test_a_file_cut_off_anywhere_is_refused(saved):
 
 def test_every_bit_of_every_text_is_watched_over(saved):
     image = saved.read_bytes()
-    for text in (b"measured-1", b"skinsource design", b"Tone", b"upstream", b"interpolated"):
+    for text in (b"synthetic-", b"skinsource design", b"Tone", b"Noise", b"hanning"):
         start = image.index(text)
         for place in range(start, start + len(text)):
             damaged = bytearray(image)

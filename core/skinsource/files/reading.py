@@ -29,15 +29,15 @@ def read_bytes(path: Path, *, most: int) -> bytes:
                     f"{named(path)}: cannot be read (it is no regular file). Choose a file."
                 )
             # It may grow while it is read.
-            content = b"" if about.st_size > most else file.read(most + 1)
+            content = b"" if about.st_size > most else file.read(about.st_size + 1)
     except (OSError, ValueError) as error:
         raise StorageError(
             f"{named(path)}: cannot be read ({reason_of(error)}). {advice_on_reading(error)}"
         ) from error
     if about.st_size > most or len(content) > most:
         raise FileFormatError(
-            f"{named(Path(path.name))}: {max(about.st_size, len(content))} bytes are too large for "
-            f"it, expected at most {most}."
+            f"{named(Path(path.name))}: {about.st_size} bytes are too large for it, expected at "
+            f"most {most}."
         )
     return content
 
