@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from skinsource.design import Design
-from skinsource.design_file import SUFFIX, DesignFile, open_design, save_design
+from skinsource.design_file import SUFFIX, open_design, save_design
 from skinsource.errors import SkinSourceError
 from skinsource.view import View
 from skinsource_gui.state.document import Document
@@ -130,11 +130,9 @@ class FileActions(QObject):
         return answer == _Answer.Yes
 
     def _save_to(self, path: Path) -> bool:
-        content = DesignFile(
-            design=self._document.design, view=self._document.view, layout=self._arrangement()
-        )
+        document = self._document
         try:
-            save_design(path, content)
+            save_design(path, document.design, document.view, layout=self._arrangement())
         except SkinSourceError as error:
             self.failed.emit(str(error))
             return False

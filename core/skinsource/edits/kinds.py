@@ -3,18 +3,20 @@
 from typing import Any
 
 from skinsource.fields import ChoiceSpec, NumberSpec, specs_of
-from skinsource.waveforms import KINDS, Waveform
+from skinsource.waveforms import Waveform, kinds
 
-#: What is called what.
-KIND_SPEC = ChoiceSpec(
-    label="Waveform",
-    options=tuple((kind.__name__, kind.title) for kind in KINDS),
-    hint="What this input plays",
-)
+
+def kind_spec() -> ChoiceSpec:
+    """What an input may play."""
+    return ChoiceSpec(
+        label="Waveform",
+        options=tuple((kind.__name__, kind.title) for kind in kinds()),
+        hint="What this input plays",
+    )
 
 
 def kind_name(waveform: Waveform) -> str:
-    """Option of `KIND_SPEC` that a waveform is."""
+    """Option of `kind_spec` that a waveform is."""
     return type(waveform).__name__
 
 

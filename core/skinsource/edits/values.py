@@ -10,16 +10,16 @@ from skinsource.edits.kinds import as_kind
 from skinsource.errors import InvalidInputError
 from skinsource.fields import Spec, specs_of
 from skinsource.view import View
-from skinsource.waveforms import KINDS, Waveform
+from skinsource.waveforms import Waveform, kinds
 
 _OWN = frozenset({"amplitude", "onset_s"})
 
 
 def change_kind(design: Design, view: View, ids: Iterable[int], kind: str) -> Edit | Refusal:
     """Let inputs play another kind of waveform, with what both kinds share."""
-    wanted = next((one for one in KINDS if one.__name__ == kind), None)
+    wanted = next((one for one in kinds() if one.__name__ == kind), None)
     if wanted is None:
-        known = ", ".join(one.__name__ for one in KINDS)
+        known = ", ".join(one.__name__ for one in kinds())
         return Refusal(sentence=f"No waveform is called {kind!r}; there are {known}.")
     changes = {one.id: {"waveform": as_kind(one.waveform, wanted)} for one in present(design, ids)}
     return changed(design, view, "Change waveform of", changes)

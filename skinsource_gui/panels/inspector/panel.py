@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 
 from skinsource import edits
 from skinsource.design import AMPLITUDE, ONSET, Design, Input, amplitude_unit, audible_inputs
-from skinsource.edits.kinds import KIND_SPEC, kind_name
+from skinsource.edits.kinds import kind_name, kind_spec
 from skinsource.fields import ChoiceSpec, specs_of
 from skinsource.locations import INPUTS
 from skinsource.view import View
@@ -51,7 +51,7 @@ class InspectorPanel(Panel):
         self._shown: int | None = None
         self._own_cells: tuple[LabelledCell, ...] = ()
         self._built_for: type[Waveform] | None = None
-        self._kind = FieldCell("kind", KIND_SPEC)
+        self._kind = FieldCell("kind", kind_spec())
         self._place = FieldCell("location", _PLACE)
         self._amplitude = FieldCell("amplitude", AMPLITUDE)
         self._onset = FieldCell("onset_s", ONSET)

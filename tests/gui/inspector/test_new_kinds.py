@@ -3,7 +3,7 @@ from typing import ClassVar
 
 import pytest
 
-from skinsource import fields
+from skinsource import fields, waveforms
 from skinsource.errors import InvalidInputError
 from skinsource.fields import ChoiceSpec, NumberSpec
 from tests.gui.inspector.bench import Bench, design_of
@@ -31,7 +31,7 @@ class Sweep:
 
 @pytest.fixture(autouse=True)
 def _designs_may_hold_it(monkeypatch):
-    monkeypatch.setattr("skinsource.design.Waveform", Sweep)
+    monkeypatch.setattr(waveforms, "KINDS", (*waveforms.KINDS, Sweep))
 
 
 def test_a_new_kind_of_waveform_is_edited_without_a_change_of_the_panel(qtbot):
