@@ -36,7 +36,7 @@ class Storm:
         self.seen_at_s = self.last_sent_s = 0.0
         self.beats_s: list[float] = []
         self._sent = 0
-        self.engine = Engine(Graph(self._evaluate))
+        self.engine = Engine(lambda: Graph(self._evaluate))
         self.engine.finished.connect(self._note)
         self.loop = QEventLoop()
         self._timer = QTimer(timerType=Qt.TimerType.PreciseTimer, interval=PERIOD_MS)

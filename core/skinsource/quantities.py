@@ -5,6 +5,7 @@ fields of the design and of the view that numbers depend on are given, see `sour
 """
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -96,3 +97,8 @@ def new_graph(shared: Shared | None = None) -> Graph:
         What it shares with other graphs of its thread; nothing, unless given.
     """
     return Graph(*RULES, *(shared or Shared()).rules())
+
+
+def graphs_that_share() -> Callable[[], Graph]:
+    """Return a function that makes graphs, all for one thread, which share what they can."""
+    return partial(new_graph, Shared())

@@ -8,7 +8,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMainWindow
 
 from skinsource.design import Design
-from skinsource.quantities import new_graph
+from skinsource.quantities import graphs_that_share
 from skinsource.view import View
 from skinsource_gui.files.export_actions import ExportActions
 from skinsource_gui.files.file_actions import FileActions
@@ -66,7 +66,7 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         self.preferences = preferences
         self.document = Document(design, view, self)
-        self.engine = PatientEngine(new_graph(), self)
+        self.engine = PatientEngine(graphs_that_share(), self)
         self.runner = JobRunner(self)
         self.panels: tuple[Panel, ...] = tuple(spec.panel() for spec in PANELS)
         self.docks = {panel.name: dock_of(panel, self) for panel in self.panels}
@@ -84,7 +84,8 @@ class MainWindow(QMainWindow):
         self.action_set = ActionSet(ACTIONS, self.document, self._capabilities(), self)
         self.actions_by_name = self.action_set.by_name
         self._build()
-        self.conductor = Conductor(self.document, self.engine, self.panels)
+        needs = self.status_line.needs
+        self.conductor = Conductor(self.document, self.engine, self.panels, needs)
         self._connect()
         self.appearance.apply()
         self._restore()

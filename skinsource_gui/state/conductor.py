@@ -10,7 +10,7 @@ from skinsource.errors import SkinSourceError
 from skinsource.quantities import sources
 from skinsource_gui.panel import Panel
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.engine import Engine, Outcome, Request
+from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request
 
 #: An edit waits so long for its results, a frame of most screens: the worker is quicker when it
 #: has the interpreter to itself, and both are painted together.
@@ -18,16 +18,31 @@ PATIENCE_S = 0.016
 
 
 class Conductor(QObject):
-    """Asks the engine for what visible panels need, and hands them the results."""
+    """Asks the engine for what visible panels need, and hands them the results.
+
+    Parameters
+    ----------
+    document, engine, panels
+        Whose design, who evaluates, and who draws.
+    also
+        Quantities that come with whatever panels need.
+    """
 
     #: The reason, when what is wanted cannot be computed.
     failed = Signal(str)
     #: The `Outcome` that the panels now show.
     delivered = Signal(object)
 
-    def __init__(self, document: Document, engine: Engine, panels: Sequence[Panel]):
+    def __init__(
+        self,
+        document: Document,
+        engine: Engine,
+        panels: Sequence[Panel],
+        also: frozenset[str] = frozenset(),
+    ):
         super().__init__(document)
         self._document, self._engine, self._panels = document, engine, panels
+        self._also = also
         self._asked: Request | None = None
         self._shown: dict[Panel, tuple[Any, ...]] = {}
         document.changed.connect(self._follow)
@@ -55,6 +70,7 @@ class Conductor(QObject):
         if not wanted:
             return False
         given = sources(self._document.design, self._document.view)
+        wanted |= self._also
         request = Request(wanted, given, perf_counter() if since_s is None else since_s)
         if self._asked == request and not self._behind(visible):
             return False
@@ -69,7 +85,7 @@ class Conductor(QObject):
         return any(panel.needs and panel not in self._shown for panel in visible)
 
     def _deliver(self, outcome: Outcome) -> None:
-        if outcome.request.purpose != "show":
+        if outcome.request.place != (FIRST_SLOT, Purpose.SHOW):
             return
         visible = [panel for panel in self._panels if panel.isVisible() and panel.needs]
         if outcome.values is None:

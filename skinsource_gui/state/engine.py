@@ -1,8 +1,9 @@
 """Evaluates quantities away from the GUI thread."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
+from enum import IntEnum
 from threading import Event
 from time import perf_counter
 from typing import Any
@@ -17,18 +18,43 @@ from skinsource.work import Work
 _PATIENCE_S = 0.5
 
 
+class Purpose(IntEnum):
+    """What a request is for; of those that wait, the first of these goes first."""
+
+    SHOW = 0
+    CHECK = 1
+    EXPORT = 2
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """One of several designs that are looked at side by side; each has a graph of its own."""
+
+    name: str
+
+
+#: The design in the window.
+FIRST_SLOT = Slot("A")
+
+
 @dataclass(frozen=True, slots=True)
 class Request:
     """The quantities that are wanted, and the values to start from.
 
     ``since_s`` is when the user wanted something else than before, by `time.perf_counter`;
-    ``purpose`` tells whose request it is.
+    ``purpose`` tells what it is for, ``slot`` which of the designs side by side it is about.
     """
 
     wanted: frozenset[str]
     given: Mapping[str, Any]
     since_s: float = field(default_factory=perf_counter, compare=False)
-    purpose: str = "show"
+    purpose: Purpose = Purpose.SHOW
+    slot: Slot = FIRST_SLOT
+
+    @property
+    def place(self) -> tuple[Slot, Purpose]:
+        """Where it waits: of those that want the same place, the newest takes it."""
+        return self.slot, self.purpose
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,45 +72,62 @@ class Outcome:
 
 
 class Engine(QObject):
-    """Evaluates one request at a time; of those that wait, only the newest is kept.
+    """Evaluates one request at a time; of each slot and purpose the newest waits.
 
-    A running evaluation is allowed to finish, so that a long drag shows a steady stream of
-    results instead of none until the mouse stops; only one that has taken long already is
-    abandoned for a newer request.
+    A running evaluation is allowed to finish, so that a long drag shows a steady stream of results
+    instead of none until the mouse stops; only one that has taken long already is abandoned for a
+    newer one of its place, or put back for one that goes before it.
+
+    Parameters
+    ----------
+    new_graph
+        Makes the graph of a slot, when it is first asked for something.
+    parent
+        As in Qt.
     """
 
     finished = Signal(object)  # Outcome, in the GUI thread
     _landed = Signal(object)  # Outcome or None, from the worker thread
 
-    def __init__(self, graph: Graph, parent: QObject | None = None):
+    def __init__(self, new_graph: Callable[[], Graph], parent: QObject | None = None):
         super().__init__(parent)
-        self._graph = graph
+        self._new_graph = new_graph
+        self._graphs: dict[Slot, Graph] = {}
         self._closing = Event()
         self._superseded = Event()
         self._done = Event()
         self._started_s = 0.0
-        self._busy = False
-        self._waiting: Request | None = None
+        self._running: Request | None = None
+        self._newest: Request | None = None
+        self._waiting: dict[tuple[Slot, Purpose], Request] = {}
         self._worker = ThreadPoolExecutor(max_workers=1, thread_name_prefix="skinsource-engine")
         self._landed.connect(self._on_landed, Qt.ConnectionType.QueuedConnection)
 
     @property
     def busy(self) -> bool:
         """Whether a request is being evaluated or waits."""
-        return self._busy
+        return self._running is not None
 
     def request(self, request: Request) -> None:
-        """Evaluate ``request`` as soon as possible, unless a newer one arrives first."""
+        """Evaluate ``request`` as soon as possible, unless a newer one takes its place."""
         if self._closing.is_set():
             return
-        if self._busy:
-            self._waiting = request
+        self._newest = request
+        if self._running is None:
+            self._start(request)
+            return
+        # One that is replaced hands on its turn: no slot waits for ever.
+        self._waiting[request.place] = request
+        running = self._running
+        if request.place == running.place or request.purpose < running.purpose:
             self._superseded.set()
-        else:
-            self._busy = True
-            self._superseded.clear()
-            self._done.clear()
-            self._worker.submit(self._work, request)
+
+    def release(self, slot: Slot) -> None:
+        """Forget what was computed for ``slot``, and what waits for it."""
+        for place in [place for place in self._waiting if place[0] == slot]:
+            del self._waiting[place]
+        if not self._closing.is_set():
+            self._worker.submit(self._graphs.pop, slot, None)
 
     def wait(self, longest_s: float) -> None:
         """Sleep until the newest request is evaluated, if nothing else has to be before.
@@ -92,26 +135,35 @@ class Engine(QObject):
         Results are told by `finished` as ever, once the event loop runs again; it tells them
         before it paints.
         """
-        if self._busy and self._waiting is None:
+        if self._running is not None and self._running is self._newest:
             self._done.wait(longest_s)
 
     def close(self) -> None:
         """Stop at the next rule and wait for the worker to end."""
-        self._waiting = None
+        self._waiting.clear()
         self._closing.set()
         self._worker.shutdown(wait=True)
+
+    def _start(self, request: Request) -> None:
+        self._running = request
+        self._superseded.clear()
+        self._done.clear()
+        self._worker.submit(self._work, request)
 
     def _work(self, request: Request) -> None:
         self._started_s = start = perf_counter()
         try:
-            values = self._graph.evaluate(request.wanted, request.given, self._should_stop)
+            graph = self._graphs.get(request.slot)
+            if graph is None:
+                graph = self._graphs[request.slot] = self._new_graph()
+            values = graph.evaluate(request.wanted, request.given, self._should_stop)
         except Stopped:
             outcome = None
         except Exception as error:  # noqa: BLE001  shown to the user by whoever listens
             outcome = Outcome(request, error=error, compute_s=perf_counter() - start)
         else:
             took_s = perf_counter() - start
-            outcome = Outcome(request, values, compute_s=took_s, work=replace(self._graph.work))
+            outcome = Outcome(request, values, compute_s=took_s, work=replace(graph.work))
         self._landed.emit(outcome)
         self._done.set()
 
@@ -121,9 +173,12 @@ class Engine(QObject):
         return self._superseded.is_set() and perf_counter() - self._started_s > _PATIENCE_S
 
     def _on_landed(self, outcome: Outcome | None) -> None:
-        self._busy = False
-        waiting, self._waiting = self._waiting, None
-        if waiting is not None:
-            self.request(waiting)
+        ended, self._running = self._running, None
+        if outcome is None and ended is not None and not self._closing.is_set():
+            # Abandoned: it goes on later, unless a newer one has its place.
+            self._waiting.setdefault(ended.place, ended)
+        if self._waiting:
+            first = min(self._waiting, key=lambda place: place[1])
+            self._start(self._waiting.pop(first))
         if outcome is not None:
             self.finished.emit(outcome)

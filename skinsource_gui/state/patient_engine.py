@@ -1,10 +1,12 @@
 """An engine that lets the window be painted first."""
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QEvent, QObject, QTimer
 from PySide6.QtWidgets import QWidget
 
 from skinsource.graph import Graph
-from skinsource_gui.state.engine import Engine, Request
+from skinsource_gui.state.engine import Engine, Purpose, Request, Slot
 
 
 class PatientEngine(Engine):
@@ -15,34 +17,35 @@ class PatientEngine(Engine):
 
     Parameters
     ----------
-    graph
-        What evaluates.
+    new_graph
+        Makes the graph of a slot.
     window
         What is painted first; also the parent.
     """
 
-    def __init__(self, graph: Graph, window: QWidget) -> None:
-        super().__init__(graph, window)
+    def __init__(self, new_graph: Callable[[], Graph], window: QWidget) -> None:
+        super().__init__(new_graph, window)
         self._painted = False
-        self._first: Request | None = None
+        self._first: dict[tuple[Slot, Purpose], Request] = {}
         window.installEventFilter(self)
 
     @property
     def busy(self) -> bool:
         """Whether a request is being evaluated or waits."""
-        return self._first is not None or super().busy
+        return bool(self._first) or super().busy
 
     def request(self, request: Request) -> None:
         """Evaluate ``request`` as soon as possible, unless a newer one arrives first."""
         if self._painted:
             super().request(request)
         else:
-            self._first = request
+            self._first[request.place] = request
 
     def close(self) -> None:
         """Stop at the next rule and wait for the worker to end."""
         # What is asked from now on is refused there.
-        self._painted, self._first = True, None
+        self._painted = True
+        self._first.clear()
         super().close()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -54,6 +57,6 @@ class PatientEngine(Engine):
 
     def _begin(self) -> None:
         self._painted = True
-        first, self._first = self._first, None
-        if first is not None:
-            self.request(first)
+        first, self._first = self._first, {}
+        for request in first.values():
+            self.request(request)

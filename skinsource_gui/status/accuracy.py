@@ -1,8 +1,10 @@
 """Checks what is on screen, when there is time for it."""
 
+from dataclasses import replace
+
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from skinsource_gui.state.engine import Engine, Outcome, Request
+from skinsource_gui.state.engine import Engine, Outcome, Purpose, Request
 
 _IDLE_MS = 600
 
@@ -28,13 +30,13 @@ class Accuracy(QObject):
         self._idle.start()
 
     def _check(self) -> None:
-        if self._engine.busy:
-            self._idle.start()
-        elif self._shown is not None:
+        # It waits until there is nothing to show.
+        if self._shown is not None:
             wanted = frozenset({"trace_error"})
-            self._engine.request(Request(wanted, self._shown.given, purpose="check"))
+            self._engine.request(replace(self._shown, wanted=wanted, purpose=Purpose.CHECK))
 
     def _note(self, outcome: Outcome) -> None:
-        is_mine = outcome.request.purpose == "check" and self._shown is not None
-        if is_mine and outcome.values and outcome.request.given == self._shown.given:
+        if self._shown is None or outcome.request.place != (self._shown.slot, Purpose.CHECK):
+            return
+        if outcome.values and outcome.request.given == self._shown.given:
             self.checked.emit(outcome.values["trace_error"])

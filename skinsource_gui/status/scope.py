@@ -1,17 +1,15 @@
 """What an evaluation computed and what it left out, in words."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from skinsource.design import audible_inputs
-from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS, SAMPLE_RATE_HZ
-from skinsource.rendering.segments import BLOCK_FFT, length_at_once
-from skinsource.signals import sample_count
+from skinsource.limb import Limb
+from skinsource.rendering.segments import BLOCK_FFT
 from skinsource.work import Work
 from skinsource_gui.state.engine import Outcome
 
-_N_CHANNELS = N_OUTPUTS * N_AXES
+#: Quantities that it asks for beside those of the panels.
+NEEDS = frozenset({"limb_data", "streamed"})
 _IN_TIME = frozenset({"selected_traces", "selected_spectra"})
 #: The selected input, and all others together.
 _PARTS = 2
@@ -27,6 +25,8 @@ class Scope:
         Inputs of the design, and those that are neither muted nor beside a solo one.
     channels
         Outputs times axes that were brought back to time; 0 where no panel shows them.
+    all_channels
+        Outputs times axes of the limb.
     has_map
         Whether the map was computed.
     streamed
@@ -38,6 +38,7 @@ class Scope:
     inputs: int
     heard: int
     channels: int
+    all_channels: int
     has_map: bool
     streamed: bool
     work: Work
@@ -56,7 +57,7 @@ class Scope:
     def phrases(self) -> tuple[str, ...]:
         """Words for the status bar, from all to the least."""
         inputs = f"{self.heard} of {self.inputs} inputs" if self.inputs else "no inputs"
-        channels = f"{self.channels} of {_N_CHANNELS} channels"
+        channels = f"{self.channels} of {self.all_channels} channels"
         short = f"{inputs} · {channels}"
         with_method = f"{short} · {self.method}"
         if not self.has_map:
@@ -78,8 +79,8 @@ class Scope:
         lines = [
             f"{self.heard} of {self.inputs} inputs are heard"
             + (f"; {silent} muted or silenced by solo cost nothing." if silent else "."),
-            f"{self.channels} of {_N_CHANNELS} channels were brought back to time: the selected "
-            "outputs, on the chosen axes."
+            f"{self.channels} of {self.all_channels} channels were brought back to time: the "
+            "selected outputs, on the chosen axes."
             if self.channels
             else "No channel was brought back to time: no traces or spectra are shown.",
             self._about_map(),
@@ -92,7 +93,7 @@ class Scope:
         if not self.has_map:
             return "The map is not shown and was not computed."
         if self.streamed:
-            return f"The map is summed up block by block, over all {_N_CHANNELS} channels."
+            return f"The map is summed up block by block, over all {self.all_channels} channels."
         count = self.map_transforms
         word = "transform" if count == 1 else "transforms"
         return f"The map took {count} inverse {word}: its levels follow from spectra."
@@ -114,23 +115,15 @@ class Scope:
 def scope_of(outcome: Outcome) -> Scope:
     """What ``outcome`` has computed."""
     given, wanted = outcome.request.given, outcome.request.wanted
+    values = outcome.values or {}
+    limb: Limb = values["limb_data"]
     shows_channels = bool(wanted & _IN_TIME)
     return Scope(
         inputs=len(given["inputs"]),
         heard=len(audible_inputs(given["inputs"])),
         channels=len(given["outputs"]) * len(given["axes"]) if shows_channels else 0,
+        all_channels=limb.n_outputs * limb.n_axes,
         has_map="output_levels_db" in wanted,
-        streamed=_is_streamed(given),
+        streamed=values["streamed"],
         work=outcome.work,
     )
-
-
-def _is_streamed(given: Mapping[str, Any]) -> bool:
-    heard = audible_inputs(given["inputs"])
-    ends = (
-        sample_count(one.onset_s, SAMPLE_RATE_HZ)
-        + sample_count(one.waveform.duration_s, SAMPLE_RATE_HZ)
-        for one in heard
-    )
-    places = {one.location for one in heard}
-    return length_at_once(max(ends, default=1) + N_TAPS - 1, len(places)) is None

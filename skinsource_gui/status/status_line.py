@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QHBoxLayout, QWidget
 from skinsource.design import Design, audible_inputs
 from skinsource.rendering.check import TraceError
 from skinsource_gui.state.engine import Engine, Outcome
+from skinsource_gui.status import scope
 from skinsource_gui.status.edit_times import EditTime
 from skinsource_gui.status.error_label import ErrorLabel
 from skinsource_gui.status.fitting_label import FittingLabel
@@ -30,6 +31,8 @@ class StatusLine(QWidget):
         Whose results it is about.
     """
 
+    #: Quantities that it asks for beside those of the panels.
+    needs = scope.NEEDS
     #: Something that it tells is new; at most some times a second.
     changed = Signal()
 

@@ -72,7 +72,7 @@ def stage(qtbot):
 
     gated_loudness.__name__ = "loudness"
     graph = Graph(gated_loudness, colours)
-    engine = Engine(graph)
+    engine = Engine(lambda: graph)
     loud, colourful = Recorder("loudness"), Recorder("colours")
     for panel in (loud, colourful):
         panel.setParent(window)

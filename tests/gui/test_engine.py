@@ -5,7 +5,7 @@ import pytest
 
 from skinsource.errors import Stopped
 from skinsource.graph import Graph
-from skinsource_gui.state.engine import Engine, Request
+from skinsource_gui.state.engine import FIRST_SLOT, Engine, Purpose, Request, Slot
 
 
 @pytest.fixture
@@ -25,7 +25,7 @@ def engine(qapp, gate, seen):
         seen.append(x)
         return 10 * x
 
-    engine = Engine(Graph(answer))
+    engine = Engine(lambda: Graph(answer))
     yield engine
     gate.set()
     engine.close()
@@ -124,7 +124,7 @@ def slow():
 
 @pytest.fixture
 def slow_engine(qapp, slow):
-    engine = Engine(Graph(slow.rule()))
+    engine = Engine(lambda: Graph(slow.rule()))
     yield engine
     slow.given_up.set()
     engine.close()
@@ -148,3 +148,76 @@ def test_closing_ends_a_long_evaluation_that_asks(slow, slow_engine):
     slow_engine.close()
     assert slow.asked[-1]
     assert not slow.given_up.is_set()
+
+
+SECOND_SLOT = Slot("B")
+
+
+def test_each_slot_and_purpose_has_a_place_to_wait_and_showing_goes_first(
+    qtbot, engine, gate, seen
+):
+    def ask(x, purpose, slot):
+        engine.request(Request(frozenset({"answer"}), {"x": x}, purpose=purpose, slot=slot))
+
+    ask(0, Purpose.SHOW, FIRST_SLOT)
+    ask(1, Purpose.EXPORT, FIRST_SLOT)
+    ask(2, Purpose.CHECK, FIRST_SLOT)
+    ask(3, Purpose.SHOW, FIRST_SLOT)
+    ask(4, Purpose.SHOW, SECOND_SLOT)
+    ask(5, Purpose.CHECK, FIRST_SLOT)
+    ask(6, Purpose.SHOW, FIRST_SLOT)
+    gate.set()
+    qtbot.waitUntil(lambda: not engine.busy)
+    assert seen == [0, 6, 4, 5, 1]
+
+
+def test_each_slot_has_a_graph_of_its_own_until_it_is_released(qtbot, qapp):
+    made = []
+
+    def new_graph():
+        made.append(Graph(answer))
+        return made[-1]
+
+    def answer(x):
+        return x
+
+    engine = Engine(new_graph)
+
+    def ask(x, slot):
+        engine.request(Request(frozenset({"answer"}), {"x": x}, slot=slot))
+        qtbot.waitUntil(lambda: not engine.busy)
+
+    for _ in range(3):
+        ask(1, FIRST_SLOT)
+        ask(2, SECOND_SLOT)
+    assert [graph.runs["answer"] for graph in made] == [1, 1]
+    engine.release(SECOND_SLOT)
+    ask(2, SECOND_SLOT)
+    ask(1, FIRST_SLOT)
+    assert [graph.runs["answer"] for graph in made] == [1, 1, 1]
+    engine.close()
+
+
+@pytest.mark.parametrize("purpose", [Purpose.CHECK, Purpose.EXPORT])
+def test_what_is_put_off_for_something_to_show_is_done_afterwards(
+    qtbot, slow, slow_engine, purpose
+):
+    outcomes = []
+    slow_engine.finished.connect(outcomes.append)
+    slow_engine.request(Request(frozenset({"slow"}), {"x": 1}, purpose=purpose))
+    assert slow.started.wait(5)
+    slow_engine.request(request(2, "slow"))
+    qtbot.waitUntil(lambda: bool(outcomes), timeout=10_000)
+    slow.given_up.set()
+    qtbot.waitUntil(lambda: not slow_engine.busy, timeout=10_000)
+    assert [outcome.request.purpose for outcome in outcomes] == [Purpose.SHOW, purpose]
+
+
+def test_what_is_shown_is_not_put_off_for_a_check(qtbot, slow, slow_engine):
+    slow_engine.request(request(1, "slow"))
+    assert slow.started.wait(5)
+    slow_engine.request(Request(frozenset({"slow"}), {"x": 2}, purpose=Purpose.CHECK))
+    qtbot.waitUntil(lambda: len(slow.asked) > 700, timeout=10_000)
+    assert not any(slow.asked)
+    slow.given_up.set()
+    qtbot.waitUntil(lambda: not slow_engine.busy, timeout=10_000)

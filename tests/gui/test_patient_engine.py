@@ -26,7 +26,7 @@ def engine(window, evaluated):
         evaluated.append(question)
         return question
 
-    made = PatientEngine(Graph(answer), window)
+    made = PatientEngine(lambda: Graph(answer), window)
     yield made
     made.close()
 

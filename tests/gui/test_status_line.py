@@ -38,6 +38,7 @@ def scope(**changes):
         "inputs": 20,
         "heard": 4,
         "channels": 6,
+        "all_channels": 216,
         "has_map": True,
         "streamed": False,
         "work": Work(inverse_transforms=12),
