@@ -1,15 +1,17 @@
 """The hand on which inputs are placed, moved and removed."""
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
-from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QMouseEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QEvent, QPoint, QPointF, QSize, Qt, Signal
+from PySide6.QtGui import QContextMenuEvent, QHelpEvent, QKeyEvent, QMouseEvent, QPainter
+from PySide6.QtWidgets import QToolTip, QWidget
 
-from skinsource_gui.panels.hand.hand_canvas import HandCanvas
 from skinsource_gui.panels.hand.hand_drawing import HandDrawing
-from skinsource_gui.panels.hand.hand_picture import Mark
-from skinsource_gui.panels.hand.site_keys import SiteKeys
+from skinsource_gui.panels.hand.hand_layout import HandLayout
+from skinsource_gui.panels.hand.hand_picture import HandState, Mark
+from skinsource_gui.panels.hand.hand_stage import HandStage
+from skinsource_gui.panels.hand.site_cursor import SiteCursor
 from skinsource_gui.panels.hand.site_mouse import SiteMouse
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.pan_zoom import WHOLE
 
 # Ways in which focus comes without the keyboard being used here.
 _BY_MOUSE = (
@@ -19,7 +21,7 @@ _BY_MOUSE = (
 )
 
 
-class HandDiagram(HandCanvas):
+class HandDiagram(QWidget):
     """A palm with 20 sites; tells by signals what the user wants there.
 
     Parameters
@@ -28,6 +30,11 @@ class HandDiagram(HandCanvas):
         The hand.
     theme
         Its colours until `show_theme`.
+
+    Attributes
+    ----------
+    stage
+        What is shown, and where.
     """
 
     #: Site of a new input.
@@ -42,53 +49,104 @@ class HandDiagram(HandCanvas):
     menu_requested = Signal(int, QPoint)
 
     def __init__(self, drawing: HandDrawing, theme: Theme, parent: QWidget | None = None) -> None:
-        super().__init__(drawing, theme, parent)
-        self._cursor = 1
-        self._mouse = SiteMouse(self)
-        self._mouse.pressed.connect(self._follow)
-        self._mouse.placed.connect(self.add_requested)
-        self._mouse.selected.connect(self.select_requested)
+        super().__init__(parent)
+        self.stage = HandStage(drawing, theme, self)
+        self.stage.changed.connect(self.update)
+        self._mouse, self._cursor = SiteMouse(self.stage, self), SiteCursor(self.stage)
+        self._mouse.pressed.connect(self._cursor.follow)
+        for source in (self._mouse, self._cursor):
+            source.placed.connect(self.add_requested)
+            source.selected.connect(self.select_requested)
         self._mouse.moved.connect(self.move_requested)
-        self._keys = SiteKeys(self)
-        self._keys.stepped.connect(self._step)
-        self._keys.jumped.connect(self._go_to)
-        self._keys.activated.connect(self._activate_cursor)
-        self._keys.shifted.connect(self._shift_selected)
-        self._keys.removed.connect(self._ask_to_remove)
+        self._cursor.shifted.connect(self.move_requested)
+        self._cursor.removed.connect(self.remove_requested)
+        self._cursor.moved.connect(self._describe)
+        self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setObjectName("hand_diagram")
         self.setAccessibleName("Hand, palm side")
-        self.describe(self._cursor)
+        self._describe(self._cursor.site)
+
+    @property
+    def state(self) -> HandState:
+        """What is shown."""
+        return self.stage.state
+
+    @property
+    def hand(self) -> HandLayout:
+        """Where the sites are, in pixels of this widget."""
+        return self.stage.layout
 
     @property
     def cursor_site(self) -> int:
         """Site of the keyboard's cursor, whether or not it is shown."""
-        return self._cursor
+        return self._cursor.site
+
+    def site_centre(self, site: int) -> QPoint:
+        """Middle of a site's marker, in pixels of this widget."""
+        return self.hand.centre(site).toPoint()
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self.stage.show_theme(theme)
 
     def show_inputs(self, marks: tuple[Mark, ...], selected: int | None) -> None:
         """Show these inputs, of which ``selected`` is the selected one."""
         before = self.state.selected
         self._mouse.check(marks)
-        self.change(marks=marks, selected=selected, note="")
+        self.stage.change(marks=marks, selected=selected, note="")
         if selected is not None and selected != before and not self.hasFocus():
-            self._cursor = marks[selected].site
-        self.describe(self._cursor)
+            self._cursor.follow(marks[selected].site)
+        else:
+            self._describe(self._cursor.site)
 
     def show_note(self, text: str) -> None:
         """Say something below the hand, until the design or the selection changes."""
-        self.change(note=text)
+        self.stage.change(note=text)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(260, 300)
+
+    def sizeHint(self) -> QSize:
+        return QSize(320, 400)
+
+    def resizeEvent(self, event) -> None:
+        super().resizeEvent(event)
+        self.stage.fit(self)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self.stage.fit(self)
+
+    def paintEvent(self, event) -> None:
+        painter = QPainter(self)
+        self.stage.paint(painter, self.devicePixelRatioF())
+        painter.end()
+
+    def wheelEvent(self, event) -> None:
+        self.stage.pan_zoom.wheel(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        self.change(cursor=None)
+        self.stage.change(cursor=None)
+        self.stage.pan_zoom.press(event)
         if event.button() == Qt.MouseButton.LeftButton:
             self._mouse.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        self.stage.pan_zoom.move(event)
         self._mouse.move(event)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self.stage.pan_zoom.release(event)
         if event.button() == Qt.MouseButton.LeftButton:
             self._mouse.release(event)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if self.stage.site_at(event.position()) is None:
+            self.stage.pan_zoom.show(WHOLE)
+        else:
+            self.mousePressEvent(event)
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
@@ -100,14 +158,14 @@ class HandDiagram(HandCanvas):
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         if event.reason() == QContextMenuEvent.Reason.Keyboard:
-            site: int | None = self._cursor
-            at = self.mapToGlobal(self.site_centre(self._cursor))
+            site: int | None = self.cursor_site
+            at = self.mapToGlobal(self.site_centre(self.cursor_site))
         else:
-            site = self.hand.site_at(QPointF(event.pos()))
+            site = self.stage.site_at(QPointF(event.pos()))
             at = event.globalPos()
         if site is None or self._mouse.busy:
             return
-        self._cursor = site
+        self._cursor.site = site
         front = self.state.front_at(site)
         if front is not None and front != self.state.selected:
             self.select_requested.emit(front)
@@ -116,25 +174,28 @@ class HandDiagram(HandCanvas):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self._mouse.busy:
             self._mouse.cancel()
-        elif self._mouse.busy or not self._keys.press(event):
+        elif self._mouse.busy or not self._cursor.keys.press(event):
             super().keyPressEvent(event)
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
-        self._keys.release(event)
+        self._cursor.keys.release(event)
         super().keyReleaseEvent(event)
 
     def focusInEvent(self, event) -> None:
         super().focusInEvent(event)
         if event.reason() not in _BY_MOUSE:
-            self._go_to(self._cursor)
+            self._cursor.go_to(self._cursor.site)
 
     def focusOutEvent(self, event) -> None:
         super().focusOutEvent(event)
-        self._keys.end_gesture()
+        self._cursor.keys.end_gesture()
         if event.reason() != Qt.FocusReason.PopupFocusReason:
-            self.change(cursor=None)
+            self.stage.change(cursor=None)
 
     def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            self._show_tooltip(event)
+            return True
         if event.type() == QEvent.Type.ShortcutOverride and self._overrides(event):
             event.accept()
             return True
@@ -147,38 +208,17 @@ class HandDiagram(HandCanvas):
         # Until keys are used here, Space is left to whom the window gives it.
         if event.key() == Qt.Key.Key_Space and self.state.cursor is None:
             return False
-        return self._keys.claims(event)
+        return self._cursor.keys.claims(event)
 
-    def _follow(self, site: int) -> None:
-        """The cursor goes where the mouse was used, without showing."""
-        self._cursor = site
-        self.describe(site)
-
-    def _go_to(self, site: int) -> None:
-        self._follow(site)
-        self.change(cursor=site)
-
-    def _step(self, x: int, y: int) -> None:
-        self._go_to(self.hand.neighbour(self._cursor, (x, y)))
-
-    def _activate_cursor(self, further: bool) -> None:
-        self._go_to(self._cursor)
-        following = self.state.next_at(self._cursor)
-        if further or following is None:
-            self.add_requested.emit(self._cursor)
+    def _show_tooltip(self, event: QHelpEvent) -> None:
+        site = self.stage.site_at(QPointF(event.pos()))
+        if site is None or self.state.moving is not None:
+            QToolTip.hideText()
         else:
-            self.select_requested.emit(following)
+            area = self.stage.marker_area(site).toAlignedRect()
+            QToolTip.showText(event.globalPos(), self.stage.words(site), self, area)
 
-    def _shift_selected(self, x: int, y: int, gesture: int) -> None:
-        index = self.state.selected
-        if index is None:
-            return
-        origin = self.state.marks[index].site
-        site = self.hand.neighbour(origin, (x, y))
-        if site != origin:
-            self.move_requested.emit(index, site, gesture)
-        self._go_to(site)
-
-    def _ask_to_remove(self) -> None:
-        if self.state.selected is not None:
-            self.remove_requested.emit(self.state.selected)
+    def _describe(self, site: int) -> None:
+        words = self.stage.description(site)
+        if words != self.accessibleDescription():
+            self.setAccessibleDescription(words)

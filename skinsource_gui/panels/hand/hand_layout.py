@@ -8,6 +8,7 @@ from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QTransform
 
 from skinsource_gui.panels.hand.hand_drawing import HandDrawing
+from skinsource_gui.widgets.frame import Frame
 
 #: Smallest and largest radius of a site, px; no hit area is narrower than the smallest.
 _RADIUS_PX = (11.0, 26.0)
@@ -82,8 +83,8 @@ class HandLayout:
         return nearest + 1 if distances[nearest] <= reach_px else None
 
 
-def hand_layout(drawing: HandDrawing, area: QRectF) -> HandLayout:
-    """Fit the hand and the markers off its fingertips into ``area``, as large as they go."""
+def fitted_hand(drawing: HandDrawing, area: QRectF) -> Frame:
+    """The frame that fits the hand and the markers off its fingertips into ``area``."""
     radius = _RADIUS_PX[0]
     for _ in range(2):  # The room for markers depends on the scale and the scale on the room.
         width = area.width() - 2 * _SIDE_RADII * radius
@@ -92,13 +93,25 @@ def hand_layout(drawing: HandDrawing, area: QRectF) -> HandLayout:
             min(width / drawing.bounds.width(), height / drawing.bounds.height()),
             0.1,
         )
-        radius = float(np.clip(_RADIUS_PER_SCALE * scale, *_RADIUS_PX))
-    centre = drawing.bounds.center().x()
+        radius = _radius_px(scale)
     spare = area.height() - _TOP_RADII * radius - scale * drawing.bounds.height()
-    top = area.top() + _TOP_RADII * radius + spare / 2
-    transform = QTransform.fromTranslate(
-        area.center().x() - scale * centre, top - scale * drawing.bounds.top()
-    ).scale(scale, scale)
-    shift = np.array([transform.dx(), transform.dy()])
-    centres = drawing.sites * scale + shift - drawing.pushes * radius * _OFF_TIP_RADII
-    return HandLayout(transform=transform, radius_px=radius, centres=centres, pushes=drawing.pushes)
+    return Frame(
+        scale=scale,
+        left=area.center().x() - scale * drawing.bounds.center().x(),
+        top=area.top() + _TOP_RADII * radius + spare / 2 - scale * drawing.bounds.top(),
+    )
+
+
+def hand_layout(drawing: HandDrawing, frame: Frame) -> HandLayout:
+    """Lay out the sites of a hand that lies in ``frame``."""
+    radius = _radius_px(frame.scale)
+    return HandLayout(
+        transform=frame.transform(),
+        radius_px=radius,
+        centres=frame.to_screen(drawing.sites) - drawing.pushes * radius * _OFF_TIP_RADII,
+        pushes=drawing.pushes,
+    )
+
+
+def _radius_px(scale: float) -> float:
+    return float(np.clip(_RADIUS_PER_SCALE * scale, *_RADIUS_PX))

@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPixmap
 
 from skinsource.locations import INPUTS, input_place
 from skinsource_gui.panels.hand.hand_drawing import HandDrawing, hand_pixmap
-from skinsource_gui.panels.hand.hand_layout import HandLayout, hand_layout
+from skinsource_gui.panels.hand.hand_layout import HandLayout
 from skinsource_gui.panels.hand.site_marker import (
     Place,
     paint_cursor,
@@ -100,29 +100,39 @@ class HandPicture:
         The hand.
     theme
         Its colours.
+
+    Attributes
+    ----------
+    area
+        Where the hand is seen.
     """
 
     def __init__(self, drawing: HandDrawing, theme: Theme) -> None:
         self.theme = theme
-        self.layout: HandLayout = hand_layout(drawing, QRectF(0.0, 0.0, 260.0, 330.0))
+        self.area = QRectF(0.0, 0.0, 260.0, 330.0)
         self._drawing = drawing
         self._size = QSize()
         self._line_px = 0.0
         self._hand: tuple[object, QPixmap] | None = None
+        self._layout: HandLayout | None = None
 
     def resize(self, size: QSize, metrics: QFontMetricsF) -> None:
-        """Fit everything into ``size``; below the hand there are two lines of text."""
+        """Take a widget's size; below the area of the hand there are two lines of text."""
         self._size = size
         self._line_px = metrics.height() + 2.0
         self._hand = None
         height = size.height() - 2 * self._line_px - UNIT_PX
-        self.layout = hand_layout(self._drawing, QRectF(0.0, 2.0, size.width(), height))
+        self.area = QRectF(0.0, 2.0, size.width(), height)
 
-    def paint(self, painter: QPainter, state: HandState, ratio: float) -> None:
+    def paint(self, painter: QPainter, layout: HandLayout, state: HandState, ratio: float) -> None:
         """Paint all; ``ratio`` is device pixels per widget pixel."""
+        self._layout = layout
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.drawPixmap(0, 0, self._hand_at(ratio))
         font = painter.font()
+        painter.save()
+        # Magnified, the hand would lie on the words below it.
+        painter.setClipRect(self.area.adjusted(0, -2, 0, UNIT_PX / 2))
+        painter.drawPixmap(0, 0, self._hand_at(ratio))
         for place in INPUTS:
             self._paint_site(painter, place.number, state)
         if state.selected is not None:
@@ -130,6 +140,7 @@ class HandPicture:
             self._paint_site(painter, state.marks[state.selected].site, state)
         if state.cursor is not None:
             paint_cursor(painter, self._place(state.cursor), self.theme)
+        painter.restore()
         if state.ghost is not None and state.moving is not None:
             self._paint_ghost(painter, state.ghost, state.marks[state.moving])
         painter.setFont(font)
@@ -138,18 +149,19 @@ class HandPicture:
         self._paint_legend(painter)
 
     def _hand_at(self, ratio: float) -> QPixmap:
-        key = (ratio, self.theme)
+        key = (ratio, self.theme, self._layout)
         if self._hand is None or self._hand[0] != key:
-            drawn = hand_pixmap(self._drawing, self.layout.transform, self._size, ratio, self.theme)
+            transform = self._layout.transform
+            drawn = hand_pixmap(self._drawing, transform, self._size, ratio, self.theme)
             self._hand = (key, drawn)
         return self._hand[1]
 
     def _place(self, site: int) -> Place:
         return Place(
             site=site,
-            centre=self.layout.centre(site),
-            radius_px=self.layout.radius_px,
-            push=self.layout.push(site),
+            centre=self._layout.centre(site),
+            radius_px=self._layout.radius_px,
+            push=self._layout.push(site),
         )
 
     def _paint_site(self, painter: QPainter, site: int, state: HandState) -> None:
@@ -170,9 +182,9 @@ class HandPicture:
         paint_occupied(painter, place, self.theme, colours, silent=state.marks[front].silent)
 
     def _paint_ghost(self, painter: QPainter, centre: QPointF, mark: Mark) -> None:
-        radius = self.layout.radius_px
+        radius = self._layout.radius_px
         ghost = Place(
-            site=mark.site, centre=centre, radius_px=radius, push=self.layout.push(mark.site)
+            site=mark.site, centre=centre, radius_px=radius, push=self._layout.push(mark.site)
         )
         painter.setOpacity(0.6)
         paint_occupied(painter, ghost, self.theme, [mark.colour], silent=mark.silent)

@@ -4,10 +4,10 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QMouseEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 
-from skinsource_gui.panels.hand.hand_canvas import HandCanvas
 from skinsource_gui.panels.hand.hand_picture import Mark
+from skinsource_gui.panels.hand.hand_stage import HandStage
 from skinsource_gui.widgets.fields.gesture import new_gesture
 
 _LEFT = Qt.MouseButton.LeftButton
@@ -38,8 +38,10 @@ class SiteMouse(QObject):
 
     Parameters
     ----------
-    canvas
+    stage
         The hand; its hover, ghost and target are changed here.
+    widget
+        Where it is; its cursor is changed here.
     """
 
     #: Site on which the button went down.
@@ -51,9 +53,9 @@ class SiteMouse(QObject):
     #: Number of an input, its new site, gesture.
     moved = Signal(int, int, int)
 
-    def __init__(self, canvas: HandCanvas) -> None:
-        super().__init__(canvas)
-        self._canvas = canvas
+    def __init__(self, stage: HandStage, widget: QWidget) -> None:
+        super().__init__(widget)
+        self._stage, self._widget = stage, widget
         self._press: _Press | None = None
 
     @property
@@ -64,10 +66,10 @@ class SiteMouse(QObject):
     def press(self, event: QMouseEvent) -> None:
         """The left button goes down."""
         self.cancel()  # a release that never came
-        site = self._canvas.hand.site_at(event.position())
+        site = self._stage.site_at(event.position())
         if site is None:
             return
-        state = self._canvas.state
+        state = self._stage.state
         front = state.front_at(site)
         press = _Press(
             site=site,
@@ -86,19 +88,19 @@ class SiteMouse(QObject):
         """The mouse moves, whether or not the button is held."""
         press = self._press
         if press is None or not event.buttons() & _LEFT:
-            self.hover(self._canvas.hand.site_at(event.position()))
+            self.hover(self._stage.site_at(event.position()))
         elif press.index is not None and not press.further:
             way = (event.position() - press.at).manhattanLength()
             if press.gesture is None and way >= QApplication.startDragDistance():
                 press.gesture = new_gesture()
-                self._canvas.setCursor(Qt.CursorShape.ClosedHandCursor)
+                self._widget.setCursor(Qt.CursorShape.ClosedHandCursor)
             if press.gesture is not None:
                 self._drag(press, event.position())
 
     def release(self, event: QMouseEvent) -> None:
         """The left button goes up."""
         press, self._press = self._press, None
-        site = self._canvas.hand.site_at(event.position())
+        site = self._stage.site_at(event.position())
         if press is not None and press.gesture is not None:
             self._drop()
         elif press is not None and site == press.site:
@@ -107,13 +109,13 @@ class SiteMouse(QObject):
 
     def hover(self, site: int | None) -> None:
         """Show which site is under the mouse."""
-        self._canvas.change(hovered=site)
+        self._stage.change(hovered=site)
         if site is None:
-            self._canvas.unsetCursor()
-        elif self._canvas.state.at(site):
-            self._canvas.setCursor(Qt.CursorShape.OpenHandCursor)
+            self._widget.unsetCursor()
+        elif self._stage.state.at(site):
+            self._widget.setCursor(Qt.CursorShape.OpenHandCursor)
         else:
-            self._canvas.setCursor(Qt.CursorShape.PointingHandCursor)
+            self._widget.setCursor(Qt.CursorShape.PointingHandCursor)
 
     def cancel(self) -> None:
         """Send what is being dragged back where it came from."""
@@ -133,15 +135,15 @@ class SiteMouse(QObject):
             self._drop()
 
     def _drag(self, press: _Press, position: QPointF) -> None:
-        hand = self._canvas.hand
+        hand = self._stage.layout
         ghost = position + hand.centre(press.site) - press.at
         target = hand.site_to_snap_to(ghost) or press.site
-        self._canvas.change(hovered=None, moving=press.index, ghost=ghost, target=target)
+        self._stage.change(hovered=None, moving=press.index, ghost=ghost, target=target)
         self._send(press, target)
 
     def _drop(self) -> None:
-        self._canvas.change(moving=None, ghost=None, target=None)
-        self._canvas.unsetCursor()
+        self._stage.change(moving=None, ghost=None, target=None)
+        self._widget.unsetCursor()
 
     def _send(self, press: _Press, site: int) -> None:
         if site != press.target and press.index is not None and press.gesture is not None:
@@ -153,6 +155,6 @@ class SiteMouse(QObject):
         if press.index is None or press.further:
             self.placed.emit(press.site)
             return
-        following = self._canvas.state.next_at(press.site)
+        following = self._stage.state.next_at(press.site)
         if press.was_selected and following not in (None, press.index):
             self.selected.emit(following)
