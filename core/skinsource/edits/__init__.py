@@ -1,6 +1,7 @@
 """What can be done to a design and the view on it: pure functions that return an `Edit`.
 
 Whatever they are given, they raise nothing: what cannot be done is a `Refusal` with one sentence.
+To add one, write a function in the module that it belongs to, and name it here.
 """
 
 from skinsource.edits.edit import Edit, Refusal
@@ -15,23 +16,53 @@ from skinsource.edits.inputs import (
     toggle_mute,
     toggle_solo,
 )
-from skinsource.edits.selection import kept_selection
-from skinsource.edits.values import change_field, change_kind, change_waveform
+from skinsource.edits.order import put_inputs_before, shift_inputs
+from skinsource.edits.outputs import select_outputs
+from skinsource.edits.selection import (
+    kept_selection,
+    select_all_inputs,
+    select_inputs,
+    select_through,
+    toggle_selected,
+)
+from skinsource.edits.setup import (
+    change_limb,
+    change_scaling,
+    level_over,
+    look_along,
+    look_by_method,
+    remove_delay,
+)
+from skinsource.edits.values import change_field, change_kind, change_waveform, drag_field
 
 __all__ = [
     "Edit",
     "Refusal",
     "change_field",
     "change_kind",
+    "change_limb",
+    "change_scaling",
     "change_waveform",
     "clear_inputs",
+    "drag_field",
     "duplicate_inputs",
     "kept_selection",
+    "level_over",
+    "look_along",
+    "look_by_method",
     "move_inputs",
     "mute_inputs",
     "place_input",
+    "put_inputs_before",
+    "remove_delay",
     "remove_inputs",
+    "select_all_inputs",
+    "select_inputs",
+    "select_outputs",
+    "select_through",
+    "shift_inputs",
     "solo_inputs",
     "toggle_mute",
+    "toggle_selected",
     "toggle_solo",
 ]

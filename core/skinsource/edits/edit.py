@@ -8,6 +8,7 @@ from skinsource.design import Design, Input
 from skinsource.errors import InvalidInputError
 from skinsource.locations import input_place
 from skinsource.view import View
+from skinsource.wording import sentence
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,6 +36,11 @@ class Refusal:
 
 
 NOTHING_CHOSEN = Refusal(sentence="No input is selected; click one, on the hand or in the list.")
+
+
+def refused(error: InvalidInputError) -> Refusal:
+    """Nothing is done, for a value that is not allowed."""
+    return Refusal(sentence=sentence(str(error)))
 
 
 def present(design: Design, ids: Iterable[int]) -> tuple[Input, ...]:
@@ -65,10 +71,14 @@ def changed(
     if not chosen:
         return NOTHING_CHOSEN
     try:
-        inputs = tuple(
-            replace(one, **changes[one.id]) if one.id in changes else one for one in design.inputs
-        )
+        inputs = tuple(_replaced(one, changes.get(one.id, {})) for one in design.inputs)
         after = replace(design, inputs=inputs)
     except InvalidInputError as error:
-        return Refusal(sentence=str(error))
+        return refused(error)
     return Edit(label=f"{verb} {inputs_words(chosen)}", design=after, view=view)
+
+
+def _replaced(one: Input, changes: dict[str, Any]) -> Input:
+    # What does not change keeps its identity.
+    after = replace(one, **changes)
+    return one if after == one else after

@@ -13,6 +13,7 @@ from skinsource.edits.edit import (
     inputs_words,
     place_words,
     present,
+    refused,
 )
 from skinsource.edits.selection import kept_selection
 from skinsource.errors import InvalidInputError
@@ -33,7 +34,7 @@ def place_input(design: Design, view: View, location: int) -> Edit | Refusal:
     try:
         new = Input(location=location)
     except InvalidInputError as error:
-        return Refusal(sentence=str(error))
+        return refused(error)
     if view.selected_input in design.ids:
         model = design.input(view.selected_input)
         waveform = _with_fresh_seed(model.waveform, design)

@@ -5,12 +5,13 @@ from dataclasses import replace
 from typing import Any
 
 from skinsource.design import AMPLITUDE, ONSET, Design, Input
-from skinsource.edits.edit import NOTHING_CHOSEN, Edit, Refusal, changed, present
-from skinsource.edits.kinds import as_kind
+from skinsource.edits.edit import NOTHING_CHOSEN, Edit, Refusal, changed, present, refused
+from skinsource.edits.kinds import as_kind, nearest
 from skinsource.errors import InvalidInputError
-from skinsource.fields import Spec, specs_of
+from skinsource.fields import NumberSpec, Spec, specs_of
 from skinsource.view import View
 from skinsource.waveforms import Waveform, kinds
+from skinsource.wording import quoted
 
 _OWN = frozenset({"amplitude", "onset_s"})
 
@@ -20,7 +21,7 @@ def change_kind(design: Design, view: View, ids: Iterable[int], kind: str) -> Ed
     wanted = next((one for one in kinds() if one.__name__ == kind), None)
     if wanted is None:
         known = ", ".join(one.__name__ for one in kinds())
-        return Refusal(sentence=f"No waveform is called {kind!r}; there are {known}.")
+        return Refusal(sentence=f"No waveform is called {quoted(kind)}; there are {known}.")
     changes = {one.id: {"waveform": as_kind(one.waveform, wanted)} for one in present(design, ids)}
     return changed(design, view, "Change waveform of", changes)
 
@@ -46,8 +47,43 @@ def change_field(
     try:
         changes = {one.id: _setting(one, name, value) for one in chosen}
     except InvalidInputError as error:
-        return Refusal(sentence=str(error))
+        return refused(error)
     return changed(design, view, f"Change {_label(chosen[0], name)} of", changes)
+
+
+def drag_field(
+    design: Design, view: View, ids: Iterable[int], name: str, value: float, start: Design
+) -> Edit | Refusal:
+    """Set a number of the input that stands apart; the others move as far from where they were.
+
+    They move by the same step, or by the same factor where the number is logarithmic, and stay
+    within what is allowed.  ``start`` is the design as the drag began: the way back leads to it.
+    """
+    chosen = [one for one in present(design, ids) if name in fields_of(one)]
+    lead = next((one for one in chosen if one.id == view.selected_input), None)
+    if lead is None or not isinstance(fields_of(lead)[name], NumberSpec):
+        return change_field(design, view, ids, name, value)
+    try:
+        fields_of(lead)[name].checked(value)
+        began = {one.id: one for one in start.inputs if name in fields_of(one)}
+        origin = value_of(began.get(lead.id, lead), name)
+        changes = {lead.id: _setting(lead, name, value)}
+        for one in chosen:
+            spec = fields_of(one)[name]
+            if one is not lead and isinstance(spec, NumberSpec):
+                moved = _moved(value_of(began.get(one.id, one), name), origin, value, spec)
+                changes[one.id] = _setting(one, name, moved)
+    except InvalidInputError as error:
+        return refused(error)
+    return changed(design, view, f"Change {_label(lead, name)} of", changes)
+
+
+def _moved(own: float, origin: float, value: float, spec: NumberSpec) -> float:
+    """``own`` moved as ``origin`` was to become ``value``."""
+    by_factor = spec.logarithmic and min(own, origin, value) > 0
+    moved = own * (value / origin) if by_factor else own + (value - origin)
+    # Sums of decimal steps shall be short to read.
+    return nearest(float(f"{moved:.12g}"), spec)
 
 
 def fields_of(one: Input) -> dict[str, Spec]:

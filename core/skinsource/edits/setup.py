@@ -1,0 +1,64 @@
+"""What the whole window is about: limb, scaling, and how accelerations are looked at."""
+
+from dataclasses import replace
+from typing import Any
+
+from skinsource.design import Design
+from skinsource.edits.edit import Edit, Refusal, refused
+from skinsource.errors import InvalidInputError
+from skinsource.limb import LIMB_NAMES, PRE_TRIGGER_DELAY_S
+from skinsource.view import View
+from skinsource.wording import quoted
+from skinsource.words import LIMBS, SCALINGS, word_of
+
+
+def change_limb(design: Design, view: View, limb: str) -> Edit | Refusal:
+    """Take another limb."""
+    if limb not in LIMB_NAMES:
+        return Refusal(sentence=f"No limb is called {quoted(limb)}; choose one of the list.")
+    after = replace(design, limb=limb)
+    return Edit(label=f"Change limb to {word_of(LIMBS, limb).title}", design=after, view=view)
+
+
+def change_scaling(design: Design, view: View, scaling: Any) -> Edit | Refusal:
+    """Let amplitudes mean something else."""
+    try:
+        after = replace(design, scaling=scaling)
+    except InvalidInputError as error:
+        return refused(error)
+    words = word_of(SCALINGS, scaling).title
+    return Edit(label=f"Change scaling to {words[:1].lower()}{words[1:]}", design=after, view=view)
+
+
+def look_along(design: Design, view: View, axes: Any) -> Edit | Refusal:
+    """Look at other axes."""
+    return _looked_at(design, view, "Change axes", axes=axes)
+
+
+def look_by_method(design: Design, view: View, method: Any) -> Edit | Refusal:
+    """Make one signal of several axes in another way."""
+    return _looked_at(design, view, "Change method", method=method)
+
+
+def level_over(design: Design, view: View, span: Any) -> Edit | Refusal:
+    """Let levels average over something else."""
+    return _looked_at(design, view, "Change what levels average over", span=span)
+
+
+def remove_delay(design: Design, view: View, removed: bool) -> Edit | Refusal:
+    """Shift time axes by the pre-trigger delay, or back; a zoom stays on the same piece."""
+    if removed == view.delay_removed:
+        return Edit(label="Remove delay", design=design, view=view)
+    shown = view.time_range_s
+    if shown is not None:
+        shift_s = -PRE_TRIGGER_DELAY_S if removed else PRE_TRIGGER_DELAY_S
+        shown = (shown[0] + shift_s, shown[1] + shift_s)
+    label = "Remove delay" if removed else "Bring back delay"
+    return _looked_at(design, view, label, delay_removed=removed, time_range_s=shown)
+
+
+def _looked_at(design: Design, view: View, label: str, **changes: Any) -> Edit | Refusal:
+    try:
+        return Edit(label=label, design=design, view=replace(view, **changes))
+    except InvalidInputError as error:
+        return refused(error)
