@@ -1,7 +1,6 @@
 """The one table of what can be done: menus, shortcuts, the palette and the keys page use it."""
 
 from collections.abc import Callable, Iterable
-from dataclasses import replace
 from typing import Any
 
 from skinsource import edits
@@ -56,8 +55,20 @@ def _of_selected(
     return of_selected
 
 
-def _select_no_outputs(design: Design, view: View) -> Edit:
-    return Edit(label="Select no outputs", design=design, view=replace(view, outputs=()))
+def _select_no_outputs(design: Design, view: View) -> Edit | Refusal:
+    return edits.select_outputs(design, view, ())
+
+
+def _toggle_delay(design: Design, view: View) -> Edit | Refusal:
+    return edits.remove_delay(design, view, not view.delay_removed)
+
+
+def _shift_up(design: Design, view: View) -> Edit | Refusal:
+    return edits.shift_inputs(design, view, view.selected_inputs, down=False)
+
+
+def _shift_down(design: Design, view: View) -> Edit | Refusal:
+    return edits.shift_inputs(design, view, view.selected_inputs, down=True)
 
 
 def _delay_removed(design: Design, view: View) -> bool:
@@ -184,6 +195,35 @@ _EDIT = (
         keywords="alone only actuator",
     ),
     _action(
+        "shift_input_up",
+        "Edit",
+        "Move input up in the list",
+        "List the selected inputs one place further up (Alt+Up, in the list)",
+        edit=_shift_up,
+        enabled=_has_selected,
+        keywords="reorder order sort before",
+        separated=True,
+    ),
+    _action(
+        "shift_input_down",
+        "Edit",
+        "Move input down in the list",
+        "List the selected inputs one place further down (Alt+Down, in the list)",
+        edit=_shift_down,
+        enabled=_has_selected,
+        keywords="reorder order sort after",
+    ),
+    _action(
+        "select_all_inputs",
+        "Edit",
+        "Select all inputs",
+        "Edit, mute, move or remove them together (Ctrl+A, on the hand and in the list)",
+        edit=edits.select_all_inputs,
+        enabled=_has_inputs,
+        keywords="several multiple everything",
+        separated=True,
+    ),
+    _action(
         "clear_inputs",
         "Edit",
         "Remove all inputs",
@@ -211,7 +251,7 @@ _VIEW = (
         "Remove 52 ms pre-trigger delay",
         "Shift time axes so that the response starts with the stimulus",
         "Ctrl+T",
-        command="looks.toggle_delay",
+        edit=_toggle_delay,
         checked=_delay_removed,
         keywords="time shift latency traces",
     ),

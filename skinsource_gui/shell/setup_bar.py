@@ -1,20 +1,19 @@
-"""The row above the panels: limb, scaling, axes, method."""
+"""The row above the panels: limb, scaling, axes, method, levels."""
 
-from dataclasses import replace
+from collections.abc import Callable
 from functools import partial
 
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QAction, QStandardItemModel
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
+from skinsource import edits
 from skinsource.design import Design
-from skinsource.edits import Edit
+from skinsource.edits import Edit, Refusal
 from skinsource.fields import ChoiceSpec
 from skinsource.limb import LIMB_NAMES
-from skinsource.projection import Axes, Method
-from skinsource.response_scaling import Scaling
 from skinsource.view import View
-from skinsource.words import CHOICES, LIMBS, Word, word_of
+from skinsource.words import CHOICES, Word
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.tooltips import tooltip
 
@@ -26,7 +25,6 @@ class SetupBar(QWidget):
 
     #: `Edit` or `Refusal`, number of the gesture or None.
     edited = Signal(object, object)
-    view_changed = Signal(object)
 
     def __init__(self, parent: QWidget | None = None):
         super().__init__(parent)
@@ -35,17 +33,19 @@ class SetupBar(QWidget):
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(0, 0, 0, 0)
         self._row.setSpacing(6)
-        self._limb, self._scaling, self._axes, self._method = (
-            self._choice(label, sentence, words)
-            for field, label, sentence, words in CHOICES
-            if field != "span"
+        self._limb, self._scaling, self._axes, self._method, self._span = (
+            self._choice(label, sentence, words) for _, label, sentence, words in CHOICES
         )
         self._method_hint = self._method.toolTip()
         self._row.addStretch(1)
-        self._limb.chosen.connect(self._choose_limb)
-        self._scaling.chosen.connect(self._choose_scaling)
-        self._axes.chosen.connect(self._choose_axes)
-        self._method.chosen.connect(self._choose_method)
+        for field, edit in (
+            (self._limb, edits.change_limb),
+            (self._scaling, edits.change_scaling),
+            (self._axes, edits.look_along),
+            (self._method, edits.look_by_method),
+            (self._span, edits.level_over),
+        ):
+            field.chosen.connect(partial(self._choose, edit))
 
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view."""
@@ -55,6 +55,7 @@ class SetupBar(QWidget):
             (self._scaling, design.scaling),
             (self._axes, view.axes),
             (self._method, view.method),
+            (self._span, view.span),
         ):
             field.set_value(value)
         single = len(view.axes) == 1
@@ -77,7 +78,7 @@ class SetupBar(QWidget):
     def choices(self, parent: QObject | None) -> list[QAction]:
         """One action for each choice that can be made, owned by ``parent``."""
         actions = []
-        for field in (self._limb, self._scaling, self._axes, self._method):
+        for field in (self._limb, self._scaling, self._axes, self._method, self._span):
             model = field.model()
             for index in range(field.count()):
                 action = QAction(f"{field.accessibleName()}: {field.itemText(index)}", parent)
@@ -104,23 +105,9 @@ class SetupBar(QWidget):
         self._row.addSpacing(6)
         return field
 
-    def _choose_limb(self, name: str, gesture: int | None) -> None:
-        if self._design:
-            self._edit(f"Change limb to {word_of(LIMBS, name).title}", gesture, limb=name)
-
-    def _choose_scaling(self, scaling: Scaling, gesture: int | None) -> None:
-        if self._design:
-            self._edit("Change scaling", gesture, scaling=scaling)
-
-    def _edit(self, label: str, gesture: int | None, **changes: str) -> None:
+    def _choose(self, edit: Callable[..., Edit | Refusal], value: str, gesture: int | None) -> None:
         if self._design and self._view:
-            design = replace(self._design, **changes)
-            self.edited.emit(Edit(label=label, design=design, view=self._view), gesture)
-
-    def _choose_axes(self, axes: Axes) -> None:
-        if self._view:
-            self.view_changed.emit(replace(self._view, axes=axes))
-
-    def _choose_method(self, method: Method) -> None:
-        if self._view:
-            self.view_changed.emit(replace(self._view, method=method))
+            outcome = edit(self._design, self._view, value)
+            self.edited.emit(outcome, gesture)
+            if isinstance(outcome, Refusal):
+                self.show_state(self._design, self._view)

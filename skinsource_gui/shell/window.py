@@ -21,7 +21,6 @@ from skinsource_gui.shell.arrangements import Arrangements
 from skinsource_gui.shell.bars import setup_toolbar
 from skinsource_gui.shell.docks import dock_of, toggles
 from skinsource_gui.shell.focus_order import move_focus
-from skinsource_gui.shell.looks import Looks
 from skinsource_gui.shell.menus import fill_menu_bar
 from skinsource_gui.shell.notice import Notice
 from skinsource_gui.shell.pages import Pages, late
@@ -148,7 +147,6 @@ class MainWindow(QMainWindow):
             "exports": self.exports,
             "jobs": self.running_jobs,
             "steps": self.document.undo_stack,
-            "looks": Looks(self.document),
             "arrangements": self.arrangements,
             "panel_focus": PanelFocus(self.panels, self),
             "appearance": self.appearance,
@@ -177,7 +175,6 @@ class MainWindow(QMainWindow):
         self.appearance.changed.connect(self._show_theme)
         self.arrangements.chosen.connect(self._fit_room)
         self.setup_bar.edited.connect(document.apply)
-        self.setup_bar.view_changed.connect(document.look)
         self.files.failed.connect(reports.complain)
         self.files.done.connect(reports.report)
         self.files.opened.connect(self._restore_arrangement)

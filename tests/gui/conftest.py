@@ -44,7 +44,7 @@ def make_window(qtbot, preferences, monkeypatch):
         window.show()
         window.do("arrange_design")
         qtbot.waitExposed(window)
-        qtbot.waitUntil(lambda: not window.engine.busy)
+        qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
         return window
 
     yield make
@@ -81,7 +81,7 @@ def settle(qtbot, window):
     """Wait until the window shows the present design."""
 
     def wait():
-        qtbot.waitUntil(lambda: not window.engine.busy)
+        qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
         QApplication.processEvents()
 
     return wait

@@ -51,6 +51,7 @@ def show(qtbot):
             panel.show_results(results_for(changed, **how))
 
         panel.view_changed.connect(look)
+        panel.edited.connect(lambda edit, _: look(edit.view))
         panel.resize(420, 200)
         panel.show()
         qtbot.waitExposed(panel)

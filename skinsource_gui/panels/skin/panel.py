@@ -10,6 +10,7 @@ from PySide6.QtCore import QPoint, QSize, QSizeF, Qt
 from PySide6.QtGui import QGuiApplication, QImage, QPainter
 from PySide6.QtWidgets import QGridLayout, QMenu, QWidget
 
+from skinsource import edits
 from skinsource.decibels import FLOOR_DB
 from skinsource.design import Design
 from skinsource.limb import Limb
@@ -208,7 +209,8 @@ class SkinPanel(Panel):
             self.readout.show_text(f"{count} {noun} selected\nShift+click adds or removes one")
 
     def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
-        self.view_changed.emit(replace(self._view, outputs=outputs))
+        if self._design is not None:
+            self.edited.emit(edits.select_outputs(self._design, self._view, outputs), None)
 
     def _choose_range(self, range_db: tuple[float, float] | None) -> None:
         self._change_settings(map_range_db=range_db)

@@ -6,6 +6,7 @@ from typing import Any
 
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from skinsource import edits
 from skinsource.design import Design
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.quantities import PRE_TRIGGER_DELAY_S
@@ -50,6 +51,7 @@ class TracesPanel(Panel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setMinimumSize(240, 140)
+        self._design: Design | None = None
         self._view, self._settings = View(), TracesSettings()
         self._toolbar = PlotToolbar(self)
         self._delay = self._toolbar.add_switch(
@@ -57,7 +59,7 @@ class TracesPanel(Panel):
             f"Remove {_DELAY} delay",
             f"Responses start about {_DELAY} late: they carry the pre-trigger time of the "
             "measurement. Shift it away",
-            self.remove_delay,
+            self._remove_delay,
         )
         self._plot = SignalView("traces-plot", "Traces of the selected outputs", self)
         self.setFocusProxy(self._plot)
@@ -81,6 +83,7 @@ class TracesPanel(Panel):
         return frozenset(drawn)
 
     def show_state(self, design: Design, view: View) -> None:
+        self._design = design
         self._view, self._settings = view, settings_of(view, self.name, TracesSettings)
         self._delay.setChecked(view.delay_removed)
         self._toolbar.show_state(layout=self._settings.layout, zoomed=view.time_range_s is not None)
@@ -125,14 +128,9 @@ class TracesPanel(Panel):
         if settings != self._settings:
             self.view_changed.emit(with_settings(self._view, self.name, settings))
 
-    def remove_delay(self, removed: bool) -> None:
-        """Ask for time axes with or without the pre-trigger delay."""
-        shown = self._view.time_range_s
-        if shown is not None:
-            # The same piece of the curves stays in sight.
-            shift_s = -PRE_TRIGGER_DELAY_S if removed else PRE_TRIGGER_DELAY_S
-            shown = (shown[0] + shift_s, shown[1] + shift_s)
-        self._change(delay_removed=removed, time_range_s=shown)
+    def _remove_delay(self, removed: bool) -> None:
+        if self._design is not None:
+            self.edited.emit(edits.remove_delay(self._design, self._view, removed), None)
 
     def _zoom(self, shown: tuple[float, float] | None) -> None:
         self._change(time_range_s=shown)

@@ -32,6 +32,7 @@ class Window:
         self.design, self.view = start_design("synthetic-1"), View()
         self.views = []
         panel.view_changed.connect(self.take)
+        panel.edited.connect(lambda edit, _: self.take(edit.view))
 
     def take(self, view):
         self.views.append(view)
