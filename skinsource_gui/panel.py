@@ -29,6 +29,10 @@ class Panel(QWidget):
     #: The name of an action of the window, such as "export_picture".
     action_wanted = Signal(str)
     visibility_changed = Signal()
+    #: A sentence that says why something the user asked this panel for was not done.
+    failed = Signal(str)
+    #: A file that the user asked this panel for was written there, `Path`.
+    written = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

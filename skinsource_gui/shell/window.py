@@ -181,6 +181,8 @@ class MainWindow(QMainWindow):
         self.exports.failed.connect(reports.complain)
         for panel in self.panels:
             panel.action_wanted.connect(self.do)
+            panel.failed.connect(reports.complain)
+            panel.written.connect(self.files.note_written)
         self.runner.changed.connect(self._show_running)
         self._limb_note.help_wanted.connect(self.pages.show_dataset)
         self.conductor.failed.connect(reports.show_impossible)

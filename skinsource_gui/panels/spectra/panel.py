@@ -16,7 +16,6 @@ from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
-from skinsource_gui.widgets.plot.plot_toolbar import PlotToolbar
 from skinsource_gui.widgets.plot.signal_view import SignalView
 
 _NO_OUTPUTS = "Select outputs on the skin map"
@@ -32,6 +31,7 @@ _LINEAR_AXIS = XAxis(
         "Frequency (Hz)",
     ),
     unit="Hz",
+    column="frequency_hz",
     extent=(0.0, _NYQUIST_HZ),
     band=MEASURED_BAND_HZ,
 )
@@ -55,30 +55,28 @@ class SpectraPanel(Panel):
         self.setMinimumSize(240, 140)
         self._view, self._settings = View(), SpectraSettings()
         self._results: Mapping[str, Any] | None = None
-        self._toolbar = PlotToolbar(self)
-        self._log_frequency = self._toolbar.add_switch(
+        self._plot = SignalView("spectra-plot", "Spectra of the selected outputs", self)
+        self._log_frequency = self._plot.toolbar.add_switch(
             "log-frequency",
             "Log frequency",
             f"Logarithmic frequency axis from {_LOWEST_HZ:g} Hz",
             self._choose_log_frequency,
         )
-        self._log_magnitude = self._toolbar.add_switch(
+        self._log_magnitude = self._plot.toolbar.add_switch(
             "log-magnitude",
             "dB",
             "Logarithmic magnitude: dB re 1 m/s², the uppermost 80 dB",
             self._choose_log_magnitude,
         )
         self._log_magnitude.setAccessibleName("Log magnitude")
-        self._plot = SignalView("spectra-plot", "Spectra of the selected outputs", self)
-        self.setFocusProxy(self._plot)
+        self.setFocusProxy(self._plot.plot)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self._toolbar)
-        column.addWidget(self._plot, 1)
-        self._toolbar.layout_chosen.connect(self._choose_layout)
-        self._toolbar.everything_wanted.connect(self._show_everything)
+        column.addWidget(self._plot)
+        self._plot.toolbar.layout_chosen.connect(self._choose_layout)
         self._plot.zoom_requested.connect(self._zoom)
+        self._plot.exports.failed.connect(self.failed)
+        self._plot.exports.written.connect(self.written)
 
     @property
     def needs(self) -> frozenset[str]:
@@ -91,7 +89,7 @@ class SpectraPanel(Panel):
         self._view, self._settings = view, settings
         self._log_frequency.setChecked(settings.log_frequency)
         self._log_magnitude.setChecked(settings.log_magnitude)
-        self._toolbar.show_state(
+        self._plot.toolbar.show_state(
             layout=settings.layout, zoomed=settings.frequency_range_hz is not None
         )
         axis = _LOG_AXIS if settings.log_frequency else _LINEAR_AXIS
@@ -148,9 +146,6 @@ class SpectraPanel(Panel):
 
     def _zoom(self, shown: tuple[float, float] | None) -> None:
         self._change(frequency_range_hz=shown)
-
-    def _show_everything(self) -> None:
-        self._change(frequency_range_hz=None)
 
     def _change(self, **changes: Any) -> None:
         settings = replace(self._settings, **changes)

@@ -16,7 +16,6 @@ from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
-from skinsource_gui.widgets.plot.plot_toolbar import PlotToolbar
 from skinsource_gui.widgets.plot.signal_view import SignalView
 
 _NO_OUTPUTS = "Select outputs on the skin map"
@@ -29,6 +28,7 @@ _DELAYED_AXIS = XAxis(
         "Time (ms)",
     ),
     unit="ms",
+    column="time_s",
     factor=1e3,
     decimals=2,
 )
@@ -53,24 +53,22 @@ class TracesPanel(Panel):
         self.setMinimumSize(240, 140)
         self._design: Design | None = None
         self._view, self._settings = View(), TracesSettings()
-        self._toolbar = PlotToolbar(self)
-        self._delay = self._toolbar.add_switch(
+        self._plot = SignalView("traces-plot", "Traces of the selected outputs", self)
+        self._delay = self._plot.toolbar.add_switch(
             "remove-delay",
             f"Remove {_DELAY} delay",
             f"Responses start about {_DELAY} late: they carry the pre-trigger time of the "
             "measurement. Shift it away",
             self._remove_delay,
         )
-        self._plot = SignalView("traces-plot", "Traces of the selected outputs", self)
-        self.setFocusProxy(self._plot)
+        self.setFocusProxy(self._plot.plot)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self._toolbar)
-        column.addWidget(self._plot, 1)
-        self._toolbar.layout_chosen.connect(self._choose_layout)
-        self._toolbar.everything_wanted.connect(self._show_everything)
+        column.addWidget(self._plot)
+        self._plot.toolbar.layout_chosen.connect(self._choose_layout)
         self._plot.zoom_requested.connect(self._zoom)
+        self._plot.exports.failed.connect(self.failed)
+        self._plot.exports.written.connect(self.written)
         # Which delay the curves on screen have.
         self._drawn_removed = False
 
@@ -86,7 +84,8 @@ class TracesPanel(Panel):
         self._design = design
         self._view, self._settings = view, settings_of(view, self.name, TracesSettings)
         self._delay.setChecked(view.delay_removed)
-        self._toolbar.show_state(layout=self._settings.layout, zoomed=view.time_range_s is not None)
+        zoomed = view.time_range_s is not None
+        self._plot.toolbar.show_state(layout=self._settings.layout, zoomed=zoomed)
         if not view.outputs:
             self._plot.show_message(_NO_OUTPUTS)
         if self._drawn_removed == view.delay_removed:
@@ -134,9 +133,6 @@ class TracesPanel(Panel):
 
     def _zoom(self, shown: tuple[float, float] | None) -> None:
         self._change(time_range_s=shown)
-
-    def _show_everything(self) -> None:
-        self._change(time_range_s=None)
 
     def _change(self, **changes: Any) -> None:
         changed = replace(self._view, **changes)

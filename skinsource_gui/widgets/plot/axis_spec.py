@@ -32,6 +32,8 @@ class XAxis:
         Logarithmic; needs an ``extent`` above zero.
     band
         What lies outside of it is shaded; ``None``: nothing is.
+    column
+        Name of its column in a table.
     """
 
     titles: tuple[str, ...]
@@ -41,6 +43,7 @@ class XAxis:
     extent: Range | None = None
     log: bool = False
     band: Range | None = None
+    column: str = "x"
 
     def position(self, value: float) -> float:
         """Where ``value`` lies, in the units in which the axis is straight."""

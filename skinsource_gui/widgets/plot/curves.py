@@ -34,12 +34,15 @@ class Curves:
         Their names; a curve's rank is its colour.
     kind
         What ``y`` is.
+    about
+        Lines that tell a table of them what they are.
     """
 
     x: Floats
     y: Floats
     names: tuple[CurveName, ...]
     kind: Kind = "amplitude"
+    about: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if self.y.shape != (len(self.names), self.x.size) or self.x.size == 0:

@@ -47,8 +47,10 @@ class Plot(pyqtgraph.GraphicsView):
         What is in the scene.
     scale, unit
         Where values lie in a row; how they are written.
-    window
-        Visible part of the x axis.
+    window, zoom, stacked
+        Visible part of the x axis; what was asked for; whether each curve has a row of its own.
+    words, words_font
+        What is said around the curves, and how it is written.
     places
         Where everything is, px.
     cursor
@@ -77,15 +79,15 @@ class Plot(pyqtgraph.GraphicsView):
         self.window: XWindow = x_window(XAxis(titles=("",), unit=""), (0.0, 1.0), None)
         self.places = PlotLayout(width=1, height=1, left=0, top=0, right=1, bottom=1, n_rows=1)
         self.cursor: int | None = None
-        self._font = tabular(self.font())
-        self._font.setPointSizeF(self._font.pointSizeF() * 0.9)
-        self._zoom: Range | None = None
-        self._stacked = False
-        self._words = Words()
+        self.words_font = tabular(self.font())
+        self.words_font.setPointSizeF(self.words_font.pointSizeF() * 0.9)
+        self.zoom: Range | None = None
+        self.stacked = False
+        self.words = Words()
         self._held = HeldRange()
         self._content: tuple[Content, XWindow] | None = None
         self.navigation = Navigation(self, self)
-        self.stack = Stack(self.scene(), self.theme, self._font, self.navigation.watch)
+        self.stack = Stack(self.scene(), self.theme, self.words_font, self.navigation.watch)
         self.scene().sigMouseMoved.connect(self.navigation.follow_mouse)
         self.set_theme(LIGHT)
 
@@ -101,22 +103,22 @@ class Plot(pyqtgraph.GraphicsView):
         """Take over colours."""
         self.theme = theme
         self.setBackground(QColor(theme.base))
-        self.stack.set_look(theme, self._font, self.font())
+        self.stack.set_look(theme, self.words_font, self.font())
         self._colour()
         self.viewport().update()
 
     def set_view(self, axis: XAxis, zoom: Range | None, *, stacked: bool) -> None:
         """X axis, its visible part in SI (``None``: all), and one row for each curve or one."""
-        if (axis, zoom, stacked) != (self.window.axis, self._zoom, self._stacked):
+        if (axis, zoom, stacked) != (self.window.axis, self.zoom, self.stacked):
             self.window = x_window(axis, self._data_range(), zoom)
-            self._zoom, self._stacked = zoom, stacked
+            self.zoom, self.stacked = zoom, stacked
             self._draw()
             self.reading_changed.emit()
 
     def set_words(self, words: Words) -> None:
         """Words around the curves."""
-        if words != self._words:
-            self._words = words
+        if words != self.words:
+            self.words = words
             self._lay_out()
             self._colour()
 
@@ -133,7 +135,7 @@ class Plot(pyqtgraph.GraphicsView):
         values = self._held.follow(low, high, curves.kind)
         self.scale = ValueScale(values=values, edge=self.scale.edge)
         self.unit = value_unit(curves.kind, *values)
-        self.window = x_window(self.window.axis, self._data_range(), self._zoom)
+        self.window = x_window(self.window.axis, self._data_range(), self.zoom)
         self._draw()
         if others:
             self._colour()
@@ -252,8 +254,8 @@ class Plot(pyqtgraph.GraphicsView):
         if self.curves is None:
             return
         places = self.places
-        n_drawn = places.n_rows if self._stacked else len(self.curves.names)
-        rows = [places.row(rank if self._stacked else 0) for rank in range(n_drawn)]
+        n_drawn = places.n_rows if self.stacked else len(self.curves.names)
+        rows = [places.row(rank if self.stacked else 0) for rank in range(n_drawn)]
         ratio = self.devicePixelRatioF()
         self.stack.show_points(curve_points(self.curves, self.window, self.scale, rows, ratio))
         self._read()
@@ -263,36 +265,36 @@ class Plot(pyqtgraph.GraphicsView):
         if curves is None:
             self.stack.place_message(QRectF(self.rect()))
             return
-        count = row_count(len(curves.names), stacked=self._stacked)
+        count = row_count(len(curves.names), stacked=self.stacked)
         self.scale = ValueScale(values=self.scale.values, edge=EDGE if count > 1 else 0.0)
         content = Content(
             width=float(self.width()),
             height=float(self.height()),
             n_rows=count,
             scale=self.scale,
-            stacked=self._stacked,
+            stacked=self.stacked,
             unit=self.unit,
             level=curves.kind == "level",
             n_curves=len(curves.names),
-            words=self._words,
+            words=self.words,
         )
         if (content, self.window) != self._content:
             recolour = self._content is None or self._content[0].n_rows != count
             self._content = (content, self.window)
-            self.places = laid_out(content, QFontMetricsF(self._font), self.places.left)
+            self.places = laid_out(content, QFontMetricsF(self.words_font), self.places.left)
             self.stack.place(self.places, self.window)
             if recolour:
                 self._colour()
 
     def _colour(self) -> None:
-        names = () if self.curves is None or not self._stacked else self.curves.names
-        self.stack.show_colours([name.number for name in names], stale=self._words.stale)
+        names = () if self.curves is None or not self.stacked else self.curves.names
+        self.stack.show_colours([name.number for name in names], stale=self.words.stale)
 
     def _read(self) -> None:
         position = self.crosshair()
         if self.curves is None or position is None:
             self.stack.show_crosshair(None, ())
             return
-        n_drawn = len(self.stack.rows) if self._stacked else len(self.curves.names)
+        n_drawn = len(self.stack.rows) if self.stacked else len(self.curves.names)
         heights = self.scale.heights(self.curves.y[:n_drawn, self.cursor])
         self.stack.show_crosshair(position, heights.tolist())

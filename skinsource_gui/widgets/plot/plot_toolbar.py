@@ -40,6 +40,7 @@ class PlotToolbar(QWidget):
             self._layouts.addButton(button)
             segments.addWidget(button)
             self._layout_buttons[name] = button
+            self._last_before_switches = button
         self._layouts.buttonClicked.connect(self._choose_layout)
         self._row.addLayout(segments)
         self._row.addStretch(1)
@@ -56,6 +57,9 @@ class PlotToolbar(QWidget):
         button = self._button(name, text, hint)
         button.clicked.connect(toggled)
         self._row.insertWidget(self._row.count() - 2, button)
+        # Tab goes from left to right, whenever a switch was made.
+        QWidget.setTabOrder(self._last_before_switches, button)
+        self._last_before_switches = button
         return button
 
     def show_state(self, *, layout: str, zoomed: bool) -> None:

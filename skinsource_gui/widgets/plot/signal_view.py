@@ -1,8 +1,8 @@
-"""Curves of the selected outputs, with their legend."""
+"""Signals of the selected outputs: their plot, legend, switches and menu."""
 
 from dataclasses import replace
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QPoint, Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from skinsource_gui.theme import Theme
@@ -12,18 +12,23 @@ from skinsource_gui.widgets.plot.curves import Curves
 from skinsource_gui.widgets.plot.legend_strip import LegendStrip, LegendText
 from skinsource_gui.widgets.plot.plot import Plot
 from skinsource_gui.widgets.plot.plot_layout import Words
+from skinsource_gui.widgets.plot.plot_toolbar import PlotToolbar
 from skinsource_gui.widgets.plot.ranges import Range
+from skinsource_gui.widgets.plot.signal_exports import SignalExports
+from skinsource_gui.widgets.plot.signal_menu import open_menu
 
 
 class SignalView(QWidget):
-    """A legend strip with readings over a plot with zoom and crosshair.
+    """Switches over a legend with readings over a plot with zoom, crosshair and menu.
+
+    It shows what it is told, and says what the user wants; panels decide.
 
     Attributes
     ----------
-    plot
-        The plot.
-    legend
-        The strip.
+    toolbar, legend, plot
+        Its parts.
+    exports
+        Takes what is shown to the clipboard and to files.
     """
 
     #: Part of the x axis the user wants to see, SI; None: everything.
@@ -31,6 +36,7 @@ class SignalView(QWidget):
 
     def __init__(self, name: str, accessible_name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self.toolbar = PlotToolbar(self)
         self.legend = LegendStrip(self)
         self.plot = Plot(self)
         self.plot.setObjectName(name)
@@ -38,17 +44,20 @@ class SignalView(QWidget):
         self.plot.setAccessibleDescription(
             "Left and right move the crosshair, plus and minus zoom, A shows everything"
         )
-        self.setFocusProxy(self.plot)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
+        column.addWidget(self.toolbar)
         column.addWidget(self.legend)
         column.addWidget(self.plot, 1)
+        self.exports = SignalExports(self.plot, accessible_name, self)
         self._words = Words()
         self._lateness = Lateness(self)
         self._lateness.changed.connect(self._mark_stale)
         self.plot.navigation.zoom_requested.connect(self.zoom_requested)
+        self.toolbar.everything_wanted.connect(self._show_everything)
         self.plot.reading_changed.connect(self._read)
+        self.plot.menu_wanted.connect(self._open_menu)
 
     def set_theme(self, theme: Theme) -> None:
         """Take over colours."""
@@ -83,22 +92,32 @@ class SignalView(QWidget):
         self._words = words
         self.plot.set_words(words)
 
+    def _show_everything(self) -> None:
+        self.zoom_requested.emit(None)
+
+    def _open_menu(self, at: QPoint) -> None:
+        if self.plot.curves is not None:
+            open_menu(self, at, self._show_everything, self.exports)
+
     def _read(self) -> None:
-        plot = self.plot
-        curves, unit, axis = plot.curves, plot.unit, plot.window.axis
-        if curves is None:
-            self.legend.say(LegendText())
-            return
-        text = LegendText(
-            names=curves.names,
-            unit=unit.symbol,
-            where_room=axis.reading(float(max(-curves.x[0], curves.x[-1]))),
-            reading_room=max((unit.reading(value) for value in plot.scale.values), key=len),
-        )
-        if plot.cursor is not None:
-            text = replace(
-                text,
-                where=axis.reading(float(curves.x[plot.cursor])),
-                readings=tuple(unit.reading(float(y)) for y in curves.y[:, plot.cursor]),
-            )
-        self.legend.say(text)
+        self.legend.say(reading(self.plot))
+
+
+def reading(plot: Plot) -> LegendText:
+    """Names of the curves of ``plot``, and what the crosshair reads there."""
+    curves, unit, axis = plot.curves, plot.unit, plot.window.axis
+    if curves is None:
+        return LegendText()
+    text = LegendText(
+        names=curves.names,
+        unit=unit.symbol,
+        where_room=axis.reading(float(max(-curves.x[0], curves.x[-1]))),
+        reading_room=max((unit.reading(value) for value in plot.scale.values), key=len),
+    )
+    if plot.cursor is None:
+        return text
+    return replace(
+        text,
+        where=axis.reading(float(curves.x[plot.cursor])),
+        readings=tuple(unit.reading(float(y)) for y in curves.y[:, plot.cursor]),
+    )

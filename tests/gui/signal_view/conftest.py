@@ -10,7 +10,7 @@ from tests.gui.signal_view.bench import TIME
 def signals(qtbot):
     widget = SignalView("plot", "Plot")
     qtbot.addWidget(widget)
-    widget.resize(420, 172)
+    widget.resize(420, 200)
     widget.set_view(TIME, None, stacked=False)
     widget.show()
     qtbot.waitExposed(widget)

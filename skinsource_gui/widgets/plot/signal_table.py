@@ -1,0 +1,32 @@
+"""The numbers of a plot as a table."""
+
+from pathlib import Path
+
+import numpy as np
+
+from skinsource.export.csv_table import CsvTable
+from skinsource.export.output_file import output_file
+from skinsource.job import never
+from skinsource_gui.widgets.plot.plot import Plot
+
+
+def save_table(path: Path, plot: Plot, title: str) -> None:
+    """Write the curves of ``plot``: all samples, in SI, whatever is zoomed to.
+
+    Raises
+    ------
+    StorageError
+        The folder cannot be written, or the disk is full.
+    """
+    curves = plot.curves
+    if curves is None:
+        return
+    unit = "db_re_1_m_per_s2" if curves.kind == "level" else "m_per_s2"
+    axis = plot.window.axis
+    about = ["SkinSource studio", title, axis.titles[0]]
+    about.extend(curves.about)
+    if plot.words.synthetic:
+        about.insert(1, "SYNTHETIC LIMB: computed responses, not measured ones")
+    header = [axis.column, *(f"output_{name.number}_{unit}" for name in curves.names)]
+    with output_file(path, never) as file:
+        CsvTable(file, about, header, never).add(np.vstack((curves.x, curves.y)).T)
