@@ -148,6 +148,12 @@ def scaled(font: QFont, scale: float) -> QFont:
     return copy
 
 
+def theme_of(palette: QPalette) -> Theme:
+    """The theme that a palette was made for, for windows that open and close."""
+    ground = palette.color(QPalette.ColorRole.Base).name()
+    return next((theme for theme in THEMES.values() if theme.base == ground), LIGHT)
+
+
 def tabular(font: QFont) -> QFont:
     """Copy of ``font`` in which all digits have the same width."""
     copy = QFont(font)

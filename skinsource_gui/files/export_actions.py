@@ -17,6 +17,7 @@ from skinsource.job import Job
 from skinsource.view import View
 from skinsource_gui.files.exports import EXPORTS, ExportSpec
 from skinsource_gui.files.file_actions import FileActions
+from skinsource_gui.files.picture_options import PictureOptions, ask_picture_options
 from skinsource_gui.files.pictures import Draw, save_drawing
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
@@ -77,6 +78,7 @@ class ExportActions(QObject):
         self._document, self._preferences, self._files = document, preferences, files
         self._runner, self._drawer_of, self._window = runner, drawer_of, window
         self._orders: dict[Job[Any], _Order] = {}
+        self._picture_options: dict[str, PictureOptions] = {}
         runner.done.connect(self._note_written)
         runner.cancelled.connect(self._note_cancelled)
         runner.failed.connect(self._note_failed)
@@ -86,19 +88,29 @@ class ExportActions(QObject):
         spec = next(one for one in EXPORTS if one.name == name)
         # What the user sees now, whatever happens while the dialog is open.
         design, view = self._document.design, self._document.view
-        title = f"Export {spec.title.removesuffix('…')}"
-        start = self._preferences.folder / spec.file_name
-        path = self._files.ask_where(title, start, spec.filter, spec.endings)
-        if path is None:
-            return
         if spec.panel:
-            self._save_picture(spec, path)
-        else:
+            self._export_picture(spec)
+            return
+        path = self._ask_where(spec)
+        if path is not None:
             self._add(_Order(spec=spec, path=path, design=design, view=view))
 
-    def _save_picture(self, spec: ExportSpec, path: Path) -> None:
+    def _ask_where(self, spec: ExportSpec) -> Path | None:
+        title = f"Export {spec.title.removesuffix('…')}"
+        start = self._preferences.folder / spec.file_name
+        return self._files.ask_where(title, start, spec.filter, spec.endings)
+
+    def _export_picture(self, spec: ExportSpec) -> None:
+        width, height = spec.size_px
+        usual = PictureOptions(width_px=width, height_px=height)
+        options = ask_picture_options(self._window, self._picture_options.get(spec.name, usual))
+        path = None if options is None else self._ask_where(spec)
+        if options is None or path is None:
+            return
+        self._picture_options[spec.name] = options
+        draw = partial(self._drawer_of(spec.panel), theme=options.theme)
         try:
-            save_drawing(path, self._drawer_of(spec.panel), *spec.size_px)
+            save_drawing(path, draw, options.width_px, options.height_px)
         except SkinSourceError as error:
             self.failed.emit(str(error))
         else:

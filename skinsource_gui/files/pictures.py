@@ -9,8 +9,8 @@ from PySide6.QtSvg import QSvgGenerator
 
 from skinsource.files import write_bytes
 
-#: Draws a picture with a painter, so wide and so high, px.
-Draw = Callable[[QPainter, int, int], None]
+#: Draws a picture with a painter, so wide and so high, px; may take a ``theme`` too.
+Draw = Callable[..., None]
 
 # Pixels in an inch of a page or a drawing, as in CSS.
 _PER_INCH = 96

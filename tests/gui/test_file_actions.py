@@ -2,11 +2,17 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
-from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 
 from skinsource.design import Input
 from skinsource.design_file import open_design
+from skinsource_gui.files import export_actions
+from skinsource_gui.files.picture_options import PictureDialog, PictureOptions
+from skinsource_gui.theme import DARK
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.fields.number_field import NumberField
 
 NO_KEYS = Qt.KeyboardModifier.NoModifier
 
@@ -24,6 +30,10 @@ def answers(monkeypatch):
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (answer("open"), ""))
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (answer("save"), ""))
     monkeypatch.setattr(QMessageBox, "question", lambda *_: answer("question"))
+    given["picture"] = lambda options: options
+    monkeypatch.setattr(
+        export_actions, "ask_picture_options", lambda _, options: given["picture"](options)
+    )
     given["asked"] = asked
     return given
 
@@ -114,6 +124,34 @@ def test_the_picture_of_the_map_is_a_png(window, settle, answers, tmp_path):
     answers["save"] = str(tmp_path / "map.png")
     window.do("export_picture")
     assert (tmp_path / "map.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_the_picture_has_the_size_and_colours_asked_for_and_they_are_kept(
+    window, answers, tmp_path
+):
+    answers["save"] = str(tmp_path / "map.png")
+    answers["picture"] = lambda options: replace(
+        options, width_px=500, height_px=400, colours="dark"
+    )
+    window.do("export_picture")
+    picture = QImage(answers["save"])
+    assert (picture.width(), picture.height()) == (500, 400)
+    assert QColor(picture.pixel(2, 2)).name() == DARK.base
+    offered = []
+    answers["picture"] = offered.append
+    window.do("export_picture")
+    assert offered == [PictureOptions(width_px=500, height_px=400, colours="dark")]
+    assert answers["asked"] == ["save"]
+
+
+def test_size_and_colours_of_a_picture_are_chosen_in_fields(qtbot):
+    dialog = PictureDialog(PictureOptions())
+    qtbot.addWidget(dialog)
+    field = dialog.findChild(NumberField, "width_px_field")
+    QTest.keyClicks(field, "640")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    dialog.findChild(ChoiceField, "colours_field").choose("dark")
+    assert dialog.options == PictureOptions(width_px=640, colours="dark")
 
 
 def test_a_name_with_a_point_keeps_it_and_gets_the_ending(window, answers, tmp_path):

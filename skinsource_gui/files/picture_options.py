@@ -1,0 +1,86 @@
+"""How large a picture is, and in which colours."""
+
+from dataclasses import dataclass, replace
+
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLabel, QWidget
+
+from skinsource import fields
+from skinsource.fields import ChoiceSpec, NumberSpec, specs_of
+from skinsource_gui.theme import LIGHT, THEMES, Theme, theme_of
+from skinsource_gui.widgets.fields.field_cell import FieldCell
+
+_SIDE = {"unit": "px", "minimum": 100, "maximum": 20000, "step": 100.0, "whole": True}
+_HINT = "Of pixels; in SVG and PDF 96 of them are an inch"
+WIDTH = NumberSpec(label="Width", hint=_HINT, **_SIDE)
+HEIGHT = NumberSpec(label="Height", hint=_HINT, **_SIDE)
+COLOURS = ChoiceSpec(
+    label="Colours",
+    options=tuple((name, name.capitalize()) for name in THEMES),
+    hint="Light for paper and most slides",
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PictureOptions:
+    """What is asked before a picture is written.
+
+    Attributes
+    ----------
+    width_px, height_px
+        Its size.
+    colours
+        Name of a theme.
+    """
+
+    width_px: int = fields.number(1200, WIDTH)
+    height_px: int = fields.number(1800, HEIGHT)
+    colours: str = fields.choice(LIGHT.name, COLOURS)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    @property
+    def theme(self) -> Theme:
+        """The colours."""
+        return THEMES[self.colours]
+
+
+class PictureDialog(QDialog):
+    """Lets the user change `PictureOptions`.
+
+    Attributes
+    ----------
+    options
+        As they are in the fields.
+    """
+
+    def __init__(self, options: PictureOptions, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.options = options
+        self.setWindowTitle("Picture")
+        form = QFormLayout(self)
+        for name, spec in specs_of(options).items():
+            cell = FieldCell(name, spec, self)
+            cell.set_value(getattr(options, name))
+            cell.edited.connect(self._take)
+            cell.show_theme(theme_of(self.palette()))
+            form.addRow(cell.label, cell)
+        form.addRow(QLabel("The next step asks where to, and whether as PNG, SVG or PDF."))
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+        save = buttons.addButton("Save as…", QDialogButtonBox.ButtonRole.AcceptRole)
+        save.setDefault(True)
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        form.addRow(buttons)
+
+    def _take(self, name: str, value: object, _gesture: int | None) -> None:
+        whole = int(value) if isinstance(value, float) else value
+        self.options = replace(self.options, **{name: whole})
+
+
+def ask_picture_options(parent: QWidget, options: PictureOptions) -> PictureOptions | None:
+    """Let the user change ``options``; None if there is to be no picture."""
+    dialog = PictureDialog(options, parent)
+    accepted = dialog.exec() == QDialog.DialogCode.Accepted
+    dialog.deleteLater()
+    return dialog.options if accepted else None
