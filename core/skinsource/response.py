@@ -1,6 +1,7 @@
 """How the skin answers: superposition of convolutions (eq. 1 of the SkinSource paper)."""
 
 from collections.abc import Iterable, Sequence
+from functools import cache
 from itertools import islice
 
 import numpy as np
@@ -12,9 +13,11 @@ from skinsource.chain import LARGEST, Drive, drive_of, first_unusable
 from skinsource.errors import InvalidInputError
 from skinsource.limb import Limb, check_input_location
 from skinsource.rendering.drives import active_samples
-from skinsource.rendering.gains import unit_gains
+from skinsource.rendering.gains import is_positive, unit_gains
+from skinsource.rendering.maxima import Peak
 from skinsource.rendering.response_spectra import ResponseSpectra
 from skinsource.rendering.segments import Blocks, Played, length_at_once
+from skinsource.rendering.spectra_of_limbs import SpectraOfLimbs
 from skinsource.rendering.streaming import StreamedVibration
 from skinsource.rendering.sums import sum_of_vibrations
 from skinsource.rendering.transforms import forward, inverse
@@ -87,6 +90,7 @@ def _streamed(
     if not heard:
         return StreamedVibration([], None, shape, blocks)
     used = tuple(sorted({place for _, place, _ in heard}))
+    # As large as all that is remembered: made anew.
     stack = ResponseSpectra().stack(limb, used, scaling, blocks.n_fft)
     drives = [drive for drive, _, _ in heard]
     gains = [drive.factor for drive in drives]
@@ -104,25 +108,35 @@ def _at_once(
 ) -> Floats:
     if not heard:
         return np.zeros((limb.n_outputs, limb.n_axes, response_samples))
-    spectra = ResponseSpectra()
     drives = [drive for drive, _, _ in heard]
-    responses = [spectra.of(limb, place, scaling, n_fft) for _, place, _ in heard]
+    responses = _remembered().of(limb, [place for _, place, _ in heard], scaling, n_fft)
     played = [forward(drive.samples, n_fft) for drive in drives]
+    # One drive alone has its maximum in what is computed anyway.
+    alone = scaling == "upstream" and len(heard) == 1
     gains = [drive.factor for drive in drives]
-    if scaling == "upstream":
+    if scaling == "upstream" and not alone:
         gains = unit_gains(drives, played, responses)
-    weighted = [
-        spectrum * (amplitude * gain)
-        for spectrum, (_, _, amplitude), gain in zip(played, heard, gains, strict=True)
-    ]
+    weights = [1.0] if alone else [g * a for g, (_, _, a) in zip(gains, heard, strict=True)]
+    weighted = [one * weight for one, weight in zip(played, weights, strict=True)]
     total = sum_of_vibrations([response.values for response in responses], weighted)
-    vibration = inverse(total, n_fft)
+    vibration = inverse(total, n_fft)[..., :response_samples]
+    if alone:
+        peak = Peak(float(vibration.max()))
+        positive = is_positive(peak, drives[0], responses[0])
+        vibration *= heard[0][2] * (1.0 / peak.value if positive else gains[0])
     sounding = np.zeros(response_samples, bool)
     for drive in drives:
         sounding[: drive.samples.size] |= drive.samples != 0.0
     # Where nothing can move nothing does, not even by the rounding of the transforms.
     active = active_samples(sounding, limb.n_taps)
-    return np.where(active, vibration[..., :response_samples], 0.0)
+    if not active.all():
+        vibration[..., ~active] = 0.0
+    return vibration
+
+
+@cache
+def _remembered() -> SpectraOfLimbs:
+    return SpectraOfLimbs()
 
 
 def _checked_drives(drives: ArrayLike) -> Floats:

@@ -1,0 +1,72 @@
+"""Spectra of the responses of limbs that scripts use, in bounded memory, for all threads.
+
+They are kept as the transform gives them: whoever predicts once pays for nothing else.
+"""
+
+from collections import OrderedDict
+from collections.abc import Sequence
+from threading import Lock
+from weakref import WeakKeyDictionary
+
+from skinsource.limb import Limb
+from skinsource.rendering.response_spectra import ResponseSpectrum, scaled_taps
+from skinsource.rendering.transforms import forward
+from skinsource.response_scaling import Scaling
+
+#: Twice what twenty places take for stimuli of one second.
+BUDGET_BYTES = 128 * 2**20
+
+# Place, length, and whether calibrated.
+_Key = tuple[int, int, bool]
+_Spectra = OrderedDict[_Key, ResponseSpectrum]
+
+
+class SpectraOfLimbs:
+    """What is remembered of a limb goes with it; of the rest, the least recently used goes first.
+
+    Parameters
+    ----------
+    budget_bytes
+        What all spectra together may take.
+    """
+
+    def __init__(self, budget_bytes: int = BUDGET_BYTES) -> None:
+        self._budget_bytes = budget_bytes
+        self._lock = Lock()
+        # The latest last, limbs and spectra.
+        self._known: WeakKeyDictionary[Limb, _Spectra] = WeakKeyDictionary()
+
+    @property
+    def held_bytes(self) -> int:
+        """What the spectra take in memory."""
+        with self._lock:
+            return self._sum()
+
+    def of(
+        self, limb: Limb, places: Sequence[int], scaling: Scaling, n_fft: int
+    ) -> list[ResponseSpectrum]:
+        """Responses to each of ``places``, transformed where they are not remembered."""
+        calibrated = scaling == "probe"
+        with self._lock:
+            spectra = self._known.pop(limb, None)
+            self._known[limb] = spectra = OrderedDict() if spectra is None else spectra
+            for place in dict.fromkeys(places):
+                key = place, n_fft, calibrated
+                if key not in spectra:
+                    taps = scaled_taps(limb, place, scaling)
+                    spectra[key] = ResponseSpectrum(taps, forward(taps, n_fft), n_fft)
+                spectra.move_to_end(key)
+            found = [spectra[place, n_fft, calibrated] for place in places]
+            self._forget()
+            return found
+
+    def _forget(self) -> None:
+        excess = self._sum() - self._budget_bytes
+        for spectra in list(self._known.values()):
+            while spectra and excess > 0:
+                _, oldest = spectra.popitem(last=False)
+                excess -= oldest.values.nbytes
+
+    def _sum(self) -> int:
+        known = list(self._known.values())
+        return sum(one.values.nbytes for spectra in known for one in spectra.values())
