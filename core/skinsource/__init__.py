@@ -6,11 +6,22 @@
 >>> acceleration = ss.predict(limb, [tone], [7])
 >>> acceleration.shape
 (72, 3, 651)
+
+Or with a design, as the studio has it and saves it:
+
+>>> one = ss.Input(location=7, waveform=ss.waveforms.Tone(frequency_hz=100.0))
+>>> design = ss.Design(limb="synthetic-1", inputs=(one,))
+>>> ss.evaluate(design, "output_levels_db")["output_levels_db"].shape
+(72,)
 """
 
+from skinsource import edits, waveforms
 from skinsource.catalogue import available_limbs, load_limb
 from skinsource.decibels import decibels
+from skinsource.design import Design, Input
+from skinsource.design_file import open_design, save_design
 from skinsource.errors import SkinSourceError
+from skinsource.evaluation import evaluate
 from skinsource.limb import Limb, LimbMap
 from skinsource.projection import project_axes
 from skinsource.response import predict
@@ -18,24 +29,33 @@ from skinsource.signals import impulse, sinusoid, tap, white_noise, window
 from skinsource.spectra import magnitude_spectrum, rms
 from skinsource.surface import SurfaceOperator, surface_operator
 from skinsource.version import __version__
+from skinsource.view import View
 
 __all__ = [
+    "Design",
+    "Input",
     "Limb",
     "LimbMap",
     "SkinSourceError",
     "SurfaceOperator",
+    "View",
     "__version__",
     "available_limbs",
     "decibels",
+    "edits",
+    "evaluate",
     "impulse",
     "load_limb",
     "magnitude_spectrum",
+    "open_design",
     "predict",
     "project_axes",
     "rms",
+    "save_design",
     "sinusoid",
     "surface_operator",
     "tap",
+    "waveforms",
     "white_noise",
     "window",
 ]

@@ -5,6 +5,7 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
+from skinsource import design_commands
 from skinsource.catalogue import available_limbs, load_limb
 from skinsource.dataset import commands as dataset_commands
 from skinsource.errors import SkinSourceError, Stopped
@@ -14,7 +15,7 @@ from skinsource.words import LIMBS, word_of
 
 #: What adds the commands, in the order of the help page.  Each sets ``run``, a function from
 #: the parsed arguments to the exit code.
-COMMAND_MODULES = (dataset_commands, bench_commands)
+COMMAND_MODULES = (design_commands, dataset_commands, bench_commands)
 
 _FAILED, _STOPPED = 1, 130
 

@@ -16,6 +16,7 @@ def test_the_script_in_the_readme_runs():
     exec(compile(script, "README.md", "exec"), values)  # noqa: S102  our own page
     assert values["acceleration"].shape == (72, 3, 260 + 521)
     assert values["heatmap"].ndim == 2
+    assert values["levels"].shape == (72,)
 
 
 def test_make_has_the_targets_that_the_readme_names():

@@ -4,7 +4,14 @@ Each file says what it is, how it was computed, and how wrong it can be; none ho
 made, so that the same design gives the same bytes.  Nothing as long as a long scene is held.
 """
 
+from skinsource.export.map_files import export_map, export_map_picture
 from skinsource.export.tables import export_levels, export_traces
 from skinsource.export.whole_field import export_field
 
-__all__ = ["export_field", "export_levels", "export_traces"]
+__all__ = [
+    "export_field",
+    "export_levels",
+    "export_map",
+    "export_map_picture",
+    "export_traces",
+]

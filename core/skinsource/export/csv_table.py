@@ -60,4 +60,4 @@ def _quoted(text: str) -> str:
 
 def _exact(value: float) -> str:
     # The shortest digits that read back as the same number.
-    return str(int(value)) if value == int(value) and abs(value) < 2**53 else repr(value)
+    return str(int(value)) if value.is_integer() and abs(value) < 2**53 else repr(value)

@@ -1,0 +1,117 @@
+"""``skinsource show`` and ``skinsource render``: design files without the window."""
+
+import argparse
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from skinsource.design import Design, Input, amplitude_unit, audible_inputs
+from skinsource.design_file import open_design
+from skinsource.evaluation import evaluate
+from skinsource.export import export_levels, export_map, export_map_picture, export_traces
+from skinsource.files import make_folder
+from skinsource.locations import OUTPUTS, input_place, output_place
+from skinsource.view import View
+from skinsource.wording import escaped
+from skinsource.words import LIMBS, SCALINGS, level_words, signal_words, word_of
+
+
+def add_to(subparsers: Any) -> None:
+    """Add the commands ``show`` and ``render``."""
+    show = subparsers.add_parser(
+        "show",
+        help="show what is in a design file, and its levels",
+        description="Shows what is in a design file, and the level at each output as a table.",
+    )
+    render = subparsers.add_parser(
+        "render",
+        help="compute a design file: levels, traces, map and picture",
+        description="Writes levels.csv, traces.csv (of the outputs selected in the file), map.csv "
+        "and map.png into a folder.",
+    )
+    for parser in (show, render):
+        parser.add_argument("design", type=Path, metavar="DESIGN", help="a .skinsource file")
+    render.add_argument(
+        "--out",
+        type=Path,
+        default=Path(),
+        metavar="FOLDER",
+        help="where to write; made where it does not exist (default: here)",
+    )
+    show.set_defaults(run=_show)
+    render.set_defaults(run=_render)
+
+
+def _show(arguments: argparse.Namespace) -> int:
+    content = open_design(arguments.design)
+    design, view = content.design, content.view
+    note = evaluate(design, "limb_data")["limb_data"].note
+    lines = [
+        *_about_design(design),
+        *([f"NOTE      {note}"] if note else []),
+        *_about_inputs(design),
+        *_levels(design, view),
+    ]
+    sys.stdout.write("\n".join(lines) + "\n")
+    return 0
+
+
+def _render(arguments: argparse.Namespace) -> int:
+    content = open_design(arguments.design)
+    folder: Path = arguments.out
+    make_folder(folder)
+    writers: dict[str, Callable[[Path, Design, View], None]] = {
+        "levels.csv": export_levels,
+        "map.csv": export_map,
+        "map.png": export_map_picture,
+    }
+    if content.view.outputs:
+        writers["traces.csv"] = export_traces
+    for name, write in writers.items():
+        write(folder / name, content.design, content.view)
+        sys.stdout.write(f"{folder / name}\n")
+    return 0
+
+
+def _about_design(design: Design) -> list[str]:
+    texts = {"title": design.title, "author": design.author, "licence": design.licence}
+    limb = word_of(LIMBS, design.limb)
+    synthetic = "  SYNTHETIC" if design.limb.startswith("synthetic") else ""
+    return [
+        *(f"{name:9} {escaped(text)}" for name, text in texts.items() if text),
+        *(f"{'notes':9} {escaped(line)}" for line in design.notes.splitlines()),
+        f"limb      {limb.both}{synthetic}",
+        f"scaling   {word_of(SCALINGS, design.scaling).both}",
+    ]
+
+
+def _about_inputs(design: Design) -> list[str]:
+    unit = amplitude_unit(design.scaling)
+    heard = len(audible_inputs(design.inputs))
+    return [
+        f"inputs    {len(design.inputs)}, {heard} of them heard",
+        *(_about_input(one, unit) for one in design.inputs),
+    ]
+
+
+def _about_input(one: Input, unit: str) -> str:
+    marks = "".join(
+        f", {word}" for word, is_so in (("muted", one.muted), ("solo", one.solo)) if is_so
+    )
+    return (
+        f"  {one.id:3}  place {one.location}, {input_place(one.location).name}: {one.waveform}, "
+        f"amplitude {one.amplitude:g} {unit}, from {one.onset_s:g} s{marks}"
+    )
+
+
+def _levels(design: Design, view: View) -> list[str]:
+    levels_db = evaluate(design, "output_levels_db", view=view)["output_levels_db"]
+    lines = [
+        f"levels    {level_words(view.span)}; {signal_words(view.axes, view.method)}",
+        "  output  dB re 1 m/s²  place",
+    ]
+    for number, level_db in enumerate(levels_db.tolist(), start=1):
+        place = output_place(number).name if number <= len(OUTPUTS) else ""
+        lines.append(f"  {number:6}  {level_db:12.1f}  {place}".rstrip())
+    return lines

@@ -1,0 +1,117 @@
+"""The map of levels, as a table and as a picture, without a window."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource.arrays import Floats
+from skinsource.design import Design
+from skinsource.export.csv_table import CsvTable
+from skinsource.export.figures import (
+    about_axes,
+    about_design,
+    about_error,
+    about_method,
+    refuse_if_worse,
+)
+from skinsource.export.output_file import output_file
+from skinsource.export.png import write_png
+from skinsource.export.scene import Scene
+from skinsource.job import Progress, Stop, never, silent
+from skinsource.surface import SurfaceOperator
+from skinsource.view import View
+from skinsource.words import SPANS, word_of
+
+#: Levels further below the loudest output than this have the colour of the lowest.
+RANGE_DB = 50.0
+# From the lowest level to the highest: lightness rises evenly, so that it reads in grey as well.
+_ANCHORS = np.array(
+    [[13, 8, 35], [72, 20, 92], [142, 38, 88], [208, 73, 58], [243, 139, 44], [252, 236, 160]]
+)
+_NOWHERE = 255
+# Pixels of the picture for each of the map, so that it can be looked at as it is.
+_MAGNIFIED = 3
+
+
+def export_map(
+    path: Path,
+    design: Design,
+    view: View,
+    *,
+    progress: Progress = silent,
+    stop: Stop = never,
+    largest_error: float = math.inf,
+) -> None:
+    """Compute and write the map as a table: a row for each y, from the lowest, in mm; dB re 1 m/s².
+
+    Outside the outline of the limb stands ``nan``.  Parameters and errors are those of
+    `export_traces`.
+    """
+    surface, levels_db, about = _map_of(design, view, progress, stop, largest_error)
+    header = ["y_mm", *(f"x_{x:g}_mm" for x in surface.x_mm)]
+    with output_file(path, stop) as file:
+        table = CsvTable(file, about, header, stop)
+        table.add(np.column_stack((surface.y_mm, levels_db)))
+        progress(1, 1, "Writing")
+
+
+def export_map_picture(
+    path: Path,
+    design: Design,
+    view: View,
+    *,
+    progress: Progress = silent,
+    stop: Stop = never,
+    largest_error: float = math.inf,
+) -> None:
+    """Compute and write the map as a picture (PNG) that says within what its colours mean.
+
+    Colours go from the loudest output to 50 dB below it.  Parameters and errors are those of
+    `export_traces`.
+    """
+    _, levels_db, about = _map_of(design, view, progress, stop, largest_error)
+    top_db = float(np.nanmax(levels_db))
+    colours = f"colours: {top_db - RANGE_DB:.1f} (darkest) to {top_db:.1f} (lightest) dB re 1 m/s²"
+    pixels = picture_of(levels_db, top_db)
+    with output_file(path, stop) as file:
+        write_png(file, pixels, {"Description": "\n".join([*about, colours])})
+        progress(1, 1, "Writing")
+
+
+def picture_of(levels_db: Floats, top_db: float) -> NDArray[np.uint8]:
+    """Colours of a map, (magnified rows, magnified columns, 3), its highest row first.
+
+    Parameters
+    ----------
+    levels_db : (rows, columns)
+        NaN outside the outline, which is white.
+    top_db
+        Level of the lightest colour.
+    """
+    inside = np.isfinite(levels_db)
+    share = np.clip((np.where(inside, levels_db, top_db) - top_db) / RANGE_DB + 1.0, 0.0, 1.0)
+    at = np.linspace(0.0, 1.0, len(_ANCHORS))
+    colours = np.stack([np.interp(share, at, channel) for channel in _ANCHORS.T], axis=-1)
+    pixels = np.where(inside[..., None], np.rint(colours), _NOWHERE).astype(np.uint8)
+    return pixels[::-1].repeat(_MAGNIFIED, axis=0).repeat(_MAGNIFIED, axis=1)
+
+
+def _map_of(
+    design: Design, view: View, progress: Progress, stop: Stop, largest_error: float
+) -> tuple[SurfaceOperator, Floats, list[str]]:
+    """Return the map's pixels, its levels, and what a file says of them."""
+    scene = Scene(design, view, progress, stop)
+    wanted = scene.values({"surface", "surface_levels_db", "output_rms"})
+    loudest = int(np.argmax(wanted["output_rms"])) + 1
+    error = scene.error((loudest,), view.axes)
+    refuse_if_worse(error, largest_error)
+    about = [
+        *about_design(scene),
+        about_axes(scene),
+        f"levels: RMS over the {word_of(SPANS, view.span).both.lower()}, in dB re 1 m/s²",
+        *about_method(scene),
+        about_error(error, f"the traces of output {loudest}, the loudest"),
+    ]
+    return wanted["surface"], wanted["surface_levels_db"], about

@@ -1,0 +1,134 @@
+"""``skinsource show`` and ``skinsource render``."""
+
+import struct
+import subprocess
+import sys
+import zlib
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.command_line import main
+from skinsource.export.map_files import picture_of
+from skinsource.export.png import write_png
+
+
+@pytest.fixture
+def saved(tmp_path):
+    """Save a design; give its path."""
+    tone = ss.Input(location=7, waveform=ss.waveforms.Tone(frequency_hz=100.0), amplitude=0.5)
+    tap = ss.Input(location=13, waveform=ss.waveforms.Tap(), muted=True)
+    design = ss.Design(
+        limb="synthetic-1", inputs=(tone, tap), title="A \x1b[2J title", notes="one\ntwo"
+    )
+    path = tmp_path / "scene.skinsource"
+    ss.save_design(path, design, ss.View(outputs=(29, 52)))
+    return path
+
+
+def read_png(content: bytes) -> tuple[np.ndarray, str]:
+    """Pixels and text of a picture of ours; every checksum is compared."""
+    assert content.startswith(b"\x89PNG\r\n\x1a\n")
+    chunks, at = {}, 8
+    while at < len(content):
+        (length,) = struct.unpack(">I", content[at : at + 4])
+        kind, body = content[at + 4 : at + 8], content[at + 8 : at + 8 + length]
+        assert struct.unpack(">I", content[at + 8 + length : at + 12 + length]) == (
+            zlib.crc32(kind + body),
+        )
+        chunks[kind], at = body, at + 12 + length
+    columns, rows = struct.unpack(">II", chunks[b"IHDR"][:8])
+    lines = np.frombuffer(zlib.decompress(chunks[b"IDAT"]), np.uint8).reshape(rows, -1)
+    assert not lines[:, 0].any()
+    text = chunks.get(b"iTXt", b"").rpartition(b"\0")[2].decode()
+    return lines[:, 1:].reshape(rows, columns, 3), text
+
+
+def test_show_says_what_is_in_a_design_and_its_levels(saved, capsys):
+    assert main(["show", str(saved)]) == 0
+    out, err = capsys.readouterr()
+    assert err == ""
+    assert "title     A \\x1b[2J title\n" in out
+    assert "notes     one\nnotes     two\n" in out
+    assert "limb      Synthetic 1 (175 mm)" in out
+    assert "SYNTHETIC" in out
+    assert "inputs    2, 1 of them heard" in out
+    assert "place 7, Digit II, pad: Tone(frequency_hz=100.0" in out
+    assert "from 0 s, muted" in out
+    content = ss.open_design(saved)
+    levels = ss.evaluate(content.design, "output_levels_db")["output_levels_db"]
+    rows = [line.split() for line in out.splitlines()[-72:]]
+    assert [int(row[0]) for row in rows] == list(range(1, 73))
+    assert [float(row[1]) for row in rows] == [round(level, 1) + 0.0 for level in levels]
+
+
+def test_render_writes_levels_traces_map_and_picture(saved, tmp_path, capsys):
+    folder = tmp_path / "new" / "out"
+    assert main(["render", str(saved), "--out", str(folder)]) == 0
+    names = ["levels.csv", "map.csv", "map.png", "traces.csv"]
+    assert sorted(path.name for path in folder.iterdir()) == names
+    assert capsys.readouterr().out.split() == [
+        str(folder / name) for name in ("levels.csv", "map.csv", "map.png", "traces.csv")
+    ]
+    content = ss.open_design(saved)
+    wanted = ss.evaluate(content.design, "surface", "surface_levels_db", view=content.view)
+    expected, surface = wanted["surface_levels_db"], wanted["surface"]
+    table = np.genfromtxt(
+        folder / "map.csv",
+        delimiter=",",
+        skip_header=len(
+            [line for line in (folder / "map.csv").read_text().splitlines() if line.startswith("#")]
+        )
+        + 1,
+    )
+    np.testing.assert_array_equal(table[:, 0], surface.y_mm)
+    np.testing.assert_array_equal(table[:, 1:], expected)
+    pixels, text = read_png((folder / "map.png").read_bytes())
+    top_db = np.nanmax(expected)
+    np.testing.assert_array_equal(pixels, picture_of(expected, top_db))
+    assert "SYNTHETIC LIMB" in text
+    assert f"to {top_db:.1f} (lightest) dB" in text
+
+
+def test_without_selected_outputs_there_are_no_traces(saved, tmp_path):
+    content = ss.open_design(saved)
+    ss.save_design(saved, content.design, replace(content.view, outputs=()))
+    assert main(["render", str(saved), "--out", str(tmp_path / "out")]) == 0
+    assert not (tmp_path / "out" / "traces.csv").exists()
+
+
+def test_a_picture_has_its_highest_row_first_and_white_where_there_is_no_skin(tmp_path):
+    levels_db = np.array([[np.nan, -10.0], [-60.0, -200.0], [-9.9, -35.0]])
+    pixels = picture_of(levels_db, -10.0)[::3, ::3].astype(int)
+    assert pixels[2, 0].tolist() == [255, 255, 255]
+    lightness = pixels.sum(axis=-1)
+    assert lightness[2, 1] == lightness[0, 0]  # the top, and what is above it
+    assert (pixels[1, 0] == pixels[1, 1]).all()  # the bottom, and what is below it
+    assert lightness[1, 0] < lightness[0, 1] < lightness[2, 1]
+    path = tmp_path / "map.png"
+    with path.open("wb") as file:
+        write_png(file, pixels.astype(np.uint8), {})
+    np.testing.assert_array_equal(read_png(path.read_bytes())[0], pixels)
+
+
+def test_a_file_that_is_no_design_is_one_line(tmp_path, capsys):
+    path = tmp_path / "other.skinsource"
+    path.write_bytes(b"nothing")
+    for words in (["show", str(path)], ["render", str(path)], ["show", str(tmp_path / "absent")]):
+        assert main(words) == 1
+        assert len(capsys.readouterr().err.splitlines()) == 1
+
+
+def test_both_commands_need_no_qt(saved, tmp_path):
+    script = (
+        "import sys\n"
+        "sys.modules.update(dict.fromkeys(['PySide6', 'pyqtgraph', 'matplotlib']))\n"
+        "from skinsource.command_line import main\n"
+        "sys.exit(main(sys.argv[1:]))\n"
+    )
+    for words in (["show", saved], ["render", saved, "--out", tmp_path / "out"]):
+        command = [sys.executable, "-c", script, *map(str, words)]
+        done = subprocess.run(command, check=False, capture_output=True, text=True, timeout=60)
+        assert (done.returncode, done.stderr) == (0, "")

@@ -1,0 +1,159 @@
+"""Quantities of designs for scripts: right, remembered, and the same from any thread."""
+
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.errors import InvalidInputError
+from skinsource.evaluation import MOST_GRAPHS, Evaluator
+from skinsource.quantities import new_graph, sources
+from skinsource.waveforms import Tap, Tone
+
+VIEW = ss.View(outputs=(29, 52))
+QUANTITIES = ("output_levels_db", "selected_traces")
+
+
+def scene(n_inputs: int = 5, limb: str = "synthetic-1", first_hz: float = 80.0) -> ss.Design:
+    inputs = tuple(
+        ss.Input(location=k + 1, waveform=Tone(frequency_hz=first_hz + 17.0 * k))
+        for k in range(n_inputs)
+    )
+    return ss.Design(limb=limb, inputs=inputs)
+
+
+def with_frequency(design: ss.Design, index: int, frequency_hz: float) -> ss.Design:
+    return design.with_input(index, waveform=Tone(frequency_hz=frequency_hz))
+
+
+def directly(design: ss.Design, view: ss.View = VIEW) -> dict:
+    return new_graph().evaluate(QUANTITIES, sources(design, view))
+
+
+def assert_same(found: dict, expected: dict) -> None:
+    assert found.keys() == expected.keys()
+    levels = found["output_levels_db"] - expected["output_levels_db"]
+    assert np.abs(levels).max() < 1e-9
+    largest = np.abs(expected["selected_traces"]).max()
+    assert np.abs(found["selected_traces"] - expected["selected_traces"]).max() < 1e-12 * largest
+
+
+def test_the_quantities_are_those_of_the_graph():
+    design = scene()
+    assert_same(ss.evaluate(design, *QUANTITIES, view=VIEW), directly(design))
+
+
+def test_a_sweep_of_any_input_is_right_at_each_step():
+    evaluator, design = Evaluator(), scene()
+    for index, frequency_hz in [(3, 100.0), (3, 110.0), (1, 200.0), (1, 210.0), (4, 50.0)]:
+        design = with_frequency(design, index, frequency_hz)
+        assert_same(evaluator.evaluate(design, QUANTITIES, VIEW), directly(design))
+
+
+def test_a_step_of_a_sweep_costs_what_an_edit_costs_in_the_studio():
+    design, index = scene(), 3
+    graph, view = new_graph(), replace(VIEW, selected_inputs=(design.inputs[index].id,))
+    evaluator = Evaluator()
+    for frequency_hz in (100.0, 110.0, 120.0):
+        design = with_frequency(design, index, frequency_hz)
+        graph.evaluate(QUANTITIES, sources(design, view))
+        evaluator.evaluate(design, QUANTITIES, VIEW)
+    assert evaluator.work == graph.work
+    assert evaluator.work.forward_transforms <= 4
+    assert evaluator.work.bytes_read == 0
+
+
+def test_the_same_again_costs_nothing_and_another_view_reads_nothing():
+    evaluator, design = Evaluator(), scene()
+    evaluator.evaluate(design, QUANTITIES, VIEW)
+    evaluator.evaluate(design, QUANTITIES, VIEW)
+    assert evaluator.work.rules_run == 0
+    evaluator.evaluate(design, QUANTITIES, replace(VIEW, method="mag"))
+    assert evaluator.work.forward_transforms == evaluator.work.bytes_read == 0
+
+
+def test_two_sweeps_in_turn_cost_what_each_costs_alone():
+    alone, both = Evaluator(), Evaluator()
+    one, other = scene(), scene(4, "synthetic-2", first_hz=211.0)
+    for frequency_hz in (100.0, 110.0, 120.0):
+        one = with_frequency(one, 2, frequency_hz)
+        other = with_frequency(other, 0, frequency_hz + 3.0)
+        alone.evaluate(one, QUANTITIES, VIEW)
+        both.evaluate(other, QUANTITIES, VIEW)
+        both.evaluate(one, QUANTITIES, VIEW)
+    assert both.work == alone.work
+
+
+def test_only_a_few_designs_are_remembered():
+    evaluator = Evaluator()
+    designs = [scene(3, first_hz=60.0 + 31.0 * k) for k in range(MOST_GRAPHS + 1)]
+    for design in designs:
+        evaluator.evaluate(design, QUANTITIES, VIEW)
+    evaluator.evaluate(designs[1], QUANTITIES, VIEW)
+    assert evaluator.work.rules_run == 0
+    evaluator.evaluate(designs[0], QUANTITIES, VIEW)
+    assert evaluator.work.rules_run > 0
+
+
+def test_threads_take_turns_and_each_gets_its_own():
+    evaluator = Evaluator()
+    designs = [scene(2, first_hz=60.0 + 7.0 * k) for k in range(8)]
+    with ThreadPoolExecutor(4) as pool:
+        found = list(pool.map(lambda one: evaluator.evaluate(one, QUANTITIES, VIEW), designs))
+    for design, values in zip(designs, found, strict=True):
+        assert_same(values, directly(design))
+
+
+def test_results_cannot_be_written_to():
+    levels = ss.evaluate(scene(1), "output_levels_db")["output_levels_db"]
+    with pytest.raises(ValueError, match="read-only"):
+        levels[0] = 0.0
+
+
+def test_what_nothing_computes_is_refused_with_a_hint():
+    with pytest.raises(InvalidInputError, match="did you mean 'output_levels_db'"):
+        ss.evaluate(scene(1), "output_level_db")
+
+
+@pytest.mark.parametrize(
+    ("design", "names", "view"),
+    [("x", ("limb",), None), (scene(1), (3,), None), (scene(1), ("limb",), "x")],
+)
+def test_what_is_no_design_quantity_or_view_is_refused(design, names, view):
+    with pytest.raises(InvalidInputError):
+        ss.evaluate(design, *names, view=view)
+
+
+def test_after_a_failure_the_limb_is_opened_anew(monkeypatch):
+    evaluator, design = Evaluator(), scene(1, "measured-1")
+    with pytest.raises(ss.SkinSourceError, match="not installed"):
+        evaluator.evaluate(design, QUANTITIES)
+    monkeypatch.setattr("skinsource.shared.load_limb", lambda _: ss.load_limb("synthetic-3"))
+    assert np.isfinite(evaluator.evaluate(design, QUANTITIES)["output_levels_db"]).all()
+
+
+def test_a_design_is_saved_opened_and_evaluated(tmp_path):
+    path = tmp_path / "scene.skinsource"
+    design = replace(scene(2), title="Two tones")
+    ss.save_design(path, design, view=VIEW)
+    opened = ss.open_design(path)
+    assert (opened.design, opened.view) == (design, VIEW)
+    ss.save_design(path, design)
+    assert ss.open_design(path).view == ss.View()
+
+
+def test_edits_can_be_used_in_scripts():
+    edit = ss.edits.mute_inputs(scene(2), VIEW, [1], True)
+    assert edit.design.inputs[0].muted
+
+
+def test_the_waveforms_of_muted_inputs_are_there_from_their_own_onset():
+    design = ss.Design(
+        limb="synthetic-1",
+        inputs=(ss.Input(location=1, waveform=Tap(), onset_s=0.3, amplitude=5.0, muted=True),),
+    )
+    (drawn,) = ss.evaluate(design, "input_waveforms")["input_waveforms"]
+    assert drawn.max() == 1.0
+    assert drawn.size == Tap().samples(1300.0).size

@@ -1,0 +1,107 @@
+"""What `predict` remembers of limbs: bounded, freed with them, and without effect on numbers."""
+
+import gc
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource import response
+from skinsource.rendering.spectra_of_limbs import SpectraOfLimbs
+from skinsource.work import counting
+
+DRIVES = np.random.default_rng(3).standard_normal((20, 325))
+PLACES = range(1, 21)
+
+
+@pytest.fixture(autouse=True)
+def nothing_remembered():
+    response._remembered.cache_clear()
+    yield
+    response._remembered.cache_clear()
+
+
+@pytest.fixture
+def limb() -> ss.Limb:
+    return ss.load_limb("synthetic-1")
+
+
+@pytest.mark.parametrize("scaling", ["relative", "upstream", "probe"])
+@pytest.mark.parametrize("n_inputs", [1, 20])
+def test_the_second_prediction_transforms_no_response_and_gives_the_same_bits(
+    limb, scaling, n_inputs
+):
+    drives, places = DRIVES[:n_inputs], PLACES[:n_inputs]
+    with counting() as first:
+        expected = ss.predict(limb, drives, places, scaling=scaling)
+    with counting() as second:
+        found = ss.predict(limb, drives, places, scaling=scaling)
+    assert first.forward_transforms == n_inputs * (216 + 1)
+    assert second.forward_transforms == n_inputs
+    assert found.tobytes() == expected.tobytes()
+
+
+def test_one_input_alone_is_transformed_back_once(limb):
+    with counting() as work:
+        ss.predict(limb, DRIVES[:1], [7])
+    assert work.inverse_transforms == 216
+
+
+def test_one_input_alone_has_its_amplitude_as_beside_a_silent_one(limb):
+    alone = ss.predict(limb, DRIVES[:1], [7], [-2.5])
+    beside = ss.predict(limb, np.vstack((DRIVES[:1], DRIVES[:1])), [7, 8], [-2.5, 1e-30])
+    np.testing.assert_allclose(alone, beside, rtol=0, atol=1e-13)
+    assert alone.min() == -2.5
+
+
+def test_what_is_predicted_may_be_written_to_without_effect_on_the_next(limb):
+    first = ss.predict(limb, DRIVES[:1], [7])
+    kept = first.copy()
+    first[...] = 0.0
+    assert (ss.predict(limb, DRIVES[:1], [7]) == kept).all()
+
+
+def test_twenty_places_of_one_second_take_half_of_the_budget(limb):
+    ss.predict(limb, np.ones((20, 1300)), PLACES, scaling="relative")
+    assert 60e6 < response._remembered().held_bytes < 70e6
+
+
+def test_the_least_recently_used_go_first():
+    first, second = ss.load_limb("synthetic-1"), ss.load_limb("synthetic-2")
+    one = 216 * (576 // 2 + 1) * 16
+    spectra = SpectraOfLimbs(budget_bytes=3 * one)
+    spectra.of(first, [1, 2], "relative", 576)
+    spectra.of(second, [1], "relative", 576)
+    assert spectra.held_bytes == 3 * one
+    spectra.of(first, [1], "relative", 576)
+    spectra.of(second, [2], "relative", 576)
+    assert spectra.held_bytes == 3 * one
+    with counting() as work:
+        spectra.of(second, [1, 2], "relative", 576)
+        spectra.of(first, [1], "relative", 576)
+    assert work.forward_transforms == 0
+
+
+def test_what_is_larger_than_the_budget_is_given_and_not_kept(limb):
+    spectra = SpectraOfLimbs(budget_bytes=1000)
+    found = spectra.of(limb, [3, 3, 4], "relative", 576)
+    assert [one.n_fft for one in found] == [576] * 3
+    assert spectra.held_bytes == 0
+
+
+def test_a_limb_that_is_freed_frees_its_spectra():
+    limb = ss.load_limb("synthetic-1")
+    ss.predict(limb, DRIVES[:2], [1, 2])
+    assert response._remembered().held_bytes > 0
+    del limb
+    gc.collect()
+    assert response._remembered().held_bytes == 0
+
+
+def test_threads_predict_the_same(limb):
+    expected = ss.predict(limb, DRIVES, PLACES)
+    response._remembered.cache_clear()
+    with ThreadPoolExecutor(4) as pool:
+        found = list(pool.map(lambda _: ss.predict(limb, DRIVES, PLACES), range(8)))
+    assert all(one.tobytes() == expected.tobytes() for one in found)
