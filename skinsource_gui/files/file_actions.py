@@ -3,18 +3,21 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QEvent, QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from skinsource.design import Design
 from skinsource.design_file import SUFFIX, open_design, save_design
 from skinsource.errors import SkinSourceError
+from skinsource.files import is_there, named
 from skinsource.view import View
+from skinsource_gui.files.file_on_disk import FileOnDisk
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
 
 _FILTER = f"SkinSource designs (*{SUFFIX})"
 _Answer = QMessageBox.StandardButton
+_CHANGED = "was changed by another program, or in another window, since it was opened here"
 
 
 class FileActions(QObject):
@@ -37,12 +40,16 @@ class FileActions(QObject):
         super().__init__(window)
         self._document, self._preferences, self._window = document, preferences, window
         self._arrangement = arrangement
+        self._on_disk, self._told = FileOnDisk(), "same"
+        window.installEventFilter(self)
 
     def new(self) -> None:
         """Start over with an empty design on the same limb."""
         if self.may_lose_changes():
             limb = self._document.design.limb
             self._document.start_over(Design(limb=limb), View(), None)
+            self._note_file(None)
+            self.done.emit("Started a new design")
 
     def ask_and_open(self) -> None:
         """Ask for a file and open it."""
@@ -53,8 +60,8 @@ class FileActions(QObject):
 
     def open(self, path: Path) -> None:
         """Open ``path``; on any fault say so and keep what is open."""
-        if not self.may_lose_changes():
-            return
+        on_disk = FileOnDisk()
+        on_disk.note(path)
         try:
             content = open_design(path)
         except SkinSourceError as error:
@@ -62,7 +69,11 @@ class FileActions(QObject):
             self.recent_changed.emit()
             self.failed.emit(str(error))
             return
+        # What cannot be opened is said before anything is asked.
+        if not self.may_lose_changes():
+            return
         self._document.start_over(content.design, content.view, path)
+        self._on_disk, self._told = on_disk, "same"
         self._preferences.remember_file(path)
         self._preferences.folder = path.absolute().parent
         self.recent_changed.emit()
@@ -73,7 +84,8 @@ class FileActions(QObject):
         """Save where it was saved before, or ask; whether it is saved now."""
         if self._document.path is None:
             return self.ask_and_save()
-        return self._save_to(self._document.path)
+        path = self._document.path
+        return self._may_overwrite(path) and self._save_to(path)
 
     def ask_and_save(self) -> bool:
         """Ask for a name and save there; whether it is saved now."""
@@ -94,18 +106,19 @@ class FileActions(QObject):
         path = Path(name)
         if path.suffix.lower() not in (start.suffix.lower(), *endings):
             # The dialog asked about the name as it was typed.
-            path = path.with_name(path.name + start.suffix)
-            if path.exists() and not self._may_replace(path):
+            path = Path(f"{name}{start.suffix}")
+            if is_there(path) and not self._may_replace(path):
                 return None
         return path
 
     def note_written(self, path: Path) -> None:
         """Remember the folder of a file that was written, and tell that all went well."""
         self._preferences.folder = path.absolute().parent
-        self.done.emit(f"Saved {path}")
+        self.done.emit(f"Saved {named(path)}")
 
     def may_lose_changes(self) -> bool:
         """Whether unsaved edits may go: there are none, they are saved now, or the user agrees."""
+        self.look_at_disk()
         if not self._document.modified:
             return True
         answer = QMessageBox.question(
@@ -119,13 +132,41 @@ class FileActions(QObject):
             return self.save()
         return answer == _Answer.Discard
 
+    def look_at_disk(self) -> None:
+        """Tell, once, that another program has changed or deleted the open file."""
+        state, path = self._on_disk.state(), self._document.path
+        if path is None or state == self._told:
+            return
+        self._told = state
+        if state == "gone":
+            self._document.mark_lost()
+            self.failed.emit(
+                f"{path.name} is no longer in {named(path.parent)}. Save the design to keep it."
+            )
+        elif state == "changed":
+            self.failed.emit(f"{path.name} {_CHANGED}. Saving will ask before it is replaced.")
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.WindowActivate:
+            self.look_at_disk()
+        return super().eventFilter(watched, event)
+
+    def _note_file(self, path: Path | None) -> None:
+        self._on_disk.note(path)
+        self._told = "same"
+
+    def _may_overwrite(self, path: Path) -> bool:
+        return self._on_disk.state() != "changed" or self._agreed(
+            "Replace what another program saved?",
+            f"{path.name} {_CHANGED}. Replace it, and lose what was saved there?",
+        )
+
     def _may_replace(self, path: Path) -> bool:
+        return self._agreed("Replace the file?", f"{path.name} exists already. Replace it?")
+
+    def _agreed(self, title: str, question: str) -> bool:
         answer = QMessageBox.question(
-            self._window,
-            "Replace the file?",
-            f"{path.name} exists already. Replace it?",
-            _Answer.Yes | _Answer.Cancel,
-            _Answer.Cancel,
+            self._window, title, question, _Answer.Yes | _Answer.Cancel, _Answer.Cancel
         )
         return answer == _Answer.Yes
 
@@ -137,6 +178,7 @@ class FileActions(QObject):
             self.failed.emit(str(error))
             return False
         self._document.mark_saved(path)
+        self._note_file(path)
         self._preferences.remember_file(path)
         self.recent_changed.emit()
         self.note_written(path)

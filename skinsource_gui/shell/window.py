@@ -249,6 +249,9 @@ class MainWindow(QMainWindow):
             event.accept()
 
     def dropEvent(self, event) -> None:
+        # Whoever offers a file to be moved would delete it afterwards.
+        event.setDropAction(Qt.DropAction.CopyAction)
+        event.accept()
         paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
         self.files.open(paths[0])
 

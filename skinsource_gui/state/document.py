@@ -34,7 +34,7 @@ class Document(QObject):
         self._design = self._saved = design
         self._view = _existing(view or View(), design)
         self._path: Path | None = None
-        self._was_modified = False
+        self._was_modified = self._lost = False
         self.undo_stack = QUndoStack(self)
         self.undo_stack.setUndoLimit(MOST_STEPS)
         self.undo_stack.cleanChanged.connect(self._tell_title)
@@ -57,7 +57,7 @@ class Document(QObject):
     @property
     def modified(self) -> bool:
         """Whether there are edits that no file holds; choosing outputs is none."""
-        return not self.undo_stack.isClean() and self._design != self._saved
+        return self._lost or (not self.undo_stack.isClean() and self._design != self._saved)
 
     def apply(self, outcome: Edit | Refusal, gesture: int | None = None) -> None:
         """Take over what an edit leads to, or tell why there was none.
@@ -89,15 +89,20 @@ class Document(QObject):
         self._saved, self._path = design, path
         self._design, self._view = design, _existing(view, design)
         self.changed.emit()
-        self._was_modified = False
+        self._was_modified = self._lost = False
         self.title_changed.emit()
 
     def mark_saved(self, path: Path) -> None:
         """Note that ``path`` holds the present design."""
         self._path, self._saved = path, self._design
         self.undo_stack.setClean()
-        self._was_modified = False
+        self._was_modified = self._lost = False
         self.title_changed.emit()
+
+    def mark_lost(self) -> None:
+        """Note that the file is gone: nothing holds the design but this document."""
+        self._lost = True
+        self._tell_title()
 
     def show_step(self, design: Design, view: View) -> None:
         """Put these in place of the present ones; for steps of the history only."""

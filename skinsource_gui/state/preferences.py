@@ -4,6 +4,9 @@ from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QSettings
 
+from skinsource.errors import SkinSourceError
+from skinsource.files import is_folder
+
 _RECENT_FILES = 10
 
 
@@ -78,7 +81,10 @@ class Preferences:
     def folder(self) -> Path:
         """Where a file was last opened or written; the home folder at first."""
         known = Path(str(self._settings.value("folder", "")))
-        return known if known.is_absolute() and known.is_dir() else Path.home()
+        try:
+            return known if known.is_absolute() and is_folder(known) else Path.home()
+        except SkinSourceError:  # it may not be searched
+            return Path.home()
 
     @folder.setter
     def folder(self, folder: Path) -> None:

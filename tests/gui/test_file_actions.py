@@ -7,7 +7,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 
 from skinsource.design import Input
-from skinsource.design_file import open_design
+from skinsource.design_file import open_design, save_design
 from skinsource_gui.files import export_actions
 from skinsource_gui.files.picture_options import PictureDialog, PictureOptions
 from skinsource_gui.theme import DARK
@@ -70,6 +70,7 @@ def test_unsaved_work_is_not_lost_by_opening_closing_or_starting_over(window, an
     place(window)
     assert window.isWindowModified()
     design = window.document.design
+    save_design(tmp_path / "other.skinsource", design)
     window.do("new_design")
     window.files.open(tmp_path / "other.skinsource")
     window.close()

@@ -1,0 +1,190 @@
+"""Other programs, and other windows, have a hand in files too."""
+
+import os
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QEvent, QMimeData, QPointF, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
+
+from skinsource.design import Design, Input
+from skinsource.design_file import open_design, save_design
+from skinsource_gui.state.preferences import Preferences
+
+YES, CANCEL = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
+OTHER = Design(limb="synthetic-2", inputs=(Input(location=13),))
+
+
+@pytest.fixture
+def asked(monkeypatch):
+    """Questions that were asked; each is answered with ``asked.answer``."""
+
+    class Asked(list):
+        answer = CANCEL
+
+    found = Asked()
+
+    def question(_window, _title, words, *_):
+        found.append(words)
+        return found.answer
+
+    monkeypatch.setattr(QMessageBox, "question", question)
+    return found
+
+
+@pytest.fixture
+def opened(window, asked, tmp_path) -> Path:
+    """A file that the window has open, with an edit that is not saved yet."""
+    path = tmp_path / "shared.skinsource"
+    save_design(path, Design(limb="synthetic-1", inputs=(Input(location=4),)))
+    window.files.open(path)
+    place(window)
+    return path
+
+
+def place(window, location=3):
+    window.document.edit("Place", window.document.design.adding(Input(location=location)))
+
+
+def activate(window):
+    QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
+
+
+def test_a_file_that_another_program_changed_is_not_replaced_unasked(window, opened, asked):
+    save_design(opened, OTHER)
+    assert not window.files.save()
+    assert len(asked) == 1
+    assert "shared.skinsource was changed by another program" in asked[0]
+    assert open_design(opened).design == OTHER
+    assert window.document.modified
+    asked.answer = YES
+    assert window.files.save()
+    assert open_design(opened).design == window.document.design
+    place(window)
+    assert window.files.save()
+    assert len(asked) == 2
+
+
+def test_a_file_that_was_only_touched_is_saved_unasked(window, opened, asked):
+    content = opened.read_bytes()
+    opened.unlink()
+    opened.write_bytes(content)
+    os.utime(opened, times=(1e9, 1e9))
+    activate(window)
+    assert window.files.save()
+    assert asked == []
+    assert window.notice.text == ""
+
+
+def test_two_windows_on_one_file_notice_each_other(window, make_window, opened, asked):
+    other = make_window()
+    other.files.open(opened)
+    place(other, 9)
+    assert other.files.save()
+    activate(window)
+    assert "was changed by another program, or in another window" in window.notice.text
+    assert not window.files.save()
+    assert [one.location for one in open_design(opened).design.inputs] == [4, 9]
+
+
+def test_what_changed_on_disk_is_told_once(window, opened):
+    save_design(opened, OTHER)
+    told = []
+    window.files.failed.connect(told.append)
+    activate(window)
+    activate(window)
+    assert len(told) == 1
+
+
+def test_a_design_whose_file_was_deleted_counts_as_modified(window, opened, asked):
+    assert window.files.save()
+    assert not window.document.modified
+    opened.unlink()
+    activate(window)
+    assert window.document.modified
+    assert window.isWindowModified()
+    assert f"shared.skinsource is no longer in {opened.parent}" in window.notice.text
+    window.files.new()
+    assert len(asked) == 1
+    assert window.document.path == opened
+    assert window.files.save()
+    assert not window.document.modified
+    assert opened.exists()
+
+
+def test_closing_looks_once_more_whether_the_file_is_there(window, opened, asked):
+    assert window.files.save()
+    opened.unlink()
+    window.close()
+    assert len(asked) == 1
+    assert window.isVisible()
+    asked.answer = QMessageBox.StandardButton.Discard
+    window.close()
+    assert not window.isVisible()
+
+
+def test_a_recent_file_that_is_missing_is_told_without_a_question(
+    window, opened, asked, preferences
+):
+    gone = opened.with_name("gone.skinsource")
+    preferences.remember_file(gone)
+    window.files.open(gone)
+    assert asked == []
+    assert "gone.skinsource: cannot be read" in window.notice.text
+    assert "moved or deleted" in window.notice.text
+    assert gone not in preferences.recent_files
+    assert window.document.path == opened
+
+
+def test_what_was_said_about_a_file_does_not_outlive_it(window, opened, asked):
+    window.files.save()
+    assert "Saved" in window.statusBar().currentMessage()
+    window.files.new()
+    assert "Saved" not in window.statusBar().currentMessage()
+
+
+@pytest.mark.parametrize("name", ["x" * 250, "y" * 300, "a\0b", "no/such/folder"])
+def test_names_that_no_file_can_have_are_one_sentence(window, asked, tmp_path, monkeypatch, name):
+    typed = str(tmp_path / name)
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (typed, ""))
+    place(window)
+    assert not window.files.ask_and_save()
+    assert "cannot be written" in window.notice.text
+    assert window.document.modified
+    assert window.files.ask_where("Export", Path("levels.csv"), "CSV (*.csv)") is not None
+
+
+def test_a_folder_that_may_not_be_searched_is_not_offered(user_data, monkeypatch):
+    preferences = Preferences(user_data / "studio.ini")
+    preferences.folder = user_data
+    assert preferences.folder == user_data
+
+    def refused(*_, **__):
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(Path, "stat", refused)
+    assert preferences.folder == Path.home()
+
+
+def test_a_dropped_file_is_copied_even_where_a_move_is_proposed(window, opened, asked):
+    window.files.save()
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(opened))])
+    middle = window.rect().center()
+    both = Qt.DropAction.MoveAction | Qt.DropAction.CopyAction
+    arguments = (both, data, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier)
+    entering, dropped = QDragEnterEvent(middle, *arguments), QDropEvent(QPointF(middle), *arguments)
+    for event in (entering, dropped):
+        event.setDropAction(Qt.DropAction.MoveAction)
+        QApplication.sendEvent(window, event)
+        assert event.isAccepted()
+        assert event.dropAction() == Qt.DropAction.CopyAction
+
+
+def test_words_about_a_design_are_held_by_its_file(window, opened):
+    design = replace(window.document.design, title="Größe", author="A", notes="1\n2", licence="CC0")
+    window.document.edit("Describe the design", design)
+    window.files.save()
+    assert open_design(opened).design == design
