@@ -37,6 +37,7 @@ def user_data(tmp_path_factory, monkeypatch) -> Iterator[Path]:
     """Give each test an empty user-data folder, so that nothing the user has is touched."""
     folder = tmp_path_factory.mktemp("user-data")
     monkeypatch.setenv("SKINSOURCE_DATA", str(folder))
+    monkeypatch.delenv("SKINSOURCE_CONFIG", raising=False)
     yield folder
     # pytest keeps the folders of the last three runs, and a store is large
     shutil.rmtree(folder, ignore_errors=True)

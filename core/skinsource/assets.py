@@ -30,3 +30,13 @@ def cache_folder() -> Path:
     if os.environ.get("SKINSOURCE_DATA"):
         return user_folder() / "cache"
     return Path(platformdirs.user_cache_dir("skinsource", appauthor=False))
+
+
+def config_folder() -> Path:
+    """Folder of the user's settings; SKINSOURCE_CONFIG overrides it, and SKINSOURCE_DATA."""
+    override = os.environ.get("SKINSOURCE_CONFIG")
+    if override:
+        return Path(override).expanduser()
+    if os.environ.get("SKINSOURCE_DATA"):
+        return user_folder() / "config"
+    return Path(platformdirs.user_config_dir("skinsource", appauthor=False))

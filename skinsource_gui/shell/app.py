@@ -14,7 +14,7 @@ from skinsource.design import start_design
 from skinsource.files import make_folder
 from skinsource_gui.shell.screen_fit import ScreenFit
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.state.preferences import Preferences, settings_path
 
 #: While the worker computes, the window gets its turn after this time (Python's own is 5 ms).
 _SWITCH_INTERVAL_S = 5e-4
@@ -57,7 +57,7 @@ def run(path: Path | None) -> int:
     """Open the studio and stay until it is closed."""
     application = make_application()
     make_folder(user_folder())
-    window = make_window(path, Preferences(user_folder() / "studio.ini"))
+    window = make_window(path, Preferences(settings_path()))
     ScreenFit(window).guess()
     window.show()
     settled = QTimer(window, singleShot=True, interval=_SETTLED_ANYWAY_MS)

@@ -4,10 +4,31 @@ from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QSettings
 
+from skinsource.assets import config_folder, user_folder
 from skinsource.errors import SkinSourceError
-from skinsource.files import is_folder
+from skinsource.files import is_folder, is_there, make_folder, read_bytes, write_bytes
 
 _RECENT_FILES = 10
+_NAME = "studio.ini"
+_MOST_BYTES = 2**20
+
+
+def settings_path() -> Path:
+    """Where the settings lie: in the folder for settings.
+
+    Older studios kept them beside the user's data; found there, they are moved.
+    """
+    path, before = config_folder() / _NAME, user_folder() / _NAME
+    if is_there(path) or not is_there(before):
+        return path
+    try:
+        make_folder(path.parent)
+        write_bytes(path, read_bytes(before, most=_MOST_BYTES))
+        before.unlink()
+    except (SkinSourceError, OSError):
+        # They stay where they are, and are read from there.
+        return path if is_there(path) else before
+    return path
 
 
 class Preferences:
