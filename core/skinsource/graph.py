@@ -54,6 +54,15 @@ class Graph:
         self.runs: Counter[str] = Counter()
         self.work = Work()
 
+    @property
+    def rules(self) -> dict[str, Callable[..., Any]]:
+        """The rules, by name."""
+        return dict(self._rules)
+
+    def needs_of(self, name: str) -> tuple[str, ...]:
+        """Quantities that a rule needs, in its order; none for what is given."""
+        return tuple(need for need in self._needs.get(name, ()) if need != "stop")
+
     def evaluate(
         self,
         wanted: Iterable[str],

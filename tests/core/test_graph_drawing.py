@@ -1,0 +1,69 @@
+"""The drawings of the graph in the documents are those of the graph."""
+
+from pathlib import Path
+
+import pytest
+
+from skinsource.graph import Graph
+from skinsource.graph_drawing import brought_up_to_date, drawing, rules_of, table
+from skinsource.quantities import new_graph, sources
+
+DOCUMENT = Path(__file__).parents[2] / "docs" / "rendering.md"
+
+
+def total(parts, weights):
+    """Sum of the parts."""
+    return parts + weights
+
+
+def level(total, floor):
+    """Level of the sum.
+
+    And more words.
+    """
+    return total + floor
+
+
+def test_a_drawing_shows_rules_what_they_need_and_what_comes_from_elsewhere():
+    graph = Graph(level, total)
+    assert rules_of(graph, ["level"]) == ("total", "level")
+    drawn = drawing(graph, ["total", "level"])
+    assert "parts --> total" in drawn
+    assert "total --> level" in drawn
+    assert "floor([floor])" in drawn
+    assert "total([" not in drawn
+    assert "| `level` | Level of the sum. |" in table(graph, ["total", "level"])
+
+
+def test_the_document_shows_the_graph_as_it_is():
+    text = DOCUMENT.read_text(encoding="utf-8")
+    assert brought_up_to_date(text) == text, (
+        "docs/rendering.md shows another graph; run python -m skinsource.graph_drawing "
+        "docs/rendering.md"
+    )
+
+
+def test_every_rule_that_leads_to_what_is_shown_is_drawn():
+    text, graph = DOCUMENT.read_text(encoding="utf-8"), new_graph()
+    for name in rules_of(graph, ("surface_levels_db", "selected_spectra", "input_waveforms")):
+        assert f"| `{name}` |" in text, name
+
+
+@pytest.mark.parametrize("wanted", ["surface_levels_db", "selected_spectra", "trace_error"])
+def test_what_is_drawn_is_what_runs(wanted):
+    from skinsource.design import start_design
+    from skinsource.view import View
+
+    graph = new_graph()
+    graph.evaluate({wanted}, sources(start_design("synthetic-1"), View()))
+    assert set(graph.runs) == set(rules_of(graph, [wanted]))
+
+
+def test_a_changed_rule_changes_the_drawing():
+    def level(total, floor, span):
+        """Level of the sum, another way."""
+        return total + floor + span
+
+    found = drawing(Graph(level, total), ["total", "level"])
+    assert "span --> level" in found
+    assert found != drawing(Graph(globals()["level"], total), ["total", "level"])
