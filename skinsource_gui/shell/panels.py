@@ -38,9 +38,9 @@ def _places(
 
 #: In the order in which the keyboard reaches them.
 PANELS: tuple[PanelSpec, ...] = (
-    PanelSpec(panel=HandPanel, places=_places(Place(0, 42), None, Place(0))),
+    PanelSpec(panel=HandPanel, places=_places(Place(0, 45), None, Place(0))),
     PanelSpec(panel=InputsPanel, places=_places(Place(2, 26), None, None)),
-    PanelSpec(panel=InspectorPanel, places=_places(Place(0, 58), None, None)),
+    PanelSpec(panel=InspectorPanel, places=_places(Place(0, 55), None, None)),
     PanelSpec(panel=SkinPanel, places=_places(Place(1), Place(0), Place(1))),
     PanelSpec(panel=TracesPanel, places=_places(Place(2, 37), Place(1), None)),
     PanelSpec(panel=SpectraPanel, places=_places(Place(2, 37), Place(1), None)),

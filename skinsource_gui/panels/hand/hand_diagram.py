@@ -105,7 +105,7 @@ class HandDiagram(QWidget):
         self.stage.change(note=text)
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(260, 300)
+        return QSize(200, 258)
 
     def sizeHint(self) -> QSize:
         return QSize(320, 400)

@@ -22,6 +22,8 @@ from skinsource_gui.theme import UNIT_PX, Theme
 HINT = "Click a place on the hand"
 _SIDE = "Right hand,\npalm side"
 _SIDE_ALIGNMENT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
+# From this height on there is a legend below the hand.
+_ROOMY_PX = 300
 _LEGEND = (("perpendicular", None), ("in-axis", QPointF(0.0, 1.0)))
 
 
@@ -113,15 +115,18 @@ class HandPicture:
         self._drawing = drawing
         self._size = QSize()
         self._line_px = 0.0
+        self._lines = 2
         self._hand: tuple[object, QPixmap] | None = None
         self._layout: HandLayout | None = None
 
     def resize(self, size: QSize, metrics: QFontMetricsF) -> None:
-        """Take a widget's size; below the area of the hand there are two lines of text."""
+        """Take a widget's size; below the area of the hand there is text."""
         self._size = size
         self._line_px = metrics.height() + 2.0
         self._hand = None
-        height = size.height() - 2 * self._line_px - UNIT_PX
+        # Where there is little room the hand needs it more than the legend does.
+        self._lines = 1 if size.height() < _ROOMY_PX else 2
+        height = size.height() - self._lines * self._line_px - UNIT_PX
         self.area = QRectF(0.0, 2.0, size.width(), height)
 
     def paint(self, painter: QPainter, layout: HandLayout, state: HandState, ratio: float) -> None:
@@ -146,7 +151,8 @@ class HandPicture:
         painter.setFont(font)
         self._paint_side(painter)
         self._paint_caption(painter, state)
-        self._paint_legend(painter)
+        if self._lines > 1:
+            self._paint_legend(painter)
 
     def _hand_at(self, ratio: float) -> QPixmap:
         key = (ratio, self.theme, self._layout)
@@ -196,7 +202,7 @@ class HandPicture:
         if site is None and state.selected is not None:
             site = state.marks[state.selected].site
         metrics = QFontMetricsF(painter.font())
-        area = self._line_area(2)
+        area = self._line_area(self._lines)
         text = state.note
         if not text and site is not None:
             place = input_place(site)
@@ -211,7 +217,7 @@ class HandPicture:
 
     def _paint_side(self, painter: QPainter) -> None:
         """Which hand this is, in the free corner below the thumb."""
-        bottom = self._line_area(2).bottomRight() - QPointF(0.0, 1.5 * self._line_px)
+        bottom = self._line_area(self._lines).bottomRight() - QPointF(0.0, 1.5 * self._line_px)
         area = QRectF(bottom - QPointF(200.0, 4 * self._line_px), bottom)
         painter.setPen(QColor(self.theme.dim))
         painter.drawText(area, _SIDE_ALIGNMENT, _SIDE)

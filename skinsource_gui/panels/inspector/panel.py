@@ -157,7 +157,7 @@ class InspectorPanel(Panel):
         self._stack = QStackedLayout(self)
         self._stack.addWidget(self._empty)
         self._stack.addWidget(self._editor)
-        self.setMinimumSize(300, 224)
+        self.setMinimumSize(204, 224)
         self.setFocusProxy(self._kind)
 
     def _cells(self) -> tuple[LabelledCell, ...]:

@@ -71,6 +71,16 @@ class MapToolbar(QWidget):
         self.all.setIcon(fit_icon(theme))
         self.hand.setIcon(hand_icon(theme))
 
+    def resizeEvent(self, event) -> None:
+        super().resizeEvent(event)
+        # Where there is no room for all, the fits are left to the menu and to keys.
+        row, every = self.layout(), (self.interpolated, self.sensors_only, self.sensors)
+        fits = (self.all, self.hand)
+        needed = sum(part.sizeHint().width() for part in every) + len(fits) * _ICON_BUTTON_PX
+        roomy = self.width() >= needed + row.spacing() * (row.count() + 1)
+        for part in fits:
+            part.setVisible(roomy)
+
     def _button(self, name: str, text: str, hint: str, checkable: bool = True) -> QToolButton:
         button = QToolButton(self)
         button.setObjectName(name)

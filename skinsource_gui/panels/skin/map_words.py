@@ -21,7 +21,7 @@ def paint_words(painter: QPainter, content: MapContent, room: QRectF, theme: The
         painter.save()
         painter.setFont(small_font(painter.font()))
         top = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop
-        corner = QRectF(inner.left(), inner.top(), 0.3 * inner.width(), inner.height())
+        corner = QRectF(inner.left(), inner.top(), 0.42 * inner.width(), inner.height())
         _paint_card(painter, corner, BACK_SIDE, QColor(theme.dim), theme, top)
         painter.restore()
     if content.synthetic:

@@ -70,7 +70,7 @@ class SkinPanel(Panel):
         grid.addWidget(self.readout, 2, 0, 1, 2)
         grid.setRowStretch(1, 1)
         grid.setColumnStretch(0, 1)
-        self.setMinimumSize(300, 330)
+        self.setMinimumSize(250, 300)
         self.setFocusProxy(self.map)
         self._connect()
         self.toolbar.show_settings(self._settings)

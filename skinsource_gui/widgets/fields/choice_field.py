@@ -1,12 +1,22 @@
 """One of several names, as a list that drops down."""
 
-from PySide6.QtCore import QPointF, Signal
+from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QPainter, QPalette, QPen, QWheelEvent
-from PySide6.QtWidgets import QComboBox, QSizePolicy, QWidget
+from PySide6.QtWidgets import (
+    QComboBox,
+    QSizePolicy,
+    QStyle,
+    QStyleOptionComboBox,
+    QStylePainter,
+    QWidget,
+)
 
 from skinsource.fields import ChoiceSpec
 from skinsource_gui.widgets.fields.burst import Burst
 from skinsource_gui.widgets.tooltips import tooltip
+
+# What the style leaves free beside the words.
+_TEXT_EDGE_PX = 4
 
 
 class ChoiceField(QComboBox):
@@ -54,9 +64,19 @@ class ChoiceField(QComboBox):
         super().showPopup()
 
     def paintEvent(self, event) -> None:
-        super().paintEvent(event)
+        option = QStyleOptionComboBox()
+        self.initStyleOption(option)
+        painter = QStylePainter(self)
+        painter.drawComplexControl(QStyle.ComplexControl.CC_ComboBox, option)
+        # Qt cuts what is too long in the middle of a letter.
+        room = self.style().subControlRect(
+            QStyle.ComplexControl.CC_ComboBox, option, QStyle.SubControl.SC_ComboBoxEditField, self
+        )
+        option.currentText = self.fontMetrics().elidedText(
+            self.currentText(), Qt.TextElideMode.ElideRight, room.width() - _TEXT_EDGE_PX
+        )
+        painter.drawControl(QStyle.ControlElement.CE_ComboBoxLabel, option)
         # The theme's style sheet takes away the arrow of the style.
-        painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(self.palette().color(QPalette.ColorRole.PlaceholderText), 1.5))
         tip = QPointF(self.width() - 13, self.height() / 2 + 2)

@@ -100,7 +100,7 @@ def test_the_scale_says_what_its_levels_are_the_rms_over(window):
     assert strip.grab().toImage() == before
 
 
-@pytest.mark.parametrize("size", [(300, 330), (300, 900), (420, 640), (1200, 500)])
+@pytest.mark.parametrize("size", [(250, 300), (300, 330), (300, 900), (420, 640), (1200, 500)])
 def test_the_map_shows_which_way_the_axes_point_and_says_more_on_hover(window, size):
     window.panel.resize(*size)
     view = window.panel.map
@@ -119,3 +119,18 @@ def test_the_map_shows_which_way_the_axes_point_and_says_more_on_hover(window, s
     QApplication.sendEvent(view, event)
     assert " ".join(QToolTip.text().split()) == TRIAD_SENTENCE
     QToolTip.hideText()
+
+
+def test_in_a_narrow_panel_the_fits_are_left_to_keys_and_menu(window):
+    toolbar = window.panel.toolbar
+    assert toolbar.hand.isVisible()
+    window.panel.resize(window.panel.minimumSize())
+    assert not toolbar.hand.isVisible()
+    QApplication.processEvents()
+    buttons = (toolbar.interpolated, toolbar.sensors_only, toolbar.sensors)
+    for part in (*buttons, window.panel.colour_bar):
+        right = part.mapTo(window.panel, part.rect().bottomRight()).x()
+        assert right < window.panel.width()
+        assert part.width() >= part.minimumSizeHint().width()
+    window.panel.resize(420, 640)
+    assert toolbar.hand.isVisible()

@@ -24,7 +24,7 @@ def test_a_click_with_shift_or_control_adds_and_removes(window, modifier):
     assert window.view.outputs == (52, 8)
 
 
-@pytest.mark.parametrize("size", [(300, 330), (420, 640), (1000, 1300)])
+@pytest.mark.parametrize("size", [(250, 300), (420, 640), (1000, 1300)])
 def test_each_of_the_72_outputs_can_be_clicked(window, size):
     window.panel.resize(*size)
     for number in range(1, 73):

@@ -64,7 +64,7 @@ def test_the_hand_can_be_fitted_alone(window):
 
 def test_nothing_of_the_outline_is_cut_off_or_covered_at_any_size(window):
     outline = window.results["limb_map"].outline
-    for size in ((300, 330), (300, 900), (420, 640), (1200, 500)):
+    for size in ((250, 300), (300, 330), (300, 900), (420, 640), (1200, 500)):
         window.panel.resize(*size)
         layout = window.panel.map.map_layout()
         x, y = layout.frame.to_screen(outline).T
