@@ -106,29 +106,31 @@ def test_a_typed_value_sets_all_that_have_such_a_field():
 
 
 def test_a_dragged_value_moves_all_by_the_same_step_and_back():
-    there = edits.drag_field(THREE, LAST, (1, 2, 3), "amplitude", -1.7, THREE)
+    there = edits.drag_field(THREE, LAST, (1, 2, 3), "amplitude", -1.7, lead=3, start=THREE)
     assert [one.amplitude for one in there.design.inputs] == [1.3, 0.8, -1.7]
-    back = edits.drag_field(there.design, LAST, (1, 2, 3), "amplitude", -2.0, THREE)
+    back = edits.drag_field(there.design, LAST, (1, 2, 3), "amplitude", -2.0, lead=3, start=THREE)
     assert back.design == THREE
 
 
 def test_a_dragged_frequency_moves_all_by_the_same_factor():
     two = THREE.with_input(1, waveform=Tone(frequency_hz=30.0))
     view = View(selected_inputs=(2, 1))
-    outcome = edits.drag_field(two, view, (1, 2), "frequency_hz", 110.0, two)
+    outcome = edits.drag_field(two, view, (1, 2), "frequency_hz", 110.0, lead=1, start=two)
     assert [one.waveform.frequency_hz for one in outcome.design.inputs[:2]] == [110.0, 33.0]
 
 
 def test_a_dragged_value_stays_within_what_is_allowed_and_comes_back_from_there():
     view = View(selected_inputs=(2, 1))
-    far = edits.drag_field(THREE, view, (1, 2), "onset_s", 599.95, THREE)
+    far = edits.drag_field(THREE, view, (1, 2), "onset_s", 599.95, lead=1, start=THREE)
     assert [one.onset_s for one in far.design.inputs] == [599.95, 600.0, 0.0]
-    back = edits.drag_field(far.design, view, (1, 2), "onset_s", 0.0, THREE)
+    back = edits.drag_field(far.design, view, (1, 2), "onset_s", 0.0, lead=1, start=THREE)
     assert back.design == THREE
 
 
 def test_a_choice_sets_all():
-    outcome = edits.drag_field(THREE, View(selected_inputs=(1,)), (1, 2), "window", "none", THREE)
+    outcome = edits.drag_field(
+        THREE, View(selected_inputs=(1,)), (1, 2), "window", "none", lead=1, start=THREE
+    )
     assert [one.waveform.window for one in outcome.design.inputs[:2]] == ["none", "none"]
 
 
@@ -206,7 +208,7 @@ def test_a_zoom_stays_on_the_same_piece_when_the_delay_goes():
         edits.place_input(THREE, LAST, 0),
         edits.change_field(THREE, LAST, (1,), "frequency_hz", float("nan")),
         edits.change_field(THREE, LAST, (1,), "id", 2),
-        edits.drag_field(THREE, LAST, (1, 3), "amplitude", float("inf"), THREE),
+        edits.drag_field(THREE, LAST, (1, 3), "amplitude", float("inf"), lead=1, start=THREE),
         edits.change_kind(THREE, LAST, (1,), "Siren"),
         edits.change_waveform(THREE, LAST, (1,), None),
         edits.remove_inputs(THREE, LAST, (9,)),
@@ -223,5 +225,5 @@ def test_what_cannot_be_done_is_refused_with_one_sentence(outcome):
 
 def test_only_what_a_user_may_set_can_be_set_by_name():
     for one in THREE.inputs:
-        settable = edits.values.fields_of(one)
+        settable = edits.fields_of(one)
         assert settable.keys() == {"amplitude", "onset_s", *specs_of(one.waveform)}

@@ -33,7 +33,14 @@ from skinsource.edits.setup import (
     look_by_method,
     remove_delay,
 )
-from skinsource.edits.values import change_field, change_kind, change_waveform, drag_field
+from skinsource.edits.values import (
+    change_field,
+    change_kind,
+    change_waveform,
+    drag_field,
+    fields_of,
+    value_of,
+)
 
 __all__ = [
     "Edit",
@@ -46,6 +53,7 @@ __all__ = [
     "clear_inputs",
     "drag_field",
     "duplicate_inputs",
+    "fields_of",
     "kept_selection",
     "level_over",
     "look_along",
@@ -65,4 +73,5 @@ __all__ = [
     "toggle_mute",
     "toggle_selected",
     "toggle_solo",
+    "value_of",
 ]

@@ -52,30 +52,38 @@ def change_field(
 
 
 def drag_field(
-    design: Design, view: View, ids: Iterable[int], name: str, value: float, start: Design
+    design: Design,
+    view: View,
+    ids: Iterable[int],
+    name: str,
+    value: float,
+    *,
+    lead: int | None,
+    start: Design,
 ) -> Edit | Refusal:
-    """Set a number of the input that stands apart; the others move as far from where they were.
+    """Set a number of the input ``lead``; the others move as far from where they were.
 
     They move by the same step, or by the same factor where the number is logarithmic, and stay
     within what is allowed.  ``start`` is the design as the drag began: the way back leads to it.
     """
+    ids = tuple(ids)
     chosen = [one for one in present(design, ids) if name in fields_of(one)]
-    lead = next((one for one in chosen if one.id == view.selected_input), None)
-    if lead is None or not isinstance(fields_of(lead)[name], NumberSpec):
+    dragged = next((one for one in chosen if one.id == lead), None)
+    if dragged is None or not isinstance(fields_of(dragged)[name], NumberSpec):
         return change_field(design, view, ids, name, value)
+    began = {one.id: one for one in start.inputs if name in fields_of(one)}
+    origin = value_of(began.get(dragged.id, dragged), name)
     try:
-        fields_of(lead)[name].checked(value)
-        began = {one.id: one for one in start.inputs if name in fields_of(one)}
-        origin = value_of(began.get(lead.id, lead), name)
-        changes = {lead.id: _setting(lead, name, value)}
+        fields_of(dragged)[name].checked(value)
+        changes = {dragged.id: _setting(dragged, name, value)}
         for one in chosen:
             spec = fields_of(one)[name]
-            if one is not lead and isinstance(spec, NumberSpec):
+            if one is not dragged and isinstance(spec, NumberSpec):
                 moved = _moved(value_of(began.get(one.id, one), name), origin, value, spec)
                 changes[one.id] = _setting(one, name, moved)
     except InvalidInputError as error:
         return refused(error)
-    return changed(design, view, f"Change {_label(lead, name)} of", changes)
+    return changed(design, view, f"Change {_label(dragged, name)} of", changes)
 
 
 def _moved(own: float, origin: float, value: float, spec: NumberSpec) -> float:

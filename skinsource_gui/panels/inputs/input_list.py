@@ -1,31 +1,32 @@
 """A list of inputs that scrolls."""
 
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QKeySequence
-from PySide6.QtWidgets import QApplication, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtWidgets import QApplication, QFrame, QScrollArea, QVBoxLayout, QWidget
 
 from skinsource_gui.panels.inputs.input_row import InputRow, RowState
+from skinsource_gui.panels.inputs.list_keys import ListKeys
+from skinsource_gui.panels.inputs.list_mouse import ListMouse
 from skinsource_gui.theme import LIGHT, Theme
 
-_MOVES = frozenset({Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_Home, Qt.Key.Key_End})
+_GAP_PX = 3
 
 
 class InputRows(QWidget):
-    """The rows, and the keys that act on the selected one.
+    """The rows, by the id of their input.
 
     Rows stay with their input when others come and go, so that an open editor survives.
     """
 
-    selected = Signal(int)
+    #: Id of an input, for each of the rows' own controls.
+    entered = Signal(int)
     amplitude_edited = Signal(int, float, object)
     mute_toggled = Signal(int)
     solo_toggled = Signal(int)
     removed = Signal(int)
-    duplicated = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -33,7 +34,14 @@ class InputRows(QWidget):
         self.setAccessibleName("Inputs")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self._theme = LIGHT
-        self._rows: dict[tuple[int, int], InputRow] = {}
+        self._rows: dict[int, InputRow] = {}
+        self.keys, self.mouse = ListKeys(self), ListMouse(self)
+        self.keys.typing_wanted.connect(self._type_amplitude)
+        self.mouse.held_over.connect(self._show_gap)
+        self._gap = QFrame(self)
+        self._gap.setObjectName("input_gap")
+        self._gap.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self._gap.hide()
         self._layout = QVBoxLayout(self)
         self._layout.setContentsMargins(0, 0, 0, 0)
         self._layout.setSpacing(0)
@@ -45,15 +53,16 @@ class InputRows(QWidget):
         return tuple(self._rows.values())
 
     @property
-    def selected_row(self) -> InputRow | None:
-        """The selected row."""
-        return next((row for row in self.rows if row.state.selected), None)
+    def last_row(self) -> InputRow | None:
+        """The row that was selected last."""
+        return next((row for row in self.rows if row.state.last), None)
 
     def show_rows(self, states: Sequence[RowState]) -> None:
         """Show one row for each state."""
-        keys = _keys(states)
-        if keys != list(self._rows):
-            self._arrange(keys)
+        ids = [state.shown.id for state in states]
+        if ids != list(self._rows):
+            self.mouse.cancel()
+            self._arrange(ids)
         focused = self.hasFocus()
         for row, state in zip(self.rows, states, strict=True):
             row.show_state(replace(state, list_focused=True) if focused else state)
@@ -61,40 +70,39 @@ class InputRows(QWidget):
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
         self._theme = theme
+        self._gap.setStyleSheet(f"background: {theme.accent};")
         for row in self.rows:
             row.show_theme(theme)
 
     def event(self, event: QEvent) -> bool:
         # Without this, a shortcut of the window that does the same would take the key, or both.
-        if event.type() == QEvent.Type.ShortcutOverride and self._knows(event):
+        if event.type() == QEvent.Type.ShortcutOverride and self.keys.claims(event):
             event.accept()
             return True
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        row = self.selected_row
-        if not self._knows(event) or not self._rows:
+        if event.key() == Qt.Key.Key_Escape and self.mouse.cancel():
+            return
+        last = self.last_row
+        here = None if last is None else self.rows.index(last)
+        if not self.keys.press(event, here, len(self._rows)):
             event.ignore()
-        elif event.key() in _MOVES:
-            self.setFocus(Qt.FocusReason.OtherFocusReason)
-            self.selected.emit(self._target(event.key(), row))
-        elif row is None:
-            event.ignore()
-        elif event.key() in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
-            self.removed.emit(row.state.index)
-        elif event.key() == Qt.Key.Key_M:
-            self.mute_toggled.emit(row.state.index)
-        elif event.key() == Qt.Key.Key_S:
-            self.solo_toggled.emit(row.state.index)
-        elif event.key() == Qt.Key.Key_D:
-            self.duplicated.emit(row.state.index)
-        else:
-            row.amplitude.setFocus(Qt.FocusReason.OtherFocusReason)
-            row.amplitude.begin_editing()
 
-    def mousePressEvent(self, event) -> None:
+    def mousePressEvent(self, event: QMouseEvent) -> None:
         # Also reached by presses on a row, which leaves them to us.
         self.setFocus(Qt.FocusReason.MouseFocusReason)
+        row = self._row_at(event.position().y())
+        if row is not None and event.button() == Qt.MouseButton.LeftButton:
+            self.mouse.press(event, row.id, row.state.selected)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        y = event.position().y()
+        self.mouse.move(event, sum(row.geometry().center().y() < y for row in self.rows))
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.mouse.release()
 
     def focusInEvent(self, event) -> None:
         super().focusInEvent(event)
@@ -108,33 +116,34 @@ class InputRows(QWidget):
         for row in self.rows:
             row.show_state(replace(row.state, list_focused=self.hasFocus()))
 
-    def _knows(self, event: QKeyEvent) -> bool:
-        if event.matches(QKeySequence.StandardKey.Delete):
-            return True
-        control = Qt.KeyboardModifier.ControlModifier
-        if event.key() == Qt.Key.Key_D:
-            return event.modifiers() == control
-        letters = (Qt.Key.Key_M, Qt.Key.Key_S)
-        others = (Qt.Key.Key_Backspace, Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_F2)
-        known = event.key() in _MOVES or event.key() in letters or event.key() in others
-        return known and not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+    def _row_at(self, y: float) -> InputRow | None:
+        return next((row for row in self.rows if row.y() <= y < row.y() + row.height()), None)
 
-    def _target(self, key: int, row: InputRow | None) -> int:
-        last = len(self._rows) - 1
-        if row is None or key in (Qt.Key.Key_Home, Qt.Key.Key_End):
-            return last if key in (Qt.Key.Key_End, Qt.Key.Key_Up) else 0
-        return min(max(row.state.index + (1 if key == Qt.Key.Key_Down else -1), 0), last)
+    def _type_amplitude(self) -> None:
+        row = self.last_row
+        if row is not None:
+            row.amplitude.setFocus(Qt.FocusReason.OtherFocusReason)
+            row.amplitude.begin_editing()
 
-    def _arrange(self, keys: list[tuple[int, int]]) -> None:
+    def _show_gap(self, gap: int | None) -> None:
+        self._gap.setVisible(gap is not None)
+        if gap is not None:
+            above = self.rows[:gap]
+            bottom = above[-1].geometry().bottom() + 1 if above else 0
+            self._gap.setGeometry(0, max(bottom - _GAP_PX // 2, 0), self.width(), _GAP_PX)
+            self._gap.raise_()
+
+    def _arrange(self, ids: list[int]) -> None:
         old, self._rows = self._rows, {}
-        for position, key in enumerate(keys):
-            row = old.pop(key, None) or self._new_row()
-            self._rows[key] = row
+        for position, one in enumerate(ids):
+            row = old.pop(one, None) or self._new_row()
+            self._rows[one] = row
             self._layout.insertWidget(position, row)
         for row in old.values():
             focused = QApplication.focusWidget()
             had_focus = focused is not None and row.isAncestorOf(focused)
             self._layout.removeWidget(row)
+            row.amplitude.cancel_editing()
             row.hide()
             row.deleteLater()
             if had_focus:
@@ -148,7 +157,7 @@ class InputRows(QWidget):
     def _new_row(self) -> InputRow:
         row = InputRow(self)
         row.show_theme(self._theme)
-        row.pressed.connect(self.selected)
+        row.entered.connect(self.entered)
         row.amplitude_edited.connect(self.amplitude_edited)
         row.mute_toggled.connect(self.mute_toggled)
         row.solo_toggled.connect(self.solo_toggled)
@@ -157,7 +166,7 @@ class InputRows(QWidget):
 
 
 class InputList(QScrollArea):
-    """`InputRows` in a frame that scrolls and keeps the selected row in sight."""
+    """`InputRows` in a frame that scrolls and keeps the row in sight that was selected last."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -167,25 +176,38 @@ class InputList(QScrollArea):
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.rows = InputRows()
         self.setWidget(self.rows)
-        self._revealed: InputRow | None = None
+        self._shown: tuple[int, int] | None = None
+        self._kept_in_sight = False
+        bar = self.verticalScrollBar()
+        # Rows that came have no place before their layout is done, and the bar no room for them.
+        bar.rangeChanged.connect(self._scroll)
+        bar.actionTriggered.connect(self._let_go)
 
     def reveal_selected(self) -> None:
-        """Scroll to the selected row if it is another than before."""
-        row = self.rows.selected_row
-        if row is not None and row is not self._revealed:
-            # New rows have no place before their layout is done.
-            self.rows.layout().activate()
-            self.rows.adjustSize()
-            self.ensureWidgetVisible(row, 0, 0)
-        self._revealed = row
+        """Scroll to the row that was selected last if it is another, or stands elsewhere."""
+        row = self.rows.last_row
+        shown = None if row is None else (row.id, self.rows.rows.index(row))
+        if shown is not None and shown != self._shown:
+            self._kept_in_sight = True
+            self._scroll()
+        self._shown = shown
 
+    def resizeEvent(self, event) -> None:
+        super().resizeEvent(event)
+        self._scroll()
 
-def _keys(states: Sequence[RowState]) -> list[tuple[int, int]]:
-    # The colour is kept for the life of an input; files may hold the same colour twice.
-    keys: list[tuple[int, int]] = []
-    seen: Counter[int] = Counter()
-    for state in states:
-        colour = state.shown.colour
-        keys.append((colour, seen[colour]))
-        seen[colour] += 1
-    return keys
+    def wheelEvent(self, event) -> None:
+        self._let_go()
+        super().wheelEvent(event)
+
+    def _let_go(self) -> None:
+        # Who scrolls wants to see something else.
+        self._kept_in_sight = False
+
+    def _scroll(self) -> None:
+        row = self.rows.last_row
+        if not self._kept_in_sight or row is None:
+            return
+        bar, top = self.verticalScrollBar(), self.rows.rows.index(row) * row.height()
+        lowest = top + row.height() - self.viewport().height()
+        bar.setValue(min(max(bar.value(), lowest), top))

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QObject, QRect, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QMouseEvent, QPainter, QPen, QResizeEvent
+from PySide6.QtGui import QColor, QFont, QPainter, QPen, QResizeEvent
 from PySide6.QtWidgets import QWidget
 
 from skinsource.design import AMPLITUDE, Input
@@ -22,11 +22,12 @@ from skinsource_gui.widgets.inputs.letter_button import (
 from skinsource_gui.widgets.inputs.swatch import SWATCH_PX, paint_swatch
 from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
 
-ROW_PX = 48
+#: Height of a row; it is lower where everything stands in one line of columns.
+ROW_PX, LOW_ROW_PX = 48, 38
 #: From this width on, everything stands in one line of columns.
 WIDE_PX = 420
 
-_LINE_PX = 20
+_LINE_PX, _LOW_LINE_PX = 20, 16
 _FIRST_LINE_PX = 3
 _TEXT_LEFT_PX = UNIT_PX + SWATCH_PX + UNIT_PX
 # Room for the words of most inputs.
@@ -42,30 +43,30 @@ class RowState:
 
     Attributes
     ----------
-    index
-        Of the input in the design.
     shown
         The input.
     silent
         Whether it is not heard, for being muted or because another is solo.
-    selected, list_focused
-        Whether the row is the selected one; whether keys go to the list.
+    selected, last, list_focused
+        Whether the row is selected; whether it is the one that was selected last; whether keys go
+        to the list.
     unit
         Of the amplitude.
     """
 
-    index: int
     shown: Input
     silent: bool
     selected: bool
+    last: bool
     list_focused: bool
     unit: str
 
 
 class InputRow(QWidget):
-    """A row of the list of inputs.  Its signals begin with the index of its input."""
+    """A row of the list of inputs.  Its signals begin with the id of its input."""
 
-    pressed = Signal(int)
+    #: The keyboard went to its number.
+    entered = Signal(int)
     amplitude_edited = Signal(int, float, object)
     mute_toggled = Signal(int)
     solo_toggled = Signal(int)
@@ -100,6 +101,11 @@ class InputRow(QWidget):
         return (self.amplitude, self.mute, self.solo, self.remove)
 
     @property
+    def id(self) -> int:
+        """Id of its input."""
+        return self._state.shown.id
+
+    @property
     def state(self) -> RowState | None:
         """What is shown."""
         return self._state
@@ -114,8 +120,8 @@ class InputRow(QWidget):
         self.amplitude.set_value(shown.amplitude)
         self.mute.setChecked(shown.muted)
         self.solo.setChecked(shown.solo)
-        if old is None or old.selected != state.selected:
-            self._let_keyboard_in(state.selected)
+        if old is None or old.last != state.last:
+            self._let_keyboard_in(state.last)
         self._show_look()
         place = input_place(shown.location)
         self.setAccessibleName(
@@ -123,11 +129,11 @@ class InputRow(QWidget):
             f"{', silent' if state.silent else ''}"
         )
         self.setToolTip(f"{place.number} · {place.name}\n{self._figure()}")
-        if old is None or (old.selected, old.list_focused) != (state.selected, state.list_focused):
+        if old is None or _frame(old) != _frame(state):
             self.update()
         else:
             # Words alone: the controls beside them look after themselves.
-            self.update(0, 0, self._words_end(), ROW_PX)
+            self.update(0, 0, self._words_end(), self.height())
 
     def show_samples(self, samples: NDArray[np.float64]) -> None:
         """Show what the input plays, (n_times,)."""
@@ -144,31 +150,27 @@ class InputRow(QWidget):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.amplitude and event.type() == QEvent.Type.FocusIn:
-            self._press()
+            self.entered.emit(self.id)
         return super().eventFilter(watched, event)
-
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        if event.button() == Qt.MouseButton.LeftButton:
-            self._press()
-        # Left to the list, which takes the focus.
-        event.ignore()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         right = self.width() - UNIT_PX
         wide = self.width() >= WIDE_PX
+        row_px = LOW_ROW_PX if wide else ROW_PX
+        self.setFixedHeight(row_px)
         button_px = BUTTON_PX if wide else _LINE_PX
         for button in (self.remove, self.solo, self.mute):
             right -= button_px + 2
-            top = (ROW_PX - button_px) // 2 if wide else _FIRST_LINE_PX
+            top = (row_px - button_px) // 2 if wide else _FIRST_LINE_PX
             button.setGeometry(right, top, button_px, button_px)
         if wide:
             right -= UNIT_PX + _AMPLITUDE_PX
-            self.amplitude.setGeometry(right, (ROW_PX - 26) // 2, _AMPLITUDE_PX, 26)
+            self.amplitude.setGeometry(right, (row_px - 26) // 2, _AMPLITUDE_PX, 26)
             right -= UNIT_PX
             preview_px = max(_PREVIEW_PX, right - _TEXT_LEFT_PX - _TEXT_PX)
             right -= preview_px
-            self.preview.setGeometry(right, 6, preview_px, ROW_PX - 12)
+            self.preview.setGeometry(right, 5, preview_px, row_px - 10)
         else:
             self.amplitude.setGeometry(
                 self.width() - UNIT_PX - _AMPLITUDE_PX,
@@ -188,7 +190,7 @@ class InputRow(QWidget):
         left = UNIT_PX
         paint_swatch(
             painter,
-            QRectF(left, (ROW_PX - SWATCH_PX) / 2, SWATCH_PX, SWATCH_PX),
+            QRectF(left, (self.height() - SWATCH_PX) / 2, SWATCH_PX, SWATCH_PX),
             shown.location,
             self._theme.input_colour(shown.colour),
             QColor(self._theme.text),
@@ -196,7 +198,8 @@ class InputRow(QWidget):
         )
         left = _TEXT_LEFT_PX
         place = input_place(shown.location)
-        name = QRect(left, _FIRST_LINE_PX, self.preview.x() - UNIT_PX - left, _LINE_PX)
+        line_px = _LOW_LINE_PX if self.height() == LOW_ROW_PX else _LINE_PX
+        name = QRect(left, _FIRST_LINE_PX, self.preview.x() - UNIT_PX - left, line_px)
         painter.setPen(QColor(self._theme.dim if silent else self._theme.text))
         font = QFont(painter.font())
         font.setWeight(QFont.Weight.Medium)
@@ -207,17 +210,19 @@ class InputRow(QWidget):
         painter.setFont(self.font())
         painter.setPen(QColor(self._theme.dim))
         end = self._words_end() - UNIT_PX
-        figure = QRect(left, _FIRST_LINE_PX + _LINE_PX + 1, end - left, _LINE_PX)
+        figure = QRect(left, _FIRST_LINE_PX + line_px, end - left, line_px)
         self._write(painter, figure, self._figure())
 
     def _paint_back(self, painter: QPainter) -> None:
         painter.setPen(QPen(QColor(self._theme.border), 1))
-        painter.drawLine(UNIT_PX, ROW_PX - 1, self.width() - UNIT_PX, ROW_PX - 1)
+        bottom = self.height() - 1
+        painter.drawLine(UNIT_PX, bottom, self.width() - UNIT_PX, bottom)
         if not self._state.selected:
             return
         tint = QColor(self._theme.accent)
-        painter.fillRect(0, 0, _MARK_PX, ROW_PX, tint)
-        if self._state.list_focused:
+        if self._state.last:
+            painter.fillRect(0, 0, _MARK_PX, self.height(), tint)
+        if self._state.last and self._state.list_focused:
             painter.setPen(QPen(tint, 2))
             painter.drawRect(QRectF(self.rect()).adjusted(1, 1, -1, -1))
         tint.setAlpha(28)
@@ -254,17 +259,18 @@ class InputRow(QWidget):
         for control in (self.mute, self.solo, self.remove):
             control.setFocusPolicy(button)
 
-    def _press(self) -> None:
-        self.pressed.emit(self._state.index)
-
     def _edit_amplitude(self, value: float, gesture: int | None) -> None:
-        self.amplitude_edited.emit(self._state.index, value, gesture)
+        self.amplitude_edited.emit(self.id, value, gesture)
 
     def _toggle_mute(self) -> None:
-        self.mute_toggled.emit(self._state.index)
+        self.mute_toggled.emit(self.id)
 
     def _toggle_solo(self) -> None:
-        self.solo_toggled.emit(self._state.index)
+        self.solo_toggled.emit(self.id)
 
     def _remove(self) -> None:
-        self.removed.emit(self._state.index)
+        self.removed.emit(self.id)
+
+
+def _frame(state: RowState) -> tuple[bool, bool, bool]:
+    return state.selected, state.last, state.list_focused

@@ -1,7 +1,6 @@
 """The inputs of the design, one row each."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import Qt
@@ -14,6 +13,7 @@ from skinsource_gui.panel import Panel
 from skinsource_gui.panels.inputs.input_list import InputList
 from skinsource_gui.panels.inputs.input_row import RowState
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.inputs.gesture_start import GestureStart
 from skinsource_gui.widgets.lateness import Lateness
 
 
@@ -50,12 +50,10 @@ class InputsPanel(Panel):
         self.setFocusProxy(self._rows)
         self._lateness = Lateness(self)
         self._lateness.changed.connect(self._set_pale)
-        self._rows.selected.connect(self._select)
-        self._rows.amplitude_edited.connect(self._change_amplitude)
-        self._rows.mute_toggled.connect(self._toggle_mute)
-        self._rows.solo_toggled.connect(self._toggle_solo)
-        self._rows.removed.connect(self._remove)
-        self._rows.duplicated.connect(self._duplicate)
+        self._gesture = GestureStart()
+        # Where a selection of all rows on the way began.
+        self._anchor: int | None = None
+        self._connect()
 
     @property
     def needs(self) -> frozenset[str]:
@@ -69,14 +67,14 @@ class InputsPanel(Panel):
         self._rows.show_rows(
             [
                 RowState(
-                    index=index,
                     shown=one,
                     silent=id(one) not in audible,
-                    selected=one.id == view.selected_input,
+                    selected=one.id in view.selected_inputs,
+                    last=one.id == view.selected_input,
                     list_focused=False,
                     unit=unit,
                 )
-                for index, one in enumerate(design.inputs)
+                for one in design.inputs
             ]
         )
         self._stack.setCurrentWidget(self._list if design.inputs else self._empty)
@@ -105,30 +103,87 @@ class InputsPanel(Panel):
         self._empty.setStyleSheet(f"color: {theme.dim};")
         self._foot.setStyleSheet(f"color: {theme.error};")
 
-    def _select(self, index: int) -> None:
-        chosen = (self._id(index),)
-        if chosen != self._view.selected_inputs:
-            self.view_changed.emit(replace(self._view, selected_inputs=chosen))
+    def _connect(self) -> None:
+        rows, keys, mouse = self._rows, self._rows.keys, self._rows.mouse
+        rows.entered.connect(self._enter)
+        rows.amplitude_edited.connect(self._change_amplitude)
+        rows.mute_toggled.connect(self._toggle_mute)
+        rows.solo_toggled.connect(self._toggle_solo)
+        rows.removed.connect(self._remove)
+        mouse.selected.connect(self._select)
+        mouse.toggled.connect(self._toggle)
+        mouse.reached.connect(self._select_through)
+        mouse.dropped.connect(self._put)
+        keys.moved.connect(self._go)
+        keys.all_selected.connect(self._select_all)
+        keys.shifted.connect(self._shift)
+        keys.mute_toggled.connect(self._toggle_mute)
+        keys.solo_toggled.connect(self._toggle_solo)
+        keys.removed.connect(self._remove)
+        keys.duplicated.connect(self._duplicate)
 
-    def _change_amplitude(self, index: int, value: float, gesture: int | None) -> None:
-        ids = (self._id(index),)
-        changed = edits.change_field(self._design, self._view, ids, "amplitude", value)
+    def _enter(self, chosen: int) -> None:
+        # One of several may be typed or dragged for all.
+        if chosen not in self._view.selected_inputs:
+            self._select(chosen)
+
+    def _select(self, chosen: int) -> None:
+        self._anchor = chosen
+        self._tell(edits.select_inputs(self._design, self._view, (chosen,)))
+
+    def _toggle(self, chosen: int) -> None:
+        self._anchor = chosen
+        self._tell(edits.toggle_selected(self._design, self._view, chosen))
+
+    def _select_through(self, chosen: int) -> None:
+        known = self._anchor in self._view.selected_inputs
+        self._anchor = self._anchor if known else self._view.selected_input
+        self._tell(edits.select_through(self._design, self._view, self._anchor, chosen))
+
+    def _select_all(self) -> None:
+        self._tell(edits.select_all_inputs(self._design, self._view))
+
+    def _go(self, place: int, extending: bool) -> None:
+        self._rows.setFocus(Qt.FocusReason.OtherFocusReason)
+        chosen = self._design.ids[place]
+        (self._select_through if extending else self._select)(chosen)
+
+    def _shift(self, down: bool) -> None:
+        ids = self._view.selected_inputs
+        self._tell(edits.shift_inputs(self._design, self._view, ids, down))
+
+    def _put(self, gap: int) -> None:
+        ids = self._view.selected_inputs
+        self._tell(edits.put_inputs_before(self._design, self._view, ids, gap))
+
+    def _change_amplitude(self, one: int, value: float, gesture: int | None) -> None:
+        design, view, ids = self._design, self._view, self._together(one)
+        if gesture is None or len(ids) == 1:
+            changed = edits.change_field(design, view, ids, "amplitude", value)
+        else:
+            start = self._gesture.of(gesture, design)
+            changed = edits.drag_field(design, view, ids, "amplitude", value, lead=one, start=start)
         self.edited.emit(changed, gesture)
 
-    def _toggle_mute(self, index: int) -> None:
-        self._tell(edits.toggle_mute(self._design, self._view, (self._id(index),)))
+    def _toggle_mute(self, one: int | None = None) -> None:
+        self._tell(edits.toggle_mute(self._design, self._view, self._together(one)))
 
-    def _toggle_solo(self, index: int) -> None:
-        self._tell(edits.toggle_solo(self._design, self._view, (self._id(index),)))
+    def _toggle_solo(self, one: int | None = None) -> None:
+        self._tell(edits.toggle_solo(self._design, self._view, self._together(one)))
 
-    def _remove(self, index: int) -> None:
-        self._tell(edits.remove_inputs(self._design, self._view, (self._id(index),)))
+    def _remove(self, one: int | None = None) -> None:
+        # The cross of a row removes that row alone.
+        ids = self._view.selected_inputs if one is None else (one,)
+        self._tell(edits.remove_inputs(self._design, self._view, ids))
 
-    def _duplicate(self, index: int) -> None:
-        self._tell(edits.duplicate_inputs(self._design, self._view, (self._id(index),)))
+    def _duplicate(self) -> None:
+        ids = self._view.selected_inputs
+        self._tell(edits.duplicate_inputs(self._design, self._view, ids))
 
-    def _id(self, index: int) -> int:
-        return self._design.inputs[index].id
+    def _together(self, one: int | None) -> tuple[int, ...]:
+        """Whom a control of the row of ``one`` is about: all selected, if it is one of them."""
+        selected = self._view.selected_inputs
+        return selected if one is None or one in selected else (one,)
 
     def _tell(self, outcome: edits.Edit | edits.Refusal) -> None:
         self.edited.emit(outcome, None)

@@ -20,6 +20,7 @@ class InputHeading(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._place: InputPlace | None = None
+        self._before = ""
         self._swatch = Swatch()
         self._words = QLabel()
         self._words.setObjectName("inspector_heading")
@@ -41,15 +42,16 @@ class InputHeading(QWidget):
         self._mute.clicked.connect(self.mute_toggled)
         self._solo.clicked.connect(self.solo_toggled)
 
-    def show_input(self, shown: Input, *, silent: bool) -> None:
-        """Show an input; ``silent`` unless it is heard."""
+    def show_input(self, shown: Input, *, silent: bool, together: tuple[Input, ...]) -> None:
+        """Show an input, ``silent`` unless it is heard, of those that are edited ``together``."""
+        self._before = f"{len(together)} inputs, last: " if len(together) > 1 else ""
         place = input_place(shown.location)
         self._place = place
         self._swatch.show_input(shown.location, shown.colour, silent=silent)
         self._words.setToolTip(f"Input place {place.number}: {place.name} ({place.contact})")
         self._state.setText("silent" if silent else "")
-        self._mute.setChecked(shown.muted)
-        self._solo.setChecked(shown.solo)
+        self._mute.setChecked(all(one.muted for one in together))
+        self._solo.setChecked(all(one.solo for one in together))
         self._fit_words()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -61,9 +63,9 @@ class InputHeading(QWidget):
             return
         self.layout().activate()
         metrics, room = self._words.fontMetrics(), self._words.width()
-        name = self._place.name
+        name = f"{self._before}{self._place.name}"
         if metrics.horizontalAdvance(name) > room:
-            short = self._place.short_name
+            short = f"{self._before}{self._place.short_name}"
             name = metrics.elidedText(
                 short[0].upper() + short[1:], Qt.TextElideMode.ElideRight, room
             )

@@ -1,4 +1,4 @@
-"""Everything about the selected input."""
+"""Everything about the selected inputs."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 
 from skinsource import edits
 from skinsource.design import AMPLITUDE, ONSET, Design, Input, amplitude_unit, audible_inputs
+from skinsource.edits import Edit, Refusal
 from skinsource.edits.kinds import kind_name, kind_spec
 from skinsource.fields import ChoiceSpec, specs_of
 from skinsource.locations import INPUTS
@@ -26,6 +27,7 @@ from skinsource_gui.panels.inspector.field_grid import FieldGrid
 from skinsource_gui.panels.inspector.input_heading import InputHeading
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.fields.field_cell import FieldCell, LabelledCell, WordsCell
+from skinsource_gui.widgets.inputs.gesture_start import GestureStart
 from skinsource_gui.widgets.inputs.input_words import fixed_length_text
 from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
 from skinsource_gui.widgets.lateness import Lateness
@@ -38,7 +40,10 @@ _PLACE = ChoiceSpec(
 
 
 class InspectorPanel(Panel):
-    """Edits the selected input: place, waveform, the waveform's own fields, amplitude, onset."""
+    """Edits the selected inputs: place, waveform, the waveform's own fields, amplitude, onset.
+
+    Shown is the one that was selected last.  A typed value sets all; a drag moves all by as much.
+    """
 
     title = "Inspector"
     name = "inspector"
@@ -48,7 +53,9 @@ class InspectorPanel(Panel):
         self._design: Design | None = None
         self._view = View()
         self._theme = LIGHT
-        self._shown: int | None = None
+        self._shown: tuple[int, ...] = ()
+        self._results: Mapping[str, Any] | None = None
+        self._gesture = GestureStart()
         self._own_cells: tuple[LabelledCell, ...] = ()
         self._built_for: type[Waveform] | None = None
         self._kind = FieldCell("kind", kind_spec())
@@ -57,8 +64,8 @@ class InspectorPanel(Panel):
         self._onset = FieldCell("onset_s", ONSET)
         self._kind.edited.connect(self._change_kind)
         self._place.edited.connect(self._change_place)
-        self._amplitude.edited.connect(self._change_number)
-        self._onset.edited.connect(self._change_number)
+        self._amplitude.edited.connect(self._change_field)
+        self._onset.edited.connect(self._change_field)
         self._heading = InputHeading()
         self._heading.mute_toggled.connect(self._toggle_mute)
         self._heading.solo_toggled.connect(self._toggle_solo)
@@ -77,7 +84,7 @@ class InspectorPanel(Panel):
 
     @property
     def selected(self) -> Input | None:
-        """The selected input."""
+        """The input that was selected last."""
         if self._design is None or self._view.selected_input not in self._design.ids:
             return None
         return self._design.input(self._view.selected_input)
@@ -87,7 +94,7 @@ class InspectorPanel(Panel):
         one = self.selected
         if one is None:
             self._forget_typing()
-            self._shown = None
+            self._shown = ()
             self._empty.setText(
                 "Select an input, on the hand or in the list, to edit it"
                 if design.inputs
@@ -95,11 +102,11 @@ class InspectorPanel(Panel):
             )
             self._stack.setCurrentWidget(self._empty)
             return
-        if self._shown != one.id:
-            # What was being typed was meant for another input.
+        if self._shown != view.selected_inputs:
+            # What was being typed, or dragged, was meant for others.
             self._forget_typing()
-            self._preview.show_words("")
-            self._shown = one.id
+            self._shown = view.selected_inputs
+            self._show_waveform()
         self._show_input(
             one, silent=all(one is not heard for heard in audible_inputs(design.inputs))
         )
@@ -107,17 +114,24 @@ class InspectorPanel(Panel):
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self.show_stale(False)
-        waveforms = results["input_waveforms"]
+        self._results = {name: results[name] for name in self.needs}
+        self._show_waveform()
+
+    def _show_waveform(self) -> None:
+        waveforms = self._results["input_waveforms"] if self._results else ()
         # Results of an older design may have another number of inputs; the next ones come soon.
         if self.selected is not None and len(waveforms) == len(self._design.inputs):
             index = self._design.index_of(self.selected.id)
-            self._preview.show_samples(waveforms[index], results["sample_rate_hz"])
+            self._preview.show_samples(waveforms[index], self._results["sample_rate_hz"])
+        else:
+            self._preview.show_words("")
 
     def show_stale(self, stale: bool) -> None:
         self._lateness.set_stale(stale)
 
     def show_problem(self, reason: str) -> None:
         self.show_stale(False)
+        self._results = None
         self._preview.show_words(reason)
 
     def show_theme(self, theme: Theme) -> None:
@@ -164,7 +178,8 @@ class InspectorPanel(Panel):
         return (self._kind, *self._own_cells, self._amplitude, self._onset, self._place)
 
     def _show_input(self, one: Input, *, silent: bool) -> None:
-        self._heading.show_input(one, silent=silent)
+        chosen = self._chosen()
+        self._heading.show_input(one, silent=silent, together=chosen)
         if type(one.waveform) is not self._built_for:
             self._build_own_cells(one.waveform)
         self._kind.set_value(kind_name(one.waveform))
@@ -176,6 +191,8 @@ class InspectorPanel(Panel):
         for cell in self._own_cells:
             if isinstance(cell, FieldCell):
                 cell.set_value(getattr(one.waveform, cell.name))
+        for cell in self._field_cells():
+            cell.show_differs(len({_value(other, cell.name) for other in chosen} - {None}) > 1)
         self._show_look(one)
 
     def _show_look(self, one: Input) -> None:
@@ -185,7 +202,7 @@ class InspectorPanel(Panel):
         old, cells = self._own_cells, []
         for name, spec in specs_of(waveform).items():
             cell = FieldCell(name, spec)
-            cell.edited.connect(self._change_own_field)
+            cell.edited.connect(self._change_field)
             cells.append(cell)
         if fixed_length_text(waveform):
             cells.append(WordsCell("Duration", fixed_length_text(waveform)))
@@ -214,19 +231,24 @@ class InspectorPanel(Panel):
         moved = edits.move_inputs(self._design, self._view, self._ids(), int(number))
         self._tell(moved, gesture)
 
-    def _change_number(self, name: str, value: float | str, gesture: int | None) -> None:
-        changed = edits.change_field(self._design, self._view, self._ids(), name, value)
-        self._tell(changed, gesture)
-
-    def _change_own_field(self, name: str, value: float | str, gesture: int | None) -> None:
-        changed = edits.change_field(self._design, self._view, self._ids(), name, value)
-        if self.selected is not None and isinstance(changed, edits.Refusal):
+    def _change_field(self, name: str, value: object, gesture: int | None) -> None:
+        if self.selected is None:
+            return
+        changed = self._changed(name, value, gesture)
+        if isinstance(changed, Refusal):
             # Each number is allowed alone, but not together with the others.
             cell = next(cell for cell in self._field_cells() if cell.name == name)
-            cell.set_value(getattr(self.selected.waveform, name))
+            cell.set_value(_value(self.selected, name))
             cell.show_reason(changed.sentence)
             return
         self._tell(changed, gesture)
+
+    def _changed(self, name: str, value: object, gesture: int | None) -> Edit | Refusal:
+        design, view, ids = self._design, self._view, self._ids()
+        if gesture is None or len(ids) == 1:
+            return edits.change_field(design, view, ids, name, value)
+        start = self._gesture.of(gesture, design)
+        return edits.drag_field(design, view, ids, name, value, lead=ids[-1], start=start)
 
     def _toggle_mute(self) -> None:
         self._tell(edits.toggle_mute(self._design, self._view, self._ids()), None)
@@ -235,8 +257,23 @@ class InspectorPanel(Panel):
         self._tell(edits.toggle_solo(self._design, self._view, self._ids()), None)
 
     def _ids(self) -> tuple[int, ...]:
-        return () if self.selected is None else (self.selected.id,)
+        return self._view.selected_inputs
 
-    def _tell(self, outcome: edits.Edit | edits.Refusal, gesture: int | None) -> None:
-        if isinstance(outcome, edits.Refusal) or outcome.design != self._design:
+    def _chosen(self) -> tuple[Input, ...]:
+        return tuple(one for one in self._design.inputs if one.id in self._ids())
+
+    def _tell(self, outcome: Edit | Refusal, gesture: int | None) -> None:
+        # A field that is held while its input goes has nothing more to say.
+        if self.selected is not None and (
+            isinstance(outcome, Refusal) or outcome.design != self._design
+        ):
             self.edited.emit(outcome, gesture)
+
+
+def _value(one: Input, name: str) -> object:
+    """What the cell of this name shows of an input; None where it has no such field."""
+    if name == "kind":
+        return kind_name(one.waveform)
+    if name == "location":
+        return one.location
+    return edits.value_of(one, name) if name in edits.fields_of(one) else None

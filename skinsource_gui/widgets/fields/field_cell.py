@@ -6,9 +6,15 @@ from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
 from skinsource.fields import Spec
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.editors import new_editor
+from skinsource_gui.widgets.tooltips import tooltip
 
 #: Height of a label, and of one line of a field.
 LABEL_PX = 26
+
+_DIFFERS = tooltip(
+    "The selected inputs differ here; shown is the one that was selected last. Typing sets all, "
+    "dragging moves all by as much."
+)
 
 
 class LabelledCell(QWidget):
@@ -48,7 +54,7 @@ class FieldCell(LabelledCell):
 
     def __init__(self, name: str, spec: Spec, parent: QWidget | None = None) -> None:
         super().__init__(spec.label, parent)
-        self.name = name
+        self.name, self._words = name, spec.label
         self._theme = LIGHT
         self._warns = False
         self._problem = ""
@@ -80,6 +86,11 @@ class FieldCell(LabelledCell):
         """Show a value, and tell nobody."""
         self._editor.set_value(value)
         self._advise()
+
+    def show_differs(self, differs: bool) -> None:
+        """Say whether the value shown is only that of one of several inputs."""
+        self.label.setText(f"{self._words} ≠" if differs else self._words)
+        self.label.setToolTip(_DIFFERS if differs else "")
 
     def forget_typing(self) -> None:
         """Close an open editor without committing."""

@@ -127,7 +127,8 @@ class NumberField(QLineEdit):
         self._typing.begin(self._number, text)
 
     def cancel_editing(self) -> None:
-        """Forget what was typed."""
+        """Forget what was typed, and let go of a drag."""
+        self.stepping.release()
         if self.editing:
             self._typing.end()
             self._show(self.value_si)

@@ -45,6 +45,9 @@ class Studio:
         if isinstance(outcome, Refusal):
             self.refusals.append(outcome.sentence)
             return
+        if outcome.design is self.design:
+            self._look(outcome.view)
+            return
         self.edits.append((outcome.label, outcome.design, gesture))
         self.order.append("design")
         self.design, self.view = outcome.design, outcome.view

@@ -62,6 +62,9 @@ class Bench:
         if isinstance(outcome, Refusal):
             self.refusals.append(outcome.sentence)
             return
+        if outcome.design is self.design:
+            self._look(outcome.view)
+            return
         self.edits.append((outcome.label, outcome.design, gesture))
         self.told.append("edit")
         self.view = outcome.view

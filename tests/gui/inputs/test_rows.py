@@ -43,7 +43,7 @@ def test_the_arrow_keys_begin_at_the_ends_where_nothing_is_selected(qtbot):
 
 def test_a_selection_that_does_not_exist_is_none(qtbot):
     bench = Bench(qtbot, design_of(*PLACES), selected=7)
-    assert bench.rows.selected_row is None
+    assert bench.rows.last_row is None
     bench.key(Qt.Key.Key_Delete)
     assert bench.edits == []
 

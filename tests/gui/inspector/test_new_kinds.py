@@ -47,4 +47,4 @@ def test_numbers_that_do_not_go_together_are_refused_with_the_reason(qtbot):
     bench.type("low_hz", "95")
     assert bench.edits == []
     assert bench.number("low_hz").value_si == 50.0
-    assert bench.words("low_hz_note").text() == "a sweep goes from a lower to a higher frequency"
+    assert bench.words("low_hz_note").text() == "a sweep goes from a lower to a higher frequency."

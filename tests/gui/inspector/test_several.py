@@ -1,0 +1,86 @@
+"""Several inputs in the inspector: shown is the last, edited are all."""
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+
+from skinsource.waveforms import Noise, Tap, Tone
+from skinsource_gui.widgets.inputs.letter_button import LetterButton
+from tests.gui.inspector.bench import Bench, design_of
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+def label_of(bench, name):
+    return next(cell.label.text() for cell in bench.panel._field_cells() if cell.name == name)
+
+
+def two(qtbot):
+    bench = Bench(qtbot, design_of(Tone(frequency_hz=100.0), Noise(), Tone(frequency_hz=50.0)))
+    bench.show(selected_inputs=(3, 1))
+    return bench
+
+
+def test_the_heading_says_how_many_and_fields_say_where_they_differ(qtbot):
+    bench = two(qtbot)
+    assert bench.words("inspector_heading").text().startswith("2 inputs, last: ")
+    assert label_of(bench, "frequency_hz") == "Frequency ≠"
+    assert label_of(bench, "amplitude") == "Amplitude"
+    bench.show(selected_inputs=(1,))
+    assert label_of(bench, "frequency_hz") == "Frequency"
+
+
+def test_a_typed_value_sets_all_in_one_step(qtbot):
+    bench = two(qtbot)
+    bench.type("frequency_hz", "240")
+    assert [one.waveform.frequency_hz for one in bench.design.inputs[::2]] == [240.0, 240.0]
+    assert bench.labels == ["Change frequency of 2 inputs"]
+    assert label_of(bench, "frequency_hz") == "Frequency"
+
+
+def test_steps_move_all_by_the_same_factor(qtbot):
+    bench = two(qtbot)
+    field = bench.number("frequency_hz")
+    field.setFocus()
+    for _ in range(3):
+        QTest.keyClick(field, Qt.Key.Key_Up)
+    first, _, third = (one.waveform for one in bench.design.inputs)
+    assert first.frequency_hz > 100.0
+    assert third.frequency_hz * 2 == first.frequency_hz
+
+
+def test_what_a_waveform_does_not_have_is_left_alone(qtbot):
+    bench = two(qtbot)
+    bench.show(selected_inputs=(2, 1))
+    bench.type("frequency_hz", "240")
+    assert bench.design.inputs[1].waveform == Noise()
+    bench.choose("kind", "Tap")
+    assert [type(one.waveform) for one in bench.design.inputs] == [Tap, Tap, Tone]
+
+
+def test_buttons_mute_and_solo_all(qtbot):
+    bench = two(qtbot)
+    QTest.mouseClick(bench.panel.findChild(LetterButton, "mute_button"), LEFT)
+    assert [one.muted for one in bench.design.inputs] == [True, False, True]
+
+
+def test_a_drag_held_while_its_input_goes_edits_nothing_more_and_raises_nothing(qtbot):
+    bench = two(qtbot)
+    field = bench.number("amplitude")
+    start = field.rect().center()
+    QTest.mousePress(field, LEFT, pos=start)
+    QTest.mouseMove(field, start + QPoint(20, 0))
+    count = len(bench.edits)
+    assert count > 0
+    for selected in ((2,), ()):
+        bench.show(selected_inputs=selected)
+        QTest.mouseMove(field, start + QPoint(60, 0))
+    QTest.mouseRelease(field, LEFT, pos=start)
+    assert len(bench.edits) == count
+
+
+def test_a_list_left_open_while_its_input_goes_edits_nothing(qtbot):
+    bench = two(qtbot)
+    box = bench.choice("kind")
+    bench.show(selected_inputs=())
+    box.choose("Tap")
+    assert (bench.edits, bench.refusals) == ([], [])
