@@ -26,7 +26,7 @@ from skinsource.limb import Limb, LimbMap
 from skinsource.projection import project_axes
 from skinsource.response import predict
 from skinsource.signals import impulse, sinusoid, tap, white_noise, window
-from skinsource.spectra import magnitude_spectrum, rms
+from skinsource.spectra import magnitude_spectrum, peak_hold_spectrum, rms
 from skinsource.surface import SurfaceOperator, surface_operator
 from skinsource.version import __version__
 from skinsource.view import View
@@ -48,6 +48,7 @@ __all__ = [
     "load_limb",
     "magnitude_spectrum",
     "open_design",
+    "peak_hold_spectrum",
     "predict",
     "project_axes",
     "rms",

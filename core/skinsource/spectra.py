@@ -4,13 +4,19 @@ import math
 
 import numpy as np
 import scipy
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import ArrayLike
 
 from skinsource.arguments import LARGEST_SAMPLE, finite_array, one_of, positive_number
 from skinsource.arrays import Complexes, Floats
 from skinsource.errors import InvalidInputError
+from skinsource.job import Stop, never, stop_if
 from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.span import SPANS, Span, loudest_energy, window_samples
+
+#: Length of the window of `peak_hold_spectrum`.
+HOLD_WINDOW_S = 0.25
+_FRAMES_AT_ONCE = 64
 
 
 def rms(x: ArrayLike, span: Span = "record", sample_rate_hz: float = SAMPLE_RATE_HZ) -> Floats:
@@ -70,6 +76,59 @@ def magnitude_spectrum(x: ArrayLike, sample_rate_hz: float) -> tuple[Floats, Flo
     data, scale = _scaled(_samples(x, LARGEST_SAMPLE))
     frequency_hz, magnitude = one_sided_magnitude(scipy.fft.rfft(data), data.shape[-1], rate)
     return frequency_hz, magnitude * scale[..., None]
+
+
+def peak_hold_spectrum(
+    x: ArrayLike, sample_rate_hz: float, stop: Stop = never
+) -> tuple[Floats, Floats]:
+    """Largest amplitude that each frequency reaches in any 250 ms.
+
+    A Hann window of 250 ms slides over the signal in eighths of its length, with silence beyond
+    both ends; what it shows is transformed, and each frequency keeps its largest value.  Silence
+    around a signal, its onset and (from 250 ms on) its length change nothing: a sine of amplitude
+    1 that lasts as long as the window or longer reads 1, shorter ones less.
+
+    Parameters
+    ----------
+    x : (..., n_times)
+        Signals.
+    sample_rate_hz
+        Sample rate.
+    stop
+        Asked now and then.
+
+    Returns
+    -------
+    frequency_hz : (n_bins,)
+        From 0 to half the sample rate, in steps of about a quarter of what 250 ms resolve: 1 Hz.
+    amplitude : (..., n_bins)
+        One-sided, divided by the sum of the window: never above the largest sample's double, and
+        for a sine within 1 % of its amplitude wherever it lies between the frequencies.
+
+    Raises
+    ------
+    InvalidInputError
+        There are no samples, a sample is no finite real number, or the rate is not positive.
+    Stopped
+        ``stop`` said so.
+    """
+    rate = positive_number("sample_rate_hz", sample_rate_hz)
+    data, scale = _scaled(_samples(x, LARGEST_SAMPLE))
+    n_window = max(round(HOLD_WINDOW_S * rate), 4)
+    window = scipy.signal.windows.hann(n_window, sym=False)
+    window *= 2.0 / window.sum()
+    n_fft = 2 * scipy.fft.next_fast_len(2 * n_window, real=True)
+    largest = np.zeros((math.prod(data.shape[:-1]), n_fft // 2 + 1))
+    for row, held in zip(data.reshape(len(largest), -1), largest, strict=True):
+        frames = sliding_window_view(np.pad(row, n_window - 1), n_window)[:: n_window // 8 or 1]
+        for first in range(0, len(frames), _FRAMES_AT_ONCE):
+            stop_if(stop)
+            shown = frames[first : first + _FRAMES_AT_ONCE] * window
+            np.maximum(held, np.abs(scipy.fft.rfft(shown, n_fft)).max(axis=0), out=held)
+    # Constant and fastest alternating parts have no mirror image to share with.
+    largest[:, [0, -1]] /= 2.0
+    frequency_hz = np.arange(n_fft // 2 + 1, dtype=np.float64) * (rate / n_fft)
+    return frequency_hz, largest.reshape(*data.shape[:-1], -1) * scale[..., None]
 
 
 def one_sided_magnitude(

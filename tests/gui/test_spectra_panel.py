@@ -5,13 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QFont, QFontMetricsF
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
 from skinsource.design import start_design
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.quantities import RULES, sources
-from skinsource.spectra import magnitude_spectrum
+from skinsource.spectra import magnitude_spectrum, peak_hold_spectrum
 from skinsource.view import View
 from skinsource_gui.panels.spectra.panel import SpectraPanel
 from skinsource_gui.panels.spectra.settings import SpectraSettings
@@ -31,12 +32,19 @@ def seen(view, **changes):
     return with_settings(view, "spectra", replace(settings(view), **changes))
 
 
-def results_for(view, *, n_times=650, amplitude=0.5, limb="synthetic-1"):
+SPECTRA = {
+    "record": ("selected_spectra", magnitude_spectrum),
+    "loudest": ("selected_peak_spectra", peak_hold_spectrum),
+}
+
+
+def results_for(view, *, n_times=650, amplitude=0.5, limb="synthetic-1", silence=0):
     time_s = np.arange(n_times) / 1300
     rows = [amplitude / 10**k * np.sin(2 * np.pi * 100 * time_s) for k in range(len(view.outputs))]
-    traces = np.array(rows).reshape(len(view.outputs), n_times)
+    traces = np.pad(np.array(rows).reshape(len(view.outputs), n_times), ((0, 0), (0, silence)))
     return {
-        "selected_spectra": magnitude_spectrum(traces, 1300.0),
+        SPECTRA[view.span][0]: SPECTRA[view.span][1](traces, 1300.0),
+        "span": view.span,
         "outputs": view.outputs,
         "axes": view.axes,
         "method": view.method,
@@ -95,6 +103,50 @@ def test_a_sine_reads_its_amplitude_at_its_frequency(show):
     assert legend.text.where == "100.0 Hz"
     assert legend.text.readings == ("0.5000", "0.0500")
     assert legend.text.unit == "m/s²"
+
+
+@pytest.mark.parametrize(
+    ("span", "words"),
+    [
+        ("record", "amplitude over the whole record"),
+        ("loudest", "amplitude in the loudest 250 ms of each frequency"),
+    ],
+)
+def test_spectra_say_what_their_height_means(show, span, words):
+    view = replace(LINEAR, span=span)
+    panel = show(view)
+    assert panel.needs >= {SPECTRA[span][0], "span"}
+    assert said_above(panel).scaling[0] == words
+    metrics = QFontMetricsF(plot_of(panel).words_font)
+    assert said_above(panel).said(metrics, 10_000.0) == (f"m/s² · {words}", "")
+    assert said_above(panel).said(metrics, 10.0) == ("m/s²", "")
+
+
+def test_the_words_belong_to_the_curves_that_are_drawn(show):
+    panel = show(LINEAR)
+    panel.show_state(start_design("synthetic-1"), replace(LINEAR, span="loudest"))
+    assert "whole record" in said_above(panel).scaling[0]
+    panel.show_results(results_for(replace(LINEAR, span="loudest")))
+    assert "loudest" in said_above(panel).scaling[0]
+
+
+def test_a_warning_goes_before_the_longer_words_of_the_scaling(show):
+    header = said_above(show(replace(LINEAR, method="mag", axes="xyz")))
+    metrics = QFontMetricsF(QFont())
+    for room in range(150, 700, 10):
+        unit, note = header.said(metrics, float(room))
+        assert note or unit == "m/s²"
+
+
+def test_a_tone_in_silence_reads_its_amplitude_in_the_loudest_250_ms(show):
+    view = replace(LINEAR, span="loudest")
+    panel = show(view)
+    legend = panel.findChild(SignalView).legend
+    for silence in (0, 2000):
+        panel.show_results(results_for(view, silence=silence))
+        plot_of(panel).set_cursor(plot_of(panel).curves.nearest(100.0))
+        readings = [float(reading) for reading in legend.text.readings]
+        assert readings == pytest.approx([0.5, 0.05], rel=0.01)
 
 
 def test_the_level_switch_shows_db_of_the_same_results_at_once(show):

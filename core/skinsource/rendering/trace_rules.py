@@ -10,7 +10,7 @@ from skinsource.rendering.projecting import Projection
 from skinsource.rendering.responses import Responses
 from skinsource.rendering.transforms import forward
 from skinsource.rendering.vibration import Vibration, one_by_one
-from skinsource.spectra import one_sided_magnitude
+from skinsource.spectra import one_sided_magnitude, peak_hold_spectrum
 
 
 def axis_traces(vibration: Vibration, outputs: tuple[int, ...], axes: Axes, stop: Stop) -> Floats:
@@ -70,6 +70,13 @@ def selected_spectra(
     return one_sided_magnitude(transforms, vibration.n_times, sample_rate_hz)
 
 
+def selected_peak_spectra(
+    selected_traces: Floats, sample_rate_hz: float, stop: Stop
+) -> tuple[Floats, Floats]:
+    """Like `selected_spectra`, of the loudest 250 ms for each frequency: `peak_hold_spectrum`."""
+    return peak_hold_spectrum(selected_traces, sample_rate_hz, stop)
+
+
 def trace_error(
     responses: Responses,
     placed: tuple[Placed, ...],
@@ -109,5 +116,6 @@ RULES = (
     selected_traces,
     axis_spectra,
     selected_spectra,
+    selected_peak_spectra,
     trace_error,
 )

@@ -10,6 +10,7 @@ from skinsource.decibels import decibels
 from skinsource.design import Design
 from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.panel_settings import settings_of, with_settings
+from skinsource.spectra import HOLD_WINDOW_S
 from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.spectra.settings import SpectraSettings
@@ -36,6 +37,16 @@ _LINEAR_AXIS = XAxis(
     band=MEASURED_BAND_HZ,
 )
 _LOG_AXIS = replace(_LINEAR_AXIS, extent=(_LOWEST_HZ, _NYQUIST_HZ), log=True)
+# What the height of a curve means, longest first.
+_SCALINGS = {
+    "record": ("amplitude over the whole record", "over the whole record", "whole record"),
+    "loudest": (
+        f"amplitude in the loudest {HOLD_WINDOW_S * 1e3:.0f} ms of each frequency",
+        f"loudest {HOLD_WINDOW_S * 1e3:.0f} ms",
+        "loudest",
+    ),
+}
+_QUANTITIES = {"record": "selected_spectra", "loudest": "selected_peak_spectra"}
 _RECTIFIED = (
     "spectrum of a magnitude: rectified, shows doubled frequencies",
     "of a magnitude: rectified, doubled frequencies",
@@ -81,7 +92,8 @@ class SpectraPanel(Panel):
     @property
     def needs(self) -> frozenset[str]:
         # What the words around the curves say comes with the curves.
-        return frozenset({"selected_spectra", "outputs", "axes", "method", "limb"})
+        spectra = _QUANTITIES[self._view.span]
+        return frozenset({spectra, "span", "outputs", "axes", "method", "limb"})
 
     def show_state(self, design: Design, view: View) -> None:
         settings = settings_of(view, self.name, SpectraSettings)
@@ -102,7 +114,7 @@ class SpectraPanel(Panel):
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         if results["outputs"]:
-            self._results = {name: results[name] for name in self.needs}
+            self._results = dict(results)
             self._draw(results)
         else:
             self._say(_NO_OUTPUTS)
@@ -121,7 +133,8 @@ class SpectraPanel(Panel):
         self._plot.show_message(message)
 
     def _draw(self, results: Mapping[str, Any]) -> None:
-        frequency_hz, magnitude = results["selected_spectra"]
+        span = results["span"]
+        frequency_hz, magnitude = results[_QUANTITIES[span]]
         level = self._settings.log_magnitude
         rectified = results["method"] == "mag" and len(results["axes"]) > 1
         self._plot.show_curves(
@@ -130,6 +143,8 @@ class SpectraPanel(Panel):
                 y=decibels(magnitude) if level else magnitude,
                 names=output_names(results["outputs"]),
                 kind="level" if level else "amplitude",
+                scaling=_SCALINGS[span],
+                about=(f"spectrum: {_SCALINGS[span][0]}", f"limb: {results['limb']}"),
             ),
             synthetic=results["limb"].startswith("synthetic"),
             notes=_RECTIFIED if rectified else (),

@@ -101,6 +101,7 @@ class TracesPanel(Panel):
             x=results["response_time_s"],
             y=results["selected_traces"],
             names=output_names(results["outputs"]),
+            about=(f"limb: {results['limb']}",),
         )
         self._plot.show_curves(
             curves,

@@ -34,6 +34,8 @@ class Curves:
         Their names; a curve's rank is its colour.
     kind
         What ``y`` is.
+    scaling
+        What their height means, beside its unit, longest first.
     about
         Lines that tell a table of them what they are.
     """
@@ -42,6 +44,7 @@ class Curves:
     y: Floats
     names: tuple[CurveName, ...]
     kind: Kind = "amplitude"
+    scaling: tuple[str, ...] = ()
     about: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:

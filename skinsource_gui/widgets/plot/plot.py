@@ -238,11 +238,9 @@ class Plot(pyqtgraph.GraphicsView):
 
     def _hint_at(self, y_px: float) -> str:
         # What the words above and below the plot say when there is room for them.
-        places = self.places
-        if self.curves is None or places.top <= y_px <= places.bottom:
+        if self.curves is None or self.places.top <= y_px <= self.places.bottom:
             return ""
-        texts = places.header.notes if y_px < places.top else self.window.axis.titles
-        return texts[0] if texts else ""
+        return self.places.header.whole if y_px < self.places.top else self.window.axis.titles[0]
 
     def _data_range(self) -> Range:
         if self.curves is None:
@@ -276,6 +274,7 @@ class Plot(pyqtgraph.GraphicsView):
             unit=self.unit,
             level=curves.kind == "level",
             n_curves=len(curves.names),
+            scaling=curves.scaling,
             words=self.words,
         )
         if (content, self.window) != self._content:

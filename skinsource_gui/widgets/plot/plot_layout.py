@@ -52,8 +52,8 @@ class Content:
         Whether each curve has a row of its own.
     unit, level
         How values are written; whether they are levels.
-    n_curves
-        How many curves there are, drawn or not.
+    n_curves, scaling
+        How many curves there are, drawn or not; what their height means, longest first.
     words
         Words around the curves.
     """
@@ -66,6 +66,7 @@ class Content:
     unit: ValueUnit
     level: bool
     n_curves: int
+    scaling: tuple[str, ...]
     words: Words
 
 
@@ -75,18 +76,36 @@ class Header:
 
     Attributes
     ----------
-    unit
-        Above the y axis.
+    unit, scaling
+        Above the y axis: the unit, and what heights mean; of these words, longest first, those
+        that leave room for a note.
     notes
-        Beside it, longest first; the first that fits is written.
+        Beside them, longest first; the first that fits is written.
     mark, badge
         In the upper right corner: passing and lasting.
     """
 
     unit: str = ""
+    scaling: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     mark: str = ""
     badge: str = ""
+
+    @property
+    def whole(self) -> str:
+        """All that could be said, for where there is no room to say it."""
+        return "\n".join(texts[0] for texts in (self.scaling, self.notes) if texts)
+
+    def said(self, metrics: QFontMetricsF, room_px: float) -> tuple[str, str]:
+        """Unit with as many words as fit into ``room_px``, and the note beside it."""
+        gap = 2 * UNIT_PX
+        # A note is a warning, and goes before the longer words.
+        scaling = self.scaling[-1:] if self.notes else self.scaling
+        least = min((metrics.horizontalAdvance(note) + gap for note in self.notes), default=0.0)
+        units = (*(f"{self.unit} · {words}" for words in scaling), self.unit)
+        unit = fitting(units, metrics, room_px - least) or self.unit
+        start = metrics.horizontalAdvance(unit) + gap
+        return unit, fitting(self.notes, metrics, room_px - start)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -150,6 +169,7 @@ def laid_out(content: Content, metrics: QFontMetricsF, old_left_px: float) -> Pl
         y_ticks=ticks,
         header=Header(
             unit=_unit_words(content, unread=unread),
+            scaling=content.scaling,
             notes=words.notes,
             mark=" · ".join(word for word in passing if word),
             badge=_SYNTHETIC if words.synthetic else "",

@@ -7,7 +7,7 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
-from skinsource_gui.widgets.plot.plot_layout import Header, fitting
+from skinsource_gui.widgets.plot.plot_layout import Header
 
 _CENTRED = Qt.AlignmentFlag.AlignCenter
 _AT_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
@@ -60,9 +60,9 @@ class HeaderLine(pyqtgraph.GraphicsWidget):
             painter.drawText(QRectF(0, 0, right, line.height()), _AT_RIGHT, header.mark)
             right -= metrics.horizontalAdvance(header.mark) + UNIT_PX
         painter.setPen(QColor(theme.text))
-        painter.drawText(QRectF(0, 0, right, line.height()), _AT_LEFT, header.unit)
-        start = metrics.horizontalAdvance(header.unit) + 2 * UNIT_PX
-        note = fitting(header.notes, metrics, right - start)
+        unit, note = header.said(metrics, right)
+        painter.drawText(QRectF(0, 0, right, line.height()), _AT_LEFT, unit)
+        start = metrics.horizontalAdvance(unit) + 2 * UNIT_PX
         painter.setPen(QColor(theme.warning))
         painter.drawText(QRectF(start, 0, max(right - start, 1), line.height()), _AT_LEFT, note)
 
