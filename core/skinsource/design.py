@@ -9,6 +9,7 @@ from skinsource.fields import ChoiceSpec, ListSpec, NumberSpec, RecipeSpec, Swit
 from skinsource.limb import N_INPUTS
 from skinsource.response_scaling import Scaling
 from skinsource.waveforms import Tone, Waveform, kinds
+from skinsource.wording import quoted
 
 #: More inputs than places are allowed; a hundred of them are a mistake.
 MAX_INPUTS = 100
@@ -126,7 +127,7 @@ class Design:
             if one.id == id:
                 return index
         known = ", ".join(map(str, self.ids)) or "none"
-        raise InvalidInputError(f"no input has the id {id!r}; there are {known}")
+        raise InvalidInputError(f"no input has the id {quoted(id)}; there are {known}")
 
     def with_input(self, index: int, **changes: Any) -> "Design":
         """Return a copy in which input ``index`` has ``changes`` applied."""

@@ -129,11 +129,12 @@ def test_what_killed_writers_left_long_ago_is_deleted_at_the_next_writing(tmp_pa
 
 @posix
 def test_a_link_that_looks_like_a_leftover_leads_nowhere(tmp_path):
-    aim = old(tmp_path / "precious", 9)
-    (tmp_path / ".x.0123abcd.part").symlink_to(aim)
-    os.utime(tmp_path / ".x.0123abcd.part", times=(0, 0), follow_symlinks=False)
+    aim, link = old(tmp_path / "precious", 9), tmp_path / ".x.0123abcd.part"
+    link.symlink_to(aim)
+    os.utime(link, times=(0, 0), follow_symlinks=False)
     write_bytes(tmp_path / "new", b"")
     assert aim.exists()
+    assert link.is_symlink()
 
 
 def test_leftovers_that_cannot_be_deleted_do_not_matter(tmp_path, monkeypatch):

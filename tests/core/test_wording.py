@@ -1,6 +1,10 @@
+import ast
+from pathlib import Path
+
 import numpy as np
 import pytest
 
+import skinsource
 from skinsource.wording import MOST_CHARACTERS, printable, quoted, sentence
 
 
@@ -47,3 +51,21 @@ def test_commands_for_a_terminal_are_written_out():
 
 def test_a_sentence_ends_in_one_full_stop():
     assert sentence("no such file") == sentence("no such file.") == "no such file."
+
+
+def test_every_message_of_the_library_quotes_in_this_way():
+    """Python's own way of quoting in a text (``!r``) has no limit."""
+    found = []
+    for path in sorted(Path(skinsource.__file__).parent.rglob("*.py")):
+        raised = [one for one in ast.walk(ast.parse(path.read_text("utf-8"))) if _is_raise(one)]
+        quotes = [one for node in raised for one in ast.walk(node) if _is_quote(one)]
+        found += [f"{path.name}:{one.lineno}" for one in quotes]
+    assert found == []
+
+
+def _is_raise(node: ast.AST) -> bool:
+    return isinstance(node, ast.Raise)
+
+
+def _is_quote(node: ast.AST) -> bool:
+    return isinstance(node, ast.FormattedValue) and node.conversion == ord("r")

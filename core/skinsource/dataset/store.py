@@ -175,7 +175,7 @@ def open_store(path: Path) -> Iterator[Contents]:
     except PermissionError as error:
         raise StorageError(f"{path}: may not be read. Change its permissions.") from error
     except (OSError, RuntimeError, LookupError, TypeError, ValueError, OverflowError) as error:
-        raise DatasetError(f"{path}: the store is damaged ({error}). {REINSTALL}") from error
+        raise DatasetError(f"{path}: the store is damaged. {REINSTALL}") from error
 
 
 def _read_checked(store: Contents, name: str, path: Path) -> NDArray[Any]:

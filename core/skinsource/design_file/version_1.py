@@ -128,7 +128,7 @@ def _content(file: "h5py.File", size: int) -> tuple[Design, View, bytes]:
     found = _attribute(file, "format")
     if found != _FORMAT:
         raise FileFormatError(
-            f"format is {quoted(found)}, expected {_FORMAT!r}. Choose a .skinsource file."
+            f"format is {quoted(found)}, expected {quoted(_FORMAT)}. Choose a .skinsource file."
         )
     version = _attribute(file, "version")
     if type(version) is not int or version != _VERSION:

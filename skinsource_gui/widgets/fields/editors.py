@@ -3,10 +3,11 @@
 from typing import Any, Protocol
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QCheckBox, QLineEdit, QWidget
+from PySide6.QtWidgets import QCheckBox, QLabel, QLineEdit, QWidget
 
 from skinsource.fields import ChoiceSpec, NumberSpec, Spec, SwitchSpec, TextSpec, made_for
 from skinsource.signals import BAND_HZ
+from skinsource.wording import printable
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
@@ -141,21 +142,31 @@ class TextEditor(_Plain):
             self.edited.emit(self._shown, None)
 
 
+class ShownOnly(_Plain):
+    """Says what a field holds that cannot be edited here."""
+
+    def __init__(self, spec: Spec, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.field = QLabel(parent)
+        self.field.setAccessibleName(spec.label)
+        self.field.setToolTip(tooltip(spec.label, spec.hint))
+
+    def set_value(self, value: object) -> None:
+        """Show a value in words."""
+        self.field.setText(printable(value) if value not in (None, ()) else "none")
+
+
 #: Which editor is made for which kind of specification.
 EDITORS: dict[type[Spec], type[Editor]] = {
     NumberSpec: NumberEditor,
     ChoiceSpec: ChoiceEditor,
     SwitchSpec: SwitchEditor,
     TextSpec: TextEditor,
+    # Curves, samples, …: what has no editor of its own is shown.
+    Spec: ShownOnly,
 }
 
 
 def new_editor(spec: Spec, parent: QWidget) -> Editor:
-    """Make the editor for a field.
-
-    Raises
-    ------
-    TypeError
-        There is none for this kind of specification.
-    """
+    """Make the editor for a field; what has none can be read only."""
     return made_for(spec, EDITORS)(spec, parent)

@@ -1,0 +1,150 @@
+"""CONTRIBUTING's recipes for a waveform and for a field, followed to the letter in a copy."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+PROJECT = Path(__file__).parents[2]
+
+PULSES = '''
+"""A train of clicks."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource import fields
+from skinsource.fields import CurveSpec, NumberSpec, OptionalSpec, SamplesSpec, TextSpec
+from skinsource.samples import Samples
+
+LEVEL = NumberSpec(label="Level", minimum=0.0, maximum=1.0)
+TIME = NumberSpec(label="Time", unit="s", minimum=0.0, maximum=1.0)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Clicks:
+    """A click at each multiple of the gap."""
+
+    title: ClassVar[str] = "Clicks"
+
+    gap_s: float = fields.number(0.05, NumberSpec(label="Gap", unit="s", minimum=0.01, maximum=1.0))
+    duration_s: float = fields.number(
+        0.2, NumberSpec(label="Duration", unit="s", minimum=0.01, maximum=9.0)
+    )
+    name: str = fields.text("", TextSpec(label="Name", longest=20))
+    envelope: tuple[tuple[float, float], ...] = fields.field(
+        CurveSpec(label="Envelope", x=TIME, y=LEVEL), ((0.0, 1.0), (1.0, 0.5))
+    )
+    drawn: Samples | None = fields.field(
+        OptionalSpec(label="Drawn", of=SamplesSpec(label="Drawn")), None
+    )
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    def samples(self, sample_rate_hz: float) -> NDArray[np.float64]:
+        """Drive, (n_times,), of peak 1."""
+        drive = np.zeros(round(self.duration_s * sample_rate_hz))
+        drive[:: round(self.gap_s * sample_rate_hz)] = 1.0
+        return drive
+'''
+
+TRY = """
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from PySide6.QtWidgets import QApplication
+
+from skinsource.design import Design, Input
+from skinsource.design_file import open_design, save_design
+from skinsource.edits import change_kind
+from skinsource.quantities import new_graph, sources
+from skinsource.samples import Samples
+from skinsource.view import View
+from skinsource.waveforms.clicks import Clicks
+from skinsource_gui.panels.inspector.panel import InspectorPanel
+from skinsource_gui.widgets.fields.field_cell import FieldCell
+
+path = Path(sys.argv[1])
+older = open_design(sys.argv[2])
+assert older.view.playhead_s == 0.25, "the file knew nothing of it"
+assert older.design.inputs[0].label == ""
+drawn = Samples(values=np.arange(4.0), sample_rate_hz=1300.0)
+clicks = Clicks(gap_s=0.04, name="touché", envelope=((0.0, 0.5), (0.5, 1.0)), drawn=drawn)
+design = Design(limb="synthetic-1", inputs=(Input(location=7, waveform=clicks, label="first"),))
+view = View(playhead_s=0.75)
+save_design(path, design, view)
+found = open_design(path)
+assert found.design == design and found.view == view
+levels = new_graph().evaluate({"output_levels_db"}, sources(design, view))["output_levels_db"]
+assert np.isfinite(levels).any()
+other = change_kind(design, view, design.ids, "Tone")
+back = change_kind(other.design, other.view, other.design.ids, "Clicks")
+assert type(back.design.inputs[0].waveform) is Clicks
+application = QApplication([])
+panel = InspectorPanel()
+panel.show_state(design, replace(view, selected_inputs=design.ids))
+cells = {cell.name: cell.field for cell in panel.findChildren(FieldCell)}
+assert cells["gap_s"].value_si == 0.04
+assert cells["name"].text() == "touché"
+assert cells["envelope"].text() == "((0.0, 0.5), (0.5, 1.0))"
+assert cells["drawn"].text().startswith("<4 samples at 1300 Hz")
+print("all of it works")
+"""
+
+
+@pytest.fixture
+def copy(tmp_path) -> Path:
+    """A copy of library and studio that may be changed."""
+    skipped = shutil.ignore_patterns("__pycache__")
+    shutil.copytree(PROJECT / "core", tmp_path / "core", ignore=skipped)
+    shutil.copytree(PROJECT / "skinsource_gui", tmp_path / "skinsource_gui", ignore=skipped)
+    for name in ("data", "resources"):
+        shutil.copytree(PROJECT / name, tmp_path / name, ignore=skipped)
+    return tmp_path
+
+
+def insert(path: Path, before: str, new: str) -> None:
+    """Write a line, as somebody would who follows the recipe."""
+    text = path.read_text(encoding="utf-8")
+    assert text.count(before) == 1, f"{before!r} in {path.name}"
+    path.write_text(text.replace(before, new + before), encoding="utf-8")
+
+
+def test_a_new_waveform_is_a_file_and_a_name_and_a_new_field_is_a_line(copy, tmp_path):
+    library = copy / "core" / "skinsource"
+    # A file in waveforms and a name in KINDS.
+    (library / "waveforms" / "clicks.py").write_text(PULSES.lstrip(), encoding="utf-8")
+    kinds = library / "waveforms" / "__init__.py"
+    line = "from skinsource.waveforms.impulse import Impulse\n"
+    insert(kinds, line, "from skinsource.waveforms.clicks import Clicks\n")
+    text = kinds.read_text(encoding="utf-8")
+    assert text.count("(Tone, Tap, Impulse, Noise)") == 1
+    text = text.replace("(Tone, Tap, Impulse, Noise)", "(Tone, Tap, Impulse, Noise, Clicks)")
+    kinds.write_text(text, encoding="utf-8")
+    # A line in Input and one in View.
+    label = 'label: str = fields.text("", TextSpec(label="Label", longest=20))\n'
+    insert(library / "design.py", "    muted: bool = fields", f"    {label}")
+    playhead = 'playhead_s: float = fields.number(0.25, NumberSpec(label="Playhead"))\n'
+    insert(library / "view.py", "    delay_removed: bool = fields", f"    {playhead}")
+    older = PROJECT / "tests" / "references" / "designs-v1" / "every-kind.skinsource"
+    result = subprocess.run(
+        [sys.executable, "-c", TRY, str(tmp_path / "new.skinsource"), str(older)],
+        env={**os.environ, "PYTHONPATH": os.pathsep.join([str(copy / "core"), str(copy)])},
+        # Python looks there first.
+        cwd=copy,
+        check=False,
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert result.returncode == 0, result.stderr[-3000:]
+    assert result.stdout == "all of it works\n"
