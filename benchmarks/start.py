@@ -49,8 +49,8 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as folder:
         usual = {"SKINSOURCE_CACHE": folder}
         run(IMPORTS, usual), run(STUDIO, usual)  # fill the system's cache, and the studio's own
-        kept = report("usual", [usual] * options.rounds, MOST_TIMES)
-        few = range(max(2, options.rounds // 4))
+        kept = report("usual", [usual] * (2 * options.rounds), MOST_TIMES)
+        few = range(2 * max(2, options.rounds // 4))
         bare = [usual | {"PYTHONPYCACHEPREFIX": f"{folder}/{k}"} for k in few]
         report("without bytecode", bare, {})
         report("no operator on disk", [{"SKINSOURCE_CACHE": f"{folder}/{k}"} for k in few], {})
@@ -60,8 +60,14 @@ def main() -> int:
 
 
 def report(title: str, environments: list[dict[str, str]], promises: dict[str, float]) -> bool:
-    """Print medians and least of fresh processes in turn; whether the promises are kept."""
-    rounds = [run(IMPORTS, each) | run(STUDIO, each) for each in environments]
+    """Print medians and least of fresh processes in turn; whether the promises are kept.
+
+    Imports and studio take the environments in turn.
+    """
+    rounds = [
+        run(IMPORTS, one) | run(STUDIO, other)
+        for one, other in zip(environments[::2], environments[1::2], strict=True)
+    ]
     print(f"{title}: medians (least) of {len(rounds)} fresh processes each, in turn, in ms")
     kept = True
     for name, words in WORDS.items():

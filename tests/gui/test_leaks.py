@@ -1,0 +1,112 @@
+"""What comes and goes leaves nothing behind: no actions, dialogs, timers, widgets, threads."""
+
+import gc
+import threading
+from collections import Counter
+
+import pytest
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QApplication, QDialog, QMenu, QWidget
+
+from skinsource.catalogue import available_limbs
+from skinsource_gui.shell.window import MainWindow
+
+OPENINGS = 20
+PAGES = ("find_action", "show_keys", "show_dataset", "show_about", "show_accuracy")
+
+
+@pytest.fixture
+def alive(window):
+    """Give a function that counts what the window, and all other windows, own."""
+
+    def count() -> Counter:
+        for _ in range(3):
+            QApplication.processEvents()
+            QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        gc.collect()
+        found = Counter()
+        for kind in (QAction, QDialog, QMenu, QTimer, QWidget, QObject):
+            found[kind.__name__] = len(window.findChildren(kind))
+        found["top-level widgets"] = len(QApplication.topLevelWidgets())
+        found["threads"] = threading.active_count()
+        return found
+
+    return count
+
+
+def open_and_close(window, qtbot, name) -> None:
+    window.actions_by_name[name].trigger()
+    dialog = next(one for one in window.findChildren(QDialog) if one.isVisible())
+    qtbot.waitExposed(dialog)
+    qtbot.keyClick(dialog, Qt.Key.Key_Escape)
+    qtbot.waitUntil(lambda: not any(one.isVisible() for one in window.findChildren(QDialog)))
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_a_page_that_was_opened_twenty_times_leaves_nothing(window, qtbot, alive, name):
+    open_and_close(window, qtbot, name)  # what is made once and kept
+    before = alive()
+    for _ in range(OPENINGS):
+        open_and_close(window, qtbot, name)
+    assert alive() - before == Counter()
+
+
+@pytest.mark.parametrize("where", ["Edit", "View", "File"])
+def test_a_menu_that_was_opened_twenty_times_leaves_nothing(window, qtbot, alive, where):
+    menus = window.menuBar().findChildren(QMenu)
+    menu = next(one for one in menus if one.title().replace("&", "") == where)
+
+    def open_and_close_menu() -> None:
+        menu.popup(window.mapToGlobal(window.rect().center()))
+        qtbot.waitUntil(menu.isVisible)
+        menu.close()
+
+    open_and_close_menu()
+    before = alive()
+    for _ in range(OPENINGS):
+        open_and_close_menu()
+    assert alive() - before == Counter()
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        ("duplicate_input", "remove_input"),
+        ("arrange_analysis", "arrange_presentation", "arrange_design"),
+        ("use_dark_theme", "use_light_theme"),
+        ("undo", "redo"),
+    ],
+)
+def test_edits_arrangements_and_themes_that_come_and_go_leave_nothing(window, settle, alive, names):
+    window.do("duplicate_input")
+
+    def there_and_back() -> None:
+        for name in names:
+            window.actions_by_name[name].trigger()
+            settle()
+
+    for _ in range(2):
+        there_and_back()
+    before = alive()
+    for _ in range(4):
+        there_and_back()
+    assert alive() - before == Counter()
+
+
+def test_a_window_that_is_closed_and_forgotten_leaves_nothing(window, qtbot, preferences, alive):
+    def come_and_go() -> None:
+        other = MainWindow(
+            window.document.design, preferences=preferences, available_limbs=available_limbs()
+        )
+        other.show()
+        qtbot.waitExposed(other)
+        qtbot.waitUntil(lambda: not other.engine.busy)
+        other.close()
+        other.deleteLater()
+
+    come_and_go()
+    before = alive()
+    for _ in range(3):
+        come_and_go()
+    assert alive() - before == Counter()
