@@ -1,12 +1,17 @@
+from collections import defaultdict
 from functools import partial
+from unittest.mock import Mock
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDialog
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import QDialog, QMenu, QWidget
 
+from skinsource.design import start_design
+from skinsource_gui.shell.action_set import ActionSet
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.palette import Palette, matching, score
+from skinsource_gui.state.document import Document
 
 
 @pytest.mark.parametrize(
@@ -55,8 +60,40 @@ def test_up_and_down_move_in_the_list(qtbot):
     assert palette.list.currentItem().text() == first
 
 
-def test_every_action_of_the_table_is_done_by_the_window(window):
-    assert set(window.actions_by_name) == {spec.name for spec in ACTIONS}
+def test_every_action_of_the_table_stands_in_its_menu_under_its_words(window):
+    menus = {menu.title().replace("&", ""): menu for menu in window.menuBar().findChildren(QMenu)}
+    for spec in ACTIONS:
+        action = window.actions_by_name[spec.name]
+        assert action in menus[spec.menu].actions(), spec.name
+        assert action.text() == spec.text or spec.name in ("undo", "redo")
+        assert spec.hint in action.toolTip()
+        assert [keys.toString() for keys in action.shortcuts()] == [
+            QKeySequence(keys).toString() for keys in spec.keys
+        ]
+
+
+@pytest.mark.parametrize("spec", ACTIONS, ids=[spec.name for spec in ACTIONS])
+def test_every_action_of_the_table_does_what_its_line_says(qtbot, spec):
+    parent = QWidget()
+    qtbot.addWidget(parent)
+    document = Document(start_design("synthetic-1"))
+    capabilities = defaultdict(Mock)
+    actions = ActionSet(ACTIONS, document, capabilities, parent)
+    asked = []
+    actions.edited.connect(asked.append)
+    actions[spec.name].setEnabled(True)
+    actions[spec.name].trigger()
+    called = [
+        (f"{owner}.{method}", arguments)
+        for owner, mock in capabilities.items()
+        for method, arguments, _ in mock.mock_calls
+    ]
+    if spec.edit is None:
+        assert called == [(spec.command, (spec.argument,) if spec.argument else ())]
+        assert asked == []
+    else:
+        assert called == []
+        assert asked == [spec.edit(document.design, document.view)]
 
 
 def test_no_shortcut_is_given_twice():

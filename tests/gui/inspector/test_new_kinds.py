@@ -1,11 +1,21 @@
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
+import numpy as np
 import pytest
 
 from skinsource import fields, waveforms
+from skinsource.catalogue import load_limb
+from skinsource.design import Input
+from skinsource.design_file import open_design, save_design
 from skinsource.errors import InvalidInputError
 from skinsource.fields import ChoiceSpec, NumberSpec
+from skinsource.projection import project_axes
+from skinsource.quantities import new_graph, sources
+from skinsource.response import predict
+from skinsource.spectra import rms
+from skinsource.view import View
+from skinsource.waveforms import Tone
 from tests.gui.inspector.bench import Bench, design_of
 
 
@@ -24,14 +34,48 @@ class Sweep:
         0.5, NumberSpec(label="Duration", unit="s", minimum=0.1, maximum=9)
     )
 
+    def samples(self, sample_rate_hz):
+        time_s = np.arange(round(self.duration_s * sample_rate_hz)) / sample_rate_hz
+        rise_hz_per_s = (self.high_hz - self.low_hz) / self.duration_s
+        return np.sin(2 * np.pi * (self.low_hz + rise_hz_per_s * time_s / 2) * time_s)
+
     def __post_init__(self):
         if self.low_hz >= self.high_hz:
             raise InvalidInputError("a sweep goes from a lower to a higher frequency")
 
 
 @pytest.fixture(autouse=True)
-def _designs_may_hold_it(monkeypatch):
+def _it_is_named_where_kinds_are_named(monkeypatch):
+    """As CONTRIBUTING says, and nothing else."""
     monkeypatch.setattr(waveforms, "KINDS", (*waveforms.KINDS, Sweep))
+
+
+def test_a_kind_that_is_not_named_there_is_refused_by_a_design(monkeypatch):
+    monkeypatch.setattr(waveforms, "KINDS", waveforms.KINDS[:-1])
+    with pytest.raises(InvalidInputError, match="Sweep"):
+        Input(location=7, waveform=Sweep())
+
+
+def test_a_new_kind_of_waveform_is_chosen_in_the_panel(qtbot):
+    bench = Bench(qtbot, design_of(Tone(duration_s=0.3)))
+    bench.choose("kind", "Sweep")
+    assert bench.one.waveform == Sweep(duration_s=0.3)
+
+
+def test_a_new_kind_of_waveform_is_saved_and_opened(tmp_path):
+    design = replace(design_of(Sweep(low_hz=30.0, law="b"), Tone()), limb="synthetic-1")
+    path = tmp_path / "sweep.skinsource"
+    save_design(path, design)
+    assert open_design(path).design == design
+
+
+def test_a_new_kind_of_waveform_is_computed_as_its_samples_say():
+    sweep = Sweep(duration_s=0.2)
+    design = replace(design_of(sweep), limb="synthetic-1", scaling="relative")
+    view = View(axes="xyz", method="mag", outputs=(29, 52))
+    found = new_graph().evaluate({"output_rms"}, sources(design, view))["output_rms"]
+    field = predict(load_limb("synthetic-1"), [sweep.samples(1300.0)], [7], scaling="relative")
+    np.testing.assert_allclose(found, rms(project_axes(field, "xyz", "mag")), rtol=1e-12)
 
 
 def test_a_new_kind_of_waveform_is_edited_without_a_change_of_the_panel(qtbot):
