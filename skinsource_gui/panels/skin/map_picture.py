@@ -5,6 +5,9 @@ from dataclasses import dataclass
 from PySide6.QtCore import QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
+from skinsource.design import Design
+from skinsource.view import View
+from skinsource.words import LIMBS, SCALINGS, level_words, signal_words, word_of
 from skinsource_gui.panels.skin.colour_maps import colour_table
 from skinsource_gui.panels.skin.colour_scale import paint_colour_scale
 from skinsource_gui.panels.skin.map_content import MapContent
@@ -30,6 +33,16 @@ class Heading:
 
     title: str
     details: str
+
+
+def heading_of(design: Design | None, view: View) -> Heading:
+    """What a picture of the map is called."""
+    parts = [signal_words(view.axes, view.method)]
+    if design is not None:
+        scaling = word_of(SCALINGS, design.scaling).title.lower()
+        parts = [word_of(LIMBS, design.limb).title, *parts, f"scaling: {scaling}"]
+    title = f"Skin acceleration, {level_words(view.span)}"
+    return Heading(title=title, details=" · ".join(parts))
 
 
 def paint_picture(

@@ -6,9 +6,9 @@ from functools import partial
 from typing import Any, ClassVar
 
 import numpy as np
-from PySide6.QtCore import QPoint, QSize, QSizeF, Qt
-from PySide6.QtGui import QGuiApplication, QImage, QPainter
-from PySide6.QtWidgets import QGridLayout, QMenu, QWidget
+from PySide6.QtCore import QPoint, QSize, QSizeF
+from PySide6.QtGui import QImage, QPainter
+from PySide6.QtWidgets import QGridLayout, QWidget
 
 from skinsource import edits
 from skinsource.decibels import FLOOR_DB
@@ -17,19 +17,18 @@ from skinsource.limb import Limb
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.surface import SurfaceOperator
 from skinsource.view import View
-from skinsource.words import LIMBS, SCALINGS, level_words, signal_words, word_of
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.skin.colour_bar import ColourBar
 from skinsource_gui.panels.skin.field_image import FieldImage
 from skinsource_gui.panels.skin.map_content import MapContent
-from skinsource_gui.panels.skin.map_picture import Heading, paint_picture
+from skinsource_gui.panels.skin.map_menu import open_map_menu
+from skinsource_gui.panels.skin.map_picture import heading_of, paint_picture
 from skinsource_gui.panels.skin.map_toolbar import MapToolbar
 from skinsource_gui.panels.skin.readout_lines import ReadoutLines
 from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.panels.skin.skin_map import HAND, SkinMap
+from skinsource_gui.panels.skin.skin_map import SkinMap
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.lateness import Lateness
-from skinsource_gui.widgets.pan_zoom import WHOLE
 
 #: Width and height of a picture for which none is asked, px.
 PICTURE_PX = (1200, 1800)
@@ -113,7 +112,7 @@ class SkinPanel(Panel):
             levels_db=levels,
             field_levels_db=results["surface_levels_db"] if interpolated else None,
             message=SILENT if float(np.max(levels)) <= FLOOR_DB else "",
-            note="" if surface is None else " ".join(surface.warnings),
+            note=_note(surface, results.get("limb_data")),
             outdated=False,
         )
         self.colour_bar.follow(levels)
@@ -138,8 +137,9 @@ class SkinPanel(Panel):
     ) -> None:
         """Draw the map for a page or a slide, with all that is needed to read it; size in px."""
         content = replace(self._content, outdated=False)
+        heading = heading_of(self._design, self._view)
         size = QSizeF(width, height)
-        paint_picture(painter, size, content, self.heading(), theme, self.font().family())
+        paint_picture(painter, size, content, heading, theme, self.font().family())
 
     def picture(self, width: int, height: int, theme: Theme = LIGHT) -> QImage:
         """What `draw_picture` draws, as pixels."""
@@ -148,16 +148,6 @@ class SkinPanel(Panel):
         self.draw_picture(painter, width, height, theme)
         painter.end()
         return image
-
-    def heading(self) -> Heading:
-        """What pictures of the map are called."""
-        design, view = self._design, self._view
-        parts = [signal_words(view.axes, view.method)]
-        if design is not None:
-            scaling = word_of(SCALINGS, design.scaling).title.lower()
-            parts = [word_of(LIMBS, design.limb).title, *parts, f"scaling: {scaling}"]
-        level = level_words(self._content.span)
-        return Heading(title=f"Skin acceleration, {level}", details=" · ".join(parts))
 
     def _connect(self) -> None:
         self.toolbar.style_chosen.connect(self._choose_style)
@@ -226,20 +216,16 @@ class SkinPanel(Panel):
         self.view_changed.emit(with_settings(self._view, self.name, settings))
 
     def _open_menu(self, at: QPoint) -> None:
-        menu = QMenu(self)
-        menu.setObjectName("skin_menu")
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        menu.addAction("Fit hand\tH", partial(self.map.pan_zoom.show, HAND))
-        menu.addAction("Fit hand and arm\t0", partial(self.map.pan_zoom.show, WHOLE))
-        menu.addSeparator()
-        menu.addAction("Copy picture", self._copy_picture)
-        menu.addAction("Save picture as…", partial(self.action_wanted.emit, "export_picture"))
-        menu.popup(at)
-
-    def _copy_picture(self) -> None:
-        QGuiApplication.clipboard().setImage(self.picture(*PICTURE_PX))
+        save = partial(self.action_wanted.emit, "export_picture")
+        open_map_menu(self.map, at, partial(self.picture, *PICTURE_PX), save)
 
 
 def _field_image(surface: SurfaceOperator, limb: Limb) -> FieldImage:
     px_per_mm = limb.map.hand_length_px / limb.hand_length_mm
     return FieldImage(surface.mask, surface.x_mm, surface.y_mm, px_per_mm)
+
+
+def _note(surface: SurfaceOperator | None, limb: Limb | None) -> str:
+    """What one should know about the map and about where its numbers come from."""
+    warnings = () if surface is None else surface.warnings
+    return " ".join([*warnings, *([limb.note] if limb is not None and limb.note else [])])

@@ -1,4 +1,5 @@
 import re
+from copy import copy
 from dataclasses import replace
 
 import numpy as np
@@ -12,7 +13,7 @@ from skinsource_gui.files.pictures import save_drawing
 from skinsource_gui.panels.skin.colour_maps import colour_indices, colour_table
 from skinsource_gui.panels.skin.field_image import FieldImage
 from skinsource_gui.panels.skin.map_content import MapContent
-from skinsource_gui.panels.skin.map_picture import Heading, paint_picture
+from skinsource_gui.panels.skin.map_picture import Heading, heading_of, paint_picture
 from skinsource_gui.panels.skin.panel import SILENT, SkinPanel
 from skinsource_gui.panels.skin.skin_map import SkinMap
 from skinsource_gui.theme import DARK, LIGHT
@@ -217,7 +218,7 @@ def test_no_heading_is_cut(qtbot, size, words):
 
 
 def test_pictures_say_what_is_shown_over_what_and_of_whom(window):
-    heading = window.panel.heading()
+    heading = heading_of(window.design, window.view)
     assert heading.title == "Skin acceleration, RMS over the whole record"
     assert heading.details == (
         "Synthetic 1 (175 mm) · x, y, z, principal axis · scaling: peak of each input"
@@ -255,3 +256,12 @@ def test_pictures_of_lines_look_like_those_of_pixels(window, tmp_path):
     # 600 x 900 px at 96 to the inch, in points.
     box = re.search(rb"/MediaBox \[([\d. ]+)\]", pdf)
     assert [float(side) for side in box[1].split()] == pytest.approx([0, 0, 450, 675], abs=1)
+
+
+def test_a_limb_about_which_there_is_something_to_know_says_so_on_the_map(window):
+    limb = copy(window.results["limb_data"])
+    limb.note = "made from files that are not the published"
+    window.deliver(limb_data=limb)
+    assert "not the published" in window.panel.map.content.note
+    window.deliver()
+    assert window.panel.map.content.note == " ".join(window.results["surface"].warnings)

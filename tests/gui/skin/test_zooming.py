@@ -117,7 +117,7 @@ def menu_of(window, qtbot):
     at = QPoint(30, 30)
     reason = QContextMenuEvent.Reason.Mouse
     QApplication.sendEvent(view, QContextMenuEvent(reason, at, view.mapToGlobal(at)))
-    menus = window.panel.findChildren(QMenu, "skin_menu")
+    menus = window.panel.map.findChildren(QMenu, "skin_menu")
     assert len(menus) == 1
     return menus[0], {action.text().split("\t")[0]: action for action in menus[0].actions()}
 
@@ -142,4 +142,4 @@ def test_the_right_button_offers_fits_and_pictures(window, qtbot):
     assert QApplication.clipboard().image() == window.panel.picture(1200, 1800)
     menu.close()
     QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    assert not window.panel.findChildren(QMenu, "skin_menu")
+    assert not window.panel.map.findChildren(QMenu, "skin_menu")

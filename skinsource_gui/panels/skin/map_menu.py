@@ -1,0 +1,40 @@
+"""What the right button offers on the map."""
+
+from collections.abc import Callable
+from functools import partial
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QGuiApplication, QImage
+from PySide6.QtWidgets import QMenu
+
+from skinsource_gui.panels.skin.skin_map import HAND, SkinMap
+from skinsource_gui.widgets.pan_zoom import WHOLE
+
+
+def open_map_menu(
+    shown: SkinMap, at: QPoint, picture: Callable[[], QImage], save: Callable[[], None]
+) -> None:
+    """Offer fits and pictures of a map at a point of the screen.
+
+    Parameters
+    ----------
+    shown
+        The map.
+    at
+        Where on the screen.
+    picture, save
+        Make a picture of it; ask where to, and save one.
+    """
+    menu = QMenu(shown)
+    menu.setObjectName("skin_menu")
+    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    menu.addAction("Fit hand\tH", partial(shown.pan_zoom.show, HAND))
+    menu.addAction("Fit hand and arm\t0", partial(shown.pan_zoom.show, WHOLE))
+    menu.addSeparator()
+    menu.addAction("Copy picture", partial(_copy, picture))
+    menu.addAction("Save picture as…", save)
+    menu.popup(at)
+
+
+def _copy(picture: Callable[[], QImage]) -> None:
+    QGuiApplication.clipboard().setImage(picture())
