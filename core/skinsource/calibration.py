@@ -2,9 +2,8 @@
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from skinsource.arrays import Floats
 
 #: Mean peak of the probe's acceleration during the measuring pulse, m/s² (SkinSource, 2024).
 PULSE_PEAK_M_PER_S2 = 22.9

@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from skinsource.arguments import LARGEST_SAMPLE, one_of, real_array
+from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
 
-Floats = NDArray[np.float64]
 Axes = Literal["x", "y", "z", "xy", "xz", "yz", "xyz"]
 Method = Literal["mag", "pca", "rms", "soc"]
 AXES: tuple[Axes, ...] = get_args(Axes)

@@ -8,7 +8,6 @@ from typing import Literal, get_args
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
 from skinsource.arguments import (
     finite_array,
@@ -17,11 +16,11 @@ from skinsource.arguments import (
     real_number,
     whole_number,
 )
+from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
 from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.wording import quoted
 
-Floats = NDArray[np.float64]
 WindowName = Literal["none", "tukey", "hanning"]
 WINDOWS: tuple[WindowName, ...] = get_args(WindowName)
 

@@ -140,3 +140,19 @@ def test_a_response_of_another_shape_than_the_limb_says_is_refused():
     limb.n_taps = 199
     with pytest.raises(InvalidInputError, match=r"shape \(10, 3, 200\), expected \(10, 3, 199\)"):
         limb.response_to(1)
+
+
+def test_outputs_and_places_that_the_limb_does_not_have_are_refused_by_name():
+    limb = made_up_limb()
+    with pytest.raises(InvalidInputError, match=r"made-up has the outputs 1 to 10; .* \[29, 52\]"):
+        shown(limb, SHORT, View(outputs=(29, 3, 52)), "record")
+    elsewhere = SHORT.with_input(0, location=8)
+    with pytest.raises(InvalidInputError, match=r"input location 8 does not exist: .* 1 to 7"):
+        shown(limb, elsewhere, View(outputs=OUTPUTS), "record")
+
+
+def test_tones_above_half_the_rate_of_the_limb_are_refused():
+    slow = made_up_limb()
+    slow.sample_rate_hz = 1000.0
+    with pytest.raises(InvalidInputError, match="half the sample rate of 1000 Hz"):
+        shown(slow, SHORT, View(outputs=OUTPUTS), "record")

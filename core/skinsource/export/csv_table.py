@@ -4,12 +4,8 @@ from collections.abc import Sequence
 from itertools import zip_longest
 from typing import BinaryIO
 
-import numpy as np
-from numpy.typing import NDArray
-
+from skinsource.arrays import Floats
 from skinsource.job import Stop, stop_if
-
-Floats = NDArray[np.float64]
 
 # So many are written in a few milliseconds.
 _CELLS_AT_ONCE = 8192

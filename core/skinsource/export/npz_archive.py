@@ -9,7 +9,7 @@ import numpy as np
 from numpy.lib import format as npy
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from skinsource.arrays import Floats
 
 # The date that stands for none: an archive tells of its content, not of when it was made.
 _NO_DATE = (1980, 1, 1, 0, 0, 0)

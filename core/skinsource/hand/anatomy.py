@@ -9,8 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
-from skinsource.hand.curves import Floats, profile
+from skinsource.hand.curves import profile
 from skinsource.wording import quoted
 
 THUMB, INDEX, MIDDLE, RING, LITTLE = range(5)

@@ -3,9 +3,9 @@
 from functools import cache
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Floats = NDArray[np.float64]
+from skinsource.arrays import Floats
 
 
 def smooth(points: ArrayLike, *, closed: bool, per_span: int = 12) -> Floats:

@@ -2,8 +2,9 @@
 
 import numpy as np
 
+from skinsource.arrays import Floats
 from skinsource.hand.anatomy import INDEX, LITTLE, THUMB, Digit, Skeleton
-from skinsource.hand.curves import Floats, smooth
+from skinsource.hand.curves import smooth
 
 # Nail of a finger and of the thumb: fractions of the digit from root to free edge, half-width
 # in half-widths of the digit, and shift across (the thumb is seen from its side).

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from skinsource.arrays import Floats
 from skinsource.hand.anatomy import (
     INDEX,
     LITTLE,
@@ -15,7 +16,7 @@ from skinsource.hand.anatomy import (
     Skeleton,
     skeleton_of,
 )
-from skinsource.hand.curves import Floats, bezier, smooth
+from skinsource.hand.curves import bezier, smooth
 from skinsource.hand.markings import creases_of, nails_of
 from skinsource.hand.places import input_points, output_points
 from skinsource.limb import LimbMap

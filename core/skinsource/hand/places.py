@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from skinsource.arrays import Floats
 from skinsource.hand.anatomy import INDEX, LITTLE, MIDDLE, RING, THUMB, Skeleton
-from skinsource.hand.curves import Floats
 from skinsource.limb import N_INPUTS, N_OUTPUTS, VOLAR_OUTPUTS
 
 # Along a digit as fractions of its length from the base knuckle, across in half-widths

@@ -10,9 +10,9 @@ import hashlib
 import numpy as np
 from numpy.typing import NDArray
 
+from skinsource.arrays import Floats
 from skinsource.limb import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS, Limb, LimbMap
 
-Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 #: A response is its whole number times 2 to this power; so is a drive.

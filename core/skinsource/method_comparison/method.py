@@ -12,7 +12,6 @@ from skinsource.method_comparison.accuracy import Block
 from skinsource.method_comparison.made_up import made_up_drive, made_up_response
 from skinsource.method_comparison.scenes import Scene
 
-Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Real = NDArray[np.floating]
 Precision = Literal["float64", "float32"]

@@ -7,13 +7,13 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from skinsource.arrays import Floats
 from skinsource.design import Design, Input
 from skinsource.limb import N_AXES, N_OUTPUTS, SAMPLE_RATE_HZ
 from skinsource.method_comparison.accuracy import Block
 from skinsource.method_comparison.made_up import made_up_drive, made_up_limb
 from skinsource.method_comparison.method import (
     N_CHANNELS,
-    Floats,
     Method,
     Prepared,
     Unfit,

@@ -10,11 +10,11 @@ from zipfile import BadZipFile
 import numpy as np
 from numpy.typing import NDArray
 
+from skinsource.arrays import Floats
 from skinsource.assets import data_folder
 from skinsource.errors import FileFormatError
 from skinsource.wording import printable, quoted
 
-Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 FILE_NAME = "bench-references.npz"

@@ -14,8 +14,8 @@ from time import perf_counter
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from skinsource.arrays import Floats
 from skinsource.limb import N_TAPS
 from skinsource.method_comparison.accuracy import errors_of, picked, rounding_ratio
 from skinsource.method_comparison.engines import engine_of
@@ -25,7 +25,6 @@ from skinsource.method_comparison.references import Reference, load_reference
 from skinsource.method_comparison.scenes import Scene, scene_of
 from skinsource.method_comparison.timing import repeated
 
-Floats = NDArray[np.float64]
 _STATUS = Path("/proc/self/status")
 
 

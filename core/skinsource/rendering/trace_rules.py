@@ -1,7 +1,9 @@
 """Rules from vibrations to traces and spectra of the outputs that are looked at."""
 
 from skinsource.arrays import Complexes, Floats
+from skinsource.errors import InvalidInputError
 from skinsource.job import Stop
+from skinsource.limb import Limb
 from skinsource.projection import Axes, Method, axis_numbers
 from skinsource.rendering.check import Heard, TraceError, exact_gains, trace_error_of
 from skinsource.rendering.moments import Moments, without_main_axis
@@ -11,28 +13,42 @@ from skinsource.rendering.responses import Responses
 from skinsource.rendering.transforms import forward
 from skinsource.rendering.vibration import Vibration, one_by_one
 from skinsource.spectra import one_sided_magnitude, peak_hold_spectrum
+from skinsource.wording import quoted
 
 
-def axis_traces(vibration: Vibration, outputs: tuple[int, ...], axes: Axes, stop: Stop) -> Floats:
+def shown_outputs(outputs: tuple[int, ...], limb_data: Limb) -> tuple[int, ...]:
+    """The selected outputs, refused where the limb does not have them."""
+    missing = [output for output in outputs if not 1 <= output <= limb_data.n_outputs]
+    if missing:
+        raise InvalidInputError(
+            f"{limb_data.name} has the outputs 1 to {limb_data.n_outputs}; selected are also "
+            f"{quoted(missing)}. Deselect them, or choose another limb."
+        )
+    return outputs
+
+
+def axis_traces(
+    vibration: Vibration, shown_outputs: tuple[int, ...], axes: Axes, stop: Stop
+) -> Floats:
     """Acceleration of the selected outputs, (n_selected, n_axes, n_times), in m/s²."""
-    return vibration.traces(outputs, axis_numbers(axes), stop)
+    return vibration.traces(shown_outputs, axis_numbers(axes), stop)
 
 
-def selected_projection(projection: Projection, outputs: tuple[int, ...]) -> Projection:
+def selected_projection(projection: Projection, shown_outputs: tuple[int, ...]) -> Projection:
     """How the axes of each selected output become one signal."""
-    return projection.at([output - 1 for output in outputs])
+    return projection.at([output - 1 for output in shown_outputs])
 
 
 def selected_without_main_axis(
     moments: Moments,
-    outputs: tuple[int, ...],
+    shown_outputs: tuple[int, ...],
     axes: Axes,
     method: Method,
     response_samples: int,
 ) -> tuple[int, ...]:
     """Selected outputs that are projected on a main axis they do not have."""
     without = without_main_axis(moments, axes, method, response_samples)
-    return tuple(output for output in outputs if without[output - 1])
+    return tuple(output for output in shown_outputs if without[output - 1])
 
 
 def selected_traces(axis_traces: Floats, selected_projection: Projection) -> Floats:
@@ -41,15 +57,15 @@ def selected_traces(axis_traces: Floats, selected_projection: Projection) -> Flo
 
 
 def axis_spectra(
-    vibration: Vibration, outputs: tuple[int, ...], axes: Axes, stop: Stop
+    vibration: Vibration, shown_outputs: tuple[int, ...], axes: Axes, stop: Stop
 ) -> Complexes:
     """Transforms of `axis_traces` over exactly their samples, (n_selected, n_axes, n_bins)."""
-    return vibration.transforms(outputs, axis_numbers(axes), stop)
+    return vibration.transforms(shown_outputs, axis_numbers(axes), stop)
 
 
 def selected_spectra(
     vibration: Vibration,
-    outputs: tuple[int, ...],
+    shown_outputs: tuple[int, ...],
     selected_projection: Projection,
     selected_traces: Floats,
     sample_rate_hz: float,
@@ -65,7 +81,7 @@ def selected_spectra(
     elif selected_projection.directions is None:
         transforms = forward(selected_traces, vibration.n_times)
     else:
-        of_axes = vibration.transforms(outputs, selected_projection.axis_numbers)
+        of_axes = vibration.transforms(shown_outputs, selected_projection.axis_numbers)
         transforms = selected_projection.spectra(of_axes)
     return one_sided_magnitude(transforms, vibration.n_times, sample_rate_hz)
 
@@ -80,7 +96,7 @@ def selected_peak_spectra(
 def trace_error(
     responses: Responses,
     placed: tuple[Placed, ...],
-    outputs: tuple[int, ...],
+    shown_outputs: tuple[int, ...],
     axes: Axes,
     axis_traces: Floats,
     stop: Stop,
@@ -106,10 +122,11 @@ def trace_error(
         )
         for one, response, factor in zip(moving, to_places, factors, strict=True)
     ]
-    return trace_error_of(axis_traces, outputs, axis_numbers(axes), heard)
+    return trace_error_of(axis_traces, shown_outputs, axis_numbers(axes), heard)
 
 
 RULES = (
+    shown_outputs,
     axis_traces,
     selected_projection,
     selected_without_main_axis,

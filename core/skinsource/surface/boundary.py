@@ -5,10 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from skinsource.arrays import Floats
 from skinsource.surface.shortest_ways import distances_inside
 from skinsource.surface.visibility import nearest_seen, sight_region
 
-Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
 

@@ -20,13 +20,13 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from skinsource.arrays import Floats
 from skinsource.surface.site_weights import SiteWeights
 from skinsource.surface.triangulation import Triangulation, cross, dot, locate, nearest_on_hull
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
 #: Largest gap between a point and the weighted mean of its sites, as a part of the sites' extent.

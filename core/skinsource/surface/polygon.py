@@ -3,11 +3,10 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from skinsource.arrays import Booleans, Floats
 from skinsource.errors import InvalidInputError
 
-Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
-Booleans = NDArray[np.bool_]
 
 
 def distinct_vertices(outline: Floats) -> Integers:

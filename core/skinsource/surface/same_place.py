@@ -4,9 +4,9 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
 
-Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
 #: Sites no farther apart than this part of the size of all are one site.

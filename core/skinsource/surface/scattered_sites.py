@@ -6,13 +6,13 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from skinsource.arrays import Floats
 from skinsource.surface.natural_neighbour import natural_neighbour_weights
 from skinsource.surface.same_place import first_at_same_place
 from skinsource.surface.site_line import SiteLine, site_line
 from skinsource.surface.site_weights import SiteWeights
 from skinsource.surface.triangulation import Triangulation, triangulate
 
-Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
 

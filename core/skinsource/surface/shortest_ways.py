@@ -6,12 +6,12 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from skinsource.arrays import Floats
 from skinsource.surface.visibility import SightRegion
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
 # Column, row of half of the 16 moves to a neighbour, and the raster points passed on the way.

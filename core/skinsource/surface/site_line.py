@@ -6,11 +6,11 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from skinsource.arrays import Floats
 from skinsource.surface.same_place import NEAR_DUPLICATE
 from skinsource.surface.site_weights import SiteWeights
 from skinsource.surface.triangulation import cross, dot
 
-Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 
 #: Sites no farther from the line than this part of their extent lie on it.  A quarter of what makes

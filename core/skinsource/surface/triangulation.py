@@ -6,9 +6,9 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from skinsource.arrays import Booleans, Floats
+
 Integers = NDArray[np.intp]
-Booleans = NDArray[np.bool_]
 
 #: Points nearer than this part of the extent to a site are that site: rounding would blur there
 #: which circumcircles hold the point.

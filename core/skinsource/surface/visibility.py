@@ -11,11 +11,10 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from skinsource.arrays import Booleans, Floats
 from skinsource.surface.polygon import grid_inside, ranges
 
-Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
-Booleans = NDArray[np.bool_]
 
 #: Raster units in one hand length; two of them, 0.5 % of it, are the rule's tolerance.
 UNITS_PER_HAND = 398.1

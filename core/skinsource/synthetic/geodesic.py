@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.hand.curves import Floats
+from skinsource.arrays import Floats
 from skinsource.hand.outline import HandShape
 from skinsource.limb import N_INPUTS, N_OUTPUTS, VOLAR_OUTPUTS
 from skinsource.locations import ARM_REGIONS, DIGITS, INPUTS, OUTPUTS

@@ -8,16 +8,15 @@ from typing import Any
 import numpy as np
 import scipy
 
+from skinsource.arrays import Complexes, Floats
 from skinsource.assets import data_folder
 from skinsource.errors import UnknownLimbError
 from skinsource.hand.anatomy import HandProportions
-from skinsource.hand.curves import Floats
 from skinsource.hand.outline import HandShape, hand_shape
 from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS, SAMPLE_RATE_HZ, Limb, check_input_location
 from skinsource.locations import INPUTS
 from skinsource.synthetic.geodesic import paths_in
 from skinsource.synthetic.waves import (
-    Complex,
     Pulse,
     Skin,
     bending_boost,
@@ -63,9 +62,9 @@ class SyntheticModel:
     shape: HandShape
     hand_length_mm: float
     seed: int
-    pulse: Complex
-    wavenumber_rad_m: Complex
-    bending: Complex
+    pulse: Complexes
+    wavenumber_rad_m: Complexes
+    bending: Complexes
     bending_share: Floats
     path_m: Floats
     amplitude: Floats

@@ -4,11 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
-from skinsource.hand.curves import Floats
-
-Complex = NDArray[np.complex128]
+from skinsource.arrays import Complexes, Floats
 
 # Rayleigh waves in an incompressible half-space run at this share of the shear speed.
 _RAYLEIGH_SHARE = 0.955
@@ -57,7 +54,7 @@ class Pulse:
     high_pass_order: int
 
 
-def wavenumber(frequency_hz: Floats, skin: Skin) -> Complex:
+def wavenumber(frequency_hz: Floats, skin: Skin) -> Complexes:
     """Complex wavenumber k of a surface wave, rad/m, same shape as ``frequency_hz``.
 
     With time dependence exp(+i w t) a wave is exp(-i k r); the imaginary part is negative, so
@@ -70,7 +67,7 @@ def wavenumber(frequency_hz: Floats, skin: Skin) -> Complex:
     return np.asarray(2 * np.pi * np.asarray(frequency_hz) / speed)
 
 
-def pulse_spectrum(pulse: Pulse, n_times: int, sample_rate_hz: float) -> Complex:
+def pulse_spectrum(pulse: Pulse, n_times: int, sample_rate_hz: float) -> Complexes:
     """One-sided spectrum of the sampled pulse, (n_times // 2 + 1,).
 
     The filters act on the continuous pulse and the result is then sampled, which keeps silence
@@ -78,7 +75,7 @@ def pulse_spectrum(pulse: Pulse, n_times: int, sample_rate_hz: float) -> Complex
     """
     n_fine = n_times * _OVERSAMPLING
     frequency = scipy.fft.rfftfreq(n_fine, 1 / (sample_rate_hz * _OVERSAMPLING))
-    s: Complex = np.asarray(1j * frequency, dtype=np.complex128)
+    s: Complexes = np.asarray(1j * frequency, dtype=np.complex128)
     low = _butterworth(s / pulse.low_pass_hz, pulse.low_pass_order)
     # A high pass is a low pass of the inverse frequency; nothing passes at zero.
     high = np.zeros_like(low)
@@ -89,7 +86,7 @@ def pulse_spectrum(pulse: Pulse, n_times: int, sample_rate_hz: float) -> Complex
     return np.asarray(scipy.fft.rfft(fine[::_OVERSAMPLING]))
 
 
-def _butterworth(s: Complex, order: int) -> Complex:
+def _butterworth(s: Complexes, order: int) -> Complexes:
     """Analogue low-pass prototype with its edge at |s| = 1, same shape as ``s``."""
     angles = np.pi * (2 * np.arange(order) + 1) / (2 * order) + np.pi / 2
     denominator = np.ones_like(s)
@@ -98,7 +95,7 @@ def _butterworth(s: Complex, order: int) -> Complex:
     return 1 / denominator
 
 
-def bending_boost(frequency_hz: Floats, mode_hz: Floats, gain: float, quality: float) -> Complex:
+def bending_boost(frequency_hz: Floats, mode_hz: Floats, gain: float, quality: float) -> Complexes:
     """Resonance added by a bending digit, (n_modes, n_frequencies).
 
     gain wm^2 / (wm^2 - w^2 + i w wm / Q), a damped oscillator: causal.
