@@ -41,10 +41,13 @@ class HandDiagram(QWidget):
     add_requested = Signal(int)
     #: Number of an input.
     select_requested = Signal(int)
+    #: Number of an input that is to be added to the selected ones, or taken out.
+    toggle_requested = Signal(int)
+    all_requested = Signal()
     #: Number of an input, its new site, gesture.
     move_requested = Signal(int, int, int)
-    #: Number of an input.
-    remove_requested = Signal(int)
+    #: Those that are selected.
+    remove_requested = Signal()
     #: Site, position on the screen.
     menu_requested = Signal(int, QPoint)
 
@@ -57,9 +60,11 @@ class HandDiagram(QWidget):
         for source in (self._mouse, self._cursor):
             source.placed.connect(self.add_requested)
             source.selected.connect(self.select_requested)
+        self._mouse.toggled.connect(self.toggle_requested)
         self._mouse.moved.connect(self.move_requested)
         self._cursor.shifted.connect(self.move_requested)
-        self._cursor.removed.connect(self.remove_requested)
+        self._cursor.keys.removed.connect(self.remove_requested)
+        self._cursor.keys.all_selected.connect(self.all_requested)
         self._cursor.moved.connect(self._describe)
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -167,7 +172,7 @@ class HandDiagram(QWidget):
             return
         self._cursor.site = site
         front = self.state.front_at(site)
-        if front is not None and front != self.state.selected:
+        if front is not None and not self.state.marks[front].chosen:
             self.select_requested.emit(front)
         self.menu_requested.emit(site, at)
 

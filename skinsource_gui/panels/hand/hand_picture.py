@@ -41,12 +41,15 @@ class Mark:
         Whether it is not heard: muted, or others are solo.
     words
         What it plays, for tooltips.
+    chosen
+        Whether it is selected.
     """
 
     site: int
     colour: QColor
     silent: bool = False
     words: str = ""
+    chosen: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -56,7 +59,7 @@ class HandState:
     Attributes
     ----------
     marks, selected
-        The inputs, and the number of the selected one.
+        The inputs, and the number of the one that was selected last.
     hovered, cursor
         Site under the mouse; site of the keyboard's cursor where it is shown.
     moving, ghost, target
@@ -181,6 +184,8 @@ class HandPicture:
             return
         if front == state.selected:
             paint_selection(painter, place, self.theme)
+        elif any(state.marks[k].chosen for k in state.at(site)):
+            paint_selection(painter, place, self.theme, last=False)
         elif chosen:
             paint_hovered(painter, place, self.theme)
         order = (front, *(k for k in state.at(site) if k != front))

@@ -1,6 +1,6 @@
 """The hand on which inputs are placed."""
 
-from dataclasses import replace
+from collections.abc import Callable
 from functools import partial
 from typing import ClassVar
 
@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QMenu, QVBoxLayout, QWidget
 
 from skinsource import edits
 from skinsource.design import Design, Input, audible_inputs
+from skinsource.edits import Edit, Refusal
 from skinsource.synthetic import standard_hand
 from skinsource.view import View
 from skinsource_gui.panel import Panel
@@ -33,6 +34,8 @@ class HandPanel(Panel):
         self.diagram.add_requested.connect(self._add)
         self.diagram.select_requested.connect(self._select)
         self.diagram.move_requested.connect(self._move)
+        self.diagram.toggle_requested.connect(self._toggle)
+        self.diagram.all_requested.connect(self._select_all)
         self.diagram.remove_requested.connect(self._remove)
         self.diagram.menu_requested.connect(self._open_menu)
         layout = QVBoxLayout(self)
@@ -59,40 +62,50 @@ class HandPanel(Panel):
                 colour=self._theme.input_colour(one.colour),
                 silent=id(one) not in heard,
                 words=_words(one),
+                chosen=one.id in self._view.selected_inputs,
             )
             for one in self._design.inputs
         )
         self.diagram.show_inputs(marks, self._selected())
 
     def _selected(self) -> int | None:
-        """Index of the selected input, unless the design has lost it."""
+        """Index of the input that was selected last, unless the design has lost it."""
         if self._design is None or self._view.selected_input not in self._design.ids:
             return None
         return self._design.index_of(self._view.selected_input)
 
-    def _select(self, index: int | None) -> None:
-        chosen = () if index is None else (self._id(index),)
-        if chosen != self._view.selected_inputs:
-            self.view_changed.emit(replace(self._view, selected_inputs=chosen))
+    def _select(self, index: int) -> None:
+        self._edit(edits.select_inputs, self._together(index, alone=True))
 
-    def _id(self, index: int) -> int:
-        return self._design.inputs[index].id
+    def _toggle(self, index: int) -> None:
+        for one in self._together(index, alone=True):
+            self._edit(edits.toggle_selected, one)
+
+    def _select_all(self) -> None:
+        self._edit(edits.select_all_inputs)
 
     def _add(self, site: int) -> None:
-        if self._design is not None:
-            self._tell(edits.place_input(self._design, self._view, site))
+        self._edit(edits.place_input, site)
 
     def _move(self, index: int, site: int, gesture: int) -> None:
-        if self._design is not None:
-            moved = edits.move_inputs(self._design, self._view, (self._id(index),), site)
-            self.edited.emit(moved, gesture)
+        self._edit(edits.move_inputs, self._together(index, alone=True), site, gesture=gesture)
 
-    def _remove(self, index: int) -> None:
-        if self._design is not None:
-            self._tell(edits.remove_inputs(self._design, self._view, (self._id(index),)))
+    def _remove(self) -> None:
+        if self._view.selected_inputs:
+            self._edit(edits.remove_inputs, self._view.selected_inputs)
 
-    def _tell(self, outcome: edits.Edit | edits.Refusal) -> None:
-        self.edited.emit(outcome, None)
+    def _together(self, index: int, *, alone: bool = False) -> tuple[int, ...]:
+        """Ids of all selected inputs if this is one of them; else of this one, if it exists."""
+        # What is held may have gone.
+        ids = self._design.ids[index : index + 1] if self._design else ()
+        several = not alone and set(ids) & set(self._view.selected_inputs)
+        return self._view.selected_inputs if several else ids
+
+    def _edit(
+        self, edit: Callable[..., Edit | Refusal], *what: object, gesture: int | None = None
+    ) -> None:
+        if self._design is not None:
+            self.edited.emit(edit(self._design, self._view, *what), gesture)
 
     def _open_menu(self, site: int, at: QPoint) -> None:
         index = self.diagram.state.front_at(site)
@@ -101,33 +114,25 @@ class HandPanel(Panel):
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.addAction("Add input here\tIns", partial(self._add, site))
         menu.addSeparator()
-        remove, mute, solo = (
-            menu.addAction("Remove\tDel"),
-            menu.addAction("Mute"),
-            menu.addAction("Solo"),
-        )
-        mute.setCheckable(True)
-        solo.setCheckable(True)
-        if self._design is None or index is None:
-            for action in (remove, mute, solo):
-                action.setEnabled(False)
-        else:
-            mute.setChecked(self._design.inputs[index].muted)
-            solo.setChecked(self._design.inputs[index].solo)
-            remove.triggered.connect(partial(self._remove, index))
-            mute.toggled.connect(partial(self._mute, index))
-            solo.toggled.connect(partial(self._set_solo, index))
+        ids = () if index is None else self._together(index)
+        chosen = [one for one in self._design.inputs if one.id in ids] if self._design else []
+        several = f" {len(chosen)} inputs" if len(chosen) > 1 else ""
+        for words, edit, on in (
+            (f"Remove{several}\tDel", edits.remove_inputs, None),
+            (f"Mute{several}", edits.toggle_mute, all(one.muted for one in chosen)),
+            (f"Solo{several}", edits.toggle_solo, all(one.solo for one in chosen)),
+        ):
+            action = menu.addAction(words)
+            action.setEnabled(bool(chosen))
+            action.setCheckable(on is not None)
+            action.setChecked(bool(chosen) and bool(on))
+            action.triggered.connect(partial(self._edit_chosen, edit, ids))
         menu.popup(at)
 
-    def _mute(self, index: int, muted: bool) -> None:
-        if self._design is not None:
-            ids = (self._id(index),)
-            self._tell(edits.mute_inputs(self._design, self._view, ids, muted))
-
-    def _set_solo(self, index: int, solo: bool) -> None:
-        if self._design is not None:
-            ids = (self._id(index),)
-            self._tell(edits.solo_inputs(self._design, self._view, ids, solo))
+    def _edit_chosen(
+        self, edit: Callable[..., Edit | Refusal], ids: tuple[int, ...], _checked: bool = False
+    ) -> None:
+        self._edit(edit, ids)
 
 
 def _words(one: Input) -> str:

@@ -28,7 +28,6 @@ class SiteCursor(QObject):
     placed = Signal(int)
     #: Number of an input.
     selected = Signal(int)
-    removed = Signal(int)
     #: Number of an input, its new site, gesture.
     shifted = Signal(int, int, int)
 
@@ -41,7 +40,6 @@ class SiteCursor(QObject):
         self.keys.jumped.connect(self.go_to)
         self.keys.activated.connect(self._activate)
         self.keys.shifted.connect(self._shift)
-        self.keys.removed.connect(self._remove)
 
     def follow(self, site: int) -> None:
         """Go where the mouse was used, without showing."""
@@ -74,7 +72,3 @@ class SiteCursor(QObject):
         if site != origin:
             self.shifted.emit(state.selected, site, gesture)
         self.go_to(site)
-
-    def _remove(self) -> None:
-        if self._stage.state.selected is not None:
-            self.removed.emit(self._stage.state.selected)

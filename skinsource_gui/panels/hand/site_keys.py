@@ -45,6 +45,7 @@ class SiteKeys(QObject):
     #: Direction and gesture.
     shifted = Signal(int, int, int)
     removed = Signal()
+    all_selected = Signal()
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -58,6 +59,8 @@ class SiteKeys(QObject):
         """Whether the diagram wants this key for itself, before any shortcut of the window."""
         held = event.modifiers() & _MODIFIERS
         key = _Key(event.key())
+        if key == _Key.Key_A:
+            return held == Qt.KeyboardModifier.ControlModifier
         if key in _ENTER:
             return not held & (Qt.KeyboardModifier.AltModifier | Qt.KeyboardModifier.MetaModifier)
         if key in _ADD or key in _STEPS:
@@ -80,6 +83,8 @@ class SiteKeys(QObject):
             self._type(_DIGITS[key])
         elif key in _REMOVE:
             self.removed.emit()
+        elif key == _Key.Key_A:
+            self.all_selected.emit()
         else:
             self.activated.emit(key in _ADD or bool(held))
         return True

@@ -102,12 +102,12 @@ def paint_occupied(
         _paint_count(painter, corner, place.radius_px, len(colours), theme)
 
 
-def paint_selection(painter: QPainter, place: Place, theme: Theme) -> None:
-    """The ring around the selected input."""
+def paint_selection(painter: QPainter, place: Place, theme: Theme, *, last: bool = True) -> None:
+    """The ring around a selected input, strong around the one that was selected last."""
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setPen(QPen(QColor(theme.base), 6.0))
     painter.drawPath(place.path(3.0))
-    painter.setPen(QPen(QColor(theme.accent), 2.5))
+    painter.setPen(QPen(QColor(theme.accent), 2.5 if last else 1.2))
     painter.drawPath(place.path(3.5))
 
 

@@ -11,6 +11,7 @@ from skinsource_gui.panels.hand.hand_stage import HandStage
 from skinsource_gui.widgets.fields.gesture import new_gesture
 
 _LEFT = Qt.MouseButton.LeftButton
+_TOGGLE = (Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier)
 _FURTHER = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier
 
 
@@ -25,6 +26,7 @@ class _Press:
     at: QPointF
     index: int | None
     was_selected: bool
+    toggles: bool
     further: bool
     target: int
     gesture: int | None = None
@@ -33,8 +35,10 @@ class _Press:
 class SiteMouse(QObject):
     """Turns presses, moves and releases on a hand into what they mean.
 
-    A press selects an input, or at release places one; moving farther drags the input, live, in
-    one gesture.  Dropped far from every site, or cancelled, it goes back where it came from.
+    A press selects an input, or at release places one; with Ctrl or Shift it adds an input to the
+    selected ones or takes it out, with both it places one more on a site that has one.  Moving
+    farther drags the input, live, in one gesture.  Dropped far from every site, or cancelled, it
+    goes back where it came from.
 
     Parameters
     ----------
@@ -50,6 +54,7 @@ class SiteMouse(QObject):
     placed = Signal(int)
     #: Number of an input.
     selected = Signal(int)
+    toggled = Signal(int)
     #: Number of an input, its new site, gesture.
     moved = Signal(int, int, int)
 
@@ -70,18 +75,20 @@ class SiteMouse(QObject):
         if site is None:
             return
         state = self._stage.state
+        held = event.modifiers() & _FURTHER
         front = state.front_at(site)
         press = _Press(
             site=site,
             at=event.position(),
             index=front,
             was_selected=front is not None and front == state.selected,
-            further=bool(event.modifiers() & _FURTHER),
+            toggles=front is not None and held in _TOGGLE,
+            further=held == _FURTHER,
             target=site,
         )
         self._press = press
         self.pressed.emit(site)
-        if front is not None and not press.was_selected and not press.further:
+        if front is not None and not press.was_selected and not held:
             self.selected.emit(front)
 
     def move(self, event: QMouseEvent) -> None:
@@ -89,7 +96,7 @@ class SiteMouse(QObject):
         press = self._press
         if press is None or not event.buttons() & _LEFT:
             self.hover(self._stage.site_at(event.position()))
-        elif press.index is not None and not press.further:
+        elif press.index is not None and not (press.further or press.toggles):
             way = (event.position() - press.at).manhattanLength()
             if press.gesture is None and way >= QApplication.startDragDistance():
                 press.gesture = new_gesture()
@@ -154,6 +161,9 @@ class SiteMouse(QObject):
     def _click(self, press: _Press) -> None:
         if press.index is None or press.further:
             self.placed.emit(press.site)
+            return
+        if press.toggles:
+            self.toggled.emit(press.index)
             return
         following = self._stage.state.next_at(press.site)
         if press.was_selected and following not in (None, press.index):

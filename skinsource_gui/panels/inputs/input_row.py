@@ -23,7 +23,7 @@ from skinsource_gui.widgets.inputs.swatch import SWATCH_PX, paint_swatch
 from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
 
 #: Height of a row; it is lower where everything stands in one line of columns.
-ROW_PX, LOW_ROW_PX = 48, 38
+ROW_PX, LOW_ROW_PX = 48, 36
 #: From this width on, everything stands in one line of columns.
 WIDE_PX = 420
 

@@ -46,7 +46,7 @@ class InputsPanel(Panel):
         layout.setSpacing(0)
         layout.addLayout(self._stack, 1)
         layout.addWidget(self._foot)
-        self.setMinimumSize(300, 150)
+        self.setMinimumSize(300, 100)
         self.setFocusProxy(self._rows)
         self._lateness = Lateness(self)
         self._lateness.changed.connect(self._set_pale)

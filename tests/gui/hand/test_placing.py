@@ -8,7 +8,7 @@ from PySide6.QtTest import QTest
 
 from skinsource.design import MAX_INPUTS, Input
 from skinsource.waveforms import Noise, Tone
-from tests.gui.hand.bench import CONTROL, LEFT, NONE, SHIFT
+from tests.gui.hand.bench import CONTROL, KEY, LEFT, NONE, SHIFT
 
 # Placing and selecting
 
@@ -72,12 +72,38 @@ def test_repeated_clicks_cycle_through_the_inputs_of_a_site(studio):
     assert studio.edits == []
 
 
-@pytest.mark.parametrize("modifier", [SHIFT, CONTROL])
-def test_a_click_with_shift_or_control_adds_a_further_input(studio, modifier):
+def test_a_click_with_shift_and_control_adds_a_further_input(studio):
     studio.show(Input(location=3), selected=0)
-    studio.click(3, modifier)
+    studio.click(3, SHIFT | CONTROL)
     assert studio.sites == [3, 3]
     assert studio.view.selected_input == 2
+
+
+@pytest.mark.parametrize("modifier", [SHIFT, CONTROL])
+def test_a_click_with_shift_or_control_adds_to_the_selected_ones_or_takes_out(studio, modifier):
+    studio.show(Input(location=3), Input(location=7), Input(location=9), selected=0)
+    studio.click(7, modifier)
+    studio.click(9, modifier)
+    assert studio.view.selected_inputs == (1, 2, 3)
+    assert [mark.chosen for mark in studio.diagram.state.marks] == [True] * 3
+    studio.click(7, modifier)
+    assert studio.view.selected_inputs == (1, 3)
+    assert studio.edits == []
+
+
+@pytest.mark.parametrize("modifier", [SHIFT, CONTROL])
+def test_on_an_empty_site_they_place_an_input_as_any_click(studio, modifier):
+    studio.click(3, modifier)
+    assert studio.sites == [3]
+
+
+def test_ctrl_a_selects_all_and_delete_removes_all_in_one_step(studio):
+    studio.show(*(Input(location=site) for site in (7, 8, 9)), selected=1)
+    studio.keys(KEY.Key_A, modifier=CONTROL)
+    assert studio.view.selected_inputs == (1, 3, 2)
+    studio.keys(KEY.Key_Delete)
+    assert studio.sites == []
+    assert len(studio.edits) == 1
 
 
 def test_a_full_design_says_so_and_takes_no_more(studio):

@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtGui import QContextMenuEvent
 
 from skinsource.design import Input
-from tests.gui.hand.bench import KEY
+from tests.gui.hand.bench import CONTROL, KEY
 
 # Removing, muting
 
@@ -72,4 +72,20 @@ def test_the_menu_of_an_empty_site_only_adds(studio):
     assert [words for words, action in actions.items() if action.isEnabled()] == ["Add input here"]
     actions["Add input here"].trigger()
     assert studio.sites == [12]
+    studio.close_menu()
+
+
+def test_the_menu_of_one_of_several_acts_on_all(studio):
+    studio.show(*(Input(location=site) for site in (7, 8, 9)), selected=0)
+    studio.click(8, CONTROL)
+    actions = studio.menu(7, QContextMenuEvent.Reason.Mouse)
+    assert studio.view.selected_inputs == (1, 2)
+    actions["Mute 2 inputs"].trigger()
+    assert [one.muted for one in studio.design.inputs] == [True, True, False]
+    studio.close_menu()
+    assert studio.menu(8, QContextMenuEvent.Reason.Mouse)["Mute 2 inputs"].isChecked()
+    studio.close_menu()
+    # Elsewhere, it is about the one below it.
+    studio.menu(9, QContextMenuEvent.Reason.Mouse)["Remove"].trigger()
+    assert studio.sites == [7, 8]
     studio.close_menu()
