@@ -1,12 +1,17 @@
 """Edits made in the whole window: told once, evaluated once, undone with their selections."""
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from skinsource import edits
 from skinsource.design import MAX_INPUTS, Design, Input
 from skinsource.view import View
+from skinsource.waveforms import Tone
+from skinsource_gui.panels.inputs.input_list import InputRows
+from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
 
 KEY, CONTROL = Qt.Key, Qt.KeyboardModifier.ControlModifier
 
@@ -57,3 +62,57 @@ def test_a_full_design_refuses_ctrl_d_with_a_sentence(make_window):
     QApplication.processEvents()
     assert f"at most {MAX_INPUTS} inputs" in window.notice.text
     assert len(window.document.design.inputs) == MAX_INPUTS
+
+
+def in_sight(window, id):
+    rows = window.panel("inputs").findChild(InputRows, "input_rows")
+    row = next(row for row in rows.rows if row.id == id)
+    return row.visibleRegion().boundingRect() == row.rect()
+
+
+def test_the_list_follows_what_is_selected_on_the_hand_and_duplicated_anywhere(make_window, qtbot):
+    inputs = tuple(Input(location=1 + k % 20, colour=k) for k in range(20))
+    window = make_window(Design(limb="synthetic-1", inputs=inputs))
+    window.panel("hand").diagram.select_requested.emit(17)
+    assert window.document.view.selected_inputs == (18,)
+    qtbot.waitUntil(lambda: in_sight(window, 18))
+    window.panel("hand").diagram.select_requested.emit(1)
+    qtbot.waitUntil(lambda: in_sight(window, 2))
+    window.do("duplicate_input")
+    assert window.document.view.selected_inputs == (21,)
+    qtbot.waitUntil(lambda: in_sight(window, 21))
+
+
+def test_more_than_three_rows_are_seen_on_a_small_screen(make_window, qtbot):
+    inputs = tuple(Input(location=1 + k % 20, colour=k) for k in range(20))
+    window = make_window(Design(limb="synthetic-1", inputs=inputs))
+    qtbot.waitUntil(lambda: in_sight(window, 1))
+    assert sum(in_sight(window, k + 1) for k in range(20)) >= 3
+
+
+def test_the_preview_of_another_input_is_shown_without_a_new_evaluation(make_window):
+    tones = (Tone(duration_s=0.2), Tone(duration_s=0.4))
+    inputs = tuple(Input(location=7 + k, waveform=tone, colour=k) for k, tone in enumerate(tones))
+    window = make_window(Design(limb="synthetic-1", inputs=inputs))
+    preview = window.panel("inspector").findChild(WaveformPreview, "waveform_preview")
+    for chosen, duration_s in ((2, 0.4), (1, 0.2)):
+        window.document.apply(
+            edits.select_inputs(window.document.design, window.document.view, (chosen,))
+        )
+        assert preview.duration_s == pytest.approx(duration_s)
+
+
+def test_undo_while_a_number_is_dragged_takes_its_input_away_and_nothing_raises(window, settle):
+    place(window)
+    field = window.panel("inspector").findChild(NumberField, "amplitude_field")
+    start = field.rect().center()
+    QTest.mousePress(field, Qt.MouseButton.LeftButton, pos=start)
+    QTest.mouseMove(field, start + QPoint(20, 0))
+    while window.document.undo_stack.canUndo():
+        window.do("undo")
+    window.do("remove_input")
+    assert window.document.design.inputs == ()
+    QTest.mouseMove(field, start + QPoint(60, 0))
+    QTest.mouseRelease(field, Qt.MouseButton.LeftButton, pos=start)
+    assert window.document.design.inputs == ()
+    assert window.document.undo_stack.count() == 1
