@@ -187,6 +187,7 @@ class MainWindow(QMainWindow):
         self._limb_note.help_wanted.connect(self.pages.show_dataset)
         self.conductor.failed.connect(reports.show_impossible)
         self.conductor.delivered.connect(reports.show_outcome)
+        self.conductor.delivered.connect(self._limb_note.show_outcome)
         self.accuracy.checked.connect(self.status_line.show_error)
         self.engine.finished.connect(reports.log_fault)
         self.limbs.changed.connect(self._show_limbs)

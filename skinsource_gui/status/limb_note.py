@@ -1,19 +1,25 @@
-"""The line that says that a limb is not a measured one."""
+"""The line that says that a limb is not a measured one, or not made from the published files."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFocusEvent
 from PySide6.QtWidgets import QLabel, QWidget
 
+from skinsource_gui.state.engine import Outcome
 from skinsource_gui.theme import LIGHT, Theme
 
 _LINKS = (
     Qt.TextInteractionFlag.LinksAccessibleByMouse | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
 )
+_SYNTHETIC = "Computed from a model of the arm, not measured on a person"
 _TAB_REASONS = (Qt.FocusReason.TabFocusReason, Qt.FocusReason.BacktabFocusReason)
 
 
 class LimbNote(QLabel):
-    """Says SYNTHETIC LIMB where it is one, and the way to the measured ones if they are missing."""
+    """Says SYNTHETIC LIMB where it is one, and the way to the measured ones if they are missing.
+
+    Of a measured limb it says what there is to note, such as that it was not made from the
+    published files.
+    """
 
     help_wanted = Signal()
 
@@ -23,8 +29,8 @@ class LimbNote(QLabel):
         self._measured = False
         self._theme = LIGHT
         self._synthetic = False
+        self._limb = self._note = ""
         self.setTextFormat(Qt.TextFormat.RichText)
-        self.setToolTip("Computed from a model of the arm, not measured on a person")
         self.setAccessibleName("Kind of limb")
         self.linkActivated.connect(self.help_wanted)
 
@@ -35,8 +41,17 @@ class LimbNote(QLabel):
 
     def show_limb(self, name: str) -> None:
         """Show what there is to say about the limb ``name``."""
+        if name != self._limb:
+            self._limb, self._note = name, ""
         self._synthetic = name.startswith("synthetic")
         self._say()
+
+    def show_outcome(self, outcome: Outcome) -> None:
+        """Show what there is to note of the limb that was looked at."""
+        note = outcome.values["limb_data"].note if outcome.values else ""
+        if note != self._note:
+            self._note = note
+            self._say()
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
@@ -50,11 +65,12 @@ class LimbNote(QLabel):
             super().focusNextPrevChild(True)
 
     def _say(self) -> None:
-        self.setVisible(self._synthetic)
+        self.setVisible(self._synthetic or bool(self._note))
+        self.setToolTip(f"{self._note[:1].upper()}{self._note[1:]}" if self._note else _SYNTHETIC)
         colour = self._theme.warning
         link = (
             ""
-            if self._measured
+            if self._measured or not self._synthetic
             else (
                 f" · measured limbs are not installed: "
                 f"<a href='#get' style='color:{colour}'>how to get them</a>"
@@ -62,4 +78,5 @@ class LimbNote(QLabel):
         )
         # Without a link there is nothing for the keyboard.
         self.setTextInteractionFlags(_LINKS if link else Qt.TextInteractionFlag.NoTextInteraction)
-        self.setText(f"<span style='color:{colour}'><b>SYNTHETIC LIMB</b>{link}</span>")
+        words = "SYNTHETIC LIMB" if self._synthetic else "NOT VERIFIED AS PUBLISHED"
+        self.setText(f"<span style='color:{colour}'><b>{words}</b>{link}</span>")

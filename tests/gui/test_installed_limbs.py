@@ -1,5 +1,7 @@
 from dataclasses import replace
 
+import h5py
+import numpy as np
 from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication, QComboBox
 
@@ -33,6 +35,24 @@ def test_limbs_that_are_installed_while_the_studio_runs_can_be_used_at_once(
     window.document.edit("a", replace(window.document.design, limb="measured-1"))
     settle()
     assert window.notice.text == ""
+    note = window.findChild(LimbNote)
+    assert "NOT VERIFIED AS PUBLISHED" in note.text()
+    assert note.toolTip().startswith("Made from files that are not the published ones: ")
+    assert not note.isHidden()
+    window.document.edit("a", replace(window.document.design, limb="synthetic-1"))
+    settle()
+    assert "SYNTHETIC LIMB" in note.text()
+    assert "computed" in note.toolTip().lower()
+
+
+def test_of_a_limb_made_from_the_published_files_there_is_nothing_to_note(
+    window, settle, made_up_installed
+):
+    with h5py.File(made_up_installed, "r+") as store:
+        store.attrs["unpublished"] = np.bytes_(b"none")
+    come_back_to(window)
+    window.document.edit("a", replace(window.document.design, limb="measured-1"))
+    settle()
     assert window.findChild(LimbNote).isHidden()
 
 
