@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from skinsource.dataset.fetch import fetch
 from skinsource.dataset.install import install
 from skinsource.dataset.published import published_files
+from skinsource.dataset.store import StoreInfo
 from skinsource.errors import SkinSourceError
 from skinsource.job import Job, left_in_words
 from skinsource_gui.state.installed_limbs import InstalledLimbs
@@ -148,10 +149,12 @@ class DatasetPage(QDialog):
             else "No measured limb is installed yet."
         )
 
-    def _note_done(self, job: Job[Any], _result: object) -> None:
+    def _note_done(self, job: Job[Any], result: object) -> None:
         if job.title in _TITLES:
             self._limbs.look()
             self._show_installed()
+            if isinstance(result, StoreInfo) and result.note:
+                self._words.setText(f"{self._words.text()}\nNote: {result.note}.")
 
     def _note_cancelled(self, job: Job[Any]) -> None:
         if job.title in _TITLES:
