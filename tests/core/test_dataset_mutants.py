@@ -5,6 +5,7 @@ The attempts run in a process of their own, because a damaged file can end HDF5 
 
 import json
 import shutil
+import struct
 import subprocess
 import sys
 from pathlib import Path
@@ -181,6 +182,32 @@ def test_an_array_that_was_never_written_is_refused(tmp_path):
     with h5py.File(path, "w", libver="earliest") as file:
         file.create_dataset("mask", (3, 4), "<f8")
     with pytest.raises(DatasetError, match="mask is not there"):
+        refuse_scattered(path)
+
+
+def test_an_array_of_which_a_piece_was_never_written_is_refused(tmp_path):
+    path = tmp_path / "holes.mat"
+    with h5py.File(path, "w", libver="earliest") as file:
+        pieces = file.create_dataset("mask", (4, 4), "<f8", chunks=(2, 4))
+        pieces[:2] = 1.0
+    with pytest.raises(DatasetError, match="mask has 1 pieces, expected 2"):
+        refuse_scattered(path)
+
+
+def test_two_arrays_in_one_place_are_refused(tmp_path):
+    path = tmp_path / "twice.mat"
+    with h5py.File(path, "w", libver="earliest") as file:
+        for name in ("one", "other"):
+            file[name] = np.arange(1000.0)
+        places = [file[name].id.get_offset() for name in ("one", "other")]
+    refuse_scattered(path)
+    first, second = (struct.pack("<Q", place) for place in places)
+    content = path.read_bytes()
+    assert content.count(second) == 1
+    path.write_bytes(content.replace(second, first))
+    with h5py.File(path) as file:
+        assert file["other"].id.get_offset() == places[0]
+    with pytest.raises(DatasetError, match="/one and /other lie in the same place"):
         refuse_scattered(path)
 
 

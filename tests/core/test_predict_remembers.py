@@ -55,6 +55,16 @@ def test_one_input_alone_has_its_amplitude_as_beside_a_silent_one(limb):
     assert alone.min() == -2.5
 
 
+@pytest.mark.parametrize("n_inputs", [1, 3])
+def test_before_anything_sounds_and_after_it_has_faded_there_is_exactly_nothing(limb, n_inputs):
+    drives = np.zeros((n_inputs, 2000))
+    drives[:, 100:200] = DRIVES[:n_inputs, :100]
+    found = ss.predict(limb, drives, PLACES[:n_inputs])
+    assert not found[..., :100].any()
+    assert found[..., 100:721].any()
+    assert not found[..., 721:].any()
+
+
 def test_what_is_predicted_may_be_written_to_without_effect_on_the_next(limb):
     first = ss.predict(limb, DRIVES[:1], [7])
     kept = first.copy()

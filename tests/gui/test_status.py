@@ -20,7 +20,9 @@ def test_the_way_to_measured_limbs_is_told_only_where_they_are_missing(qtbot):
 
 def test_the_link_of_the_note_opens_the_page(window):
     window.findChild(LimbNote).linkActivated.emit("#get")
-    assert "measured" in window.findChild(QLabel, "page_text").text()
+    text = window.findChild(QLabel, "page_text")
+    assert "measured" in text.text()
+    text.window().close()
 
 
 def test_the_menu_and_the_switch_shift_a_zoomed_time_axis_alike(window):
