@@ -393,3 +393,17 @@ def test_a_file_is_not_opened_by_what_it_is_called(tmp_path, saved):
     (tmp_path / "Handfläche 触覚.txt").write_bytes(saved.read_bytes())
     assert open_design(tmp_path / "Handfläche 触覚.txt").design == DESIGN
     assert design_file.SUFFIX == ".skinsource"
+
+
+class OfItsOwn(Tone):
+    """A tone of somebody's script."""
+
+    __slots__ = ()
+
+
+def test_a_waveform_that_nothing_could_read_is_computed_but_not_saved(tmp_path):
+    design = Design(limb="synthetic-1", inputs=(Input(location=7, waveform=OfItsOwn()),))
+    path = tmp_path / "own.skinsource"
+    with pytest.raises(InvalidInputError, match="OfItsOwn cannot be written"):
+        save_design(path, design)
+    assert not path.exists()

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from skinsource.errors import InvalidInputError
 from skinsource.fields.recipes import decode, encode, nesting
 from skinsource.fields.spec import MAX_DEPTH, Address, Misfit, Spec, Tree
 from skinsource.samples import MAX_SAMPLES, Samples
@@ -97,14 +98,15 @@ class RecipeSpec(Spec):
     Attributes
     ----------
     kinds
-        Gives the classes that are allowed.  Asked anew each time, so that a kind can be added.
+        Gives the classes that are allowed, and those made from them, which are computed but not
+        written.  Asked anew each time, so that a kind can be added.
     """
 
     kinds: Callable[[], tuple[type, ...]]
 
     def checked(self, value: Any) -> Any:
         """Return ``value`` itself."""
-        if type(value) not in self.kinds():
+        if not isinstance(value, self.kinds()):
             raise Misfit(f"one of {', '.join(kind.__name__ for kind in self.kinds())}")
         if self.depth(value) > MAX_DEPTH:
             raise Misfit(f"recipes within recipes at most {MAX_DEPTH} deep")
@@ -112,6 +114,12 @@ class RecipeSpec(Spec):
 
     def encoded(self, value: Any) -> Tree:
         """Return the fields by name, and the kind."""
+        kind = type(value)
+        if kind not in self.kinds():
+            names = ", ".join(one.__name__ for one in self.kinds())
+            raise InvalidInputError(
+                f"a {kind.__name__} cannot be written, nothing could read it: choose {names}."
+            )
         return encode(value)
 
     def decoded(self, tree: Tree, at: Address) -> Any:
