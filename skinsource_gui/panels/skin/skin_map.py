@@ -75,7 +75,7 @@ class SkinMap(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setAccessibleName("Dorsal heat map")
+        self.setAccessibleName("Map of the skin, back of hand and arm")
         self.setAccessibleDescription(
             "Arrow keys move to the next output, Space selects it, Shift and Space adds it."
         )

@@ -89,7 +89,7 @@ def solo_button(parent: QWidget | None = None) -> LetterButton:
     """Button that silences all others."""
     button = LetterButton("S", "Solo", "accent", parent)
     button.setObjectName("solo_button")
-    button.setToolTip("Solo: hear only the solo inputs (S)")
+    button.setToolTip("Solo: only inputs with S are driven (S)")
     return button
 
 
