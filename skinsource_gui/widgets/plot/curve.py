@@ -1,8 +1,11 @@
 """One signal in a plot."""
 
+from typing import Any
+
 import pyqtgraph
+from pyqtgraph.functions import arrayToQPolygonF
 from PySide6.QtCore import QRectF
-from PySide6.QtGui import QColor, QPen
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from skinsource_gui.widgets.plot.curve_points import CurvePoints
 
@@ -18,9 +21,11 @@ class SignalCurve(pyqtgraph.PlotCurveItem):
 
     def __init__(self) -> None:
         super().__init__(skipFiniteCheck=True)
+        self._line: QPolygonF | None = None
 
     def show_points(self, points: CurvePoints) -> None:
         """Draw ``points``."""
+        self._line = arrayToQPolygonF(points.x, points.y) if points.smooth else None
         self.setData(points.x, points.y, antialias=points.smooth)
 
     def set_look(self, colour: QColor, *, stale: bool) -> None:
@@ -36,3 +41,13 @@ class SignalCurve(pyqtgraph.PlotCurveItem):
     def viewTransformChanged(self) -> None:
         # The bounds are those of the view.
         self.prepareGeometryChange()
+
+    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+        if self._line is None:
+            # As a path: Qt leaves gaps in a polyline of upright strokes.
+            super().paint(painter, option, widget)
+            return
+        # A tenth quicker than a path.
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(self.opts["pen"])
+        painter.drawPolyline(self._line)
