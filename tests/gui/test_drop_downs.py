@@ -79,3 +79,14 @@ def test_the_other_entries_can_be_read(field):
         ground, ink = entry_colours(field, row)
         assert contrast(ink, ground) >= READABLE
         assert ground.name() == field.theme.base
+
+
+def test_a_name_ends_in_an_ellipsis_only_where_there_is_no_room(field, qtbot):
+    field.hidePopup()
+    field.setSizeAdjustPolicy(field.SizeAdjustPolicy.AdjustToContents)
+    field.choose("m")
+    field.setFixedWidth(field.sizeHint().width())
+    fitting = field.grab().toImage()
+    field.setFixedWidth(field.sizeHint().width() + 40)
+    roomy = field.grab(fitting.rect().adjusted(0, 0, -30, 0)).toImage()
+    assert roomy == fitting.copy(fitting.rect().adjusted(0, 0, -30, 0))

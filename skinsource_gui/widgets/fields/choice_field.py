@@ -15,9 +15,6 @@ from skinsource.fields import ChoiceSpec
 from skinsource_gui.widgets.fields.burst import Burst
 from skinsource_gui.widgets.tooltips import tooltip
 
-# What the style leaves free beside the words.
-_TEXT_EDGE_PX = 4
-
 
 class ChoiceField(QComboBox):
     """A drop-down list of the options of ``spec``.
@@ -73,7 +70,7 @@ class ChoiceField(QComboBox):
             QStyle.ComplexControl.CC_ComboBox, option, QStyle.SubControl.SC_ComboBoxEditField, self
         )
         option.currentText = self.fontMetrics().elidedText(
-            self.currentText(), Qt.TextElideMode.ElideRight, room.width() - _TEXT_EDGE_PX
+            self.currentText(), Qt.TextElideMode.ElideRight, room.width()
         )
         painter.drawControl(QStyle.ControlElement.CE_ComboBoxLabel, option)
         # The theme's style sheet takes away the arrow of the style.
