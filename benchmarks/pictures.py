@@ -41,6 +41,7 @@ def scenes() -> dict[str, tuple[Design, View, str]]:
     return {
         "start": (start_design(limb), View(), "arrange_design"),
         "several": (several, six, "arrange_design"),
+        "together": (several, View(axes="z", selected_inputs=(2, 4, 1)), "arrange_design"),
         "stacked": (
             several,
             View(
