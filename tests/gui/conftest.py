@@ -99,7 +99,11 @@ def _nothing_outlives_the_tests_of_a_file(qapp):
     running = set(threading.enumerate())
     yield
     QApplication.processEvents()
-    left = [widget for widget in QApplication.topLevelWidgets() if widget.isVisible()]
+    left = [
+        widget
+        for widget in QApplication.topLevelWidgets()
+        if widget.isVisible() and widget.parent() is None
+    ]
     assert not left, f"windows outlive the tests of this file: {left}"
     threads = [one for one in threading.enumerate() if one not in running]
     assert not threads, f"threads outlive the tests of this file: {threads}"
