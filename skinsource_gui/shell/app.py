@@ -12,6 +12,8 @@ from skinsource.assets import user_folder
 from skinsource.catalogue import available_limbs, default_limb
 from skinsource.design import start_design
 from skinsource.files import make_folder
+from skinsource_gui.files.kept_work import KeptWork
+from skinsource_gui.shell.ending import EndSignals, keep_unsaved, offer_kept
 from skinsource_gui.shell.screen_fit import ScreenFit
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences, settings_path
@@ -59,6 +61,16 @@ def run(path: Path | None) -> int:
     make_folder(user_folder())
     window = make_window(path, Preferences(settings_path()))
     ScreenFit(window).guess()
+    kept = KeptWork(user_folder())
+    end_signals = EndSignals(window)
+
+    def end() -> None:
+        keep_unsaved(window.document, kept)
+        window.close_unasked()
+
+    end_signals.received.connect(end)
+    if path is None:
+        offer_kept(window.document, kept, window.notice, window.reports.complain)
     window.show()
     settled = QTimer(window, singleShot=True, interval=_SETTLED_ANYWAY_MS)
     settled.timeout.connect(exempt_from_collection)

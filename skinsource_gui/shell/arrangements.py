@@ -4,10 +4,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow
+from PySide6.QtCore import QObject, QSize, Qt, Signal
+from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QScrollArea
 
 _ACROSS, _DOWN = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
+# Title and frame of a dock; what lies above and below all docks.
+_TITLE_PX, _EDGE_PX, _AROUND_PX = 30, 4, 96
 _TOP = Qt.DockWidgetArea.TopDockWidgetArea
 
 
@@ -70,7 +72,7 @@ ARRANGEMENTS: tuple[ArrangementSpec, ...] = (
         hint="The hand, the skin, and frequency and amplitude to turn, in large words",
         keys=("Ctrl+3",),
         columns=(50, 50),
-        text_scale=1.35,
+        text_scale=1.25,
     ),
 )
 
@@ -145,17 +147,39 @@ class Arrangements(QObject):
         places: Mapping[str, Place | None],
         spec: ArrangementSpec,
     ) -> None:
-        width, height = self._window.width(), self._window.height()
         filled = [column for column in columns if column]
         shares = [spec.columns[min(places[one[0]].column, len(spec.columns) - 1)] for one in filled]
+        least = [max(self._least(panel).width() for panel in column) for column in filled]
         self._window.resizeDocks(
-            [self._docks[column[0]] for column in filled], _shared(width, shares), _ACROSS
+            [self._docks[column[0]] for column in filled],
+            shared(self._window.width(), shares, least),
+            _ACROSS,
         )
+        height = self._window.height() - _AROUND_PX
         for column in filled:
             docks = [self._docks[panel] for panel in column]
-            heights = _shared(height, [places[panel].height for panel in column])
-            self._window.resizeDocks(docks, heights, _DOWN)
+            parts = [places[panel].height for panel in column]
+            least = [self._least(panel).height() for panel in column]
+            self._window.resizeDocks(docks, shared(height, parts, least), _DOWN)
+
+    def _least(self, panel: str) -> QSize:
+        """Return the least room in which nothing of the panel has to scroll."""
+        inside = self._docks[panel].widget()
+        content = inside.widget() if isinstance(inside, QScrollArea) else inside
+        size = content.minimumSize().expandedTo(content.minimumSizeHint())
+        return size + QSize(_EDGE_PX, _TITLE_PX)
 
 
-def _shared(whole: int, shares: Sequence[int]) -> list[int]:
-    return [whole * share // sum(shares) for share in shares]
+def shared(whole: int, shares: Sequence[int], least: Sequence[int]) -> list[int]:
+    """Split ``whole`` by ``shares``, but give each part what it needs at least, if that fits."""
+    if sum(least) >= whole:
+        return [whole * need // sum(least) for need in least]
+    short = [whole * share // sum(shares) < need for share, need in zip(shares, least, strict=True)]
+    if not any(short):
+        return [whole * share // sum(shares) for share in shares]
+    # Those that would come off too badly get what they need, and the others share the rest.
+    rest = whole - sum(need for need, is_short in zip(least, short, strict=True) if is_short)
+    others = [k for k, is_short in enumerate(short) if not is_short]
+    among = shared(rest, [shares[k] for k in others], [least[k] for k in others])
+    given = dict(zip(others, among, strict=True))
+    return [given.get(k, need) for k, need in enumerate(least)]

@@ -10,6 +10,7 @@ from skinsource_gui.panels.inspector.panel import InspectorPanel
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.panels.spectra.panel import SpectraPanel
 from skinsource_gui.panels.traces.panel import TracesPanel
+from skinsource_gui.panels.turning.panel import TurningPanel
 from skinsource_gui.shell.arrangements import Place
 
 
@@ -38,9 +39,10 @@ def _places(
 
 #: In the order in which the keyboard reaches them.
 PANELS: tuple[PanelSpec, ...] = (
-    PanelSpec(panel=HandPanel, places=_places(Place(0, 45), None, Place(0))),
+    PanelSpec(panel=HandPanel, places=_places(Place(0, 45), None, Place(0, 86))),
     PanelSpec(panel=InputsPanel, places=_places(Place(2, 26), None, None)),
     PanelSpec(panel=InspectorPanel, places=_places(Place(0, 55), None, None)),
+    PanelSpec(panel=TurningPanel, places=_places(None, None, Place(0, 14))),
     PanelSpec(panel=SkinPanel, places=_places(Place(1), Place(0), Place(1))),
     PanelSpec(panel=TracesPanel, places=_places(Place(2, 37), Place(1), None)),
     PanelSpec(panel=SpectraPanel, places=_places(Place(2, 37), Place(1), None)),

@@ -22,6 +22,7 @@ class RunningJobs(QObject):
     def __init__(self, runner: JobRunner, window: QWidget) -> None:
         super().__init__(window)
         self._runner, self._window = runner, window
+        self._ended = False
 
     def cancel(self) -> None:
         """Stop the job that is being carried out; the next one begins."""
@@ -30,7 +31,7 @@ class RunningJobs(QObject):
     def may_close(self) -> bool:
         """Whether the window may go: nothing is being done, or the user gives it up."""
         titles = "; ".join(job.title for job in self._runner.unfinished)
-        if not titles:
+        if not titles or self._ended:
             return True
         answer = QMessageBox.question(
             self._window,
@@ -43,6 +44,7 @@ class RunningJobs(QObject):
 
     def end(self) -> None:
         """Stop all for good; nothing unfinished is left."""
+        self._ended = True
         if self._runner.busy:
             # To clear away a gigabyte can take a second.
             self._window.hide()

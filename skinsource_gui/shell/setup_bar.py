@@ -3,8 +3,8 @@
 from collections.abc import Callable
 from functools import partial
 
-from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtGui import QAction, QStandardItemModel
+from PySide6.QtCore import QObject, QSize, Qt, Signal
+from PySide6.QtGui import QAction, QResizeEvent, QStandardItemModel
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from skinsource import edits
@@ -17,6 +17,7 @@ from skinsource.words import CHOICES, Word
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.tooltips import tooltip
 
+_LEAST_PX = 420
 _ENABLED = Qt.ItemFlag.ItemIsEnabled
 
 
@@ -38,6 +39,7 @@ class SetupBar(QWidget):
         )
         self._method_hint = self._method.toolTip()
         self._row.addStretch(1)
+        self._titles = self.findChildren(QLabel)
         for field, edit in (
             (self._limb, edits.change_limb),
             (self._scaling, edits.change_scaling),
@@ -62,6 +64,18 @@ class SetupBar(QWidget):
         self._method.setEnabled(not single)
         self._method.setToolTip("A single axis needs no method" if single else self._method_hint)
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        # Where there is too little room for all, what is chosen says more than what it is called.
+        named = sum(title.sizeHint().width() + self._row.spacing() for title in self._titles)
+        chosen = self._row.sizeHint().width()
+        needed = chosen if self._titles[0].isVisibleTo(self) else chosen + named
+        for title in self._titles:
+            title.setVisible(self.width() >= needed)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(_LEAST_PX, super().minimumSizeHint().height())
+
     def show_available(self, limbs: tuple[str, ...]) -> None:
         """Offer these limbs, and no others."""
         model = self._limb.model()
@@ -72,7 +86,7 @@ class SetupBar(QWidget):
             item = model.item(index)
             item.setEnabled(there)
             item.setToolTip(
-                "" if there else "Not installed; Help > Get the measured limbs… says how"
+                "" if there else "Not installed; Help > Get the measured limbs… installs them"
             )
 
     def choices(self, parent: QObject | None) -> list[QAction]:

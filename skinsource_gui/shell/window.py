@@ -21,6 +21,7 @@ from skinsource_gui.shell.arrangements import Arrangements
 from skinsource_gui.shell.bars import setup_toolbar
 from skinsource_gui.shell.docks import dock_of, toggles
 from skinsource_gui.shell.focus_order import move_focus
+from skinsource_gui.shell.kind_choices import kind_choices
 from skinsource_gui.shell.menus import fill_menu_bar
 from skinsource_gui.shell.notice import Notice
 from skinsource_gui.shell.pages import Pages, late
@@ -30,6 +31,7 @@ from skinsource_gui.shell.recent_menu import RecentMenu
 from skinsource_gui.shell.reports import Reports
 from skinsource_gui.shell.running_jobs import RunningJobs
 from skinsource_gui.shell.setup_bar import SetupBar
+from skinsource_gui.shell.shortcuts_in_fields import ShortcutsInFields
 from skinsource_gui.shell.window_frame import WindowFrame
 from skinsource_gui.state.conductor import Conductor
 from skinsource_gui.state.document import Document
@@ -82,6 +84,7 @@ class MainWindow(QMainWindow):
         self._make_capabilities()
         self.action_set = ActionSet(ACTIONS, self.document, self._capabilities(), self)
         self.actions_by_name = self.action_set.by_name
+        ShortcutsInFields(self.actions_by_name.values(), self)
         self._build()
         needs = self.status_line.needs
         self.conductor = Conductor(self.document, self.engine, self.panels, needs)
@@ -107,6 +110,12 @@ class MainWindow(QMainWindow):
     def do(self, name: str) -> None:
         """Do what the table of actions calls ``name``, if it can be done now."""
         self.actions_by_name[name].trigger()
+
+    def close_unasked(self) -> None:
+        """Close as the user would, but ask nothing; what is not saved is lost."""
+        self.running_jobs.end()
+        self.document.undo_stack.setClean()
+        self.close()
 
     def catch_up(self) -> None:
         """Wait until the panels show the present design."""
@@ -196,7 +205,8 @@ class MainWindow(QMainWindow):
 
     def _findable(self) -> list[QAction]:
         others = [one for name, one in self.actions_by_name.items() if name != "find_action"]
-        return [*others, *toggles(self.docks.values()), *self.setup_bar.choices(None)]
+        panels = toggles(self.docks.values())
+        return [*others, *panels, *self.setup_bar.choices(None), *kind_choices(self.document)]
 
     def _drawer_of(self, panel: str) -> Draw:
         self.catch_up()
@@ -264,6 +274,10 @@ class MainWindow(QMainWindow):
         self.preferences.layout = self.saveState()
         self.preferences.flush()
         self.engine.close()
+        for dock in self.docks.values():
+            # A panel in a window of its own does not close with this one on every desktop.
+            if dock.isFloating():
+                dock.hide()
         self.running_jobs.end()
         self.pages.end()
         super().closeEvent(event)

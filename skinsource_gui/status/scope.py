@@ -56,28 +56,22 @@ class Scope:
 
     def phrases(self) -> tuple[str, ...]:
         """Words for the status bar, from all to the least."""
-        inputs = f"{self.heard} of {self.inputs} inputs" if self.inputs else "no inputs"
-        channels = f"{self.channels} of {self.all_channels} channels"
-        short = f"{inputs} · {channels}"
-        with_method = f"{short} · {self.method}"
-        if not self.has_map:
-            return with_method, short, inputs
-        if self.streamed:
-            return f"{short}, map block by block · {self.method}", with_method, short, inputs
-        count = self.map_transforms
-        word = "transform" if count == 1 else "transforms"
-        return (
-            f"{short}, {count} inverse {word} for the map · {self.method}",
-            with_method,
-            short,
-            inputs,
+        if not self.inputs:
+            return ("No input yet", "No input")
+        inputs = "input" if self.inputs == 1 else "inputs"
+        felt = (
+            f"{self.inputs} {inputs}"
+            if self.heard == self.inputs
+            else f"{self.heard} of {self.inputs} {inputs} felt"
         )
+        long = " · long scene, summed piece by piece" if self.streamed else ""
+        return (*([f"{felt} · up to date{long}"] if long else []), f"{felt} · up to date", felt)
 
     def sentences(self) -> str:
         """The same and more, in whole sentences, one on a line."""
         silent = self.inputs - self.heard
         lines = [
-            f"{self.heard} of {self.inputs} inputs are heard"
+            f"{self.heard} of {self.inputs} inputs are felt"
             + (f"; {silent} muted or silenced by solo cost nothing." if silent else "."),
             f"{self.channels} of {self.all_channels} channels were brought back to time: the "
             "selected outputs, on the chosen axes."

@@ -74,7 +74,7 @@ class StatusLine(QWidget):
     def show_design(self, design: Design) -> None:
         """Count the inputs of ``design``, where nothing is known of results."""
         count, heard = len(design.inputs), len(audible_inputs(design.inputs))
-        self._heard = f"{heard} of {count} inputs" if count else "no inputs"
+        self._heard = f"{heard} of {count} inputs felt" if count else "No input yet"
         if self.scope is None:
             self._say()
 

@@ -194,9 +194,10 @@ def test_a_note_without_a_link_is_no_stop(at_work):
 
 
 def test_f6_goes_from_panel_to_panel_in_the_same_order(at_work):
-    went = [region_of(at_work, press(at_work, KEY.Key_F6)) for _ in at_work.panels]
+    shown = [panel for panel in at_work.panels if panel.isVisible()]
+    went = [region_of(at_work, press(at_work, KEY.Key_F6)) for _ in shown]
     assert went == ["inputs", "inspector", "skin", "traces", "spectra", "hand"]
-    back = [region_of(at_work, press(at_work, KEY.Key_F6, SHIFT)) for _ in at_work.panels]
+    back = [region_of(at_work, press(at_work, KEY.Key_F6, SHIFT)) for _ in shown]
     assert back == ["spectra", "traces", "skin", "inspector", "inputs", "hand"]
 
 

@@ -96,6 +96,43 @@ def test_every_action_of_the_table_does_what_its_line_says(qtbot, spec):
         assert asked == [spec.edit(document.design, document.view)]
 
 
+def found(window, qtbot, letters):
+    window.do("find_action")
+    palette = next(one for one in window.findChildren(Palette) if one.isVisible())
+    qtbot.keyClicks(palette.line, letters)
+    words = [palette.list.item(row).text() for row in range(palette.list.count())]
+    palette.reject()
+    return words
+
+
+@pytest.mark.parametrize(
+    ("letters", "expected"),
+    [
+        ("colour", "Dark theme"),
+        ("color", "Light theme"),
+        ("matlab", "Export traces as CSV…"),
+        ("download", "Get the measured limbs…"),
+        ("font", "Larger text"),
+        ("delete", "Remove input"),
+        ("excel", "Export RMS levels as CSV…"),
+        ("noise", "Waveform: Noise"),
+    ],
+)
+def test_other_words_for_an_action_find_it(window, qtbot, letters, expected):
+    assert expected in found(window, qtbot, letters)
+
+
+def test_where_nothing_is_found_the_palette_says_so_and_enter_does_nothing(window, qtbot):
+    words = found(window, qtbot, "qqqq")
+    assert words[0] == "Nothing found"
+    assert "F1" in words[1]
+    window.do("find_action")
+    palette = next(one for one in window.findChildren(Palette) if one.isVisible())
+    qtbot.keyClicks(palette.line, "qqqq")
+    qtbot.keyClick(palette.line, Qt.Key.Key_Return)
+    assert palette.isVisible()
+
+
 def test_no_shortcut_is_given_twice():
     keys = [key for spec in ACTIONS for key in spec.keys]
     assert len(keys) == len(set(keys))

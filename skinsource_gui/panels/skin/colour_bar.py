@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
@@ -66,6 +66,11 @@ class ColourBar(QWidget):
         self.low_field.edited.connect(self._choose_low)
         self.auto_button.clicked.connect(self._switch)
         self.choose(None)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self.setFixedWidth(self._width())
 
     def choose(self, range_db: Range | None) -> None:
         """Show a range, or the automatic one."""

@@ -18,7 +18,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
-from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
 from skinsource_gui.widgets.plot.axis_spec import ValueUnit, XAxis, value_unit
 from skinsource_gui.widgets.plot.curve_points import curve_points
 from skinsource_gui.widgets.plot.curves import Curves
@@ -32,6 +32,7 @@ from skinsource_gui.widgets.plot.x_window import XWindow, x_window
 _NOT_FINITE = "The response has values that are not finite numbers."
 # A drag shorter than this is a click.
 _DRAG_PX = 5
+_TEXT = 0.9
 
 
 class Plot(pyqtgraph.GraphicsView):
@@ -79,8 +80,7 @@ class Plot(pyqtgraph.GraphicsView):
         self.window: XWindow = x_window(XAxis(titles=("",), unit=""), (0.0, 1.0), None)
         self.places = PlotLayout(width=1, height=1, left=0, top=0, right=1, bottom=1, n_rows=1)
         self.cursor: int | None = None
-        self.words_font = tabular(self.font())
-        self.words_font.setPointSizeF(self.words_font.pointSizeF() * 0.9)
+        self.words_font = scaled(tabular(self.font()), _TEXT)
         self.zoom: Range | None = None
         self.stacked = False
         self.words = Words()
@@ -103,6 +103,7 @@ class Plot(pyqtgraph.GraphicsView):
         """Take over colours."""
         self.theme = theme
         self.setBackground(QColor(theme.base))
+        self.words_font = scaled(tabular(self.font()), _TEXT)
         self.stack.set_look(theme, self.words_font, self.font())
         self._colour()
         self.viewport().update()

@@ -1,0 +1,1 @@
+"""Frequency and amplitude of the selected input, large: for presenting."""

@@ -1,0 +1,99 @@
+"""Frequency and amplitude of the selected input, for turning in front of an audience."""
+
+from dataclasses import replace
+
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+
+from skinsource import edits
+from skinsource.design import AMPLITUDE, Design, Input, amplitude_unit
+from skinsource.edits.kinds import kind_name
+from skinsource.fields import NumberSpec, specs_of
+from skinsource.view import View
+from skinsource_gui.panel import Panel
+from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.widgets.fields.field_cell import FieldCell
+
+_NOTHING = "Click a place on the hand to add an input"
+_FREQUENCY = "frequency_hz"
+
+
+class TurningPanel(Panel):
+    """The two numbers that are turned in front of an audience.
+
+    They are the amplitude and, where the waveform has one, the frequency.
+    """
+
+    title = "Frequency and amplitude"
+    name = "turning"
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._design: Design | None = None
+        self._view = View()
+        self._theme = LIGHT
+        self._words = QLabel(_NOTHING)
+        self._words.setObjectName("turning_words")
+        self._amplitude = FieldCell("amplitude", AMPLITUDE)
+        self._frequency: FieldCell | None = None
+        self._spec: NumberSpec | None = None
+        self._row = QHBoxLayout()
+        self._row.setSpacing(UNIT_PX)
+        for part in (self._amplitude.label, self._amplitude):
+            self._row.addWidget(part)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(UNIT_PX, 0, UNIT_PX, UNIT_PX)
+        column.setSpacing(UNIT_PX // 2)
+        column.addWidget(self._words)
+        column.addLayout(self._row)
+        column.addStretch(1)
+        self._amplitude.edited.connect(self._change)
+        self.setFocusProxy(self._amplitude)
+
+    def show_state(self, design: Design, view: View) -> None:
+        self._design, self._view = design, view
+        known = view.selected_input in design.ids
+        for part in (self._amplitude.label, self._amplitude):
+            part.setVisible(known)
+        if not known:
+            self._words.setText(_NOTHING)
+            self._show_frequency(None)
+            return
+        one = design.input(view.selected_input)
+        self._words.setText(f"{kind_name(one.waveform)} at place {one.location}")
+        self._amplitude.set_spec(replace(AMPLITUDE, unit=amplitude_unit(design.scaling)))
+        self._amplitude.set_value(one.amplitude)
+        self._show_frequency(one)
+
+    def show_theme(self, theme: Theme) -> None:
+        self._theme = theme
+        self._words.setStyleSheet(f"color: {theme.dim};")
+        for cell in (self._amplitude, self._frequency):
+            if cell is not None:
+                cell.show_theme(theme)
+
+    def _show_frequency(self, one: Input | None) -> None:
+        spec = None if one is None else specs_of(one.waveform).get(_FREQUENCY)
+        if spec != self._spec:
+            self._spec = spec
+            self._drop_frequency()
+            if spec is not None:
+                self._frequency = FieldCell(_FREQUENCY, spec)
+                self._frequency.show_theme(self._theme)
+                self._frequency.edited.connect(self._change)
+                self._row.insertWidget(0, self._frequency.label)
+                self._row.insertWidget(1, self._frequency)
+        if self._frequency is not None and one is not None:
+            self._frequency.set_value(one.waveform.frequency_hz)
+
+    def _drop_frequency(self) -> None:
+        if self._frequency is not None:
+            for part in (self._frequency.label, self._frequency):
+                part.hide()
+                part.deleteLater()
+            self._frequency = None
+
+    def _change(self, name: str, value: float, gesture: int | None) -> None:
+        if self._design is not None:
+            ids = self._view.selected_inputs
+            outcome = edits.change_field(self._design, self._view, ids, name, value)
+            self.edited.emit(outcome, gesture)

@@ -1,0 +1,82 @@
+import pytest
+from PySide6.QtCore import QMargins, QRect, QSize
+from PySide6.QtWidgets import QWidget
+
+from skinsource_gui.shell.screen_fit import fitted
+
+FRAMES = [QMargins(1, 24, 1, 5), QMargins(8, 31, 8, 8), QMargins(0, 37, 0, 0)]
+#: Screens in logical pixels: 1366x768, 1080p at scale 1, 1.5 and 2.
+SCREENS = [QRect(0, 0, 1366, 768), QRect(0, 0, 1920, 1080), QRect(0, 0, 1280, 720)]
+NAMES = ("frequency_hz", "amplitude")
+SMALLEST = QRect(0, 0, 960, 540)
+
+
+@pytest.mark.parametrize("frame", FRAMES)
+@pytest.mark.parametrize("screen", [*SCREENS, SMALLEST])
+@pytest.mark.parametrize("place", [QRect(0, 0, 1600, 940), QRect(900, 500, 700, 400)])
+def test_window_and_frame_lie_on_the_screen(frame, screen, place):
+    inside = fitted(place, screen, frame)
+    assert screen.contains(inside.marginsAdded(frame))
+    room = screen.marginsRemoved(frame)
+    assert inside.size() == place.size().boundedTo(room.size())
+
+
+def test_a_window_that_fits_is_left_where_it_is():
+    place = QRect(100, 100, 800, 500)
+    assert fitted(place, SCREENS[0], FRAMES[0]) == place
+
+
+@pytest.mark.parametrize("frame", FRAMES)
+@pytest.mark.parametrize("arrangement", ["design", "analysis", "presentation"])
+def test_the_studio_is_small_enough_for_1080p_at_scale_2(window, settle, frame, arrangement):
+    room = SMALLEST.marginsRemoved(frame).size()
+    window.do(f"arrange_{arrangement}")
+    window.resize(room)
+    settle()
+    assert window.size() == room
+    # Its status bar is seen, too.
+    assert window.statusBar().geometry().bottom() < room.height()
+
+
+def test_where_there_is_room_no_panel_scrolls(window, settle):
+    for size in (QSize(1366, 728), QSize(1920, 1040)):
+        window.resize(size)
+        for arrangement in ("design", "analysis", "presentation"):
+            window.do(f"arrange_{arrangement}")
+            settle()
+            for name, dock in window.docks.items():
+                if dock.isVisible():
+                    bars = dock.widget().verticalScrollBar(), dock.widget().horizontalScrollBar()
+                    assert not any(bar.isVisible() for bar in bars), (name, arrangement, size)
+
+
+def test_text_grows_everywhere_and_comes_back(window, settle, preferences):
+    label = window.setup_bar._titles[0]
+    before, field = label.fontMetrics().height(), window.setup_bar._limb.height()
+    for _ in range(4):
+        window.do("enlarge_text")
+    settle()
+    assert label.fontMetrics().height() > 1.3 * before
+    assert window.setup_bar._limb.height() > field
+    assert preferences.text_scale == pytest.approx(1.1**4)
+    window.do("reset_text")
+    settle()
+    assert label.fontMetrics().height() == before
+
+
+def test_presenting_shows_frequency_and_amplitude_in_large_words(window, settle):
+    turning = window.panel("turning")
+    assert not turning.isVisible()
+    small = window.panel("hand").fontMetrics().height()
+    window.do("arrange_presentation")
+    settle()
+    assert window.panel("hand").fontMetrics().height() > 1.15 * small
+    fields = {name: turning.findChild(QWidget, f"{name}_field") for name in NAMES}
+    assert all(field.isVisible() for field in fields.values())
+    fields["frequency_hz"].edited.emit(250.0, None)
+    fields["amplitude"].edited.emit(0.5, None)
+    one = window.document.design.inputs[0]
+    assert (one.waveform.frequency_hz, one.amplitude) == (250.0, 0.5)
+    window.do("arrange_design")
+    settle()
+    assert window.panel("hand").fontMetrics().height() == small

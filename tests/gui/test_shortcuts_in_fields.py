@@ -1,0 +1,57 @@
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent, QKeySequence
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLineEdit
+
+from skinsource_gui.shell.actions import ACTIONS
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+KEYS = [key for spec in ACTIONS for key in spec.keys]
+OF_TEXTS = {"Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+Y", "Ctrl+Backspace"}
+
+
+@pytest.fixture
+def field(window, qtbot):
+    """The field of the frequency, with the keyboard."""
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    field = window.panel("inspector").findChild(QLineEdit, "frequency_hz_field")
+    field.setFocus()
+    return field
+
+
+def takes(field, key):
+    """Whether the field wants the key for itself."""
+    combination = QKeySequence(key)[0]
+    event = QKeyEvent(
+        QKeyEvent.Type.ShortcutOverride, combination.key(), combination.keyboardModifiers(), ""
+    )
+    event.ignore()
+    QApplication.sendEvent(field, event)
+    return event.isAccepted()
+
+
+@pytest.mark.parametrize("key", KEYS)
+def test_every_shortcut_works_from_a_number_at_rest(field, key):
+    assert not takes(field, key)
+
+
+@pytest.mark.parametrize("key", [key for key in KEYS if key not in OF_TEXTS])
+def test_while_typing_only_the_keys_of_texts_stay_with_the_text(field, key):
+    field.begin_editing("12")
+    assert not takes(field, key)
+
+
+def test_while_typing_undo_and_copy_are_of_the_text(field):
+    QTest.keyClick(field, Qt.Key.Key_F2)
+    QTest.keyClicks(field, "1")
+    assert takes(field, "Ctrl+Z")
+    assert takes(field, "Ctrl+C")
+
+
+def test_ctrl_e_in_a_number_field_exports(window, field, monkeypatch):
+    asked = []
+    monkeypatch.setattr(window.files, "ask_where", lambda *words: asked.append(words[0]))
+    QTest.keyClick(field, Qt.Key.Key_E, CONTROL)
+    assert asked == ["Export traces as CSV"]

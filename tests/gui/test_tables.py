@@ -1,0 +1,86 @@
+from dataclasses import replace
+
+import pytest
+from PySide6.QtWidgets import QMenu, QTextBrowser
+
+from skinsource.view import View
+from skinsource_gui.files.exports import EXPORTS
+from skinsource_gui.shell.action_spec import ActionSpec
+from skinsource_gui.shell.actions import ACTIONS, MENUS
+from skinsource_gui.shell.arrangements import ARRANGEMENTS, shared
+from skinsource_gui.shell.panels import PANELS
+
+
+def entries(menu):
+    return [action.text() for action in menu.actions()]
+
+
+def test_menus_hold_each_action_once_in_the_order_of_the_table(window):
+    for title in MENUS:
+        menu = next(one for one in window.menuBar().findChildren(QMenu) if one.title() == title)
+        found = [one.objectName() for one in menu.actions() if one.objectName()]
+        names = [spec.name for spec in ACTIONS if spec.menu == title]
+        assert [name for name in found if name in names] == names
+
+
+def test_the_keys_page_lists_each_action_with_keys(window):
+    window.do("show_keys")
+    words = window.findChild(QTextBrowser, "page_text").toPlainText()
+    for spec in ACTIONS:
+        if spec.keys:
+            assert spec.text in words
+            assert spec.hint in words
+
+
+def test_each_export_is_an_action(window):
+    for spec in EXPORTS:
+        action = window.actions_by_name[f"export_{spec.name}"]
+        assert action.text() == f"Export {spec.title}"
+
+
+def test_conditions_follow_the_document(window):
+    enabled = {name: action.isEnabled for name, action in window.actions_by_name.items()}
+    assert enabled["export_traces"]()
+    assert enabled["mute_input"]()
+    window.document.look(replace(window.document.view, outputs=(), selected_inputs=()))
+    assert not enabled["export_traces"]()
+    assert not enabled["select_no_outputs"]()
+    assert not enabled["mute_input"]()
+    assert enabled["clear_inputs"]()
+    window.do("clear_inputs")
+    assert not enabled["clear_inputs"]()
+
+
+def test_an_action_is_a_command_or_an_edit_not_both_and_not_neither():
+    words = {"name": "a", "menu": "File", "text": "A", "hint": "A"}
+    for more in ({}, {"command": "files.new", "edit": lambda design, view: None}):
+        with pytest.raises(ValueError, match="either a command or an edit"):
+            ActionSpec(**words, **more)
+
+
+def test_each_arrangement_places_the_panels_of_the_table(window, settle):
+    for arrangement in ARRANGEMENTS:
+        window.do(f"arrange_{arrangement.name}")
+        settle()
+        for spec in PANELS:
+            dock = window.docks[spec.panel.name]
+            assert dock.isVisible() == (spec.places[arrangement.name] is not None)
+    assert isinstance(window.document.view, View)
+
+
+@pytest.mark.parametrize(
+    ("whole", "shares", "least", "expected"),
+    [
+        (100, [50, 50], [10, 10], [50, 50]),
+        (100, [10, 90], [30, 10], [30, 70]),
+        (100, [10, 30, 60], [30, 30, 10], [30, 30, 40]),
+        (100, [50, 50], [100, 300], [25, 75]),
+    ],
+)
+def test_room_is_shared_but_nobody_gets_less_than_is_needed(whole, shares, least, expected):
+    assert shared(whole, shares, least) == expected
+
+
+def test_the_panels_menu_shows_and_hides_each_panel(window):
+    menu = next(one for one in window.findChildren(QMenu) if one.title() == "Panels")
+    assert entries(menu) == [spec.panel.title for spec in PANELS]
