@@ -3,6 +3,7 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
 
 from skinsource.fields import ChoiceSpec, NumberSpec, PlainSpec, SwitchSpec, TextSpec
 from skinsource_gui.widgets.fields.field_cell import FieldCell
@@ -64,6 +65,8 @@ def test_a_frequency_outside_the_measured_band_is_remarked_on(cell):
     assert cell(NumberSpec(label="Length", unit="s", maximum=700.0), 610.0).note == ""
 
 
-def test_a_kind_of_field_without_an_editor_is_never_taken_for_another_one(cell):
-    with pytest.raises(TypeError, match=r"PlainSpec of .Shape. is not in the table"):
-        cell(PlainSpec(label="Shape"), ())
+def test_a_kind_of_field_without_an_editor_is_shown_and_never_taken_for_another_one(cell):
+    one = cell(PlainSpec(label="Shape"), (1.0, 2.0))
+    assert type(one.field) is QLabel
+    assert one.field.text() == "(1.0, 2.0)"
+    assert one.told == []
