@@ -109,10 +109,16 @@ def _at_once(
     if not heard:
         return np.zeros((limb.n_outputs, limb.n_axes, response_samples))
     drives = [drive for drive, _, _ in heard]
-    responses = _remembered().of(limb, [place for _, place, _ in heard], scaling, n_fft)
-    played = [forward(drive.samples, n_fft) for drive in drives]
     # One drive alone has its maximum in what is computed anyway.
     alone = scaling == "upstream" and len(heard) == 1
+    responses = _remembered().of(
+        limb,
+        [place for _, place, _ in heard],
+        scaling,
+        n_fft,
+        bounded=scaling == "upstream" and not alone,
+    )
+    played = [forward(drive.samples, n_fft) for drive in drives]
     gains = [drive.factor for drive in drives]
     if scaling == "upstream" and not alone:
         gains = unit_gains(drives, played, responses)

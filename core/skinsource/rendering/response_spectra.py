@@ -54,16 +54,26 @@ class ResponseSpectrum:
         Divided by n_fft and doubled but for the ends, as in the inverse transform.
         """
         magnitudes = np.abs(self.rows)
-        magnitudes *= 2.0 / self.n_fft
         magnitudes[:, [0, -1]] *= 0.5
-        starts = np.arange(0, magnitudes.shape[-1], BAND_BINS)
-        return np.maximum.reduceat(magnitudes, starts, axis=-1)
+        # Bin by bin over all bands at once: quicker than band by band.
+        bands = magnitudes[:, ::BAND_BINS].copy()
+        for k in range(1, BAND_BINS):
+            bins = magnitudes[:, k::BAND_BINS]
+            reached = bands[:, : bins.shape[-1]]
+            np.maximum(reached, bins, out=reached)
+        bands *= 2.0 / self.n_fft
+        return bands
 
     @cached_property
     def section_norms(self) -> Floats:
         """Root of the sum of squares of each section of each response, (n_channels, n_sections)."""
         squares = np.square(self.taps.reshape(-1, self.taps.shape[-1]))
         return np.sqrt(np.add.reduceat(squares, self._sections, axis=-1))
+
+    def prepare_bounds(self) -> None:
+        """Compute now what bounds of samples need."""
+        for _ in (self.band_magnitudes, self.section_norms, self.absolute_sums, self.energies):
+            pass
 
     @property
     def section_lengths(self) -> tuple[int, ...]:

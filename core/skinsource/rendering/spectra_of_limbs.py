@@ -10,6 +10,7 @@ from weakref import WeakKeyDictionary
 
 from skinsource.limb import Limb
 from skinsource.rendering.response_spectra import ResponseSpectrum, scaled_taps
+from skinsource.rendering.side_by_side import side_by_side
 from skinsource.rendering.transforms import forward
 from skinsource.response_scaling import Scaling
 
@@ -43,19 +44,32 @@ class SpectraOfLimbs:
             return self._sum()
 
     def of(
-        self, limb: Limb, places: Sequence[int], scaling: Scaling, n_fft: int
+        self,
+        limb: Limb,
+        places: Sequence[int],
+        scaling: Scaling,
+        n_fft: int,
+        *,
+        bounded: bool = False,
     ) -> list[ResponseSpectrum]:
-        """Responses to each of ``places``, transformed where they are not remembered."""
+        """Responses to each of ``places``, transformed where they are not remembered.
+
+        ``bounded``: what bounds of samples need is wanted too.
+        """
         calibrated = scaling == "probe"
         with self._lock:
             spectra = self._known.pop(limb, None)
             self._known[limb] = spectra = OrderedDict() if spectra is None else spectra
+            made = []
             for place in dict.fromkeys(places):
                 key = place, n_fft, calibrated
                 if key not in spectra:
                     taps = scaled_taps(limb, place, scaling)
                     spectra[key] = ResponseSpectrum(taps, forward(taps, n_fft), n_fft)
+                    made.append(spectra[key])
                 spectra.move_to_end(key)
+            if bounded:
+                _prepare_bounds(made)
             found = [spectra[place, n_fft, calibrated] for place in places]
             self._forget()
             return found
@@ -70,3 +84,13 @@ class SpectraOfLimbs:
     def _sum(self) -> int:
         known = list(self._known.values())
         return sum(one.values.nbytes for spectra in known for one in spectra.values())
+
+
+def _prepare_bounds(responses: list[ResponseSpectrum]) -> None:
+    def prepare(some: list[ResponseSpectrum]) -> None:
+        for response in some:
+            response.prepare_bounds()
+
+    if len(responses) > 1:
+        half = len(responses) // 2
+        side_by_side(lambda: prepare(responses[:half]), lambda: prepare(responses[half:]))
