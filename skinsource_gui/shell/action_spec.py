@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 from skinsource.design import Design
 from skinsource.edits import Edit, Refusal
@@ -62,3 +63,8 @@ class ActionSpec:
     def __post_init__(self) -> None:
         if bool(self.command) == (self.edit is not None):
             raise ValueError(f"action {self.name}: expected either a command or an edit")
+
+
+def action(name: str, menu: str, text: str, hint: str, *keys: str, **more: Any) -> ActionSpec:
+    """Return an entry of the table; what all have needs no names."""
+    return ActionSpec(name=name, menu=menu, text=text, hint=hint, keys=keys, **more)

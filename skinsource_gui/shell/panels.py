@@ -1,15 +1,19 @@
 """The one table of panels: the window makes, places and lists them from it."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 
+from skinsource.fields import specs_of
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.hand.panel import HandPanel
 from skinsource_gui.panels.inputs.panel import InputsPanel
 from skinsource_gui.panels.inspector.panel import InspectorPanel
 from skinsource_gui.panels.skin.panel import SkinPanel
+from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.spectra.panel import SpectraPanel
+from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.panels.traces.panel import TracesPanel
+from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.panels.turning.panel import TurningPanel
 from skinsource_gui.shell.arrangements import Place
 
@@ -22,13 +26,28 @@ class PanelSpec:
     ----------
     panel
         Its class.
+    settings
+        Class of what only it looks at, a frozen dataclass made with `skinsource.fields`; None
+        where there is nothing.
     places
         Where it stands in each arrangement, by name; None: hidden there.  Where nothing is said,
         at the foot of the last column.
     """
 
     panel: type[Panel]
+    settings: type | None = None
     places: Mapping[str, Place | None] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if not (self.panel.name and self.panel.title):
+            raise ValueError(f"{self.panel.__name__} has no name or no title")
+        if self.settings is not None:
+            unsaved = {one.name for one in fields(self.settings)} - set(specs_of(self.settings))
+            if unsaved:
+                raise ValueError(
+                    f"{self.settings.__name__} has fields that designs cannot hold: "
+                    f"{', '.join(sorted(unsaved))}. Make them with skinsource.fields."
+                )
 
 
 def _places(
@@ -43,7 +62,11 @@ PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(panel=InputsPanel, places=_places(Place(2, 26), None, None)),
     PanelSpec(panel=InspectorPanel, places=_places(Place(0, 55), None, None)),
     PanelSpec(panel=TurningPanel, places=_places(None, None, Place(0, 14))),
-    PanelSpec(panel=SkinPanel, places=_places(Place(1), Place(0), Place(1))),
-    PanelSpec(panel=TracesPanel, places=_places(Place(2, 37), Place(1), None)),
-    PanelSpec(panel=SpectraPanel, places=_places(Place(2, 37), Place(1), None)),
+    PanelSpec(panel=SkinPanel, settings=SkinSettings, places=_places(Place(1), Place(0), Place(1))),
+    PanelSpec(
+        panel=TracesPanel, settings=TracesSettings, places=_places(Place(2, 37), Place(1), None)
+    ),
+    PanelSpec(
+        panel=SpectraPanel, settings=SpectraSettings, places=_places(Place(2, 37), Place(1), None)
+    ),
 )

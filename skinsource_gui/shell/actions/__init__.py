@@ -1,0 +1,13 @@
+"""The one table of what can be done: menus, shortcuts, the palette and the keys page use it.
+
+Each menu has a module here, whose table holds its entries in their order.
+"""
+
+from skinsource_gui.shell.action_spec import ActionSpec
+from skinsource_gui.shell.actions.edit_menu import EDIT
+from skinsource_gui.shell.actions.file_menu import FILE
+from skinsource_gui.shell.actions.help_menu import HELP
+from skinsource_gui.shell.actions.view_menu import VIEW
+
+MENUS = ("File", "Edit", "View", "Help")
+ACTIONS: tuple[ActionSpec, ...] = (*FILE, *EDIT, *VIEW, *HELP)

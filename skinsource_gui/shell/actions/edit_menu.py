@@ -1,0 +1,156 @@
+"""What the Edit menu does."""
+
+from collections.abc import Callable, Iterable
+
+from skinsource import edits
+from skinsource.design import Design, Input
+from skinsource.edits import Edit, Refusal
+from skinsource.view import View
+from skinsource_gui.shell.action_spec import ActionSpec, action
+
+
+def _has_inputs(design: Design, view: View) -> bool:
+    return bool(design.inputs)
+
+
+def _has_outputs(design: Design, view: View) -> bool:
+    return bool(view.outputs)
+
+
+def _selected(design: Design, view: View) -> list[Input]:
+    return [one for one in design.inputs if one.id in view.selected_inputs]
+
+
+def _has_selected(design: Design, view: View) -> bool:
+    return bool(view.selected_inputs)
+
+
+def _all_muted(design: Design, view: View) -> bool:
+    chosen = _selected(design, view)
+    return bool(chosen) and all(one.muted for one in chosen)
+
+
+def _all_solo(design: Design, view: View) -> bool:
+    chosen = _selected(design, view)
+    return bool(chosen) and all(one.solo for one in chosen)
+
+
+def _of_selected(
+    edit: Callable[[Design, View, Iterable[int]], Edit | Refusal],
+) -> Callable[[Design, View], Edit | Refusal]:
+    """Return ``edit`` of the inputs that are selected."""
+
+    def of_selected(design: Design, view: View) -> Edit | Refusal:
+        return edit(design, view, view.selected_inputs)
+
+    return of_selected
+
+
+def _select_no_outputs(design: Design, view: View) -> Edit | Refusal:
+    return edits.select_outputs(design, view, ())
+
+
+def _shift_up(design: Design, view: View) -> Edit | Refusal:
+    return edits.shift_inputs(design, view, view.selected_inputs, down=False)
+
+
+def _shift_down(design: Design, view: View) -> Edit | Refusal:
+    return edits.shift_inputs(design, view, view.selected_inputs, down=True)
+
+
+EDIT: tuple[ActionSpec, ...] = (
+    action("undo", "Edit", "Undo", "Take the last edit back", "Ctrl+Z", command="steps.undo"),
+    action("redo", "Edit", "Redo", "Do it again", "Ctrl+Shift+Z", "Ctrl+Y", command="steps.redo"),
+    action(
+        "duplicate_input",
+        "Edit",
+        "Duplicate input",
+        "Add a copy of the selected input",
+        "Ctrl+D",
+        edit=_of_selected(edits.duplicate_inputs),
+        enabled=_has_selected,
+        keywords="copy clone actuator",
+        separated=True,
+    ),
+    action(
+        "remove_input",
+        "Edit",
+        "Remove input",
+        "Remove the selected input (Delete, on the hand and in the list)",
+        "Ctrl+Backspace",
+        edit=_of_selected(edits.remove_inputs),
+        enabled=_has_selected,
+        keywords="delete actuator",
+    ),
+    action(
+        "mute_input",
+        "Edit",
+        "Mute input",
+        "Silence the selected input",
+        "Ctrl+M",
+        edit=_of_selected(edits.toggle_mute),
+        enabled=_has_selected,
+        checked=_all_muted,
+        keywords="silence off actuator",
+    ),
+    action(
+        "solo_input",
+        "Edit",
+        "Solo input",
+        "Only solo inputs are felt, all others rest",
+        "Ctrl+Shift+M",
+        edit=_of_selected(edits.toggle_solo),
+        enabled=_has_selected,
+        checked=_all_solo,
+        keywords="alone only actuator",
+    ),
+    action(
+        "shift_input_up",
+        "Edit",
+        "Move input up in the list",
+        "List the selected inputs one place further up (Alt+Up, in the list)",
+        edit=_shift_up,
+        enabled=_has_selected,
+        keywords="reorder order sort before",
+        separated=True,
+    ),
+    action(
+        "shift_input_down",
+        "Edit",
+        "Move input down in the list",
+        "List the selected inputs one place further down (Alt+Down, in the list)",
+        edit=_shift_down,
+        enabled=_has_selected,
+        keywords="reorder order sort after",
+    ),
+    action(
+        "select_all_inputs",
+        "Edit",
+        "Select all inputs",
+        "Edit, mute, move or remove them together (Ctrl+A, on the hand and in the list)",
+        edit=edits.select_all_inputs,
+        enabled=_has_inputs,
+        keywords="several multiple everything",
+        separated=True,
+    ),
+    action(
+        "clear_inputs",
+        "Edit",
+        "Remove all inputs",
+        "Empty the hand",
+        edit=edits.clear_inputs,
+        enabled=_has_inputs,
+        keywords="delete clear actuators",
+    ),
+    action(
+        "select_no_outputs",
+        "Edit",
+        "Select no outputs",
+        "Empty the selection of outputs",
+        "Ctrl+Shift+A",
+        edit=_select_no_outputs,
+        enabled=_has_outputs,
+        keywords="deselect sensors clear",
+        separated=True,
+    ),
+)

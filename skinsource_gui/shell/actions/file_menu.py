@@ -1,0 +1,78 @@
+"""What the File menu does."""
+
+from skinsource_gui.files.exports import EXPORTS
+from skinsource_gui.shell.action_spec import ActionSpec, action
+
+FILE: tuple[ActionSpec, ...] = (
+    action(
+        "new_design",
+        "File",
+        "New",
+        "Start over with an empty design",
+        "Ctrl+N",
+        command="files.new",
+        keywords="clear empty reset blank",
+    ),
+    action(
+        "open_design",
+        "File",
+        "Open…",
+        "Open a design file",
+        "Ctrl+O",
+        command="files.ask_and_open",
+        keywords="load read import",
+    ),
+    action(
+        "save_design",
+        "File",
+        "Save",
+        "Save the design",
+        "Ctrl+S",
+        command="files.save",
+        keywords="write store keep",
+        separated=True,
+    ),
+    action(
+        "save_design_as",
+        "File",
+        "Save as…",
+        "Save under another name",
+        "Ctrl+Shift+S",
+        command="files.ask_and_save",
+        keywords="copy rename",
+    ),
+    *(
+        ActionSpec(
+            name=f"export_{export.name}",
+            menu="File",
+            text=f"Export {export.title}",
+            hint=export.hint,
+            keys=export.keys,
+            keywords=f"save write {export.keywords}",
+            command="exports.export",
+            argument=export.name,
+            enabled=export.enabled,
+            separated=export is EXPORTS[0],
+        )
+        for export in EXPORTS
+    ),
+    action(
+        "cancel_job",
+        "File",
+        "Cancel what is running",
+        "Stop the export, installation or benchmark that runs; nothing half done is left",
+        "Ctrl+.",
+        command="jobs.cancel",
+        keywords="stop abort export installation benchmark",
+    ),
+    action(
+        "quit_studio",
+        "File",
+        "Quit",
+        "Close the studio",
+        "Ctrl+Q",
+        command="frame.close",
+        keywords="exit end leave",
+        separated=True,
+    ),
+)

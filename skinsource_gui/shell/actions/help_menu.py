@@ -1,0 +1,48 @@
+"""What the Help menu does."""
+
+from skinsource_gui.shell.action_spec import ActionSpec, action
+
+HELP: tuple[ActionSpec, ...] = (
+    action(
+        "find_action",
+        "Help",
+        "Search actions…",
+        "Type a few letters of anything the studio can do",
+        "Ctrl+K",
+        command="pages.search",
+        keywords="palette find command",
+    ),
+    action(
+        "show_accuracy",
+        "Help",
+        "Accuracy and speed…",
+        "What is promised about errors and times, what is measured now, and a benchmark",
+        command="pages.show_accuracy",
+        keywords="error benchmark precision performance",
+    ),
+    action(
+        "show_keys",
+        "Help",
+        "Keys and mouse",
+        "Every shortcut on one page",
+        "F1",
+        command="pages.show_keys",
+        keywords="help shortcuts keyboard manual",
+    ),
+    action(
+        "show_dataset",
+        "Help",
+        "Get the measured limbs…",
+        "Install the measured impulse responses, from a folder or by download",
+        command="pages.show_dataset",
+        keywords="dataset download install limb data matlab zenodo",
+    ),
+    action(
+        "show_about",
+        "Help",
+        "About SkinSource studio",
+        "Version, licence, and what to cite",
+        command="pages.show_about",
+        keywords="version licence cite citation help",
+    ),
+)

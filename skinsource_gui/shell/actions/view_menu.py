@@ -1,0 +1,120 @@
+"""What the View menu does."""
+
+from skinsource import edits
+from skinsource.design import Design
+from skinsource.edits import Edit, Refusal
+from skinsource.view import View
+from skinsource_gui.shell.action_spec import ActionSpec, action
+from skinsource_gui.shell.arrangements import ARRANGEMENTS
+
+
+def _toggle_delay(design: Design, view: View) -> Edit | Refusal:
+    return edits.remove_delay(design, view, not view.delay_removed)
+
+
+def _delay_removed(design: Design, view: View) -> bool:
+    return view.delay_removed
+
+
+VIEW: tuple[ActionSpec, ...] = (
+    action(
+        "remove_delay",
+        "View",
+        "Remove 52 ms pre-trigger delay",
+        "Shift time axes so that the response starts with the stimulus",
+        "Ctrl+T",
+        edit=_toggle_delay,
+        checked=_delay_removed,
+        keywords="time shift latency traces",
+    ),
+    *(
+        ActionSpec(
+            name=f"arrange_{arrangement.name}",
+            menu="View",
+            text=f"Arrange for {arrangement.text}",
+            hint=arrangement.hint,
+            keys=arrangement.keys,
+            keywords="layout panels docks lecture",
+            command="arrangements.show",
+            argument=arrangement.name,
+            separated=arrangement is ARRANGEMENTS[0],
+        )
+        for arrangement in ARRANGEMENTS
+    ),
+    action(
+        "next_panel",
+        "View",
+        "Go to next panel",
+        "Give the keyboard to it",
+        "F6",
+        command="panel_focus.next",
+        keywords="focus keyboard",
+        separated=True,
+    ),
+    action(
+        "previous_panel",
+        "View",
+        "Go to previous panel",
+        "Give the keyboard to it",
+        "Shift+F6",
+        command="panel_focus.previous",
+        keywords="focus keyboard",
+    ),
+    *(
+        action(
+            f"use_{name}_theme",
+            "View",
+            f"{name.capitalize()} theme",
+            hint,
+            command="appearance.use_theme",
+            argument=name,
+            keywords="colour color appearance mode",
+            group="theme",
+            separated=name == "light",
+        )
+        for name, hint in (
+            ("light", "Dark words on a light ground"),
+            ("dark", "Light words on a dark ground"),
+            ("system", "As the desktop has it"),
+        )
+    ),
+    action(
+        "enlarge_text",
+        "View",
+        "Larger text",
+        "Make all words larger, for a lecture hall or tired eyes",
+        "Ctrl++",
+        "Ctrl+=",
+        command="appearance.enlarge_text",
+        keywords="font size zoom big",
+        separated=True,
+    ),
+    action(
+        "shrink_text",
+        "View",
+        "Smaller text",
+        "Make all words smaller",
+        "Ctrl+-",
+        command="appearance.shrink_text",
+        keywords="font size zoom small",
+    ),
+    action(
+        "reset_text",
+        "View",
+        "Normal text",
+        "Make words as large as the desktop has them",
+        "Ctrl+0",
+        command="appearance.reset_text",
+        keywords="font size zoom reset",
+    ),
+    action(
+        "toggle_full_screen",
+        "View",
+        "Full screen",
+        "The window over the whole screen",
+        "F11",
+        command="frame.toggle_full_screen",
+        keywords="maximise present",
+        separated=True,
+    ),
+)
