@@ -22,9 +22,9 @@ def test_the_package_under_test_is_the_installed_one():
 
 
 def test_every_shipped_data_file_is_installed_unchanged():
-    manifest = json.loads((data_folder() / "manifest.json").read_text(encoding="utf-8"))
-    assert manifest["files"], "the manifest lists no files"
-    for expected in manifest["files"]:
+    listed = json.loads((data_folder() / "shipped_files.json").read_text(encoding="utf-8"))
+    assert listed["files"], "the list names no files"
+    for expected in listed["files"]:
         content = (data_folder() / expected["name"]).read_bytes()
         assert len(content) == expected["size"], expected["name"]
         assert hashlib.sha256(content).hexdigest() == expected["sha256"], expected["name"]

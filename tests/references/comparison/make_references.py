@@ -6,7 +6,7 @@ stored as the nearest float64 and the rest as float32.
 
     PYTHONPATH=core python tests/references/comparison/make_references.py
 
-Then write the list of data files anew: PYTHONPATH=core python tests/core/test_manifest.py
+Then write the list of data files anew: PYTHONPATH=core python tests/core/test_shipped_files.py
 """
 
 import io

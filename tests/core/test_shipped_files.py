@@ -7,11 +7,11 @@ from pathlib import Path
 from skinsource.assets import data_folder
 from skinsource.files import write_bytes
 
-NAME = "manifest.json"
+NAME = "shipped_files.json"
 
 
 def described(folder: Path) -> dict:
-    """Name, SHA-256 and size of every file below ``folder`` except the manifest."""
+    """Name, SHA-256 and size of every file below ``folder`` except the list itself."""
     entries = []
     for path in sorted(path for path in folder.rglob("*") if path.is_file()):
         name = path.relative_to(folder).as_posix()
@@ -22,11 +22,11 @@ def described(folder: Path) -> dict:
     return {"files": entries}
 
 
-def test_the_manifest_describes_every_shipped_data_file():
-    manifest = json.loads((data_folder() / NAME).read_text(encoding="utf-8"))
+def test_the_list_describes_every_shipped_data_file():
+    listed = json.loads((data_folder() / NAME).read_text(encoding="utf-8"))
     found = described(data_folder())
-    assert manifest == found, (
-        f"data/{NAME} is out of date; write it anew with 'python tests/core/test_manifest.py'"
+    assert listed == found, (
+        f"data/{NAME} is out of date; write it anew with 'python tests/core/test_shipped_files.py'"
     )
 
 
