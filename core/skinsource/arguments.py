@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
-from skinsource.wording import quoted
+from skinsource.quoting import quoted
 
 Text = TypeVar("Text", bound=str)
 

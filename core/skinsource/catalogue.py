@@ -3,8 +3,8 @@
 from skinsource.dataset.store import is_installed, load_measured_limb
 from skinsource.errors import UnknownLimbError
 from skinsource.limb import LIMB_NAMES, Limb
+from skinsource.quoting import quoted
 from skinsource.synthetic import load_synthetic_limb
-from skinsource.wording import quoted
 
 
 def available_limbs() -> tuple[str, ...]:

@@ -7,11 +7,11 @@ from typing import Any
 
 from skinsource import design_commands
 from skinsource.catalogue import available_limbs, load_limb
+from skinsource.choice_words import LIMBS, word_of
 from skinsource.dataset import commands as dataset_commands
 from skinsource.errors import SkinSourceError, Stopped
 from skinsource.method_comparison import commands as bench_commands
 from skinsource.version import __version__
-from skinsource.words import LIMBS, word_of
 
 #: What adds the commands, in the order of the help page.  Each sets ``run``, a function from
 #: the parsed arguments to the exit code.

@@ -3,13 +3,13 @@
 from dataclasses import dataclass, replace
 from typing import Any
 
-from skinsource import fields, words
+from skinsource import choice_words, fields
 from skinsource.errors import InvalidInputError
 from skinsource.fields import ChoiceSpec, ListSpec, NumberSpec, RecipeSpec, SwitchSpec, TextSpec
 from skinsource.limb import N_INPUTS
+from skinsource.quoting import quoted
 from skinsource.response_scaling import Scaling
 from skinsource.waveforms import Tone, Waveform, kinds
-from skinsource.wording import quoted
 
 #: More inputs than places are allowed; a hundred of them are a mistake.
 MAX_INPUTS = 100
@@ -44,7 +44,7 @@ INPUTS = ListSpec(
     label="Inputs", of=RecipeSpec(label="Input", kinds=lambda: (Input,)), most=MAX_INPUTS
 )
 SCALING = ChoiceSpec(
-    label="Scaling", options=tuple((word.name, word.title) for word in words.SCALINGS)
+    label="Scaling", options=tuple((word.name, word.title) for word in choice_words.SCALINGS)
 )
 
 

@@ -6,15 +6,15 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from skinsource.choice_words import LIMBS, SCALINGS, level_words, signal_words, word_of
 from skinsource.design import Design, Input, amplitude_unit, audible_inputs
 from skinsource.design_file import open_design
 from skinsource.evaluation import evaluate
 from skinsource.export import export_levels, export_map, export_map_picture, export_traces
 from skinsource.files import make_folder
 from skinsource.locations import OUTPUTS, input_place, output_place
+from skinsource.quoting import escaped
 from skinsource.view import View
-from skinsource.wording import escaped
-from skinsource.words import LIMBS, SCALINGS, level_words, signal_words, word_of
 
 
 def add_to(subparsers: Any) -> None:

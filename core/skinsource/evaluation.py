@@ -13,9 +13,9 @@ from skinsource.design import Design
 from skinsource.errors import InvalidInputError
 from skinsource.graph import Graph, UnknownQuantity
 from skinsource.quantities import new_graph, sources
+from skinsource.quoting import quoted
 from skinsource.shared import Shared
 from skinsource.view import View
-from skinsource.wording import quoted
 from skinsource.work import Work
 
 #: Designs whose results are kept at a time; each takes some megabytes.

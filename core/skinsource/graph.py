@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from skinsource.job import Stop, never, stop_if
-from skinsource.wording import quoted
+from skinsource.quoting import quoted
 from skinsource.work import Work, counting, tally
 
 

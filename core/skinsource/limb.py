@@ -7,7 +7,7 @@ import numpy as np
 
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
-from skinsource.wording import quoted
+from skinsource.quoting import quoted
 from skinsource.work import tally
 
 N_INPUTS, N_OUTPUTS, N_AXES, N_TAPS = 20, 72, 3, 522

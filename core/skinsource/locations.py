@@ -7,7 +7,7 @@ import numpy as np
 
 from skinsource.errors import InvalidInputError
 from skinsource.limb import N_OUTPUTS, check_input_location
-from skinsource.wording import quoted
+from skinsource.quoting import quoted
 
 Contact = Literal["in-axis", "perpendicular"]
 Side = Literal["dorsal", "volar"]

@@ -12,6 +12,7 @@ from skinsource.arrays import Floats
 from skinsource.chain import LARGEST, Drive, drive_of, first_unusable
 from skinsource.errors import InvalidInputError
 from skinsource.limb import Limb, check_input_location
+from skinsource.quoting import quoted
 from skinsource.rendering.drives import active_samples
 from skinsource.rendering.gains import is_positive, unit_gains
 from skinsource.rendering.maxima import Peak
@@ -22,7 +23,6 @@ from skinsource.rendering.streaming import StreamedVibration
 from skinsource.rendering.sums import sum_of_vibrations
 from skinsource.rendering.transforms import forward, inverse
 from skinsource.response_scaling import Scaling, check_scaling
-from skinsource.wording import quoted
 
 
 def predict(

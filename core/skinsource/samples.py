@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from skinsource.errors import InvalidInputError
-from skinsource.wording import quoted
+from skinsource.quoting import quoted
 
 #: At 1300 Hz more than an hour and a half.
 MAX_SAMPLES = 2**23

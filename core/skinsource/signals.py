@@ -19,7 +19,7 @@ from skinsource.arguments import (
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
 from skinsource.limb import SAMPLE_RATE_HZ
-from skinsource.wording import quoted
+from skinsource.quoting import quoted
 
 WindowName = Literal["none", "tukey", "hanning"]
 WINDOWS: tuple[WindowName, ...] = get_args(WindowName)

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Any
 
-from skinsource import fields, words
+from skinsource import choice_words, fields
 from skinsource.errors import InvalidInputError
 from skinsource.fields import (
     ChoiceSpec,
@@ -16,8 +16,8 @@ from skinsource.fields import (
 )
 from skinsource.limb import N_OUTPUTS
 from skinsource.projection import Axes, Method
+from skinsource.quoting import quoted
 from skinsource.span import Span
-from skinsource.wording import quoted
 
 #: A value of one field of a panel's settings.
 Plain = None | bool | int | float | str | tuple[float, ...]
@@ -25,13 +25,13 @@ Plain = None | bool | int | float | str | tuple[float, ...]
 PanelFields = tuple[tuple[str, tuple[tuple[str, Plain], ...]], ...]
 
 
-def _choice_of(label: str, options: tuple[words.Word, ...]) -> ChoiceSpec:
+def _choice_of(label: str, options: tuple[choice_words.Word, ...]) -> ChoiceSpec:
     return ChoiceSpec(label=label, options=tuple((word.name, word.title) for word in options))
 
 
-AXES = _choice_of("Axes", words.AXES)
-METHOD = _choice_of("Method", words.METHODS)
-SPAN = _choice_of("Levels", words.SPANS)
+AXES = _choice_of("Axes", choice_words.AXES)
+METHOD = _choice_of("Method", choice_words.METHODS)
+SPAN = _choice_of("Levels", choice_words.SPANS)
 OUTPUTS = ListSpec(
     label="Outputs",
     of=NumberSpec(label="Output", minimum=1, maximum=N_OUTPUTS, whole=True),

@@ -8,12 +8,12 @@ from PySide6.QtGui import QAction, QResizeEvent, QStandardItemModel
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from skinsource import edits
+from skinsource.choice_words import CHOICES, Word
 from skinsource.design import Design
 from skinsource.edits import Edit, Refusal
 from skinsource.fields import ChoiceSpec
 from skinsource.limb import LIMB_NAMES
 from skinsource.view import View
-from skinsource.words import CHOICES, Word
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.tooltips import tooltip
 

@@ -27,8 +27,8 @@ from skinsource.codec.json_text import MAX_TEXT_BYTES, dumped, loaded
 from skinsource.codec.references import put_back, taken_out
 from skinsource.errors import FileFormatError, InvalidInputError
 from skinsource.fields import Tree
+from skinsource.quoting import quoted
 from skinsource.samples import Samples
-from skinsource.wording import quoted
 
 if TYPE_CHECKING:
     import h5py

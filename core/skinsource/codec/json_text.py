@@ -5,7 +5,7 @@ from typing import Any, NoReturn
 
 from skinsource.errors import FileFormatError
 from skinsource.fields import Tree
-from skinsource.wording import quoted
+from skinsource.quoting import quoted
 
 #: Without samples; far above any design.
 MAX_TEXT_BYTES = 8 * 2**20

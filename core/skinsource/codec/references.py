@@ -4,8 +4,8 @@ from typing import Any
 
 from skinsource.errors import FileFormatError
 from skinsource.fields import Tree
+from skinsource.quoting import quoted
 from skinsource.samples import Samples
-from skinsource.wording import quoted
 
 #: No field of a recipe can be called that.
 _REFERENCE = "$samples"

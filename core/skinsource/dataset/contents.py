@@ -14,7 +14,7 @@ from skinsource import hdf5
 from skinsource.arrays import Floats
 from skinsource.dataset import layout
 from skinsource.errors import DatasetError
-from skinsource.wording import quoted
+from skinsource.quoting import quoted
 
 if TYPE_CHECKING:
     import h5py

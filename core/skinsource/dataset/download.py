@@ -10,7 +10,7 @@ from skinsource.dataset.optional import optional_package
 from skinsource.dataset.published import RemoteFile
 from skinsource.errors import DownloadError, StorageError
 from skinsource.job import Stop, stop_if
-from skinsource.wording import printable
+from skinsource.quoting import printable
 
 STOPPED = (
     "Downloading was stopped; what has arrived is kept, and 'skinsource dataset fetch' goes on "

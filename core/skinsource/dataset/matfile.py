@@ -6,7 +6,7 @@ from typing import Any
 from skinsource.dataset.optional import optional_package
 from skinsource.dataset.pieces import WHAT_TO_DO, refuse_scattered
 from skinsource.errors import DatasetError, StorageError
-from skinsource.wording import printable
+from skinsource.quoting import printable
 
 
 def read_variable(path: Path, name: str) -> Any:

@@ -4,7 +4,7 @@ import importlib
 from types import ModuleType
 
 from skinsource.errors import MissingExtraError
-from skinsource.wording import printable, quoted
+from skinsource.quoting import printable, quoted
 
 
 def optional_package(name: str) -> ModuleType:

@@ -28,7 +28,7 @@ from skinsource.errors import (
 )
 from skinsource.files import is_file
 from skinsource.limb import HAND_LENGTHS_MM, Limb, LimbMap
-from skinsource.wording import quoted
+from skinsource.quoting import quoted
 
 #: Tip of digit III to the middle of the wrist, on the published map.
 HAND_LENGTH_PX = 398.1017

@@ -19,8 +19,8 @@ from skinsource.errors import DesignFileError, FileFormatError, InvalidInputErro
 from skinsource.fields import Address, BytesSpec, RecipeSpec
 from skinsource.files import named, read_bytes, write_bytes
 from skinsource.limb import LIMB_NAMES
+from skinsource.quoting import quoted, sentence
 from skinsource.view import View
-from skinsource.wording import quoted, sentence
 
 SUFFIX = ".skinsource"
 

@@ -25,9 +25,9 @@ from skinsource import fields, hdf5
 from skinsource.design import MAX_INPUTS, Design, Input
 from skinsource.errors import FileFormatError, InvalidInputError
 from skinsource.fields import ChoiceSpec, NumberSpec, OptionalSpec, Range, RangeSpec, SwitchSpec
+from skinsource.quoting import printable, quoted
 from skinsource.view import View
 from skinsource.waveforms import Impulse, Noise, Tap, Tone, Waveform
-from skinsource.wording import printable, quoted
 
 if TYPE_CHECKING:
     import h5py

@@ -7,8 +7,8 @@ from typing import Any
 from skinsource.design import Design, Input
 from skinsource.errors import InvalidInputError
 from skinsource.locations import input_place
+from skinsource.quoting import sentence
 from skinsource.view import View
-from skinsource.wording import sentence
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

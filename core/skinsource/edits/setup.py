@@ -3,13 +3,13 @@
 from dataclasses import replace
 from typing import Any
 
+from skinsource.choice_words import LIMBS, SCALINGS, word_of
 from skinsource.design import Design
 from skinsource.edits.edit import Edit, Refusal, refused
 from skinsource.errors import InvalidInputError
 from skinsource.limb import LIMB_NAMES, PRE_TRIGGER_DELAY_S
+from skinsource.quoting import quoted
 from skinsource.view import View
-from skinsource.wording import quoted
-from skinsource.words import LIMBS, SCALINGS, word_of
 
 
 def change_limb(design: Design, view: View, limb: str) -> Edit | Refusal:

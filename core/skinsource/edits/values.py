@@ -9,9 +9,9 @@ from skinsource.edits.edit import NOTHING_CHOSEN, Edit, Refusal, changed, presen
 from skinsource.edits.kinds import as_kind, nearest
 from skinsource.errors import InvalidInputError
 from skinsource.fields import NumberSpec, Spec, specs_of
+from skinsource.quoting import quoted
 from skinsource.view import View
 from skinsource.waveforms import Waveform, kinds
-from skinsource.wording import quoted
 
 _OWN = frozenset({"amplitude", "onset_s"})
 

@@ -6,12 +6,12 @@ import math
 import numpy as np
 import scipy
 
+from skinsource.choice_words import AXES, LIMBS, METHODS, SCALINGS, word_of
 from skinsource.design import audible_inputs
 from skinsource.errors import TooInaccurateError
 from skinsource.export.scene import Scene
 from skinsource.rendering.check import ESTIMATE_FACTOR, N_SAMPLES, TraceError
 from skinsource.version import __version__
-from skinsource.words import AXES, LIMBS, METHODS, SCALINGS, word_of
 
 
 def about_design(scene: Scene) -> list[str]:

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.arrays import Floats
+from skinsource.choice_words import SPANS, word_of
 from skinsource.design import Design
 from skinsource.export.csv_table import CsvTable
 from skinsource.export.figures import (
@@ -22,7 +23,6 @@ from skinsource.export.scene import Scene
 from skinsource.job import Progress, Stop, never, silent
 from skinsource.surface import SurfaceOperator
 from skinsource.view import View
-from skinsource.words import SPANS, word_of
 
 #: Levels further below the loudest output than this have the colour of the lowest.
 RANGE_DB = 50.0

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from skinsource.arrays import Floats
+from skinsource.choice_words import SPANS, word_of
 from skinsource.design import Design
 from skinsource.export.csv_table import CsvTable
 from skinsource.export.figures import (
@@ -24,7 +25,6 @@ from skinsource.limb import PRE_TRIGGER_DELAY_S
 from skinsource.locations import OUTPUTS, output_place
 from skinsource.projection import axis_numbers
 from skinsource.view import View
-from skinsource.words import SPANS, word_of
 
 
 def export_traces(

@@ -12,12 +12,12 @@ differently asks `made_for` with a table by class.
 
 from typing import Any
 
+from skinsource.fields.choices_and_texts import BytesSpec, ChoiceSpec, SwitchSpec, TextSpec
 from skinsource.fields.numbers import CurveSpec, NumberSpec, Range, RangeSpec
 from skinsource.fields.plain import PlainSpec
 from skinsource.fields.recipes import check, field, specs_of
 from skinsource.fields.spec import Address, Misfit, Spec, Tree, made_for
 from skinsource.fields.wholes import ListSpec, OptionalSpec, RecipeSpec, SamplesSpec
-from skinsource.fields.words import BytesSpec, ChoiceSpec, SwitchSpec, TextSpec
 
 
 def number(default: float, spec: NumberSpec) -> Any:

@@ -5,7 +5,7 @@ from typing import Any
 
 from skinsource.errors import FileFormatError, InvalidInputError
 from skinsource.fields.spec import Address, Misfit, Spec, Tree
-from skinsource.wording import printable, quoted
+from skinsource.quoting import printable, quoted
 
 #: Name in a tree under which a recipe says what it is.
 KIND = "kind"

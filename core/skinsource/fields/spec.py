@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any, TypeVar
 
 from skinsource.errors import FileFormatError, InvalidInputError
-from skinsource.wording import quoted
+from skinsource.quoting import quoted
 
 Tree = Any
 

@@ -3,7 +3,7 @@
 import errno
 from pathlib import Path
 
-from skinsource.wording import escaped, printable
+from skinsource.quoting import escaped, printable
 
 _MOST_CHARACTERS = 400
 _FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}

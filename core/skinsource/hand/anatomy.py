@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
 from skinsource.hand.curves import profile
-from skinsource.wording import quoted
+from skinsource.quoting import quoted
 
 THUMB, INDEX, MIDDLE, RING, LITTLE = range(5)
 # Joints along a digit, as fractions of its length from the base knuckle to the tip.

@@ -17,7 +17,7 @@ from skinsource.method_comparison.pareto import pareto_front
 from skinsource.method_comparison.promises import ANSWER_S, FRAME_S, PEAK_ERROR, WINDOW_ERROR
 from skinsource.method_comparison.scenes import scene_of
 from skinsource.method_comparison.table import Row
-from skinsource.wording import printable
+from skinsource.quoting import printable
 
 _COLOURS = ("#000000", "#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#7F7F7F")
 _MARKERS: dict[Precision, str] = {"float64": "o", "float32": "^"}

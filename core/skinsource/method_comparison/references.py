@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from skinsource.arrays import Floats
 from skinsource.assets import data_folder
 from skinsource.errors import FileFormatError
-from skinsource.wording import printable, quoted
+from skinsource.quoting import printable, quoted
 
 Integers = NDArray[np.int64]
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from skinsource.errors import FileFormatError
 from skinsource.files import write_bytes
-from skinsource.wording import printable
+from skinsource.quoting import printable
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -5,6 +5,7 @@ from skinsource.errors import InvalidInputError
 from skinsource.job import Stop
 from skinsource.limb import Limb
 from skinsource.projection import Axes, Method, axis_numbers
+from skinsource.quoting import quoted
 from skinsource.rendering.check import Heard, TraceError, exact_gains, trace_error_of
 from skinsource.rendering.moments import Moments, without_main_axis
 from skinsource.rendering.placed import Placed
@@ -13,7 +14,6 @@ from skinsource.rendering.responses import Responses
 from skinsource.rendering.transforms import forward
 from skinsource.rendering.vibration import Vibration, one_by_one
 from skinsource.spectra import one_sided_magnitude, peak_hold_spectrum
-from skinsource.wording import quoted
 
 
 def shown_outputs(outputs: tuple[int, ...], limb_data: Limb) -> tuple[int, ...]:

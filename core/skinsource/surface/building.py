@@ -10,6 +10,7 @@ from skinsource.arrays import Booleans, Floats
 from skinsource.errors import InvalidInputError
 from skinsource.job import Stop, never, stop_if
 from skinsource.limb import Limb, LimbMap
+from skinsource.quoting import quoted
 from skinsource.surface.boundary import Boundary, boundary_by_sight, boundary_from_table
 from skinsource.surface.operator import SurfaceOperator
 from skinsource.surface.polygon import count_crossings, densified, distinct_vertices, grid_inside
@@ -17,7 +18,6 @@ from skinsource.surface.same_place import pairs_at_same_place
 from skinsource.surface.scattered_sites import scattered_sites
 from skinsource.surface.triangulation import snapped_to_lattice
 from skinsource.surface.visibility import raster_unit
-from skinsource.wording import quoted
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array

@@ -15,6 +15,7 @@ from skinsource.hand.anatomy import HandProportions
 from skinsource.hand.outline import HandShape, hand_shape
 from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS, SAMPLE_RATE_HZ, Limb, check_input_location
 from skinsource.locations import INPUTS
+from skinsource.quoting import quoted
 from skinsource.synthetic.geodesic import paths_in
 from skinsource.synthetic.waves import (
     Pulse,
@@ -23,7 +24,6 @@ from skinsource.synthetic.waves import (
     pulse_spectrum,
     wavenumber,
 )
-from skinsource.wording import quoted
 
 #: Numbers of the built-in synthetic limbs.
 SYNTHETIC_LIMBS = (1, 2, 3, 4)

@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
-from skinsource.words import level_words, span_words
+from skinsource.choice_words import level_words, span_words
 from skinsource_gui.panels.skin.level_range import Range, tick_levels
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.level_text import minus
@@ -43,7 +43,7 @@ def paint_colour_scale(
     table, theme
         Colours.
     span
-        What the levels are the RMS over, as in `skinsource.words`.
+        What the levels are the RMS over, as in `skinsource.choice_words`.
     """
     line = painter.fontMetrics().height()
     top, bottom = (level_y(level, axis_db, ramp) for level in reversed(range_db))

@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, QSizeF
 from PySide6.QtGui import QFontMetricsF
 
+from skinsource.choice_words import PALM_SIDE
 from skinsource.limb import VOLAR_OUTPUTS, LimbMap
-from skinsource.words import PALM_SIDE
 from skinsource_gui.panels.skin.triad import triad_size
 from skinsource_gui.widgets.frame import Frame, fitted
 

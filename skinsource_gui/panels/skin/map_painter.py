@@ -15,8 +15,8 @@ from PySide6.QtGui import (
     QPolygonF,
 )
 
+from skinsource.choice_words import PALM_SIDE
 from skinsource.limb import VOLAR_OUTPUTS, LimbMap
-from skinsource.words import PALM_SIDE
 from skinsource_gui.panels.skin.colour_maps import is_light, level_colours
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import MapLayout

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from PySide6.QtCore import QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
+from skinsource.choice_words import LIMBS, SCALINGS, level_words, signal_words, word_of
 from skinsource.design import Design
 from skinsource.view import View
-from skinsource.words import LIMBS, SCALINGS, level_words, signal_words, word_of
 from skinsource_gui.panels.skin.colour_maps import colour_table
 from skinsource_gui.panels.skin.colour_scale import paint_colour_scale
 from skinsource_gui.panels.skin.map_content import MapContent

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 
-from skinsource.words import BACK_SIDE
+from skinsource.choice_words import BACK_SIDE
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_painter import small_font
 from skinsource_gui.theme import Theme

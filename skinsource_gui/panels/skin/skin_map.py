@@ -14,7 +14,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QToolTip, QWidget
 
-from skinsource.words import TRIAD_SENTENCE
+from skinsource.choice_words import TRIAD_SENTENCE
 from skinsource_gui.panels.skin.colour_maps import colour_table
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import (

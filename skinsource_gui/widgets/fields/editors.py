@@ -6,8 +6,8 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QCheckBox, QLabel, QLineEdit, QWidget
 
 from skinsource.fields import ChoiceSpec, NumberSpec, Spec, SwitchSpec, TextSpec, made_for
+from skinsource.quoting import printable
 from skinsource.signals import BAND_HZ
-from skinsource.wording import printable
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField

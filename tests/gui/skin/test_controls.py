@@ -4,7 +4,7 @@ from PySide6.QtGui import QColor, QHelpEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
-from skinsource.words import TRIAD_SENTENCE
+from skinsource.choice_words import TRIAD_SENTENCE
 from skinsource_gui.panels.skin.map_picture import heading_of
 from skinsource_gui.theme import DARK, LIGHT
 from tests.gui.skin.bench import LEFT, pixel, place

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from skinsource import words
+from skinsource import choice_words
 from skinsource.limb import LIMB_NAMES
 from skinsource.projection import AXES, METHODS
 from skinsource.response_scaling import SCALINGS
@@ -17,7 +17,7 @@ PAGE = Path(__file__).parents[2] / "docs" / "words.md"
 def table():
     """The table of the page, made from the words themselves."""
     lines = ["| in files | in the window | means |", "|---|---|---|"]
-    for field, title, sentence, options in words.CHOICES:
+    for field, title, sentence, options in choice_words.CHOICES:
         lines.append(f"| **`{field}`** | **{title}** | {sentence} |")
         lines += [f"| `{word.name}` | {word.title} | {word.sentence} |" for word in options]
     return "\n".join(lines)
@@ -30,11 +30,11 @@ def test_the_page_of_words_shows_them_as_they_are():
 @pytest.mark.parametrize(
     ("options", "names"),
     [
-        (words.LIMBS, LIMB_NAMES),
-        (words.SCALINGS, SCALINGS),
-        (words.AXES, AXES),
-        (words.METHODS, METHODS),
-        (words.SPANS, SPANS),
+        (choice_words.LIMBS, LIMB_NAMES),
+        (choice_words.SCALINGS, SCALINGS),
+        (choice_words.AXES, AXES),
+        (choice_words.METHODS, METHODS),
+        (choice_words.SPANS, SPANS),
     ],
 )
 def test_every_value_of_a_choice_has_a_title_and_a_sentence(options, names):
@@ -44,19 +44,19 @@ def test_every_value_of_a_choice_has_a_title_and_a_sentence(options, names):
 
 
 def test_examples_in_the_docstrings_are_true():
-    assert doctest.testmod(words).failed == 0
+    assert doctest.testmod(choice_words).failed == 0
 
 
 def test_words_of_something_unknown_are_its_name():
-    assert words.word_of(words.METHODS, "new").both == "new"
-    assert words.word_of(words.METHODS, "pca").both == "Principal axis (pca)"
+    assert choice_words.word_of(choice_words.METHODS, "new").both == "new"
+    assert choice_words.word_of(choice_words.METHODS, "pca").both == "Principal axis (pca)"
 
 
 def test_a_signal_is_named_by_its_axes_and_unless_there_is_one_by_its_method():
-    assert words.signal_words("xyz", "rms") == "x, y, z, RMS direction"
-    assert words.signal_words("y", "rms") == "y"
+    assert choice_words.signal_words("xyz", "rms") == "x, y, z, RMS direction"
+    assert choice_words.signal_words("y", "rms") == "y"
 
 
 def test_a_level_says_what_it_is_the_rms_over():
-    assert words.level_words("record") == "RMS over the whole record"
-    assert words.level_words("loudest") == "RMS over the loudest 100 ms"
+    assert choice_words.level_words("record") == "RMS over the whole record"
+    assert choice_words.level_words("loudest") == "RMS over the loudest 100 ms"
