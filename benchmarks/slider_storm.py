@@ -19,7 +19,7 @@ from yardstick import judge
 
 from skinsource.graph import Graph
 from skinsource_gui.shell.app import make_application
-from skinsource_gui.state.conductor import PATIENCE_S
+from skinsource_gui.state.conductor import WAIT_FOR_RESULTS_S
 from skinsource_gui.state.engine import Engine, Outcome, Request
 
 CHANGES, PERIOD_MS, EVALUATION_S = 1000, 5, 0.04
@@ -63,7 +63,7 @@ class Storm:
         self.last_sent_s = perf_counter()
         self.engine.request(Request(frozenset({"_evaluate"}), {"value": self._sent}))
         # As the window does.
-        self.engine.wait(PATIENCE_S)
+        self.engine.wait(WAIT_FOR_RESULTS_S)
         if self._sent == CHANGES:
             self._timer.stop()
 

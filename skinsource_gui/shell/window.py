@@ -35,9 +35,9 @@ from skinsource_gui.shell.shortcuts_in_fields import ShortcutsInFields
 from skinsource_gui.shell.window_frame import WindowFrame
 from skinsource_gui.state.conductor import Conductor
 from skinsource_gui.state.document import Document
+from skinsource_gui.state.first_paint_engine import FirstPaintEngine
 from skinsource_gui.state.installed_limbs import InstalledLimbs
 from skinsource_gui.state.job_runner import JobRunner
-from skinsource_gui.state.patient_engine import PatientEngine
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.status.accuracy import Accuracy
 from skinsource_gui.status.job_bar import JobBar
@@ -67,7 +67,7 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         self.preferences = preferences
         self.document = Document(design, view, self)
-        self.engine = PatientEngine(graphs_that_share(), self)
+        self.engine = FirstPaintEngine(graphs_that_share(), self)
         self.runner = JobRunner(self)
         self.panels: tuple[Panel, ...] = tuple(spec.panel() for spec in PANELS)
         self.docks = {panel.name: dock_of(panel, self) for panel in self.panels}

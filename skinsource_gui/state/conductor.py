@@ -14,7 +14,7 @@ from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Re
 
 #: An edit waits so long for its results, a frame of most screens: the worker is quicker when it
 #: has the interpreter to itself, and both are painted together.
-PATIENCE_S = 0.016
+WAIT_FOR_RESULTS_S = 0.016
 
 
 class Conductor(QObject):
@@ -58,7 +58,7 @@ class Conductor(QObject):
         for panel in self._panels:
             panel.show_state(self._document.design, self._document.view)
         if self._ask(since_s):
-            self._engine.wait(PATIENCE_S)
+            self._engine.wait(WAIT_FOR_RESULTS_S)
 
     def _ask(self, since_s: float | None = None) -> bool:
         """Ask for what is not known yet; whether there is any."""

@@ -14,8 +14,8 @@ from skinsource.errors import Stopped
 from skinsource.graph import Graph
 from skinsource.work import Work
 
-#: An evaluation of this length is not part of a drag that wants to see each step.
-_PATIENCE_S = 0.5
+#: One that has taken longer gives way to a newer one: no part of a drag that wants to see each step.
+_ABANDONED_AFTER_S = 0.5
 
 
 class Purpose(IntEnum):
@@ -170,7 +170,7 @@ class Engine(QObject):
     def _should_stop(self) -> bool:
         if self._closing.is_set():
             return True
-        return self._superseded.is_set() and perf_counter() - self._started_s > _PATIENCE_S
+        return self._superseded.is_set() and perf_counter() - self._started_s > _ABANDONED_AFTER_S
 
     def _on_landed(self, outcome: Outcome | None) -> None:
         ended, self._running = self._running, None

@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.graph import Graph
 from skinsource_gui.state.engine import Request
-from skinsource_gui.state.patient_engine import PatientEngine
+from skinsource_gui.state.first_paint_engine import FirstPaintEngine
 
 
 @pytest.fixture
@@ -26,7 +26,7 @@ def engine(window, evaluated):
         evaluated.append(question)
         return question
 
-    made = PatientEngine(lambda: Graph(answer), window)
+    made = FirstPaintEngine(lambda: Graph(answer), window)
     yield made
     made.close()
 

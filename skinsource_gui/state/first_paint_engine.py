@@ -9,7 +9,7 @@ from skinsource.graph import Graph
 from skinsource_gui.state.engine import Engine, Purpose, Request, Slot
 
 
-class PatientEngine(Engine):
+class FirstPaintEngine(Engine):
     """Begins when its window has been painted once.
 
     The first evaluation imports most of scipy and opens the limb: half a second in which the
