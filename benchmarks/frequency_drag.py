@@ -38,7 +38,7 @@ from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.engine import Outcome
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.widgets.fields.number_field import NumberField
-from skinsource_gui.widgets.fields.number_stepping import PIXELS_PER_STEP
+from skinsource_gui.widgets.fields.number_gestures import PIXELS_PER_STEP
 
 OUTPUTS = (29, 30, 33, 35, 38, 52)
 #: Median and 95th percentile that are promised, in times the fixed piece of work beside them, for

@@ -23,7 +23,8 @@ class NumberSpec(Spec):
     minimum, maximum
         Both are allowed values.
     step
-        What one turn of the wheel adds; with ``logarithmic`` the factor is one plus it.
+        What one notch of the wheel, one arrow key or a few pixels of a drag add, made round; with
+        ``logarithmic`` it is a part of the value: 0.02 adds 2 %.
     whole
         Whether only whole numbers are allowed.
     """

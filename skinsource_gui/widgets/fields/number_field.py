@@ -16,14 +16,14 @@ from PySide6.QtWidgets import QLineEdit, QStyle, QStyleOptionFrame, QToolTip, QW
 
 from skinsource.fields import NumberSpec
 from skinsource_gui.theme import LIGHT, Theme, tabular
-from skinsource_gui.widgets.fields.number_stepping import NumberStepping
-from skinsource_gui.widgets.fields.number_steps import clamped
+from skinsource_gui.widgets.fields.number_gestures import NumberGestures
 from skinsource_gui.widgets.fields.number_typing import (
     FINISHERS,
     NumberTyping,
     begins_typing,
     first_text,
 )
+from skinsource_gui.widgets.fields.round_numbers import clamped
 from skinsource_gui.widgets.fields.shown_number import ShownNumber
 
 _UNIT_GAP_PX = 4
@@ -41,7 +41,7 @@ class NumberField(QLineEdit):
 
     A double click or a digit begins typing; Enter commits, Esc restores.  What is not allowed
     is outlined in red, with the reason, and never becomes the value.  A drag, the wheel and the
-    arrow keys go to the next round numbers, as `NumberStepping` has it.  The wheel acts only while
+    arrow keys go to the next round numbers, as `NumberGestures` has it.  The wheel acts only while
     the field has the focus, so that scrolling a panel changes nothing.
 
     Parameters
@@ -73,10 +73,10 @@ class NumberField(QLineEdit):
         self._problem_beside = problem_beside
         self._theme = LIGHT
         self._typing = NumberTyping(self)
-        self.stepping = NumberStepping(self)
+        self.gestures = NumberGestures(self)
         self._typing.problem_changed.connect(self._show_problem)
         self._typing.problem_changed.connect(self.problem_changed)
-        self.stepping.stepped.connect(self._edit)
+        self.gestures.stepped.connect(self._edit)
         self.textEdited.connect(self._typing.check_again)
         self.setMaxLength(40)
         self.setAcceptDrops(False)  # files are dropped on the window
@@ -114,7 +114,7 @@ class NumberField(QLineEdit):
     def set_value(self, value_si: float) -> None:
         """Show another value, and tell nobody.  A text that is being typed stays."""
         if value_si != self.value_si:
-            self.stepping.start_anew()
+            self.gestures.start_anew()
             self._show(float(value_si))
 
     def show_theme(self, theme: Theme) -> None:
@@ -128,7 +128,7 @@ class NumberField(QLineEdit):
 
     def cancel_editing(self) -> None:
         """Forget what was typed, and let go of a drag."""
-        self.stepping.release()
+        self.gestures.release()
         if self.editing:
             self._typing.end()
             self._show(self.value_si)
@@ -146,11 +146,11 @@ class NumberField(QLineEdit):
         return True
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if self.stepping.knows(event):
+        if self.gestures.knows(event):
             if self.commit():
-                self.stepping.press_key(event, self._number)
-        elif event.key() == Qt.Key.Key_Escape and self.stepping.dragging:
-            self.stepping.give_up(self._number)
+                self.gestures.press_key(event, self._number)
+        elif event.key() == Qt.Key.Key_Escape and self.gestures.dragging:
+            self.gestures.give_up(self._number)
         elif self.editing:
             if event.key() in FINISHERS:
                 self.commit()
@@ -171,9 +171,9 @@ class NumberField(QLineEdit):
     def event(self, event: QEvent) -> bool:
         # Without this, a shortcut of the window would take the key.
         if event.type() == QEvent.Type.ShortcutOverride and (
-            self.stepping.knows(event)
+            self.gestures.knows(event)
             or (begins_typing(event) and not self.editing)
-            or (event.key() == Qt.Key.Key_Escape and (self.editing or self.stepping.dragging))
+            or (event.key() == Qt.Key.Key_Escape and (self.editing or self.gestures.dragging))
         ):
             event.accept()
             return True
@@ -184,33 +184,33 @@ class NumberField(QLineEdit):
             event.ignore()
             return
         event.accept()
-        notches = self.stepping.notches(event)
+        notches = self.gestures.notches(event)
         if notches and self.commit():
-            self.stepping.turn(notches, self._number, event)
+            self.gestures.turn(notches, self._number, event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if self.editing or event.button() != Qt.MouseButton.LeftButton:
             super().mousePressEvent(event)
         else:
-            self.stepping.press(event, self._number)
+            self.gestures.press(event, self._number)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if self.stepping.dragging:
-            self.stepping.move(event, self._number)
+        if self.gestures.dragging:
+            self.gestures.move(event, self._number)
         elif self.editing:
             # Without a press this would only set the cursor of a text.
             super().mouseMoveEvent(event)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        if not self.stepping.dragging:
+        if not self.gestures.dragging:
             super().mouseReleaseEvent(event)
-        self.stepping.release()
+        self.gestures.release()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if self.editing:
             super().mouseDoubleClickEvent(event)
         elif event.button() == Qt.MouseButton.LeftButton:
-            self.stepping.release()
+            self.gestures.release()
             self.begin_editing()
 
     def focusInEvent(self, event) -> None:

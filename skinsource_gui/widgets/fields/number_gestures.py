@@ -8,7 +8,7 @@ from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
 
 from skinsource_gui.widgets.fields.burst import Burst
 from skinsource_gui.widgets.fields.gesture import new_gesture
-from skinsource_gui.widgets.fields.number_steps import COARSE, FINE, PLAIN, Ladder, stepped
+from skinsource_gui.widgets.fields.round_numbers import COARSE, FINE, PLAIN, Ladder, stepped
 from skinsource_gui.widgets.fields.shown_number import ShownNumber
 
 #: Way of the mouse that makes one step, and way after which a press is a drag.
@@ -51,7 +51,7 @@ class _Drag:
     travel_px: int = 0
 
 
-class NumberStepping(QObject):
+class NumberGestures(QObject):
     """Turns drags, notches of the wheel and arrow keys into round numbers.
 
     Ctrl makes steps fine, Shift coarse.  All values of one drag share one gesture, and so do

@@ -5,8 +5,8 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource_gui.widgets.fields.number_stepping import PIXELS_PER_STEP
-from skinsource_gui.widgets.fields.number_steps import COARSE, FINE, PLAIN, Ladder, stepped
+from skinsource_gui.widgets.fields.number_gestures import PIXELS_PER_STEP
+from skinsource_gui.widgets.fields.round_numbers import COARSE, FINE, PLAIN, Ladder, stepped
 from skinsource_gui.widgets.fields.units import number_text
 from tests.gui.number_field.bench import AMPLITUDE, DURATION, FREQUENCY, PHASE, SEED, move_event
 
@@ -78,7 +78,7 @@ def test_a_burst_of_steps_shares_one_gesture_until_a_pause(bench, qtbot):
         QTest.keyClick(one.field, Qt.Key.Key_Down)
     assert len(one.edits) == 4
     assert len(one.gestures) == 1
-    qtbot.waitUntil(lambda: not one.field.stepping.in_burst)
+    qtbot.waitUntil(lambda: not one.field.gestures.in_burst)
     QTest.keyClick(one.field, Qt.Key.Key_Up)
     assert len(one.gestures) == 2
 
