@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, fields
 
 from skinsource.fields import specs_of
 from skinsource_gui.panel import Panel
+from skinsource_gui.panels.frequency_and_amplitude.panel import FrequencyAndAmplitudePanel
 from skinsource_gui.panels.hand.panel import HandPanel
 from skinsource_gui.panels.inputs.panel import InputsPanel
 from skinsource_gui.panels.inspector.panel import InspectorPanel
@@ -14,7 +15,6 @@ from skinsource_gui.panels.spectra.panel import SpectraPanel
 from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.panels.traces.panel import TracesPanel
 from skinsource_gui.panels.traces.settings import TracesSettings
-from skinsource_gui.panels.turning.panel import TurningPanel
 from skinsource_gui.shell.arrangements import Place
 
 
@@ -61,7 +61,7 @@ PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(panel=HandPanel, places=_places(Place(0, 45), None, Place(0, 86))),
     PanelSpec(panel=InputsPanel, places=_places(Place(2, 26), None, None)),
     PanelSpec(panel=InspectorPanel, places=_places(Place(0, 55), None, None)),
-    PanelSpec(panel=TurningPanel, places=_places(None, None, Place(0, 14))),
+    PanelSpec(panel=FrequencyAndAmplitudePanel, places=_places(None, None, Place(0, 14))),
     PanelSpec(panel=SkinPanel, settings=SkinSettings, places=_places(Place(1), Place(0), Place(1))),
     PanelSpec(
         panel=TracesPanel, settings=TracesSettings, places=_places(Place(2, 37), Place(1), None)

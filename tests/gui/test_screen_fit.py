@@ -65,13 +65,13 @@ def test_text_grows_everywhere_and_comes_back(window, settle, preferences):
 
 
 def test_presenting_shows_frequency_and_amplitude_in_large_words(window, settle):
-    turning = window.panel("turning")
-    assert not turning.isVisible()
+    panel = window.panel("frequency_and_amplitude")
+    assert not panel.isVisible()
     small = window.panel("hand").fontMetrics().height()
     window.do("arrange_presentation")
     settle()
     assert window.panel("hand").fontMetrics().height() > 1.15 * small
-    fields = {name: turning.findChild(QWidget, f"{name}_field") for name in NAMES}
+    fields = {name: panel.findChild(QWidget, f"{name}_field") for name in NAMES}
     assert all(field.isVisible() for field in fields.values())
     fields["frequency_hz"].edited.emit(250.0, None)
     fields["amplitude"].edited.emit(0.5, None)

@@ -1,4 +1,4 @@
-"""Frequency and amplitude of the selected input, for turning in front of an audience."""
+"""Frequency and amplitude of the selected input, large, for presenting."""
 
 from dataclasses import replace
 
@@ -17,14 +17,14 @@ _NOTHING = "Click a place on the hand to add an input"
 _FREQUENCY = "frequency_hz"
 
 
-class TurningPanel(Panel):
-    """The two numbers that are turned in front of an audience.
+class FrequencyAndAmplitudePanel(Panel):
+    """The two numbers that are turned while presenting, in front of an audience.
 
     They are the amplitude and, where the waveform has one, the frequency.
     """
 
     title = "Frequency and amplitude"
-    name = "turning"
+    name = "frequency_and_amplitude"
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -32,7 +32,7 @@ class TurningPanel(Panel):
         self._view = View()
         self._theme = LIGHT
         self._words = QLabel(_NOTHING)
-        self._words.setObjectName("turning_words")
+        self._words.setObjectName("frequency_and_amplitude_words")
         self._amplitude = FieldCell("amplitude", AMPLITUDE)
         self._frequency: FieldCell | None = None
         self._spec: NumberSpec | None = None
