@@ -7,6 +7,7 @@ Scripts and design files use the short names (``upstream``, ``pca``, …), which
 from dataclasses import dataclass
 
 from skinsource.limb import HAND_LENGTHS_MM, LIMB_NAMES
+from skinsource.loudest_window import LOUDEST_WINDOW_S
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -120,6 +121,7 @@ SCALINGS = (
         sentence="Amplitudes are accelerations of the probe in m/s², within about 3 dB.",
     ),
 )
+_LOUDEST = f"{LOUDEST_WINDOW_S * 1000:g} ms"
 SPANS = (
     Word(
         name="record",
@@ -130,9 +132,9 @@ SPANS = (
     ),
     Word(
         name="loudest",
-        title="Loudest 100 ms",
-        sentence="Levels are the highest RMS of any "
-        "100 ms, output by output: neither onset nor silence changes them.",
+        title=f"Loudest {_LOUDEST}",
+        sentence=f"Levels are the highest RMS of any {_LOUDEST}, "
+        "output by output: neither onset nor silence changes them.",
     ),
 )
 _KINDS = {

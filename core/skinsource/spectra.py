@@ -12,7 +12,7 @@ from skinsource.arrays import Complexes, Floats
 from skinsource.errors import InvalidInputError
 from skinsource.job import Stop, never, stop_if
 from skinsource.limb import SAMPLE_RATE_HZ
-from skinsource.span import SPANS, Span, loudest_energy, window_samples
+from skinsource.loudest_window import SPANS, Span, loudest_energy, window_samples
 
 #: Length of the window of `peak_hold_spectrum`.
 HOLD_WINDOW_S = 0.25
@@ -28,7 +28,7 @@ def rms(x: ArrayLike, span: Span = "record", sample_rate_hz: float = SAMPLE_RATE
         Signals.
     span
         ``"record"``: over all samples, as upstream; silence before and after counts.
-        ``"loudest"``: the largest RMS of any 100 ms; of a signal shorter than that, over 100 ms
+        ``"loudest"``: the largest RMS of any window; of a signal shorter than that, over a window
         of which the rest is silent, so that silence around a signal changes nothing.
     sample_rate_hz
         Sample rate; only ``"loudest"`` asks for it.

@@ -15,9 +15,9 @@ from skinsource.fields import (
     SwitchSpec,
 )
 from skinsource.limb import N_OUTPUTS
+from skinsource.loudest_window import Span
 from skinsource.projection import Axes, Method
 from skinsource.quoting import quoted
-from skinsource.span import Span
 
 #: A value of one field of a panel's settings.
 Plain = None | bool | int | float | str | tuple[float, ...]
@@ -57,7 +57,7 @@ class View:
     axes, method
         See `skinsource.project_axes`.
     span
-        What levels average over: ``"record"``, the whole response, or ``"loudest"`` 100 ms of it.
+        What levels average over: ``"record"``, the whole response, or its ``"loudest"`` window.
     outputs
         Selected outputs, 1 to 72, in the order in which they were selected.
     selected_inputs

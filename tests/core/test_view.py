@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 from skinsource.errors import InvalidInputError
+from skinsource.loudest_window import SPANS
 from skinsource.projection import AXES, METHODS
-from skinsource.span import SPANS
 from skinsource.view import View
 
 RANGES = ("time_range_s",)

@@ -12,8 +12,9 @@ from skinsource.arrays import Booleans, Complexes, Floats
 from skinsource.decibels import decibels
 from skinsource.job import Stop
 from skinsource.limb import Limb
+from skinsource.loudest_window import Span, window_samples
 from skinsource.projection import Axes, Method
-from skinsource.rendering.loudest import loudest_energies, loudest_energies_streamed
+from skinsource.rendering.loudest_energies import loudest_energies, loudest_energies_streamed
 from skinsource.rendering.moment_matrices import CrossMatrix, OwnMatrix
 from skinsource.rendering.moments import (
     Moments,
@@ -28,7 +29,6 @@ from skinsource.rendering.projecting import Projection
 from skinsource.rendering.response_spectra import ResponseSpectrum
 from skinsource.rendering.streaming import StreamedVibration
 from skinsource.rendering.total_spectrum import TotalSpectrum
-from skinsource.span import Span, window_samples
 
 _ALL_AXES = (0, 1, 2)
 
@@ -167,7 +167,7 @@ def loudest_rms(
     streamed_vibration: StreamedVibration | None,
     stop: Stop,
 ) -> Floats | None:
-    """RMS of the loudest 100 ms of each projected signal, (n_outputs,); None: not asked for."""
+    """RMS of the loudest window of each projected signal, (n_outputs,); None: not asked for."""
     if span != "loudest":
         return None
     n_window = window_samples(limb_data.sample_rate_hz)

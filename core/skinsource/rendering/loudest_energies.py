@@ -1,14 +1,14 @@
-"""Levels of the loudest tenth of a second: projected signals of all outputs, some at a time."""
+"""Energy of the loudest window: projected signals of all outputs, some at a time."""
 
 import numpy as np
 
 from skinsource.arrays import Floats
 from skinsource.job import Stop, stop_if
+from skinsource.loudest_window import LoudestEnergy, loudest_energy
 from skinsource.rendering.projecting import Projection
 from skinsource.rendering.streaming import StreamedVibration
 from skinsource.rendering.total_spectrum import TotalSpectrum
 from skinsource.rendering.transforms import inverse
-from skinsource.span import LoudestEnergy, loudest_energy
 
 # Outputs that are held in time together: 12 MB at the longest.
 _OUTPUTS_AT_ONCE = 18

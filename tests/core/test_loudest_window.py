@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from skinsource.errors import InvalidInputError
+from skinsource.loudest_window import LoudestEnergy, loudest_energy
 from skinsource.signals import sinusoid
-from skinsource.span import LoudestEnergy, loudest_energy
 from skinsource.spectra import rms
 
 SEED = 7

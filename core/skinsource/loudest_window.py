@@ -1,4 +1,4 @@
-"""What a level averages over: the whole record, or its loudest tenth of a second.
+"""What a level averages over: the whole record, or its loudest window.
 
 Sums over windows are made of sums within blocks as long as a window: only numbers of zero or more
 are added, nothing is subtracted, so that quiet after a burst is as right as the burst.
