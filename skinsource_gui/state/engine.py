@@ -14,7 +14,8 @@ from skinsource.errors import Stopped
 from skinsource.graph import Graph
 from skinsource.work import Work
 
-#: One that has taken longer gives way to a newer one: no part of a drag that wants to see each step.
+#: One that has taken longer gives way to a newer one: it is no part of a drag that wants to see
+#: each step.
 _ABANDONED_AFTER_S = 0.5
 
 
