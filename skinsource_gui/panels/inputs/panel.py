@@ -13,7 +13,7 @@ from skinsource_gui.panel import Panel
 from skinsource_gui.panels.inputs.input_list import InputList
 from skinsource_gui.panels.inputs.input_row import RowState
 from skinsource_gui.theme import UNIT_PX, Theme
-from skinsource_gui.widgets.inputs.gesture_start import GestureStart
+from skinsource_gui.widgets.inputs.field_changes import FieldChanges
 from skinsource_gui.widgets.lateness import Lateness
 
 
@@ -50,7 +50,7 @@ class InputsPanel(Panel):
         self.setFocusProxy(self._rows)
         self._lateness = Lateness(self)
         self._lateness.changed.connect(self._set_pale)
-        self._gesture = GestureStart()
+        self._changes = FieldChanges()
         # Where a selection of all rows on the way began.
         self._anchor: int | None = None
         self._connect()
@@ -158,11 +158,9 @@ class InputsPanel(Panel):
 
     def _change_amplitude(self, one: int, value: float, gesture: int | None) -> None:
         design, view, ids = self._design, self._view, self._together(one)
-        if gesture is None or len(ids) == 1:
-            changed = edits.change_field(design, view, ids, "amplitude", value)
-        else:
-            start = self._gesture.of(gesture, design)
-            changed = edits.drag_field(design, view, ids, "amplitude", value, lead=one, start=start)
+        changed = self._changes.change(
+            design, view, ids, "amplitude", value, lead=one, gesture=gesture
+        )
         self.edited.emit(changed, gesture)
 
     def _toggle_mute(self, one: int | None = None) -> None:

@@ -4,6 +4,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
 from skinsource.waveforms import Noise, Tap, Tone
+from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.inputs.letter_button import LetterButton
 from tests.gui.inspector.bench import Bench, design_of
 
@@ -11,7 +12,8 @@ LEFT = Qt.MouseButton.LeftButton
 
 
 def label_of(bench, name):
-    return next(cell.label.text() for cell in bench.panel._field_cells() if cell.name == name)
+    cells = bench.panel.findChildren(FieldCell)
+    return next(cell.label.text() for cell in cells if cell.name == name and cell.isVisible())
 
 
 def two(qtbot):
