@@ -30,7 +30,8 @@ def load_limb(name: str) -> Limb:
     """
     if not isinstance(name, str) or name not in LIMB_NAMES:
         raise UnknownLimbError(
-            f"limb {quoted(name)} is not known; available now: {', '.join(available_limbs())}"
+            f"the limb {quoted(name)} is not available here; choose one of "
+            f"{', '.join(available_limbs())}"
         )
     kind, number = name.split("-")
     load = load_measured_limb if kind == "measured" else load_synthetic_limb

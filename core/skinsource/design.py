@@ -6,7 +6,7 @@ from typing import Any
 from skinsource import choice_words, fields
 from skinsource.errors import InvalidInputError
 from skinsource.fields import ChoiceSpec, ListSpec, NumberSpec, RecipeSpec, SwitchSpec, TextSpec
-from skinsource.limb import N_INPUTS
+from skinsource.limb import MOST_PLACES
 from skinsource.quoting import quoted
 from skinsource.response_scaling import Scaling
 from skinsource.waveforms import Tone, Waveform, kinds
@@ -31,7 +31,8 @@ AUTHOR = TextSpec(label="Author", longest=200, one_line=True)
 NOTES = TextSpec(label="Notes", longest=20_000)
 LICENCE = TextSpec(label="Licence", longest=2_000)
 
-PLACE = NumberSpec(label="Place", minimum=1, maximum=N_INPUTS, whole=True)
+# Which places there are is a matter of the limb, which says so when it is asked for one.
+PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_PLACES, whole=True)
 WAVEFORM = RecipeSpec(label="Waveform", kinds=kinds)
 MUTED = SwitchSpec(label="Mute", hint="A muted input is silent")
 SOLO = SwitchSpec(label="Solo", hint="Where any input is solo, only solo inputs are heard")
@@ -55,7 +56,7 @@ class Input:
     Attributes
     ----------
     location
-        Input place, 1 to 20.
+        Input place, from 1; the limb says which places it has, see `Limb.n_inputs`.
     waveform
         What it plays.
     amplitude
@@ -91,7 +92,7 @@ class Design:
     Attributes
     ----------
     limb
-        Name of the limb, see `skinsource.load_limb`.
+        Name of the limb, see `skinsource.load_limb`; it need not be available here.
     inputs
         In the order in which they are listed.  Those without an id get one.
     scaling

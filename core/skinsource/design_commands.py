@@ -12,7 +12,7 @@ from skinsource.design_file import open_design
 from skinsource.evaluation import evaluate
 from skinsource.export import export_levels, export_map, export_map_picture, export_traces
 from skinsource.files import make_folder
-from skinsource.locations import OUTPUTS, input_place, output_place
+from skinsource.locations import OUTPUTS, input_words, output_words
 from skinsource.quoting import escaped
 from skinsource.view import View
 
@@ -100,7 +100,7 @@ def _about_input(one: Input, unit: str) -> str:
         f", {word}" for word, is_so in (("muted", one.muted), ("solo", one.solo)) if is_so
     )
     return (
-        f"  {one.id:3}  place {one.location}, {input_place(one.location).name}: {one.waveform}, "
+        f"  {one.id:3}  place {one.location}, {input_words(one.location).name}: {one.waveform}, "
         f"amplitude {one.amplitude:g} {unit}, from {one.onset_s:g} s{marks}"
     )
 
@@ -112,6 +112,6 @@ def _levels(design: Design, view: View) -> list[str]:
         "  output  dB re 1 m/s²  place",
     ]
     for number, level_db in enumerate(levels_db.tolist(), start=1):
-        place = output_place(number).name if number <= len(OUTPUTS) else ""
+        place = output_words(number).name if number <= len(OUTPUTS) else ""
         lines.append(f"  {number:6}  {level_db:12.1f}  {place}".rstrip())
     return lines

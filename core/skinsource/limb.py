@@ -17,6 +17,9 @@ PRE_TRIGGER_DELAY_S = 0.052
 #: Outputs on the palmar side: they have no place on the dorsal map.
 VOLAR_OUTPUTS = (61, 62, 63, 64, 65, 66)
 
+#: The largest number that a place or an output of any limb can have.
+MOST_PLACES = 10_000
+
 #: Hand lengths of limbs 1 to 4, measured and synthetic alike.
 HAND_LENGTHS_MM = (175.0, 165.0, 185.0, 165.0)
 #: Every limb that exists, installed or not.

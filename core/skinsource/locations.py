@@ -186,6 +186,26 @@ def _output_places() -> tuple[OutputPlace, ...]:
     )
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlaceWords:
+    """What a place is called, whether or not it is one of those named here.
+
+    Attributes
+    ----------
+    number
+        From 1.
+    name, short_name
+        As of `InputPlace` and `OutputPlace`.
+    kind
+        Contact of an input place, side of an output place; empty where that is not known.
+    """
+
+    number: int
+    name: str
+    short_name: str
+    kind: str
+
+
 INPUTS: tuple[InputPlace, ...] = _input_places()
 OUTPUTS: tuple[OutputPlace, ...] = _output_places()
 
@@ -217,3 +237,36 @@ def output_place(number: int) -> OutputPlace:
             f"1 to {N_OUTPUTS}. See skinsource.locations for the list."
         )
     return OUTPUTS[number - 1]
+
+
+def input_words(number: int) -> PlaceWords:
+    """What input place ``number`` is called; a limb may have places that are not named here.
+
+    >>> input_words(25).name
+    'Place 25, not on this hand'
+    """
+    if not 1 <= number <= len(INPUTS):
+        return PlaceWords(
+            number=number,
+            name=f"Place {number}, not on this hand",
+            short_name="not on this hand",
+            kind="",
+        )
+    place = INPUTS[number - 1]
+    return PlaceWords(
+        number=number, name=place.name, short_name=place.short_name, kind=place.contact
+    )
+
+
+def output_words(number: int) -> PlaceWords:
+    """What output place ``number`` is called; a limb may have places that are not named here.
+
+    >>> output_words(80).name
+    'Not on this limb'
+    """
+    if not 1 <= number <= len(OUTPUTS):
+        return PlaceWords(
+            number=number, name="Not on this limb", short_name="not on this limb", kind=""
+        )
+    place = OUTPUTS[number - 1]
+    return PlaceWords(number=number, name=place.name, short_name=place.short_name, kind=place.side)

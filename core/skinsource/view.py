@@ -14,7 +14,7 @@ from skinsource.fields import (
     RangeSpec,
     SwitchSpec,
 )
-from skinsource.limb import N_OUTPUTS
+from skinsource.limb import MOST_PLACES
 from skinsource.loudest_window import Span
 from skinsource.projection import Axes, Method
 from skinsource.quoting import quoted
@@ -34,8 +34,8 @@ METHOD = _choice_of("Method", choice_words.METHODS)
 SPAN = _choice_of("Levels", choice_words.SPANS)
 OUTPUTS = ListSpec(
     label="Outputs",
-    of=NumberSpec(label="Output", minimum=1, maximum=N_OUTPUTS, whole=True),
-    most=N_OUTPUTS,
+    of=NumberSpec(label="Output", minimum=1, maximum=MOST_PLACES, whole=True),
+    most=MOST_PLACES,
     different=True,
 )
 SELECTED_INPUTS = ListSpec(
@@ -59,7 +59,8 @@ class View:
     span
         What levels average over: ``"record"``, the whole response, or its ``"loudest"`` window.
     outputs
-        Selected outputs, 1 to 72, in the order in which they were selected.
+        Selected outputs, from 1, in the order in which they were selected; the limb says which
+        it has, see `Limb.n_outputs`.
     selected_inputs
         Ids of the selected inputs; the one that was selected last stands last.  An id that no
         input of the design has selects nothing.

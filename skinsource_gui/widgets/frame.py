@@ -3,11 +3,10 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPolygonF, QTransform
 
-Floats = NDArray[np.float64]
+from skinsource.arrays import Floats
 
 # So far from the middle of the room the nearest of an outline may be, in smaller sides of it.
 _REACH = 0.2

@@ -109,7 +109,7 @@ def test_the_first_window_plays_a_tone_on_the_pad_of_digit_ii():
     "wrong",
     [
         {"location": 0},
-        {"location": 21},
+        {"location": 10_001},
         {"location": True},
         {"location": 2.5},
         {"amplitude": float("nan")},

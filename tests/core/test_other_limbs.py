@@ -5,15 +5,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from skinsource import edits
 from skinsource.design import Design, Input
+from skinsource.design_file import open_design, save_design
 from skinsource.errors import InvalidInputError
+from skinsource.evaluation import evaluate
 from skinsource.limb import Limb, LimbMap
+from skinsource.locations import input_words, output_words
 from skinsource.projection import AXES, METHODS, project_axes
 from skinsource.quantities import new_graph, sources
 from skinsource.response import predict
 from skinsource.spectra import magnitude_spectrum, rms
 from skinsource.view import View
 from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.waveforms.tone import FREQUENCY, PHASE
 
 N_INPUTS, N_OUTPUTS, N_TAPS, RATE_HZ = 7, 10, 200, 2000.0
 OUTPUTS = (10, 2, 5)
@@ -156,3 +161,40 @@ def test_tones_above_half_the_rate_of_the_limb_are_refused():
     slow.sample_rate_hz = 1000.0
     with pytest.raises(InvalidInputError, match="half the sample rate of 1000 Hz"):
         shown(slow, SHORT, View(outputs=OUTPUTS), "record")
+
+
+def test_values_leave_to_the_limb_what_it_has():
+    rate = made_up_limb()
+    rate.sample_rate_hz = 10_000.0
+    high = SHORT.with_input(0, waveform=Tone(frequency_hz=4000.0))
+    found = shown(rate, high, View(outputs=OUTPUTS), "record")
+    assert np.isfinite(found["output_levels_db"]).all()
+    low = SHORT.with_input(0, waveform=Tone(frequency_hz=0.01))
+    assert np.isfinite(
+        shown(made_up_limb(), low, View(outputs=OUTPUTS), "record")["output_rms"]
+    ).all()
+    assert Design(limb="foot-1", inputs=(Input(location=9000),)).inputs[0].location == 9000
+
+
+def test_a_design_for_a_limb_that_is_not_here_is_read_and_refused_where_it_is_computed(tmp_path):
+    design = Design(limb="foot-1", inputs=(Input(location=25),))
+    save_design(tmp_path / "foot.skinsource", design)
+    content = open_design(tmp_path / "foot.skinsource")
+    assert content.design == design
+    with pytest.raises(InvalidInputError, match="the limb 'foot-1' is not available here; choose"):
+        evaluate(content.design, "output_levels_db")
+
+
+def test_places_that_have_no_name_here_are_called_by_their_number():
+    assert input_words(7).name == "Digit II, pad"
+    assert input_words(25).name == "Place 25, not on this hand"
+    assert output_words(80).short_name == "not on this limb"
+    assert edits.place_input(SHORT, View(), 25).label == "Place input at 25 (not on this hand)"
+
+
+@pytest.mark.parametrize(
+    ("rate_hz", "highest"), [(1300.0, 649.0), (1301.0, 650.0), (2000.5, 1000.0), (1e6, 100_000.0)]
+)
+def test_the_highest_frequency_is_a_whole_one_below_half_the_rate(rate_hz, highest):
+    assert FREQUENCY.at_rate(rate_hz).maximum == highest
+    assert PHASE.at_rate(rate_hz) is PHASE

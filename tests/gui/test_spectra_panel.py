@@ -49,6 +49,7 @@ def results_for(view, *, n_times=650, amplitude=0.5, limb="synthetic-1", silence
         "axes": view.axes,
         "method": view.method,
         "limb": limb,
+        "sample_rate_hz": 1300.0,
     }
 
 

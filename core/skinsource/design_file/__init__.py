@@ -4,7 +4,9 @@ What is written is version 2 of the format: the codec's tree of a `DesignFile`, 
 HDF5 file (see `skinsource.codec.image`), so that a new field of any recipe needs no change here.
 A checksum over all of it is verified first; only then does a field that is missing mean that an
 older studio wrote the file, and takes its default.  What a newer studio wrote is refused: nothing
-is guessed, nothing is dropped.  Files of version 1 are read too (`design_file.version_1`).
+is guessed, nothing is dropped.  A limb that is not available here is no reason to refuse a file:
+the design is kept, and another limb can be chosen.  Files of version 1 are read too
+(`design_file.version_1`).
 """
 
 import os
@@ -18,8 +20,7 @@ from skinsource.design_file import version_1
 from skinsource.errors import DesignFileError, FileFormatError, InvalidInputError
 from skinsource.fields import Address, BytesSpec, RecipeSpec
 from skinsource.files import named, read_bytes, write_bytes
-from skinsource.limb import LIMB_NAMES
-from skinsource.quoting import quoted, sentence
+from skinsource.quoting import sentence
 from skinsource.view import View
 
 SUFFIX = ".skinsource"
@@ -88,11 +89,6 @@ def open_design(path: str | os.PathLike[str]) -> DesignFile:
         raise DesignFileError(f"{name}: {sentence(words)}") from error
     except InvalidInputError as error:
         raise DesignFileError(f"{name}: {sentence(str(error))} Nothing was opened.") from error
-    if content.design.limb not in LIMB_NAMES:
-        raise DesignFileError(
-            f"{name}: made for the limb {quoted(content.design.limb)}, and this studio knows "
-            f"{', '.join(LIMB_NAMES)}. Open it with a newer SkinSource studio."
-        )
     return content
 
 

@@ -24,7 +24,18 @@ import numpy as np
 from skinsource import fields, hdf5
 from skinsource.design import MAX_INPUTS, Design, Input
 from skinsource.errors import FileFormatError, InvalidInputError
-from skinsource.fields import ChoiceSpec, NumberSpec, OptionalSpec, Range, RangeSpec, SwitchSpec
+from skinsource.fields import (
+    ChoiceSpec,
+    ListSpec,
+    Misfit,
+    NumberSpec,
+    OptionalSpec,
+    Range,
+    RangeSpec,
+    Spec,
+    SwitchSpec,
+)
+from skinsource.limb import LIMB_NAMES, N_INPUTS, N_OUTPUTS
 from skinsource.quoting import printable, quoted
 from skinsource.view import View
 from skinsource.waveforms import Impulse, Noise, Tap, Tone, Waveform
@@ -37,7 +48,7 @@ _FORMAT, _VERSION = "skinsource design", 1
 _BEGINNING = b"\x89HDF\r\n\x1a\n\x03"
 #: Far above any design of that version.
 _MAX_FILE_BYTES = 64 * 2**20
-#: The longest attribute lists 72 outputs.
+#: The longest attribute lists all outputs.
 _MAX_ATTRIBUTE_BYTES = 1024
 _INPUT_FIELDS = ("location", "amplitude", "onset_s", "muted", "solo", "colour")
 _KINDS: dict[str, tuple[type[Waveform], tuple[str, ...]]] = {
@@ -55,6 +66,15 @@ _STYLE = ChoiceSpec(label="Style", options=(("interpolated", ""), ("sensors", ""
 _LAYOUT = ChoiceSpec(label="Layout", options=(("overlaid", ""), ("stacked", "")))
 _SWITCH, _RANGE = SwitchSpec(label="Switch"), RangeSpec(label="Range")
 _INDEX = NumberSpec(label="Index", minimum=0, maximum=2**31 - 1, whole=True)
+# What that version allowed; anything else is damage, which nothing else there may reveal.
+_LIMB = ChoiceSpec(label="Limb", options=tuple((name, "") for name in LIMB_NAMES))
+_LOCATION = NumberSpec(label="Location", minimum=1, maximum=N_INPUTS, whole=True)
+_FREQUENCY = NumberSpec(label="Frequency", unit="Hz", minimum=1.0, maximum=649.0)
+_OUTPUTS = ListSpec(
+    label="Outputs",
+    of=NumberSpec(label="Output", minimum=1, maximum=N_OUTPUTS, whole=True),
+    most=N_OUTPUTS,
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -148,6 +168,7 @@ def _content(file: "h5py.File", size: int) -> tuple[Design, View, bytes]:
 
 def _design(group: "h5py.Group") -> Design:
     values = _attributes(group, ("limb", "scaling"))
+    _check("Design.limb", values["limb"], _LIMB)
     _refuse_unknown("/design", set(group), {"inputs"})
     inputs = _member(group, "inputs", hdf5.Group)
     keys = [f"{index:04d}" for index in range(min(len(inputs), MAX_INPUTS))]
@@ -159,6 +180,7 @@ def _design(group: "h5py.Group") -> Design:
 def _input(group: "h5py.Group") -> Input:
     _refuse_unknown(group.name, set(group), {"waveform"})
     values = _attributes(group, _INPUT_FIELDS)
+    _check("Input.location", values["location"], _LOCATION)
     return Input(waveform=_waveform(_member(group, "waveform", hdf5.Group)), **values)
 
 
@@ -172,6 +194,8 @@ def _waveform(group: "h5py.Group") -> Waveform:
     recipe, names = _KINDS[kind]
     values = _attributes(group, ("kind", *names))
     del values["kind"]
+    if "frequency_hz" in values:
+        _check("Tone.frequency_hz", values["frequency_hz"], _FREQUENCY)
     return recipe(**values)
 
 
@@ -179,12 +203,20 @@ def _view(group: "h5py.Group", design: Design) -> View:
     _refuse_unknown("/view", set(group), set())
     values: dict[str, Any] = dict.fromkeys(_MAY_BE_NONE)
     values |= _attributes(group, (*_KEPT_LOOKS, *_LOOKS), _MAY_BE_NONE)
+    _check("View.outputs", values["outputs"], _OUTPUTS)
     looks = _Looks(**{name: values.pop(name) for name in _LOOKS})
     # An index behind the last input selected the last one.
     last = len(design.inputs) - 1
     index = looks.selected_input
     chosen = () if index is None or last < 0 else (design.inputs[min(index, last)].id,)
     return View(selected_inputs=chosen, panels=looks.panels, **values)
+
+
+def _check(name: str, value: Any, spec: Spec) -> None:
+    try:
+        spec.checked(value)
+    except Misfit as misfit:
+        raise FileFormatError(f"{name} is {quoted(value)}, expected {misfit}. {_DAMAGED}") from None
 
 
 def _layout(dataset: "h5py.Dataset", size: int) -> bytes:

@@ -6,7 +6,7 @@ from typing import Any
 
 from skinsource.design import Design, Input
 from skinsource.errors import InvalidInputError
-from skinsource.locations import input_place
+from skinsource.locations import input_words
 from skinsource.quoting import sentence
 from skinsource.view import View
 
@@ -60,7 +60,7 @@ def inputs_words(chosen: tuple[Input, ...]) -> str:
 
 def place_words(location: int) -> str:
     """Number and short name of an input place, "7 (II pad)"."""
-    return f"{location} ({input_place(location).short_name})"
+    return f"{location} ({input_words(location).short_name})"
 
 
 def changed(

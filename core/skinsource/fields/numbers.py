@@ -1,6 +1,6 @@
 """Numbers, and what is made of two of them."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any
 
@@ -27,6 +27,8 @@ class NumberSpec(Spec):
         ``logarithmic`` it is a part of the value: 0.02 adds 2 %.
     whole
         Whether only whole numbers are allowed.
+    below_half_rate
+        Whether it is a frequency that a limb can only play below half its sample rate.
     """
 
     unit: str = ""
@@ -35,6 +37,18 @@ class NumberSpec(Spec):
     step: float = 1.0
     logarithmic: bool = False
     whole: bool = False
+    below_half_rate: bool = False
+
+    def at_rate(self, sample_rate_hz: float) -> "NumberSpec":
+        """What is allowed on a limb of this rate: whole hertz below half of it, where that counts.
+
+        >>> NumberSpec(label="Frequency", unit="Hz", below_half_rate=True).at_rate(1300.0).maximum
+        649.0
+        """
+        if not self.below_half_rate:
+            return self
+        highest = max(float(np.ceil(sample_rate_hz / 2)) - 1.0, self.minimum)
+        return replace(self, maximum=min(self.maximum, highest))
 
     @property
     def expected(self) -> str:

@@ -66,6 +66,11 @@ class Spec(ABC):
         del at
         return tree
 
+    def at_rate(self, sample_rate_hz: float) -> "Spec":
+        """What is allowed on a limb of this sample rate: the same, for most."""
+        del sample_rate_hz
+        return self
+
     def depth(self, value: Any) -> int:
         """How many recipes within recipes a value holds."""
         del value

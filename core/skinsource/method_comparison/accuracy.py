@@ -6,11 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.arrays import Floats
+from skinsource.arrays import Floats, Integers
 from skinsource.limb import N_OUTPUTS
 from skinsource.method_comparison.references import Reference
 
-Integers = NDArray[np.int64]
 #: First sample, and samples of each row.
 Block = tuple[int, NDArray[np.floating]]
 

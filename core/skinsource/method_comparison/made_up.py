@@ -8,12 +8,9 @@ whole-number arithmetic, so that their convolutions are known exactly.
 import hashlib
 
 import numpy as np
-from numpy.typing import NDArray
 
-from skinsource.arrays import Floats
+from skinsource.arrays import Floats, Integers
 from skinsource.limb import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS, Limb, LimbMap
-
-Integers = NDArray[np.int64]
 
 #: A response is its whole number times 2 to this power; so is a drive.
 RESPONSE_EXPONENT = -36

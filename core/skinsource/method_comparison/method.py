@@ -7,12 +7,12 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from skinsource.arrays import Integers
 from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS
 from skinsource.method_comparison.accuracy import Block
 from skinsource.method_comparison.made_up import made_up_drive, made_up_response
 from skinsource.method_comparison.scenes import Scene
 
-Integers = NDArray[np.int64]
 Real = NDArray[np.floating]
 Precision = Literal["float64", "float32"]
 

@@ -10,12 +10,10 @@ from zipfile import BadZipFile
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.arrays import Floats
+from skinsource.arrays import Floats, Integers
 from skinsource.assets import data_folder
 from skinsource.errors import FileFormatError
 from skinsource.quoting import printable, quoted
-
-Integers = NDArray[np.int64]
 
 FILE_NAME = "bench-references.npz"
 #: Samples of a window of 100 ms.

@@ -3,13 +3,10 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from skinsource.arrays import Floats
+from skinsource.arrays import Floats, Indices
 from skinsource.surface.shortest_ways import distances_inside
 from skinsource.surface.visibility import nearest_seen, sight_region
-
-Integers = NDArray[np.intp]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -27,8 +24,8 @@ class Boundary:
     """
 
     weights: Floats
-    blind: Integers
-    single: Integers
+    blind: Indices
+    single: Indices
 
 
 def boundary_from_table(table: Floats, outline: Floats, outputs: Floats, unit: float) -> Boundary:
@@ -68,7 +65,7 @@ def boundary_by_sight(outline: Floats, outputs: Floats, unit: float) -> Boundary
 
 
 def _boundary(
-    index: Integers, distance: Floats, outline: Floats, outputs: Floats, unit: float
+    index: Indices, distance: Floats, outline: Floats, outputs: Floats, unit: float
 ) -> Boundary:
     """Weights from the two nearest (n_vertices, 2), of which any may be missing (-1)."""
     n_vertices, n_outputs = len(outline), len(outputs)
@@ -91,8 +88,8 @@ def _boundary(
 
 
 def _nearest_inside(
-    outline: Floats, outputs: Floats, unit: float, blind: Integers
-) -> tuple[Integers, Floats]:
+    outline: Floats, outputs: Floats, unit: float, blind: Indices
+) -> tuple[Indices, Floats]:
     """Two nearest outputs by the way inside the outline, and how far; unreachable ones last."""
     placed = np.flatnonzero(np.isfinite(outputs).all(axis=1))
     way = distances_inside(sight_region(outline, unit), outline[blind], outputs[placed])

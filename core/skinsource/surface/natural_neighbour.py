@@ -18,16 +18,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
-from skinsource.arrays import Floats
+from skinsource.arrays import Floats, Indices
 from skinsource.surface.site_weights import SiteWeights
 from skinsource.surface.triangulation import Triangulation, cross, dot, locate, nearest_on_hull
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-Integers = NDArray[np.intp]
 
 #: Largest gap between a point and the weighted mean of its sites, as a part of the sites' extent.
 LINEAR_PRECISION = 1e-10
@@ -71,8 +69,8 @@ def natural_neighbour_weights(triangulation: Triangulation, points: Floats) -> S
 
 
 def _stolen_areas(
-    triangulation: Triangulation, points: Floats, triangle: Integers
-) -> tuple[Integers, Integers, Floats]:
+    triangulation: Triangulation, points: Floats, triangle: Indices
+) -> tuple[Indices, Indices, Floats]:
     """Eight times the area each point takes from sites, as unsummed (point, site, area).
 
     The cavity has no site inside, so its triangles hang together as a tree: a walk outwards,
@@ -129,7 +127,7 @@ def _border_shares(q: Floats, u: Floats, v: Floats) -> tuple[Floats, Floats]:
 
 
 def _summed(
-    row: Integers, column: Integers, value: Floats, shape: tuple[int, int]
+    row: Indices, column: Indices, value: Floats, shape: tuple[int, int]
 ) -> "csr_array[np.float64]":
     """Sum entries of equal row and column, drop rounding residues, make rows sum to 1."""
     place = (row.astype(np.int32), column.astype(np.int32))
@@ -146,7 +144,7 @@ def _with_linear_rows(
     triangulation: Triangulation,
     points: Floats,
     weights: "csr_array[np.float64]",
-    missed: Integers,
+    missed: Indices,
 ) -> "csr_array[np.float64]":
     """Replace rows by linear interpolation in the triangle that holds the point best."""
     real = ~triangulation.flat

@@ -1,15 +1,12 @@
 """A closed polygon in the plane: tidied, split finely, and its inside on a grid."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from skinsource.arrays import Booleans, Floats
+from skinsource.arrays import Booleans, Floats, Indices
 from skinsource.errors import InvalidInputError
 
-Integers = NDArray[np.intp]
 
-
-def distinct_vertices(outline: Floats) -> Integers:
+def distinct_vertices(outline: Floats) -> Indices:
     """Indices of the vertices that are left when immediate repetitions are dropped.
 
     Parameters
@@ -65,7 +62,7 @@ def count_crossings(outline: Floats) -> int:
         overlap &= low[None, :, axis] <= high[:, None, axis]
     one, other = np.nonzero(overlap)
 
-    def side(edge: Integers, point: Floats) -> Floats:
+    def side(edge: Indices, point: Floats) -> Floats:
         along, aside = end[edge] - start[edge], point - start[edge]
         return np.sign(along[:, 0] * aside[:, 1] - along[:, 1] * aside[:, 0])
 
@@ -73,7 +70,7 @@ def count_crossings(outline: Floats) -> int:
     return int(np.sum(apart & (side(other, start[one]) * side(other, end[one]) < 0)))
 
 
-def ranges(start: Integers, stop: Integers) -> tuple[Integers, Integers]:
+def ranges(start: Indices, stop: Indices) -> tuple[Indices, Indices]:
     """Return the owner and the value of every integer in each ``range(start[i], stop[i])``."""
     count = np.maximum(stop - start, 0)
     owner = np.repeat(np.arange(len(count)), count)
@@ -120,7 +117,7 @@ def _grid_enclosed(start: Floats, end: Floats, x: Floats, y: Floats) -> Booleans
 
 def _grid_points_near(
     start: Floats, end: Floats, x: Floats, y: Floats, tolerance: float
-) -> tuple[Integers, Integers]:
+) -> tuple[Indices, Indices]:
     """Row and column of the grid points no farther than ``tolerance`` from an edge."""
     low = np.minimum(start[:, 1], end[:, 1]) - tolerance
     high = np.maximum(start[:, 1], end[:, 1]) + tolerance

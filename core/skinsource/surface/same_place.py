@@ -2,12 +2,9 @@
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
-from skinsource.arrays import Floats
+from skinsource.arrays import Floats, Indices
 from skinsource.errors import InvalidInputError
-
-Integers = NDArray[np.intp]
 
 #: Sites no farther apart than this part of the size of all are one site.
 NEAR_DUPLICATE = 1e-9
@@ -15,7 +12,7 @@ NEAR_DUPLICATE = 1e-9
 Pairs = tuple[tuple[int, int], ...]
 
 
-def first_at_same_place(sites: Floats, size: float) -> Integers:
+def first_at_same_place(sites: Floats, size: float) -> Indices:
     """Index of the first site at the place of each, (n_sites,): its own where it lies alone.
 
     Parameters

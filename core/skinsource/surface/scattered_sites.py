@@ -4,16 +4,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
-from skinsource.arrays import Floats
+from skinsource.arrays import Floats, Indices
 from skinsource.surface.natural_neighbour import natural_neighbour_weights
 from skinsource.surface.same_place import first_at_same_place
 from skinsource.surface.site_line import SiteLine, site_line
 from skinsource.surface.site_weights import SiteWeights
 from skinsource.surface.triangulation import Triangulation, triangulate
-
-Integers = NDArray[np.intp]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -28,7 +25,7 @@ class ScatteredSites:
         The distinct places: triangles, or a line if all lie on one.
     """
 
-    place: Integers
+    place: Indices
     arrangement: Triangulation | SiteLine
 
     @property

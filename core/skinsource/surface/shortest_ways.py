@@ -4,15 +4,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
-from skinsource.arrays import Floats
+from skinsource.arrays import Floats, Indices
 from skinsource.surface.visibility import SightRegion
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-Integers = NDArray[np.intp]
 
 # Column, row of half of the 16 moves to a neighbour, and the raster points passed on the way.
 _MOVES = (
@@ -54,7 +52,7 @@ def distances_inside(region: SightRegion, starts: Floats, ends: Floats) -> Float
     return np.asarray((to_start[:, None] + steps[:, end_number] + to_end) * region.unit)
 
 
-def _moves_between(region: SightRegion, number: Integers) -> "csr_array[np.float64]":
+def _moves_between(region: SightRegion, number: Indices) -> "csr_array[np.float64]":
     """Lengths of the moves between filled raster points, each given once."""
     row, column = np.nonzero(region.filled)
     begin, finish, length = [], [], []
@@ -71,9 +69,7 @@ def _moves_between(region: SightRegion, number: Integers) -> "csr_array[np.float
     return scipy.sparse.csr_array(scipy.sparse.coo_array(lengths, shape=(len(row), len(row))))
 
 
-def _nearest_filled(
-    region: SightRegion, points: Floats
-) -> tuple[tuple[Integers, Integers], Floats]:
+def _nearest_filled(region: SightRegion, points: Floats) -> tuple[tuple[Indices, Indices], Floats]:
     """Row and column of the filled raster point nearest to each point, and how far it is."""
     row, column = np.nonzero(region.filled)
     at = region.raster_coordinates(points)

@@ -4,14 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
-from skinsource.arrays import Floats
+from skinsource.arrays import Floats, Indices
 from skinsource.surface.same_place import NEAR_DUPLICATE
 from skinsource.surface.site_weights import SiteWeights
 from skinsource.surface.triangulation import cross, dot
-
-Integers = NDArray[np.intp]
 
 #: Sites no farther from the line than this part of their extent lie on it.  A quarter of what makes
 #: two sites one, so that different sites have different places along the line.
@@ -35,7 +32,7 @@ class SiteLine:
     """
 
     sites: Floats
-    order: Integers
+    order: Indices
     along: Floats
     extent: float
 
@@ -68,7 +65,7 @@ class SiteLine:
             fallback=np.zeros(len(points), bool),
         )
 
-    def _share(self, points: Floats, start: Integers) -> Floats:
+    def _share(self, points: Floats, start: Indices) -> Floats:
         """How far along its stretch each point lies: 0 at the start, 1 at the end."""
         stop = np.minimum(start + 1, len(self.sites) - 1)
         length = dot(self.sites[stop] - self.sites[start], self.along)

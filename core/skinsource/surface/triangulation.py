@@ -4,11 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
-from skinsource.arrays import Booleans, Floats
-
-Integers = NDArray[np.intp]
+from skinsource.arrays import Booleans, Floats, Indices
 
 #: Points nearer than this part of the extent to a site are that site: rounding would blur there
 #: which circumcircles hold the point.
@@ -42,9 +39,9 @@ class Triangulation:
     sites: Floats
     centre: Floats
     extent: float
-    corners: Integers
-    neighbours: Integers
-    returns: Integers
+    corners: Indices
+    neighbours: Indices
+    returns: Indices
     edges: Floats
     circles: Floats
     shares: Floats
@@ -111,7 +108,7 @@ def triangulate(sites: Floats) -> Triangulation:
 
 def locate(
     triangulation: Triangulation, points: Floats
-) -> tuple[Integers, Integers, Booleans, Booleans]:
+) -> tuple[Indices, Indices, Booleans, Booleans]:
     """Walk from the nearest site to the triangle that holds each point.
 
     scipy's ``find_simplex`` is avoided: its first call runs LAPACK per triangle, and on a busy
@@ -154,9 +151,7 @@ def locate(
     return triangle, at_site, outside, lost
 
 
-def nearest_on_hull(
-    triangulation: Triangulation, points: Floats
-) -> tuple[Floats, Integers, Floats]:
+def nearest_on_hull(triangulation: Triangulation, points: Floats) -> tuple[Floats, Indices, Floats]:
     """Nearest places on the hull, the two sites beside each, and their linear weights."""
     triangle, edge = np.nonzero(triangulation.neighbours < 0)
     ends = np.column_stack(

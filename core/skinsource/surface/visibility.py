@@ -9,12 +9,9 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
-from skinsource.arrays import Booleans, Floats
+from skinsource.arrays import Booleans, Floats, Indices
 from skinsource.surface.polygon import grid_inside, ranges
-
-Integers = NDArray[np.intp]
 
 #: Raster units in one hand length; two of them, 0.5 % of it, are the rule's tolerance.
 UNITS_PER_HAND = 398.1
@@ -99,7 +96,7 @@ def _holds_points(filled: Booleans, points: Floats) -> Booleans:
     return np.asarray(np.all(aside @ outward.T <= reach + _TOLERANCE, axis=1))
 
 
-def _look_up(filled: Booleans, at: Integers) -> Booleans:
+def _look_up(filled: Booleans, at: Indices) -> Booleans:
     """Filled or not at (…, 2) of column, row; empty beyond the raster."""
     last = np.array(filled.shape)[::-1] - 1
     column, row = np.moveaxis(np.clip(at, 0, last), -1, 0)
@@ -126,7 +123,7 @@ def _close_crossings(
 
 def nearest_seen(
     region: SightRegion, vertices: Floats, outputs: Floats, count: int = 2
-) -> tuple[Integers, Floats]:
+) -> tuple[Indices, Floats]:
     """Find the nearest outputs that each vertex sees.
 
     Parameters

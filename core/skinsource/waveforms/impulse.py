@@ -6,6 +6,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.signals import impulse
 
 
@@ -15,7 +16,7 @@ class Impulse:
 
     title: ClassVar[str] = "Impulse"
 
-    duration_s: ClassVar[float] = 1 / 1300.0
+    duration_s: ClassVar[float] = 1 / SAMPLE_RATE_HZ
 
     def samples(self, sample_rate_hz: float) -> NDArray[np.float64]:
         """Drive, (n_times,), of peak 1."""

@@ -6,6 +6,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.signals import TAP_SAMPLES, tap
 
 
@@ -15,7 +16,7 @@ class Tap:
 
     title: ClassVar[str] = "Tap"
 
-    duration_s: ClassVar[float] = TAP_SAMPLES / 1300.0
+    duration_s: ClassVar[float] = TAP_SAMPLES / SAMPLE_RATE_HZ
 
     def samples(self, sample_rate_hz: float) -> NDArray[np.float64]:
         """Drive, (n_times,), of peak 1."""

@@ -9,17 +9,18 @@ from numpy.typing import NDArray
 
 from skinsource import fields
 from skinsource.fields import NumberSpec
-from skinsource.signals import WindowName, sinusoid
+from skinsource.signals import BAND_HZ, WindowName, sinusoid
 from skinsource.waveforms.common import DURATION, WINDOW
 
 FREQUENCY = NumberSpec(
     label="Frequency",
     unit="Hz",
-    minimum=1.0,
-    maximum=649.0,
+    minimum=0.01,
+    maximum=100_000.0,
     step=0.02,
     logarithmic=True,
-    hint="25 to 600 Hz is the measured band",
+    below_half_rate=True,
+    hint="{:g} to {:g} Hz is the measured band".format(*BAND_HZ),
 )
 PHASE = NumberSpec(
     label="Phase", unit="rad", minimum=-2 * pi, maximum=2 * pi, step=pi / 36, hint="Phase at onset"
@@ -33,7 +34,8 @@ class Tone:
     Attributes
     ----------
     frequency_hz, phase_rad, duration_s
-        Frequency (25 to 600 Hz is the measured band), phase at onset, length.
+        Frequency (25 to 600 Hz is the measured band; it must be below half the sample rate of
+        the limb), phase at onset, length.
     window
         ``"none"``, ``"tukey"`` or ``"hanning"``.
     """

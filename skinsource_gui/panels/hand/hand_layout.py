@@ -43,8 +43,12 @@ class HandLayout:
     centres: NDArray[np.float64]
     pushes: NDArray[np.float64]
 
+    def has(self, site: int) -> bool:
+        """Whether ``site`` is on this hand."""
+        return 1 <= site <= len(self.centres)
+
     def centre(self, site: int) -> QPointF:
-        """Middle of the marker of ``site``, 1 to 20."""
+        """Middle of the marker of ``site``, which must be on this hand."""
         x, y = self.centres[site - 1]
         return QPointF(float(x), float(y))
 

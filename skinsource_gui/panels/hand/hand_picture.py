@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPixmap
 
-from skinsource.locations import INPUTS, input_place
+from skinsource.locations import INPUTS, input_words
 from skinsource_gui.panels.hand.hand_drawing import HandDrawing, hand_pixmap
 from skinsource_gui.panels.hand.hand_layout import HandLayout
 from skinsource_gui.panels.hand.site_marker import (
@@ -34,7 +34,7 @@ class Mark:
     Attributes
     ----------
     site
-        Where it is placed, 1 to 20.
+        Where it is placed; not all places need be on this hand.
     colour
         Its colour everywhere.
     silent
@@ -143,7 +143,7 @@ class HandPicture:
         painter.drawPixmap(0, 0, self._hand_at(ratio))
         for place in INPUTS:
             self._paint_site(painter, place.number, state)
-        if state.selected is not None:
+        if state.selected is not None and self._layout.has(state.marks[state.selected].site):
             # Above its neighbours, as the selected one.
             self._paint_site(painter, state.marks[state.selected].site, state)
         if state.cursor is not None:
@@ -210,7 +210,7 @@ class HandPicture:
         area = self._line_area(self._lines)
         text = state.note
         if not text and site is not None:
-            place = input_place(site)
+            place = input_words(site)
             text = f"{site} · {place.name}"
             if metrics.horizontalAdvance(text) > area.width():
                 text = f"{site} · {place.short_name}"

@@ -35,19 +35,23 @@ class SiteCursor(QObject):
         super().__init__(stage)
         self._stage = stage
         self.site = 1
-        self.keys = SiteKeys(self)
+        self.keys = SiteKeys(len(stage.layout.centres), self)
         self.keys.stepped.connect(self._step)
         self.keys.jumped.connect(self.go_to)
         self.keys.activated.connect(self._activate)
         self.keys.shifted.connect(self._shift)
 
     def follow(self, site: int) -> None:
-        """Go where the mouse was used, without showing."""
+        """Go where the mouse was used, without showing; nowhere else than on this hand."""
+        if not self._stage.layout.has(site):
+            return
         self.site = site
         self.moved.emit(site)
 
     def go_to(self, site: int) -> None:
         """Go to a site, and show there."""
+        if not self._stage.layout.has(site):
+            return
         self.follow(site)
         self._stage.change(cursor=site)
         self._stage.pan_zoom.reveal(self._stage.layout.centre(site))
@@ -68,6 +72,10 @@ class SiteCursor(QObject):
         if state.selected is None:
             return
         origin = state.marks[state.selected].site
+        if not self._stage.layout.has(origin):
+            # It comes to the hand where the cursor is.
+            self.shifted.emit(state.selected, self.site, gesture)
+            return
         site = self._stage.layout.neighbour(origin, (x, y))
         if site != origin:
             self.shifted.emit(state.selected, site, gesture)

@@ -3,7 +3,6 @@
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 
-from skinsource.limb import N_INPUTS
 from skinsource_gui.widgets.fields.gesture import new_gesture
 
 #: Two digits typed within this time make one number, ms.
@@ -16,7 +15,7 @@ _STEPS = {
     _Key.Key_Up: (0, -1),
     _Key.Key_Down: (0, 1),
 }
-_ENDS = {_Key.Key_Home: 1, _Key.Key_End: N_INPUTS}
+_ENDS = (_Key.Key_Home, _Key.Key_End)
 _ENTER = (_Key.Key_Return, _Key.Key_Enter, _Key.Key_Space)
 _ADD = (_Key.Key_Insert, _Key.Key_Plus)
 _REMOVE = (_Key.Key_Delete, _Key.Key_Backspace)
@@ -35,6 +34,11 @@ class SiteKeys(QObject):
 
     A number of two digits may be typed; all Shift+arrow presses until Shift is let go are one
     gesture.
+
+    Parameters
+    ----------
+    n_sites
+        How many sites the hand has.
     """
 
     #: Direction (x right, y down).
@@ -47,8 +51,9 @@ class SiteKeys(QObject):
     removed = Signal()
     all_selected = Signal()
 
-    def __init__(self, parent: QObject) -> None:
+    def __init__(self, n_sites: int, parent: QObject) -> None:
         super().__init__(parent)
+        self._n_sites = n_sites
         self._typed = 0
         self._gesture: int | None = None
         self._pause = QTimer(self, singleShot=True, interval=TYPING_MS)
@@ -78,7 +83,7 @@ class SiteKeys(QObject):
         elif key in _STEPS:
             self.stepped.emit(*_STEPS[key])
         elif key in _ENDS:
-            self.jumped.emit(_ENDS[key])
+            self.jumped.emit(1 if key == _Key.Key_Home else self._n_sites)
         elif key in _DIGITS:
             self._type(_DIGITS[key])
         elif key in _REMOVE:
@@ -100,7 +105,7 @@ class SiteKeys(QObject):
 
     def _type(self, digit: int) -> None:
         number = 10 * self._typed + digit
-        self._typed = number if number <= N_INPUTS else digit
+        self._typed = number if number <= self._n_sites else digit
         self._pause.start()
         if self._typed:
             self.jumped.emit(self._typed)

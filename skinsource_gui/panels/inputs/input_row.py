@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPen, QResizeEvent
 from PySide6.QtWidgets import QWidget
 
 from skinsource.design import AMPLITUDE, Input
-from skinsource.locations import input_place
+from skinsource.locations import input_words
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.inputs.input_words import duration_text, figure_text
@@ -123,7 +123,7 @@ class InputRow(QWidget):
         if old is None or old.last != state.last:
             self._let_keyboard_in(state.last)
         self._show_look()
-        place = input_place(shown.location)
+        place = input_words(shown.location)
         self.setAccessibleName(
             f"Input at {place.number}, {place.name}: {figure_text(shown.waveform)}"
             f"{', silent' if state.silent else ''}"
@@ -197,7 +197,7 @@ class InputRow(QWidget):
             silent=silent,
         )
         left = _TEXT_LEFT_PX
-        place = input_place(shown.location)
+        place = input_words(shown.location)
         line_px = _LOW_LINE_PX if self.height() == LOW_ROW_PX else _LINE_PX
         name = QRect(left, _FIRST_LINE_PX, self.preview.x() - UNIT_PX - left, line_px)
         painter.setPen(QColor(self._theme.dim if silent else self._theme.text))

@@ -9,6 +9,7 @@ from skinsource import edits
 from skinsource.design import AMPLITUDE, ONSET, Input
 from skinsource.edits.kinds import kind_name, kind_spec
 from skinsource.fields import ChoiceSpec, specs_of
+from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.locations import INPUTS
 from skinsource.waveforms import Waveform
 from skinsource_gui.panels.inspector.field_grid import FieldGrid
@@ -40,6 +41,7 @@ class InputFields(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._theme = LIGHT
+        self._rate_hz = SAMPLE_RATE_HZ
         self._own: tuple[LabelledCell, ...] = ()
         self._built_for: type[Waveform] | None = None
         self.grid = FieldGrid()
@@ -61,6 +63,16 @@ class InputFields(QObject):
         for cell in self._fields():
             cell.set_value(_value(one, cell.name))
             cell.show_differs(len({_value(other, cell.name) for other in together} - {None}) > 1)
+
+    def show_rate(self, sample_rate_hz: float) -> None:
+        """Take over the rate of the limb, which says what frequencies can be played."""
+        if self._rate_hz == sample_rate_hz:
+            return
+        self._rate_hz = sample_rate_hz
+        specs = specs_of(self._built_for) if self._built_for else {}
+        for cell in self._own:
+            if isinstance(cell, FieldCell):
+                cell.set_spec(specs[cell.name].at_rate(sample_rate_hz))
 
     def show_refused(self, one: Input, name: str, reason: str) -> None:
         """Show again what ``one`` has in this field, and why it stays so."""
@@ -88,7 +100,7 @@ class InputFields(QObject):
     def _build_own(self, waveform: Waveform) -> None:
         old, cells = self._own, []
         for name, spec in specs_of(waveform).items():
-            cell = FieldCell(name, spec)
+            cell = FieldCell(name, spec.at_rate(self._rate_hz))
             cell.edited.connect(self.edited)
             cells.append(cell)
         if fixed_length_text(waveform):

@@ -5,7 +5,7 @@ from PySide6.QtGui import QFont, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from skinsource.design import Input
-from skinsource.locations import InputPlace, input_place
+from skinsource.locations import PlaceWords, input_words
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.inputs.letter_button import mute_button, solo_button
 from skinsource_gui.widgets.inputs.swatch import Swatch
@@ -19,7 +19,7 @@ class InputHeading(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._place: InputPlace | None = None
+        self._place: PlaceWords | None = None
         self._before = ""
         self._swatch = Swatch()
         self._words = QLabel()
@@ -45,10 +45,11 @@ class InputHeading(QWidget):
     def show_input(self, shown: Input, *, silent: bool, together: tuple[Input, ...]) -> None:
         """Show an input, ``silent`` unless it is heard, of those that are edited ``together``."""
         self._before = f"{len(together)} inputs, last: " if len(together) > 1 else ""
-        place = input_place(shown.location)
+        place = input_words(shown.location)
         self._place = place
         self._swatch.show_input(shown.location, shown.colour, silent=silent)
-        self._words.setToolTip(f"Input place {place.number}: {place.name} ({place.contact})")
+        contact = f" ({place.kind})" if place.kind else ""
+        self._words.setToolTip(f"Input place {place.number}: {place.name}{contact}")
         self._state.setText("silent" if silent else "")
         self._mute.setChecked(all(one.muted for one in together))
         self._solo.setChecked(all(one.solo for one in together))

@@ -81,6 +81,7 @@ class InspectorPanel(Panel):
     def show_results(self, results: Mapping[str, Any]) -> None:
         self.show_stale(False)
         self._results = {name: results[name] for name in self.needs}
+        self._fields.show_rate(results["sample_rate_hz"])
         self._show_waveform()
 
     def _show_waveform(self) -> None:

@@ -5,9 +5,8 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QImage
 
+from skinsource.arrays import Floats
 from skinsource_gui.panels.skin.colour_maps import colour_indices
-
-Floats = NDArray[np.float64]
 
 # The picture goes on this many pixels outside the mask, in the colours of the rim, so that
 # smooth scaling never meets an empty pixel inside the outline.

@@ -2,13 +2,9 @@
 
 from dataclasses import dataclass, fields
 
-import numpy as np
-from numpy.typing import NDArray
-
+from skinsource.arrays import Floats
 from skinsource.limb import LimbMap
 from skinsource_gui.panels.skin.field_image import FieldImage
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -19,7 +15,7 @@ class MapContent:
     ----------
     limb_map
         Outline and places; ``None`` before there are any.
-    levels_db : (72,) or None
+    levels_db : (n_outputs,) or None
         Level of each output; ``None``: no colours.
     field, field_levels_db
         Interpolated map and its levels, (rows, columns); ``None``: sensors carry the colours.
@@ -66,7 +62,7 @@ class MapContent:
 
     @property
     def coloured_levels_db(self) -> Floats | None:
-        """Levels that may be shown, (72,); none while a message stands in their place."""
+        """Levels that may be shown, (n_outputs,); none while a message stands in their place."""
         return None if self.message else self.levels_db
 
     @property

@@ -3,16 +3,14 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, QSizeF
 from PySide6.QtGui import QFontMetricsF
 
+from skinsource.arrays import Floats
 from skinsource.choice_words import PALM_SIDE
 from skinsource.limb import VOLAR_OUTPUTS, LimbMap
 from skinsource_gui.panels.skin.triad import triad_size
 from skinsource_gui.widgets.frame import Frame, fitted
-
-Floats = NDArray[np.float64]
 
 #: Palmar outputs as they are laid out: rows from the wrist to the elbow, the middle of
 #: the arm on the left and its ulnar side on the right.
@@ -47,7 +45,7 @@ class MapLayout:
         The screen area.
     frame
         Of the dorsal map.
-    points : (72, 2)
+    points : (n_outputs, 2)
         Of the outputs; the six palmar ones lie in their own group.
     dot_radius, disc_radius, palmar_radius
         Of a sensor on the interpolated map, of one that carries its colour, of a palmar one.

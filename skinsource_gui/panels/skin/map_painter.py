@@ -21,7 +21,7 @@ from skinsource_gui.panels.skin.colour_maps import is_light, level_colours
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import MapLayout
 from skinsource_gui.panels.skin.output_labels import output_labels, square
-from skinsource_gui.panels.skin.output_picking import DORSAL_OUTPUTS
+from skinsource_gui.panels.skin.output_picking import dorsal_outputs
 from skinsource_gui.panels.skin.triad import paint_triad
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.kept_picture import KeptPicture, PaintedAnew
@@ -127,9 +127,10 @@ class MapPainter:
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
     ) -> None:
         painter.setPen(QPen(QColor(theme.skin_line), 1))
-        fills = self._fills(DORSAL_OUTPUTS, content, theme)
+        dorsal = dorsal_outputs(layout.points)
+        fills = self._fills(dorsal, content, theme)
         radius = layout.disc_radius
-        for number, fill in zip(DORSAL_OUTPUTS, fills, strict=True):
+        for number, fill in zip(dorsal, fills, strict=True):
             painter.setBrush(fill)
             painter.drawEllipse(QPointF(*layout.points[number - 1]), radius, radius)
 
@@ -232,7 +233,7 @@ def _paint_card(painter: QPainter, card: QRectF, layout: MapLayout, theme: Theme
 def _paint_dots(painter: QPainter, layout: MapLayout) -> None:
     painter.setPen(QPen(QColor(0, 0, 0, 150), layout.unit))
     painter.setBrush(QColor(255, 255, 255, 230))
-    for number in DORSAL_OUTPUTS:
+    for number in dorsal_outputs(layout.points):
         centre = QPointF(*layout.points[number - 1])
         painter.drawEllipse(centre, layout.dot_radius, layout.dot_radius)
 
@@ -241,6 +242,8 @@ def _paint_rings(painter: QPainter, content: MapContent, layout: MapLayout, them
     """Rings in the colours of the curves around the selected outputs."""
     ground = QColor(theme.base)
     for rank, number in enumerate(content.outputs):
+        if number > len(layout.points):
+            continue  # not on this limb
         centre = QPointF(*layout.points[number - 1])
         radius = ring_radius(number, content, layout)
         paint_ring(painter, centre, radius, theme.output_colour(rank), ground, layout.unit)
@@ -248,7 +251,8 @@ def _paint_rings(painter: QPainter, content: MapContent, layout: MapLayout, them
 
 def _paint_labels(painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme) -> None:
     """Numbers beside the rings of dorsal outputs; palmar ones carry theirs anyway."""
-    dorsal = [number for number in content.outputs if number not in VOLAR_OUTPUTS]
+    drawn = dorsal_outputs(layout.points)
+    dorsal = [number for number in content.outputs if number in drawn]
     if not dorsal:
         return
     radius = ring_radius(dorsal[0], content, layout)

@@ -1,13 +1,12 @@
 """What keys mean on the map."""
 
-import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence
 
+from skinsource.arrays import Floats
 from skinsource_gui.panels.skin.output_picking import (
-    DORSAL_OUTPUTS,
     Outputs,
+    dorsal_outputs,
     output_at,
     output_beyond,
     toggled,
@@ -23,8 +22,6 @@ _ARROWS = {
 }
 _SELECT_KEYS = (Qt.Key.Key_Space, Qt.Key.Key_Return, Qt.Key.Key_Enter)
 _OTHERS = (Qt.Key.Key_Escape, Qt.Key.Key_0, Qt.Key.Key_H)
-
-Points = NDArray[np.float64]
 
 
 class OutputKeys(QObject):
@@ -52,14 +49,14 @@ class OutputKeys(QObject):
         plain = not event.modifiers() & Qt.KeyboardModifier.ControlModifier
         return plain and event.key() in (*_ARROWS, *_SELECT_KEYS, *_OTHERS)
 
-    def press(self, event: QKeyEvent, points: Points, outputs: Outputs, middle: QPointF) -> bool:
+    def press(self, event: QKeyEvent, points: Floats, outputs: Outputs, middle: QPointF) -> bool:
         """Act on a key; return whether it means anything.
 
         Parameters
         ----------
         event
             The press.
-        points : (72, 2)
+        points : (n_outputs, 2)
             Screen places of the outputs.
         outputs
             Those that are selected.
@@ -80,15 +77,16 @@ class OutputKeys(QObject):
             adds = bool(event.modifiers() & ADDS)
             self.meant.emit(toggled(outputs, number) if adds else (number,))
         elif _is_select_all(event):
-            self.meant.emit(DORSAL_OUTPUTS)
+            self.meant.emit(dorsal_outputs(points))
         else:
             return False
         return True
 
-    def _start(self, points: Points, outputs: Outputs, middle: QPointF) -> int:
-        if self.cursor_output is not None:
+    def _start(self, points: Floats, outputs: Outputs, middle: QPointF) -> int:
+        if self.cursor_output is not None and self.cursor_output <= len(points):
             return self.cursor_output
-        return outputs[0] if outputs else output_at(points, middle, float("inf")) or 1
+        here = [number for number in outputs if number <= len(points)]
+        return here[0] if here else output_at(points, middle, float("inf")) or 1
 
 
 def _is_select_all(event: QKeyEvent) -> bool:

@@ -1,9 +1,8 @@
 """What the mouse means on the map."""
 
-import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QObject, QPointF, QRectF, Signal
 
+from skinsource.arrays import Floats
 from skinsource_gui.panels.skin.output_picking import (
     Outputs,
     joined,
@@ -16,8 +15,6 @@ from skinsource_gui.panels.skin.output_picking import (
 REACH_PX = 11.0
 # A press that moves less than this is a click.
 _CLICK_PX = 4.0
-
-Points = NDArray[np.float64]
 
 
 class OutputMouse(QObject):
@@ -47,8 +44,8 @@ class OutputMouse(QObject):
         """The left button goes down."""
         self._pressed = at
 
-    def move(self, at: QPointF, points: Points) -> None:
-        """The mouse moves, whether or not the button is held; ``points`` is (72, 2)."""
+    def move(self, at: QPointF, points: Floats) -> None:
+        """The mouse moves, whether or not the button is held; ``points`` is (n_outputs, 2)."""
         self.pointer = at
         self.hovered = output_at(points, at, REACH_PX)
         if self._pressed is not None:
@@ -56,7 +53,7 @@ class OutputMouse(QObject):
             if self.band is not None or max(band.width(), band.height()) >= _CLICK_PX:
                 self.band = band
 
-    def release(self, at: QPointF, points: Points, outputs: Outputs, *, adds: bool) -> None:
+    def release(self, at: QPointF, points: Floats, outputs: Outputs, *, adds: bool) -> None:
         """The left button goes up; ``adds`` to the present ``outputs``."""
         if self._pressed is None:
             return

@@ -1,20 +1,21 @@
 """Which output is meant by a click, a rubber band or an arrow key."""
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF
 
-from skinsource.limb import N_OUTPUTS, VOLAR_OUTPUTS
+from skinsource.arrays import Floats
+from skinsource.limb import VOLAR_OUTPUTS
 
-Floats = NDArray[np.float64]
 Outputs = tuple[int, ...]
 
-#: All outputs on the back of hand and arm.
-DORSAL_OUTPUTS: Outputs = tuple(k for k in range(1, N_OUTPUTS + 1) if k not in VOLAR_OUTPUTS)
+
+def dorsal_outputs(points: Floats) -> Outputs:
+    """Numbers of the outputs on the back of hand and arm; ``points`` is (n_outputs, 2)."""
+    return tuple(k for k in range(1, len(points) + 1) if k not in VOLAR_OUTPUTS)
 
 
 def output_at(points: Floats, at: QPointF, reach_px: float) -> int | None:
-    """Number of the output nearest to ``at`` and within reach; ``points`` is (72, 2)."""
+    """Number of the output nearest to ``at`` and within reach; ``points`` is (n_outputs, 2)."""
     distances = np.hypot(points[:, 0] - at.x(), points[:, 1] - at.y())
     nearest = int(np.argmin(distances))
     return nearest + 1 if distances[nearest] <= reach_px else None

@@ -179,6 +179,7 @@ class SkinPanel(Panel):
             else tuple(
                 (float(levels[number - 1]), self._theme.output_colour(rank))
                 for rank, number in enumerate(self._view.outputs)
+                if number <= levels.size
             )
         )
         self.map.show_content(self._content)

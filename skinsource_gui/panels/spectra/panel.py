@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 from PySide6.QtWidgets import QVBoxLayout, QWidget
@@ -10,6 +11,7 @@ from skinsource.decibels import decibels
 from skinsource.design import Design
 from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.panel_settings import settings_of, with_settings
+from skinsource.signals import BAND_HZ
 from skinsource.spectra import HOLD_WINDOW_S
 from skinsource.view import View
 from skinsource_gui.panel import Panel
@@ -21,10 +23,7 @@ from skinsource_gui.widgets.plot.signal_view import SignalView
 
 _NO_OUTPUTS = "Select outputs on the skin map"
 _LOWEST_HZ = 10.0
-_NYQUIST_HZ = SAMPLE_RATE_HZ / 2
-#: What was excited when the responses were measured.
-MEASURED_BAND_HZ = (25.0, 600.0)
-_BAND = f"{MEASURED_BAND_HZ[0]:g} to {MEASURED_BAND_HZ[1]:g} Hz"
+_BAND = f"{BAND_HZ[0]:g} to {BAND_HZ[1]:g} Hz"
 _LINEAR_AXIS = XAxis(
     titles=(
         f"Frequency (Hz) · measured band {_BAND}, shaded outside",
@@ -33,10 +32,9 @@ _LINEAR_AXIS = XAxis(
     ),
     unit="Hz",
     column="frequency_hz",
-    extent=(0.0, _NYQUIST_HZ),
-    band=MEASURED_BAND_HZ,
+    extent=(0.0, SAMPLE_RATE_HZ / 2),
+    band=BAND_HZ,
 )
-_LOG_AXIS = replace(_LINEAR_AXIS, extent=(_LOWEST_HZ, _NYQUIST_HZ), log=True)
 # What the height of a curve means, longest first.
 _SCALINGS = {
     "record": ("amplitude over the whole record", "over the whole record", "whole record"),
@@ -65,6 +63,7 @@ class SpectraPanel(Panel):
         super().__init__(parent)
         self.setMinimumSize(240, 140)
         self._view, self._settings = View(), SpectraSettings()
+        self._axis, self._log_axis = _axes(SAMPLE_RATE_HZ)
         self._results: Mapping[str, Any] | None = None
         self._plot = SignalView("spectra-plot", "Spectra of the selected outputs", self)
         self._log_frequency = self._plot.toolbar.add_switch(
@@ -93,7 +92,7 @@ class SpectraPanel(Panel):
     def needs(self) -> frozenset[str]:
         # What the words around the curves say comes with the curves.
         spectra = _QUANTITIES[self._view.span]
-        return frozenset({spectra, "span", "outputs", "axes", "method", "limb"})
+        return frozenset({spectra, "span", "outputs", "axes", "method", "limb", "sample_rate_hz"})
 
     def show_state(self, design: Design, view: View) -> None:
         settings = settings_of(view, self.name, SpectraSettings)
@@ -104,9 +103,7 @@ class SpectraPanel(Panel):
         self._plot.toolbar.show_state(
             layout=settings.layout, zoomed=settings.frequency_range_hz is not None
         )
-        axis = _LOG_AXIS if settings.log_frequency else _LINEAR_AXIS
-        stacked = settings.layout == "stacked"
-        self._plot.set_view(axis, settings.frequency_range_hz, stacked=stacked)
+        self._show_axis()
         if not view.outputs:
             self._say(_NO_OUTPUTS)
         elif level_changed and self._results is not None:
@@ -115,6 +112,10 @@ class SpectraPanel(Panel):
     def show_results(self, results: Mapping[str, Any]) -> None:
         if results["outputs"]:
             self._results = dict(results)
+            axes = _axes(results["sample_rate_hz"])
+            if axes != (self._axis, self._log_axis):
+                self._axis, self._log_axis = axes
+                self._show_axis()
             self._draw(results)
         else:
             self._say(_NO_OUTPUTS)
@@ -127,6 +128,12 @@ class SpectraPanel(Panel):
 
     def show_theme(self, theme: Theme) -> None:
         self._plot.set_theme(theme)
+
+    def _show_axis(self) -> None:
+        settings = self._settings
+        axis = self._log_axis if settings.log_frequency else self._axis
+        stacked = settings.layout == "stacked"
+        self._plot.set_view(axis, settings.frequency_range_hz, stacked=stacked)
 
     def _say(self, message: str) -> None:
         self._results = None
@@ -166,3 +173,11 @@ class SpectraPanel(Panel):
         settings = replace(self._settings, **changes)
         if settings != self._settings:
             self.view_changed.emit(with_settings(self._view, self.name, settings))
+
+
+@cache
+def _axes(sample_rate_hz: float) -> tuple[XAxis, XAxis]:
+    """The linear and the logarithmic axis of a limb of this rate."""
+    highest_hz = sample_rate_hz / 2
+    linear = replace(_LINEAR_AXIS, extent=(0.0, highest_hz))
+    return linear, replace(_LINEAR_AXIS, extent=(_LOWEST_HZ, highest_hz), log=True)

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource.fields import ChoiceSpec
+from skinsource.quoting import printable
 from skinsource_gui.widgets.fields.burst import Burst
 from skinsource_gui.widgets.tooltips import tooltip
 
@@ -19,7 +20,8 @@ from skinsource_gui.widgets.tooltips import tooltip
 class ChoiceField(QComboBox):
     """A drop-down list of the options of ``spec``.
 
-    The wheel acts only while it has the focus, so that scrolling a panel changes nothing.
+    The wheel acts only while it has the focus, so that scrolling a panel changes nothing.  A value
+    that is not among the options is shown as not available, until another is chosen.
     """
 
     #: The chosen option; number of the gesture that quick further choices share.
@@ -28,6 +30,7 @@ class ChoiceField(QComboBox):
     def __init__(self, spec: ChoiceSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._burst = Burst(self)
+        self._strange = ""
         for option, words in spec.options:
             self.addItem(words, option)
         self.setAccessibleName(spec.label)
@@ -41,13 +44,22 @@ class ChoiceField(QComboBox):
     @property
     def value(self) -> str:
         """The chosen option."""
-        return self.currentData()
+        return self._strange if self.currentIndex() < 0 else self.currentData()
 
     def set_value(self, option: str) -> None:
         """Show another choice, and tell nobody."""
         if option != self.value:
             self._burst.end()
-            self.setCurrentIndex(self.findData(option))
+            index = self.findData(option)
+            self._strange = "" if index >= 0 else option
+            self.setCurrentIndex(index)
+            self.update()
+
+    @property
+    def shown_text(self) -> str:
+        """The words for the choice."""
+        strange = f"{printable(self._strange)} (not available)"
+        return strange if self.currentIndex() < 0 else self.currentText()
 
     def choose(self, option: str) -> None:
         """Choose an option, as a user does."""
@@ -70,7 +82,7 @@ class ChoiceField(QComboBox):
             QStyle.ComplexControl.CC_ComboBox, option, QStyle.SubControl.SC_ComboBoxEditField, self
         )
         option.currentText = self.fontMetrics().elidedText(
-            self.currentText(), Qt.TextElideMode.ElideRight, room.width()
+            self.shown_text, Qt.TextElideMode.ElideRight, room.width()
         )
         painter.drawControl(QStyle.ControlElement.CE_ComboBoxLabel, option)
         # The theme's style sheet takes away the arrow of the style.

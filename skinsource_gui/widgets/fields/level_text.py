@@ -2,7 +2,7 @@
 
 from skinsource.choice_words import span_words
 from skinsource.decibels import FLOOR_DB
-from skinsource.locations import output_place
+from skinsource.locations import output_words
 
 
 def minus(text: str) -> str:
@@ -26,4 +26,6 @@ def level_text(level_db: float, span: str) -> str:
 
 def output_text(number: int) -> str:
     """Number and place of an output."""
-    return f"Output {number}, {output_place(number).name}"
+    place = output_words(number)
+    name = place.name if place.kind else place.short_name
+    return f"Output {number}, {name}"

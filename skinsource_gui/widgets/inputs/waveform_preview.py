@@ -4,17 +4,15 @@ import math
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 from pyqtgraph.functions import arrayToQPath
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from skinsource.arrays import Floats
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.plot.decimation import visible_points
-
-Floats = NDArray[np.float64]
 
 _AXIS_PX = 18
 _MARGIN_PX = 4

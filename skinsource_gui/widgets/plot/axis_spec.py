@@ -4,12 +4,10 @@ from dataclasses import dataclass
 from math import floor, log10
 
 import numpy as np
-from numpy.typing import NDArray
 
+from skinsource.arrays import Floats
 from skinsource_gui.widgets.plot.ranges import Kind, Range
 from skinsource_gui.widgets.plot.ticks import Tick, linear_ticks, log_ticks, number_text
-
-Floats = NDArray[np.float64]
 
 _READING_DIGITS = 4
 # Room for a label on the x axis and the gap beside it.

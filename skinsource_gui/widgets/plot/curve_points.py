@@ -3,15 +3,13 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QRectF
 
+from skinsource.arrays import Floats
 from skinsource_gui.widgets.plot.curves import Curves
 from skinsource_gui.widgets.plot.decimation import in_rows, visible_points
 from skinsource_gui.widgets.plot.value_scale import ValueScale
 from skinsource_gui.widgets.plot.x_window import XWindow
-
-Floats = NDArray[np.float64]
 
 # Upright strokes that are longer than this on average make a block.
 _BLOCK_PX = 4.0

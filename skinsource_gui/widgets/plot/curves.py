@@ -3,12 +3,10 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from skinsource.locations import output_place
+from skinsource.arrays import Floats
+from skinsource.locations import output_words
 from skinsource_gui.widgets.plot.ranges import Kind
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,8 +61,8 @@ class Curves:
 
 
 def output_names(outputs: tuple[int, ...]) -> tuple[CurveName, ...]:
-    """Names of the curves of ``outputs``, 1 to 72."""
-    places = [output_place(output) for output in outputs]
+    """Names of the curves of ``outputs``."""
+    places = [output_words(output) for output in outputs]
     return tuple(
         CurveName(number=place.number, short=place.short_name, full=place.name) for place in places
     )

@@ -3,11 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from skinsource.arrays import Floats
 from skinsource_gui.widgets.plot.ranges import Range
-
-Floats = NDArray[np.float64]
 
 #: More rows than these would be too thin to read.
 MOST_ROWS = 12

@@ -1,0 +1,71 @@
+"""Designs for limbs that are not here, or have other places: they open, and say what is missing."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from skinsource.design import Design, Input
+from skinsource.design_file import open_design, save_design
+from skinsource.view import View
+from skinsource.waveforms import Tone
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
+
+STRANGE = Design(limb="foot-1", inputs=(Input(location=25, waveform=Tone(frequency_hz=2000.0)),))
+
+
+@pytest.fixture
+def opened(window, tmp_path, qtbot):
+    def open_(design, view=None):
+        path = tmp_path / "strange.skinsource"
+        save_design(path, design, view)
+        window.files.open(path)
+        qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
+        return path
+
+    return open_
+
+
+def message(window):
+    return window.panel("skin").map.content.message
+
+
+def test_a_design_for_a_limb_that_is_not_here_opens_and_is_kept(window, opened, qtbot):
+    path = opened(STRANGE)
+    assert window.document.design == STRANGE
+    qtbot.waitUntil(lambda: "limb 'foot-1' is not available here" in message(window))
+    assert window.panel("skin").map.content.coloured_levels_db is None
+    limb = window.findChild(ChoiceField, "limb")
+    assert limb.shown_text == "foot-1 (not available)"
+    window.document.edit("Mute", STRANGE.with_input(0, muted=True))
+    assert window.files.save()
+    assert open_design(path).design == STRANGE.with_input(0, muted=True)
+
+
+def test_another_limb_can_be_chosen_instead(window, opened, qtbot):
+    opened(replace(STRANGE, inputs=(Input(location=7),)))
+    window.findChild(ChoiceField, "limb").choose("synthetic-2")
+    qtbot.waitUntil(lambda: message(window) == "" and not window.engine.busy, timeout=30_000)
+    assert window.document.design.limb == "synthetic-2"
+    assert np.isfinite(window.panel("skin").map.content.levels_db).all()
+
+
+@pytest.mark.parametrize(
+    ("one", "outputs", "words"),
+    [
+        (Input(location=25), (29,), "input location 25 does not exist"),
+        (Input(location=7), (29, 80), "has the outputs 1 to 72; selected are also"),
+        (Input(location=7, waveform=Tone(frequency_hz=650.0)), (29,), "half the sample rate"),
+    ],
+    ids=["place", "output", "frequency"],
+)
+def test_what_the_limb_does_not_have_is_said_in_one_sentence(
+    window, opened, qtbot, one, outputs, words
+):
+    design = Design(limb="synthetic-1", inputs=(one,))
+    opened(design, View(outputs=outputs))
+    qtbot.waitUntil(lambda: words in message(window), timeout=30_000)
+    assert window.document.design == design
+    assert window.document.view.outputs == outputs
+    for panel in window.panels:
+        assert not panel.grab().isNull()
