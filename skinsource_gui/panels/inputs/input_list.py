@@ -37,6 +37,7 @@ class InputRows(QWidget):
         self._rows: dict[int, InputRow] = {}
         self.keys, self.mouse = ListKeys(self), ListMouse(self)
         self.keys.typing_wanted.connect(self._type_amplitude)
+        self.keys.moved.connect(self._take_keys)
         self.mouse.held_over.connect(self._show_gap)
         self._gap = QFrame(self)
         self._gap.setObjectName("input_gap")
@@ -118,6 +119,10 @@ class InputRows(QWidget):
 
     def _row_at(self, y: float) -> InputRow | None:
         return next((row for row in self.rows if row.y() <= y < row.y() + row.height()), None)
+
+    def _take_keys(self) -> None:
+        # The key may have come from a control of a row that is left now.
+        self.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _type_amplitude(self) -> None:
         row = self.last_row
