@@ -119,7 +119,7 @@ def peak_hold_spectrum(
     window *= 2.0 / window.sum()
     n_fft = 2 * scipy.fft.next_fast_len(2 * n_window, real=True)
     largest = np.zeros((math.prod(data.shape[:-1]), n_fft // 2 + 1))
-    for row, held in zip(data.reshape(len(largest), -1), largest, strict=True):
+    for row, held in zip(data.reshape(len(largest), data.shape[-1]), largest, strict=True):
         frames = sliding_window_view(np.pad(row, n_window - 1), n_window)[:: n_window // 8 or 1]
         for first in range(0, len(frames), _FRAMES_AT_ONCE):
             stop_if(stop)
@@ -128,7 +128,8 @@ def peak_hold_spectrum(
     # Constant and fastest alternating parts have no mirror image to share with.
     largest[:, [0, -1]] /= 2.0
     frequency_hz = np.arange(n_fft // 2 + 1, dtype=np.float64) * (rate / n_fft)
-    return frequency_hz, largest.reshape(*data.shape[:-1], -1) * scale[..., None]
+    of_each = largest.reshape(*data.shape[:-1], frequency_hz.size)
+    return frequency_hz, of_each * scale[..., None]
 
 
 def one_sided_magnitude(

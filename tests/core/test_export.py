@@ -8,7 +8,7 @@ import pytest
 from skinsource import shared
 from skinsource.design import Design, Input
 from skinsource.errors import StorageError
-from skinsource.export import export_levels, export_traces
+from skinsource.export import export_field, export_levels, export_traces
 from skinsource.limb import VOLAR_OUTPUTS, Limb, LimbMap
 from skinsource.locations import OUTPUTS
 from skinsource.projection import project_axes
@@ -115,6 +115,20 @@ def test_levels_name_the_places_and_say_what_they_are_the_rms_over(tmp_path):
         assert [row[4] for row in rows] == [place.name for place in OUTPUTS]
         assert [int(row[0]) for row in rows if row[3] == "palm"] == list(VOLAR_OUTPUTS)
         assert {row[3] for row in rows} == {"back", "palm"}
+
+
+@pytest.mark.parametrize(("span", "words"), [("record", "whole record"), ("loudest", "100 ms")])
+def test_files_without_levels_name_what_levels_are_the_rms_over_too(tmp_path, span, words):
+    design, view = Design(limb="synthetic-1", inputs=INPUTS), View(span=span)
+    export_traces(tmp_path / "traces.csv", design, view)
+    export_field(tmp_path / "field.npz", design, view)
+    with np.load(tmp_path / "field.npz") as field:
+        of_the_field = str(field["about"]).splitlines()
+    of_traces = [line.removeprefix("# ") for line in read(tmp_path / "traces.csv")[0]]
+    for about in (of_traces, of_the_field):
+        (line,) = [line for line in about if line.startswith("levels: RMS over the ")]
+        assert words in line
+        assert line.endswith(f"({span})")
 
 
 def test_silence_is_minus_200_db_and_no_infinity(tmp_path):

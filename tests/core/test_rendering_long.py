@@ -9,6 +9,7 @@ import pytest
 from skinsource.chain import Chain
 from skinsource.design import Design, Input
 from skinsource.errors import InvalidInputError, Stopped
+from skinsource.loudest_window import SPANS
 from skinsource.projection import AXES, METHODS
 from skinsource.quantities import new_graph, sources
 from skinsource.rendering.drives import Drives
@@ -127,6 +128,7 @@ PANELS_NEED = (
     "output_levels_db",
     "response_time_s",
     "sample_rate_hz",
+    "selected_peak_spectra",
     "selected_spectra",
     "selected_traces",
     "selected_without_main_axis",
@@ -136,20 +138,22 @@ PANELS_NEED = (
 )
 
 
+@pytest.mark.parametrize("span", SPANS)
 @pytest.mark.parametrize("duration_s", [3.0, 11.0, 12.0, 20.0, 30.0, 60.0])
-def test_however_long_the_scene_no_output_need_be_selected(duration_s):
+def test_however_long_the_scene_no_output_need_be_selected(duration_s, span):
     design = LONG.with_input(0, waveform=Tone(frequency_hz=100.0, duration_s=duration_s))
     design = replace(design, inputs=design.inputs[::2])
     graph = new_graph()
     for axes in AXES:
         for method in METHODS:
-            view = View(axes=axes, method=method, outputs=(), selected_inputs=(1,))
+            view = View(axes=axes, method=method, outputs=(), span=span, selected_inputs=(1,))
             found = graph.evaluate(PANELS_NEED, sources(design, view))
             n_times = found["response_time_s"].size
             assert n_times == round(duration_s * 1300) + 521
             assert found["selected_traces"].shape == (0, n_times)
-            frequency_hz, magnitudes = found["selected_spectra"]
-            assert magnitudes.shape == (0, frequency_hz.size)
+            for spectra in ("selected_spectra", "selected_peak_spectra"):
+                frequency_hz, magnitudes = found[spectra]
+                assert magnitudes.shape == (0, frequency_hz.size)
             assert found["trace_error"] is None
             assert found["output_levels_db"].max() > -100.0
 

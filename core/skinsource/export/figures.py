@@ -6,7 +6,7 @@ import math
 import numpy as np
 import scipy
 
-from skinsource.choice_words import AXES, LIMBS, METHODS, SCALINGS, word_of
+from skinsource.choice_words import AXES, LIMBS, METHODS, SCALINGS, SPANS, word_of
 from skinsource.design import audible_inputs
 from skinsource.errors import TooInaccurateError
 from skinsource.export.scene import Scene
@@ -39,6 +39,14 @@ def about_axes(scene: Scene) -> str:
     axes, method = scene.view.axes, word_of(METHODS, scene.view.method).both
     how = "" if len(axes) == 1 else f"; method: {method}"
     return f"axes: {word_of(AXES, axes).both}{how}"
+
+
+def about_levels(scene: Scene) -> str:
+    """Line on what levels are the RMS over, which every file names, also those without levels.
+
+    Who later puts a file of traces beside one of levels then sees whether they belong together.
+    """
+    return f"levels: RMS over the {word_of(SPANS, scene.view.span).both.lower()}"
 
 
 def about_method(scene: Scene) -> list[str]:

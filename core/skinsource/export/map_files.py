@@ -7,13 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.arrays import Floats
-from skinsource.choice_words import SPANS, word_of
 from skinsource.design import Design
 from skinsource.export.csv_table import CsvTable
 from skinsource.export.figures import (
     about_axes,
     about_design,
     about_error,
+    about_levels,
     about_method,
     refuse_if_worse,
 )
@@ -110,7 +110,7 @@ def _map_of(
     about = [
         *about_design(scene),
         about_axes(scene),
-        f"levels: RMS over the {word_of(SPANS, view.span).both.lower()}, in dB re 1 m/s²",
+        f"{about_levels(scene)}, in dB re 1 m/s²",
         *about_method(scene),
         about_error(error, f"the traces of output {loudest}, the loudest"),
     ]

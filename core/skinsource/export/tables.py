@@ -7,13 +7,13 @@ from pathlib import Path
 import numpy as np
 
 from skinsource.arrays import Floats
-from skinsource.choice_words import SPANS, word_of
 from skinsource.design import Design
 from skinsource.export.csv_table import CsvTable
 from skinsource.export.figures import (
     about_axes,
     about_design,
     about_error,
+    about_levels,
     about_method,
     listed,
     refuse_if_worse,
@@ -70,6 +70,7 @@ def export_traces(
         *about_design(scene),
         about_axes(scene),
         f"pre-trigger delay of {PRE_TRIGGER_DELAY_S * 1e3:g} ms: {shift} the times",
+        about_levels(scene),
         *about_method(scene),
         about_error(error, what),
     ]
@@ -106,7 +107,7 @@ def export_levels(
     about = [
         *about_design(scene),
         about_axes(scene),
-        f"levels: RMS over the {word_of(SPANS, view.span).both.lower()}",
+        about_levels(scene),
         *about_method(scene),
         about_error(error, f"the traces of output {loudest}, the loudest"),
     ]

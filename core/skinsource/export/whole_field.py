@@ -11,6 +11,7 @@ from skinsource.errors import StorageError
 from skinsource.export.figures import (
     about_design,
     about_error,
+    about_levels,
     about_method,
     listed,
     refuse_if_worse,
@@ -80,6 +81,7 @@ def _about(scene: Scene) -> list[str]:
         f"(x, y, z), {scene.n_times} times, in m/s²",
         f"times: sample k at k / {scene.sample_rate_hz:g} s; pre-trigger delay of "
         f"{PRE_TRIGGER_DELAY_S * 1e3:g} ms: contained in the times",
+        about_levels(scene),
         *about_method(scene),
     ]
 
