@@ -139,5 +139,5 @@ class AccuracyFigures(QScrollArea):
             if memory is None
             else f"{memory / 1e6:.0f} MB",
             "last": "nothing is shown" if last is None else last.sentence(),
-            "scope": "nothing is shown" if scope is None else scope.phrases()[0],
+            "scope": "nothing is shown" if scope is None else scope.figures(),
         }

@@ -1,51 +1,65 @@
-"""The short benchmark, in a process of its own."""
+"""The latest benchmark of one page: its job, and the folder with what it has written."""
 
-import re
-import sys
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
-from PySide6.QtCore import QObject, QProcess, QProcessEnvironment, Signal
+from PySide6.QtCore import QObject, Signal
 
 from skinsource.errors import SkinSourceError
 from skinsource.files import make_folder, write_bytes
-from skinsource.method_comparison.table import Row, read_table
+from skinsource.job import Job
+from skinsource_gui.accuracy_page.bench_job import PLOT_NAME, Measured, measure
+from skinsource_gui.state.job_runner import JobProgress, JobRunner
 
-#: The child process; where it shall write is added.
-COMMAND = (sys.executable, "-m", "skinsource", "bench", "--quick", "--progress", "lines", "--out")
-TABLE_NAME, PLOT_NAME = "work_precision.csv", "work_precision.png"
-_STEP = re.compile(r"(\d+)/(\d+) (.*)")
-_SPEAKER = "skinsource: "
-_LONGEST_GOODBYE_MS = 3000
-_IN_A_TERMINAL = "In a terminal, 'skinsource bench --quick' may say more."
+_TITLE = "Measuring accuracy and speed"
 
 
 class BenchRun(QObject):
-    """Starts ``skinsource bench --quick``, listens to it, and keeps what it has written."""
+    """Has a benchmark measured, and keeps what came of it.
 
-    #: Steps done, steps in all, name of the step.
-    progressed = Signal(int, int, str)
-    #: The rows of the table; why there is no plot, or nothing.
-    done = Signal(list, str)
+    Parameters
+    ----------
+    runner
+        Carries it out, when what came before it is done: other work would spoil the times.
+    """
+
+    #: The `JobProgress`.
+    progressed = Signal(object)
+    #: What was `Measured`.
+    done = Signal(object)
+    #: It was cancelled; nothing is kept.
+    cancelled = Signal()
     #: Why there are no results.
     failed = Signal(str)
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, runner: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self._runner = runner
         self._folder: TemporaryDirectory[str] | None = None
-        self._process: QProcess | None = None
-        self._heard = b""
-        self._rows: list[Row] = []
+        self._job: Job[Any] | None = None
+        self._measured = False
+        runner.progressed.connect(self._note_progress)
+        runner.done.connect(self._note_done)
+        runner.cancelled.connect(self._note_cancelled)
+        runner.failed.connect(self._note_failed)
 
     @property
     def running(self) -> bool:
-        """Whether the process works."""
-        return self._process is not None
+        """Whether it is measured, or waits for its turn."""
+        return self._job is not None
+
+    @property
+    def waits_for(self) -> str:
+        """Title of the job that comes before it, if any."""
+        first = next(iter(self._runner.unfinished), None)
+        return "" if first is None or first is self._job else first.title
 
     @property
     def files(self) -> tuple[Path, ...]:
         """What the latest run has written; nothing while one works."""
-        if self._folder is None or self.running or not self._rows:
+        if self._folder is None or not self._measured:
             return ()
         return tuple(sorted(path for path in Path(self._folder.name).iterdir() if path.is_file()))
 
@@ -56,38 +70,31 @@ class BenchRun(QObject):
 
     def start(self) -> None:
         """Forget the latest run and begin another."""
-        self.cancel()
-        self._forget()
+        self.close()
         try:
-            self._folder = TemporaryDirectory(prefix="skinsource-bench-")
+            # The job removes what is in there itself when it is stopped or fails.
+            self._folder = TemporaryDirectory(
+                prefix="skinsource-bench-", ignore_cleanup_errors=True
+            )
         except OSError as error:
             self.failed.emit(
                 f"No folder for the results can be made ({error.strerror}). Make room, and measure "
                 "again."
             )
             return
-        self._process = process = QProcess(self)
-        environment = QProcessEnvironment.systemEnvironment()
-        environment.insert("PYTHONIOENCODING", "utf-8")
-        process.setProcessEnvironment(environment)
-        process.readyReadStandardOutput.connect(self._listen)
-        process.finished.connect(self._finish)
-        process.errorOccurred.connect(self._note_fault)
-        program, *words = COMMAND
-        process.start(program, [*words, self._folder.name])
+        self._job = Job(_TITLE, partial(measure, Path(self._folder.name)))
+        self._runner.add(self._job)
 
     def cancel(self) -> None:
-        """End the process if there is one; nothing is said, nothing is left of it."""
-        process = self._release()
-        if process is not None:
-            process.kill()
-            process.waitForFinished(_LONGEST_GOODBYE_MS)
-            process.deleteLater()
-            self._forget()
+        """Stop it; `cancelled` is told once nothing is written any more."""
+        if self._job is not None:
+            self._runner.cancel(self._job)
 
     def close(self) -> None:
-        """End the process and remove what it has written."""
-        self.cancel()
+        """Stop it, listen to it no more, and remove what was written."""
+        job, self._job = self._job, None
+        if job is not None:
+            self._runner.cancel(job)
         self._forget()
 
     def save(self, folder: Path) -> None:
@@ -102,58 +109,30 @@ class BenchRun(QObject):
         for path in self.files:
             write_bytes(folder / path.name, path.read_bytes())
 
-    def _listen(self) -> None:
-        if self._process is None:
-            return
-        self._heard += self._process.readAllStandardOutput().data()
-        *lines, self._heard = self._heard.split(b"\n")
-        for line in lines:
-            step = _STEP.match(line.decode(errors="replace"))
-            if step:
-                self.progressed.emit(int(step[1]), int(step[2]), step[3].strip())
+    def _note_progress(self, job: Job[Any], progress: JobProgress) -> None:
+        if job is self._job:
+            self.progressed.emit(progress)
 
-    def _finish(self, code: int, how: QProcess.ExitStatus) -> None:
-        process = self._release()
-        if process is None or self._folder is None:
-            return
-        said = process.readAllStandardError().data().decode(errors="replace").strip()
-        process.deleteLater()
-        reason = said.splitlines()[-1].removeprefix(_SPEAKER) if said else ""
-        table = Path(self._folder.name) / TABLE_NAME
-        if how == QProcess.ExitStatus.CrashExit or not table.is_file():
-            self._fail(reason or f"it ended with code {code}")
-            return
-        try:
-            self._rows = read_table(table)
-        except SkinSourceError as error:
-            self._fail(str(error))
-            return
-        self.done.emit(list(self._rows), "" if self.plot else reason)
+    def _note_done(self, job: Job[Any], measured: Measured) -> None:
+        if job is self._job:
+            self._job, self._measured = None, True
+            self.done.emit(measured)
 
-    def _note_fault(self, fault: QProcess.ProcessError) -> None:
-        # All other faults are told by `finished` too.
-        if fault == QProcess.ProcessError.FailedToStart:
-            process = self._release()
-            if process is not None:
-                process.deleteLater()
-                self._fail(process.errorString())
+    def _note_cancelled(self, job: Job[Any]) -> None:
+        if job is self._job:
+            self._job = None
+            self._forget()
+            self.cancelled.emit()
 
-    def _fail(self, reason: str) -> None:
-        self._forget()
-        self.failed.emit(f"The measurement gave no results: {reason.rstrip('.')}. {_IN_A_TERMINAL}")
-
-    def _release(self) -> QProcess | None:
-        """Take the process out, and listen to it no more."""
-        process, self._process = self._process, None
-        if process is not None:
-            process.readyReadStandardOutput.disconnect(self._listen)
-            process.finished.disconnect(self._finish)
-            process.errorOccurred.disconnect(self._note_fault)
-        self._heard = b""
-        return process
+    def _note_failed(self, job: Job[Any], error: Exception) -> None:
+        if job is self._job:
+            self._job = None
+            self._forget()
+            mistake = f"The studio made a mistake: {type(error).__name__}: {error}"
+            self.failed.emit(str(error) if isinstance(error, SkinSourceError) else mistake)
 
     def _forget(self) -> None:
-        self._rows = []
+        self._measured = False
         folder, self._folder = self._folder, None
         if folder is not None:
             folder.cleanup()

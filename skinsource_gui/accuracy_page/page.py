@@ -1,32 +1,30 @@
 """Help > Accuracy and speed: what is promised, what is measured now, and a benchmark to run."""
 
 from collections.abc import Callable
-from pathlib import Path
 
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QCloseEvent, QPixmap, QShowEvent
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QDialog,
-    QFileDialog,
     QHBoxLayout,
-    QHeaderView,
     QLabel,
-    QMessageBox,
     QProgressBar,
     QPushButton,
-    QTableView,
     QTabWidget,
     QVBoxLayout,
     QWidget,
 )
 
-from skinsource.errors import SkinSourceError
+from skinsource.job import left_in_words
 from skinsource.method_comparison.table import Row
 from skinsource_gui.accuracy_page.accuracy_figures import AccuracyFigures
+from skinsource_gui.accuracy_page.bench_job import Measured
 from skinsource_gui.accuracy_page.bench_run import BenchRun
 from skinsource_gui.accuracy_page.bench_table import BenchTable, verdict
+from skinsource_gui.accuracy_page.bench_table_view import bench_table_view
 from skinsource_gui.accuracy_page.picture_view import PictureView
+from skinsource_gui.accuracy_page.report_saving import ask_and_save
+from skinsource_gui.state.job_runner import JobProgress, JobRunner
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.status.status_line import StatusLine
 from skinsource_gui.theme import Theme
@@ -38,8 +36,6 @@ _INTRODUCTION = (
 )
 _NOTHING_YET = "Nothing is measured yet. “Measure now” runs the benchmark."
 _SIZE_PX = (1240, 640)
-_ROW_PX = 24
-_NO_ANSWER = QMessageBox.StandardButton.Cancel
 
 
 class AccuracyPage(QDialog):
@@ -47,6 +43,8 @@ class AccuracyPage(QDialog):
 
     Parameters
     ----------
+    runner
+        Carries the benchmark out.
     status
         Knows the present figures.
     theme
@@ -57,6 +55,7 @@ class AccuracyPage(QDialog):
 
     def __init__(
         self,
+        runner: JobRunner,
         status: StatusLine,
         theme: Callable[[], Theme],
         preferences: Preferences,
@@ -67,10 +66,10 @@ class AccuracyPage(QDialog):
         self.setObjectName("accuracy_page")
         self.resize(*_SIZE_PX)
         self._status, self._theme, self._preferences = status, theme, preferences
-        self.run = BenchRun(self)
+        self.run = BenchRun(runner, self)
         self._figures = AccuracyFigures(status)
         self._model = BenchTable(self)
-        self._table = self._make_table()
+        self._table = bench_table_view(self._model)
         self._plot = PictureView()
         self._plot.setObjectName("bench_plot")
         self._plot.setAccessibleName("Plot of the benchmark")
@@ -86,12 +85,12 @@ class AccuracyPage(QDialog):
         self._progress = QProgressBar()
         self._progress.setObjectName("bench_progress")
         self._progress.setAccessibleName("Progress of the benchmark")
-        self._measure = self._button("measure", "Measure now", "Run skinsource bench --quick")
-        self._cancel = self._button("cancel_measuring", "Cancel", "End the benchmark")
-        self._save = self._button(
+        self._measure = _button("measure", "Measure now", "Run skinsource bench --quick")
+        self._cancel = _button("cancel_measuring", "Cancel", "End the benchmark")
+        self._save = _button(
             "save_report", "Save…", "Save the report, table and plot of the benchmark"
         )
-        self._close = self._button("close_page", "Close", "Close this page (Esc)")
+        self._close = _button("close_page", "Close", "Close this page (Esc)")
         self._lay_out()
         self._connect()
         self._show_running(False)
@@ -120,37 +119,6 @@ class AccuracyPage(QDialog):
         self.close()
         self.run.close()
 
-    def _button(self, name: str, text: str, hint: str) -> QPushButton:
-        button = QPushButton(text)
-        button.setObjectName(name)
-        button.setToolTip(hint)
-        button.setAccessibleDescription(hint)
-        button.setAutoDefault(False)
-        return button
-
-    def _make_table(self) -> QTableView:
-        table = QTableView()
-        table.setObjectName("bench_table")
-        table.setAccessibleName("Table of the benchmark")
-        table.setModel(self._model)
-        table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        table.setTabKeyNavigation(False)
-        table.setWordWrap(False)
-        table.setShowGrid(False)
-        table.verticalHeader().hide()
-        table.verticalHeader().setMinimumSectionSize(_ROW_PX)
-        table.verticalHeader().setDefaultSectionSize(_ROW_PX)
-        header = table.horizontalHeader()
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setStretchLastSection(True)
-        header.setHighlightSections(False)
-        header.setSortIndicatorShown(True)
-        header.setSectionsClickable(True)
-        header.setSortIndicator(-1, Qt.SortOrder.AscendingOrder)
-        header.sortIndicatorChanged.connect(self._model.sort)
-        return table
-
     def _lay_out(self) -> None:
         running = QHBoxLayout()
         running.addWidget(self._words, 1)
@@ -174,6 +142,7 @@ class AccuracyPage(QDialog):
         self._close.clicked.connect(self.close)
         self.run.progressed.connect(self._show_step)
         self.run.done.connect(self._show_results)
+        self.run.cancelled.connect(self._show_cancelled)
         self.run.failed.connect(self._show_failure)
 
     def _refresh(self) -> None:
@@ -189,22 +158,29 @@ class AccuracyPage(QDialog):
         self._show_rows([], _NOTHING_YET)
         self._progress.setRange(0, 0)
         self._words.setText("Starting…")
-        self._show_running(True)
-        self._cancel.setFocus(Qt.FocusReason.OtherFocusReason)
         self.run.start()
+        if self.run.running:
+            self._show_running(True)
+            self._cancel.setFocus(Qt.FocusReason.OtherFocusReason)
+        if self.run.waits_for:
+            self._words.setText(f"Waiting until this is done: {self.run.waits_for}.")
 
     def _stop(self) -> None:
-        if self.run.running:
-            self.run.cancel()
-            self._words.setText("Cancelled. Nothing was kept.")
-            self._show_running(False)
+        self.run.cancel()
 
-    def _show_step(self, done: int, total: int, name: str) -> None:
-        self._progress.setRange(0, total)
-        self._progress.setValue(done)
-        self._words.setText(f"Measuring {name}: {done} of {total} rows done.")
+    def _show_cancelled(self) -> None:
+        self._words.setText("Cancelled. Nothing was kept.")
+        self._show_running(False)
 
-    def _show_results(self, rows: list[Row], problem: str) -> None:
+    def _show_step(self, step: JobProgress) -> None:
+        self._progress.setRange(0, step.total)
+        self._progress.setValue(step.done)
+        left = left_in_words(step.seconds_left)
+        words = f"Measuring {step.text}: {step.done} of {step.total} rows done"
+        self._words.setText(f"{words}, {left}." if left else f"{words}.")
+
+    def _show_results(self, measured: Measured) -> None:
+        rows, problem = list(measured.rows), measured.no_plot
         self._words.setText(verdict(rows))
         self._show_rows(rows, f"{problem[:1].upper()}{problem[1:]}")
         self._show_running(False)
@@ -234,30 +210,13 @@ class AccuracyPage(QDialog):
             self._measure.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _ask_and_save(self) -> None:
-        chosen = QFileDialog.getExistingDirectory(
-            self, "Save the benchmark in a folder", str(self._preferences.folder)
-        )
-        if not chosen:
-            return
-        folder = Path(chosen)
-        there = [path.name for path in self.run.files if (folder / path.name).exists()]
-        if there and not self._may_replace(there):
-            return
-        try:
-            self.run.save(folder)
-        except SkinSourceError as error:
-            self._words.setText(str(error))
-        else:
-            self._preferences.folder = folder
-            names = ", ".join(path.name for path in self.run.files)
-            self._words.setText(f"Saved in {folder}: {names}.")
+        self._words.setText(ask_and_save(self.run, self._preferences, self) or self._words.text())
 
-    def _may_replace(self, names: list[str]) -> bool:
-        answer = QMessageBox.question(
-            self,
-            "Replace the files?",
-            f"{', '.join(names)}: in that folder already. Replace?",
-            QMessageBox.StandardButton.Yes | _NO_ANSWER,
-            _NO_ANSWER,
-        )
-        return answer == QMessageBox.StandardButton.Yes
+
+def _button(name: str, text: str, hint: str) -> QPushButton:
+    button = QPushButton(text)
+    button.setObjectName(name)
+    button.setToolTip(hint)
+    button.setAccessibleDescription(hint)
+    button.setAutoDefault(False)
+    return button

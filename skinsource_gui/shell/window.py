@@ -142,6 +142,7 @@ class MainWindow(QMainWindow):
             late(
                 "skinsource_gui.accuracy_page.page",
                 "AccuracyPage",
+                self.runner,
                 self.status_line,
                 lambda: self.theme,
                 self.preferences,
@@ -196,6 +197,7 @@ class MainWindow(QMainWindow):
         self._limb_note.help_wanted.connect(self.pages.show_dataset)
         self.conductor.failed.connect(reports.show_impossible)
         self.conductor.delivered.connect(reports.show_outcome)
+        self.conductor.stale.connect(self.status_line.show_stale)
         self.conductor.delivered.connect(self._limb_note.show_outcome)
         self.accuracy.checked.connect(self.status_line.show_error)
         self.engine.finished.connect(reports.log_fault)

@@ -32,6 +32,8 @@ class Conductor(QObject):
     failed = Signal(str)
     #: The `Outcome` that the panels now show.
     delivered = Signal(object)
+    #: Whether what the panels show is older than the design.
+    stale = Signal(bool)
 
     def __init__(
         self,
@@ -78,6 +80,7 @@ class Conductor(QObject):
         for panel in visible:
             if panel.needs:
                 panel.show_stale(True)
+        self.stale.emit(True)
         self._engine.request(request)
         return True
 
@@ -90,12 +93,14 @@ class Conductor(QObject):
         visible = [panel for panel in self._panels if panel.isVisible() and panel.needs]
         if outcome.values is None:
             self._explain(visible, _reason(outcome.error))
+            self.stale.emit(outcome.request is not self._asked)
             return
         for panel in visible:
             if panel.needs <= outcome.values.keys():
                 self._show(panel, outcome.values)
                 panel.show_stale(outcome.request is not self._asked)
         self.delivered.emit(outcome)
+        self.stale.emit(outcome.request is not self._asked)
 
     def _show(self, panel: Panel, values: Mapping[str, Any]) -> None:
         # What has not changed is not drawn again.

@@ -58,14 +58,17 @@ class Scope:
         """Words for the status bar, from all to the least."""
         if not self.inputs:
             return ("No input yet", "No input")
-        inputs = "input" if self.inputs == 1 else "inputs"
-        felt = (
-            f"{self.inputs} {inputs}"
-            if self.heard == self.inputs
-            else f"{self.heard} of {self.inputs} {inputs} felt"
-        )
+        felt = felt_words(self.inputs, self.heard)
         long = " · long scene, summed piece by piece" if self.streamed else ""
         return (*([f"{felt} · up to date{long}"] if long else []), f"{felt} · up to date", felt)
+
+    def figures(self) -> str:
+        """All of it in one line, for who knows what the words mean."""
+        shown = f"map in {self.map_transforms} transforms" if self.has_map else "no map"
+        return (
+            f"{self.heard} of {self.inputs} inputs, {self.channels} of {self.all_channels} "
+            f"channels, {shown}; {self.method}"
+        )
 
     def sentences(self) -> str:
         """The same and more, in whole sentences, one on a line."""
@@ -104,6 +107,12 @@ class Scope:
             f"transforms{search}; {work.samples_drawn} samples drawn, "
             f"{work.bytes_read / 1e6:.1f} MB read."
         )
+
+
+def felt_words(inputs: int, heard: int) -> str:
+    """Say how many inputs there are, and how many of them are felt."""
+    words = "input" if inputs == 1 else "inputs"
+    return f"{inputs} {words}" if heard == inputs else f"{heard} of {inputs} {words} felt"
 
 
 def scope_of(outcome: Outcome) -> Scope:

@@ -11,13 +11,15 @@ from skinsource_gui.status import scope
 from skinsource_gui.status.edit_times import EditTime
 from skinsource_gui.status.error_label import ErrorLabel
 from skinsource_gui.status.fitting_label import FittingLabel
-from skinsource_gui.status.scope import Scope, scope_of
+from skinsource_gui.status.scope import Scope, felt_words, scope_of
 from skinsource_gui.status.sparkline import FRAME_S, Sparkline
 from skinsource_gui.status.timing_label import TimingLabel
 from skinsource_gui.theme import UNIT_PX, Theme, tabular
+from skinsource_gui.widgets.lateness import Lateness
 
 # Numbers that change faster cannot be read.
 _PAUSE_MS = 250
+_OLDER = "The panels show the design before the last edits"
 
 
 class StatusLine(QWidget):
@@ -48,6 +50,8 @@ class StatusLine(QWidget):
         self._work.setAccessibleName("What was computed")
         self._work.setFont(tabular(self._work.font()))
         self._heard = ""
+        self._lateness = Lateness(self)
+        self._lateness.changed.connect(self._follow_lateness)
         self._pause = QTimer(self, singleShot=True, interval=_PAUSE_MS)
         self._pause.timeout.connect(self._say)
         # Until something is edited there is no time to tell.
@@ -74,7 +78,7 @@ class StatusLine(QWidget):
     def show_design(self, design: Design) -> None:
         """Count the inputs of ``design``, where nothing is known of results."""
         count, heard = len(design.inputs), len(audible_inputs(design.inputs))
-        self._heard = f"{heard} of {count} inputs felt" if count else "No input yet"
+        self._heard = felt_words(count, heard) if count else "No input yet"
         if self.scope is None:
             self._say()
 
@@ -90,6 +94,10 @@ class StatusLine(QWidget):
         self.timing.show_no_outcome()
         self.error.show_error(None)
         self._say()
+
+    def show_stale(self, stale: bool) -> None:
+        """Say whether what is told is older than the design."""
+        self._lateness.set_stale(stale)
 
     def show_error(self, error: TraceError | None) -> None:
         """Take over what is known of the error; None: nothing yet."""
@@ -107,12 +115,18 @@ class StatusLine(QWidget):
         return self.timing.last, self.timing.times.seconds()
 
     def _note_times(self) -> None:
-        self._times.show()
+        self._times.setVisible(not self._lateness.late)
         self._sparkline.show_times(self.timing.times.seconds())
 
     def _about_times(self) -> str:
         times = self.timing.about_times() or "Nothing was edited yet."
         return f"{times}\nOne bar for each edit, the thin line is one frame ({FRAME_S * 1e3:g} ms)."
+
+    def _follow_lateness(self, late: bool) -> None:
+        # Time and error of the results before would be read as those of what is awaited.
+        self._times.setVisible(not late and bool(self.timing.times.seconds()))
+        self.error.setVisible(not late)
+        self._say()
 
     def _say_soon(self) -> None:
         if not self._pause.isActive():
@@ -121,6 +135,13 @@ class StatusLine(QWidget):
 
     def _say(self) -> None:
         scope = self.scope
-        self._work.show_phrases((self._heard,) if scope is None else scope.phrases())
-        self._work.setToolTip("" if scope is None else scope.sentences())
+        if scope is None:
+            self._work.show_phrases((self._heard,))
+            self._work.setToolTip("")
+        elif self._lateness.late:
+            self._work.show_phrases((f"{self._heard} · computing…", "computing…"))
+            self._work.setToolTip(_OLDER)
+        else:
+            self._work.show_phrases(scope.phrases())
+            self._work.setToolTip(scope.sentences())
         self.changed.emit()

@@ -60,6 +60,23 @@ def test_inputs_channels_and_method_are_told(window, qtbot):
     assert "float64, spectra" in details(window)
 
 
+def test_while_results_are_awaited_nothing_is_called_up_to_date(window, qtbot, monkeypatch):
+    edit(window, amplitude=2.0)
+    error = window.status_line.error
+    qtbot.waitUntil(lambda: error.text().startswith("· error") and error.isVisible())
+    asked = []
+    with monkeypatch.context() as patch:
+        patch.setattr(window.engine, "request", asked.append)
+        edit(window, amplitude=3.0)
+        qtbot.waitUntil(lambda: work_words(window) == "1 input · computing…")
+        assert not error.isVisible()
+        assert not label(window, "timing").isVisible()
+    window.engine.request(asked[-1])
+    qtbot.waitUntil(lambda: work_words(window) == "1 input · up to date")
+    assert error.isVisible()
+    assert label(window, "timing").isVisible()
+
+
 def test_hidden_traces_and_spectra_are_no_channels(window, qtbot):
     for name in ("traces", "spectra"):
         window.docks[name].close()
@@ -86,7 +103,7 @@ def test_an_empty_design_has_no_inputs(window, qtbot):
 
 def test_where_nothing_can_be_computed_there_is_no_speed(window, qtbot):
     window.document.edit("a", replace(window.document.design, limb="measured-1"))
-    qtbot.waitUntil(lambda: work_words(window) == "1 of 1 inputs felt")
+    qtbot.waitUntil(lambda: work_words(window) == "1 input")
     assert label(window, "timing").text() == ""
     assert window.status_line.last_times()[0] is None
 
