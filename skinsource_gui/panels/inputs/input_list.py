@@ -7,9 +7,10 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QApplication, QFrame, QScrollArea, QVBoxLayout, QWidget
 
-from skinsource_gui.panels.inputs.input_row import InputRow, RowState
+from skinsource_gui.panels.inputs.input_row import InputRow
 from skinsource_gui.panels.inputs.list_keys import ListKeys
 from skinsource_gui.panels.inputs.list_mouse import ListMouse
+from skinsource_gui.panels.inputs.row_state import RowState
 from skinsource_gui.theme import LIGHT, Theme
 
 _GAP_PX = 3

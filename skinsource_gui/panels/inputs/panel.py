@@ -10,9 +10,9 @@ from skinsource.design import Design, amplitude_unit, audible_inputs
 from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.inputs.input_list import InputList
-from skinsource_gui.panels.inputs.input_row import RowState
 from skinsource_gui.panels.inputs.list_edits import ListEdits
 from skinsource_gui.panels.inputs.list_selection import ListSelection
+from skinsource_gui.panels.inputs.row_state import RowState
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.lateness import Lateness
 
