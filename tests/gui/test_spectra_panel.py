@@ -246,3 +246,17 @@ def test_without_outputs_the_panel_says_what_to_do(show):
 @pytest.mark.parametrize(("limb", "badge"), [("synthetic-2", "SYNTHETIC"), ("measured-1", "")])
 def test_only_synthetic_limbs_carry_the_badge(show, limb, badge):
     assert said_above(show(limb=limb)).badge == badge
+
+
+def test_while_the_first_curves_are_computed_nobody_is_told_to_select_outputs(show, qtbot):
+    panel = show(replace(LINEAR, outputs=()))
+    assert plot_of(panel).message == "Select outputs on the skin map"
+    panel.show_stale(True)
+    panel.show_state(start_design("synthetic-1"), LINEAR)
+    assert plot_of(panel).message == ""
+    qtbot.waitUntil(lambda: plot_of(panel).message == "Computing…")
+    panel.show_state(start_design("synthetic-1"), LINEAR)
+    assert plot_of(panel).message == "Computing…"
+    panel.show_results(results_for(LINEAR))
+    assert plot_of(panel).message == ""
+    assert plot_of(panel).curves is not None

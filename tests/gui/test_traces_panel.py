@@ -232,3 +232,17 @@ def test_silence_misses_no_main_axis(show):
 def test_a_projection_on_a_fixed_axis_asks_for_no_main_axis(show):
     for view in (View(axes="z"), View(axes="xyz", method="soc")):
         assert "selected_without_main_axis" not in show(view).needs
+
+
+def test_while_the_first_curves_are_computed_nobody_is_told_to_select_outputs(show, qtbot):
+    panel = show(replace(SIGNED, outputs=()))
+    assert plot_of(panel).message == "Select outputs on the skin map"
+    panel.show_stale(True)
+    panel.show_state(start_design("synthetic-1"), SIGNED)
+    assert plot_of(panel).message == ""
+    qtbot.waitUntil(lambda: plot_of(panel).message == "Computing…")
+    panel.show_state(start_design("synthetic-1"), SIGNED)
+    assert plot_of(panel).message == "Computing…"
+    panel.show_results(results_for(SIGNED))
+    assert plot_of(panel).message == ""
+    assert plot_of(panel).curves is not None

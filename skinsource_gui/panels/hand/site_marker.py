@@ -176,23 +176,31 @@ def _paint_count(
     painter: QPainter, centre: QPointF, radius_px: float, count: int, theme: Theme
 ) -> None:
     size = max(9.0, 0.72 * radius_px)
-    half = QPointF(0.95 * size, 0.68 * size)
+    words = f"×{count}"
+    width = QFontMetricsF(_number_font(painter, size, bold=True)).horizontalAdvance(words)
+    # A large count makes a longer badge: digits out of sight would make it another number.
+    half = QPointF(max(0.95 * size, width / 2 + 0.3 * size), 0.68 * size)
     area = QRectF(centre - half, centre + half)
     painter.setPen(QPen(QColor(theme.base), 1.0))
     painter.setBrush(QColor(theme.text))
     painter.drawRoundedRect(area, half.y(), half.y())
-    _paint_text(painter, centre, f"×{count}", size, QColor(theme.base), bold=True)
+    _paint_text(painter, centre, words, size, QColor(theme.base), bold=True)
 
 
 def _paint_text(
     painter: QPainter, centre: QPointF, text: str, size_px: float, colour: QColor, *, bold: bool
 ) -> None:
-    font = tabular(painter.font())
-    font.setPixelSize(max(9, round(size_px)))
-    font.setWeight(QFont.Weight.Bold if bold else QFont.Weight.Medium)
+    font = _number_font(painter, size_px, bold=bold)
     metrics = QFontMetricsF(font)
     painter.setFont(font)
     painter.setPen(colour)
     # Digits have no descenders: their middle is half a capital above the baseline.
     left = centre.x() - metrics.horizontalAdvance(text) / 2
     painter.drawText(QPointF(left, centre.y() + metrics.capHeight() / 2), text)
+
+
+def _number_font(painter: QPainter, size_px: float, *, bold: bool) -> QFont:
+    font = tabular(painter.font())
+    font.setPixelSize(max(9, round(size_px)))
+    font.setWeight(QFont.Weight.Bold if bold else QFont.Weight.Medium)
+    return font

@@ -106,6 +106,8 @@ class SpectraPanel(Panel):
         self._show_axis()
         if not view.outputs:
             self._say(_NO_OUTPUTS)
+        elif self._plot.plot.message == _NO_OUTPUTS:
+            self._plot.wait_for_curves()
         elif level_changed and self._results is not None:
             self._draw(self._results)
 

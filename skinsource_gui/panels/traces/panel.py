@@ -88,6 +88,8 @@ class TracesPanel(Panel):
         self._plot.toolbar.show_state(layout=self._settings.layout, zoomed=zoomed)
         if not view.outputs:
             self._plot.show_message(_NO_OUTPUTS)
+        elif self._plot.plot.message == _NO_OUTPUTS:
+            self._plot.wait_for_curves()
         if self._drawn_removed == view.delay_removed:
             self._apply_view()
 

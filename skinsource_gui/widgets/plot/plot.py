@@ -244,12 +244,11 @@ class Plot(pyqtgraph.GraphicsView):
         return self.places.header.whole if y_px < self.places.top else self.window.axis.titles[0]
 
     def _data_range(self) -> Range:
-        if self.curves is None:
-            return (0.0, 1.0)
-        return (float(self.curves.x[0]), float(self.curves.x[-1]))
+        x = (0.0, 1.0) if self.curves is None else self.curves.x
+        return (float(x[0]), float(x[-1]))
 
     def _draw(self) -> None:
-        self._lay_out()
+        other_rows = self._lay_out()
         if self.curves is None:
             return
         places = self.places
@@ -257,13 +256,15 @@ class Plot(pyqtgraph.GraphicsView):
         rows = [places.row(rank if self.stacked else 0) for rank in range(n_drawn)]
         ratio = self.devicePixelRatioF()
         self.stack.show_points(curve_points(self.curves, self.window, self.scale, rows, ratio))
+        if other_rows:  # only now has each row its curves
+            self._colour()
         self._read()
 
-    def _lay_out(self) -> None:
+    def _lay_out(self) -> bool:  # whether there are more or fewer rows than before
         curves = self.curves
         if curves is None:
             self.stack.place_message(QRectF(self.rect()))
-            return
+            return False
         count = row_count(len(curves.names), stacked=self.stacked)
         self.scale = ValueScale(values=self.scale.values, edge=EDGE if count > 1 else 0.0)
         content = Content(
@@ -278,13 +279,12 @@ class Plot(pyqtgraph.GraphicsView):
             scaling=curves.scaling,
             words=self.words,
         )
+        other_rows = self._content is None or self._content[0].n_rows != count
         if (content, self.window) != self._content:
-            recolour = self._content is None or self._content[0].n_rows != count
             self._content = (content, self.window)
             self.places = laid_out(content, QFontMetricsF(self.words_font), self.places.left)
             self.stack.place(self.places, self.window)
-            if recolour:
-                self._colour()
+        return other_rows
 
     def _colour(self) -> None:
         names = () if self.curves is None or not self.stacked else self.curves.names

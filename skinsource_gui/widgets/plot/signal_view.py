@@ -17,6 +17,8 @@ from skinsource_gui.widgets.plot.ranges import Range
 from skinsource_gui.widgets.plot.signal_exports import SignalExports
 from skinsource_gui.widgets.plot.signal_menu import open_menu
 
+_COMPUTING = "Computing…"
+
 
 class SignalView(QWidget):
     """Switches over a legend with readings over a plot with zoom, crosshair and menu.
@@ -81,11 +83,17 @@ class SignalView(QWidget):
         """Empty the picture and say ``message`` in its middle."""
         self.plot.show_message(message)
 
+    def wait_for_curves(self) -> None:
+        """Empty the picture until there are curves; why it is empty is said after a while."""
+        self.plot.show_message(_COMPUTING if self._lateness.late else "")
+
     def set_stale(self, stale: bool) -> None:
         """Say whether curves belong to an older design; told to the eye only after a while."""
         self._lateness.set_stale(stale)
 
     def _mark_stale(self, late: bool) -> None:
+        if self.plot.curves is None and not self.plot.message:
+            self.plot.show_message(_COMPUTING)
         self._say(replace(self._words, stale=late))
 
     def _say(self, words: Words) -> None:

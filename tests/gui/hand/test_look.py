@@ -1,12 +1,12 @@
 """The hand panel, driven by real mouse and key events."""
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint
-from PySide6.QtGui import QHelpEvent
+from PySide6.QtCore import QEvent, QPoint, QPointF
+from PySide6.QtGui import QColor, QHelpEvent, QImage, QPainter
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from skinsource.design import Input
-from skinsource_gui.panels.hand.site_marker import contrast, readable_on
+from skinsource_gui.panels.hand.site_marker import Place, contrast, paint_occupied, readable_on
 from skinsource_gui.theme import DARK, LIGHT, Theme
 from tests.gui.hand.bench import KEY
 
@@ -78,3 +78,23 @@ def test_all_sites_stay_inside_at_every_size(studio, size):
     for site in range(1, 21):
         area = studio.diagram.hand.marker_area(site).toAlignedRect()
         assert studio.diagram.rect().contains(area.adjusted(-radius // 4, 0, radius // 4, 0))
+
+
+@pytest.mark.parametrize("count", [2, 9, 21, 100])
+def test_the_count_of_inputs_at_a_site_is_never_cut_off(qtbot, count):
+    image = QImage(160, 80, QImage.Format.Format_RGB32)
+    image.fill(QColor("red"))
+    painter = QPainter(image)
+    place = Place(site=9, centre=QPointF(60, 30), radius_px=11.0, push=None)
+    paint_occupied(painter, place, LIGHT, [QColor("red")] * count, silent=False)
+    painter.end()
+    # Digits are written in the colour of the ground, on a badge in the colour of words, which
+    # must be left and right of every one of them.
+    middle = round(30 + 0.95 * 11.0)
+    row = [image.pixelColor(x, middle).lightness() for x in range(160)]
+    dark = [x for x in range(40, 160) if row[x] < 60]
+    line = "".join("#" if row[x] < 60 else "." for x in range(dark[0], dark[-1] + 1))
+    font_px = 9
+    assert len(line) >= 0.55 * font_px * len(f"×{count}")
+    assert line.startswith("##")
+    assert line.endswith("##")

@@ -153,3 +153,11 @@ def test_stale_curves_are_pale(signals, qtbot):
     qtbot.waitUntil(lambda: [curve.opacity() for curve in drawn(signals)] == [0.5, 0.5])
     signals.show_curves(waves(2), synthetic=False)
     assert [curve.opacity() for curve in drawn(signals)] == [1.0, 1.0]
+
+
+def test_curves_keep_their_colours_when_each_gets_a_row_of_its_own(signals):
+    signals.show_curves(waves(5), synthetic=False)
+    for stacked in (True, False, True):
+        signals.set_view(TIME, None, stacked=stacked)
+        colours = [curve.opts["pen"].color() for curve in drawn(signals)]
+        assert colours == [LIGHT.output_colour(rank) for rank in range(5)]
