@@ -5,7 +5,6 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from skinsource.dataset.contents import REINSTALL
 from skinsource.dataset.fetch import fetch
 from skinsource.dataset.install import install
 from skinsource.dataset.progress_bar import ProgressBar
@@ -15,6 +14,7 @@ from skinsource.dataset.store import (
     StoreInfo,
     describe,
 )
+from skinsource.dataset.store_parts import REINSTALL
 from skinsource.dataset.upkeep import installed_files, remove, verify
 from skinsource.errors import DatasetMissingError
 from skinsource.limb import HAND_LENGTHS_MM

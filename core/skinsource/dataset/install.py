@@ -77,6 +77,11 @@ def install(
     )
     image = _image(responses, maps, _origin(found.responses, strange))
     stop_if(stop, STOPPED)
+    _write(path, image, progress, stop)
+    return describe(path)
+
+
+def _write(path: Path, image: bytes, progress: Progress, stop: Stop) -> None:
     with replacing(path) as temporary, temporary.open("wb") as out:
         for done, piece in _pieces(image):
             stop_if(stop, STOPPED)
@@ -85,7 +90,6 @@ def install(
         # Some file systems notice only now that they are full.
         out.flush()
         os.fsync(out.fileno())
-    return describe(path)
 
 
 def _origin(responses: Path, unpublished: tuple[str, ...]) -> dict[str, str | int]:

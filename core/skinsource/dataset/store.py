@@ -18,7 +18,8 @@ from skinsource import hdf5
 from skinsource.arrays import Floats
 from skinsource.assets import user_folder
 from skinsource.dataset import layout
-from skinsource.dataset.contents import REINSTALL, Contents
+from skinsource.dataset.contents import Contents
+from skinsource.dataset.store_parts import REINSTALL
 from skinsource.errors import (
     DatasetError,
     DatasetMissingError,
