@@ -33,7 +33,8 @@ from skinsource.catalogue import available_limbs, default_limb
 from skinsource.design import Design, Input
 from skinsource.view import View
 from skinsource.waveforms import Tone
-from skinsource_gui.shell.app import exempt_from_collection, make_application
+from skinsource_gui.shell.app import make_application
+from skinsource_gui.shell.garbage import take_over_collection
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.engine import Outcome
 from skinsource_gui.state.preferences import Preferences
@@ -181,7 +182,7 @@ def measure(options: argparse.Namespace, seconds: float) -> bool:
         window.show()
         window.do("arrange_design")
         window.catch_up()
-        exempt_from_collection()
+        take_over_collection(window)
         drag = Drag(window)
         for _ in range(20):
             drag.step()

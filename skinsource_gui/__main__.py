@@ -28,8 +28,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if missing:
         return _stop(f"Qt cannot start: system libraries are missing.\n{install_line(missing)}")
     os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
-    # What is made at the start stays; to look for rubbish in it takes a tenth of the time.  The
-    # studio collects again once its window stands, and rendering to files is over by then.
+    # What is made at the start stays; to look for garbage in it takes a tenth of the time.  The
+    # studio collects it itself once its window stands, and rendering to files is over by then.
     gc.disable()
     if on_a_screen:
         return int(importlib.import_module("skinsource_gui.shell.app").run(options.design))

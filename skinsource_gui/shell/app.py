@@ -1,7 +1,7 @@
 """Starts Qt and the window."""
 
-import gc
 import sys
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QTimer
@@ -14,6 +14,7 @@ from skinsource.design import start_design
 from skinsource.files import make_folder
 from skinsource_gui.files.kept_work import KeptWork
 from skinsource_gui.shell.ending import EndSignals, keep_unsaved, offer_kept
+from skinsource_gui.shell.garbage import take_over_collection
 from skinsource_gui.shell.screen_fit import ScreenFit
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences, settings_path
@@ -44,17 +45,6 @@ def make_window(path: Path | None, preferences: Preferences) -> MainWindow:
     return window
 
 
-def exempt_from_collection() -> None:
-    """Take what is in memory now out of garbage collection, and switch that on.
-
-    Modules, menus and panels live as long as the window.  To look through them again takes the
-    collector fifty milliseconds, in the middle of a drag.
-    """
-    gc.collect()
-    gc.freeze()
-    gc.enable()
-
-
 def run(path: Path | None) -> int:
     """Open the studio and stay until it is closed."""
     application = make_application()
@@ -73,7 +63,7 @@ def run(path: Path | None) -> int:
         offer_kept(window.document, kept, window.notice, window.reports.complain)
     window.show()
     settled = QTimer(window, singleShot=True, interval=_SETTLED_ANYWAY_MS)
-    settled.timeout.connect(exempt_from_collection)
+    settled.timeout.connect(partial(take_over_collection, window))
     settled.start()
 
     def settle_soon() -> None:

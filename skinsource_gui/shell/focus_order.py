@@ -50,11 +50,21 @@ def move_focus(window: QMainWindow, regions: Sequence[QWidget], *, forward: bool
 
 def _chain(top: QWidget) -> list[QWidget]:
     # Within one region, Qt's order is the right one.
-    chain, widget = [top], top.nextInFocusChain()
-    while widget is not top:
-        chain.append(widget)
-        widget = widget.nextInFocusChain()
-    return chain
+    window = top.window()
+    last = _with_parent(window.previousInFocusChain())
+    ring = [window]
+    while ring[-1] is not last:
+        ring.append(_with_parent(ring[-1].nextInFocusChain()))
+    start = ring.index(top)
+    return ring[start:] + ring[:start]
+
+
+def _with_parent(widget: QWidget) -> QWidget:
+    # PySide takes a widget that comes from the chain for a child of the one before it, if nobody
+    # has asked for its parent yet, and takes it for deleted as soon as that one is.  The window,
+    # which has no parent, must not come from the chain at all.
+    widget.parent()
+    return widget
 
 
 def _takes_tab(widget: QWidget) -> bool:

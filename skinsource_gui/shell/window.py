@@ -120,7 +120,7 @@ class MainWindow(QMainWindow):
     def catch_up(self) -> None:
         """Wait until the panels show the present design."""
         loop = QEventLoop()
-        self.engine.finished.connect(loop.quit)
+        self.engine.rested.connect(loop.quit)
         while self.engine.busy:
             loop.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
 

@@ -88,6 +88,7 @@ class Engine(QObject):
     """
 
     finished = Signal(object)  # Outcome, in the GUI thread
+    rested = Signal()  # nothing is evaluated and nothing waits
     _landed = Signal(object)  # Outcome or None, from the worker thread
 
     def __init__(self, new_graph: Callable[[], Graph], parent: QObject | None = None):
@@ -140,10 +141,12 @@ class Engine(QObject):
             self._done.wait(longest_s)
 
     def close(self) -> None:
-        """Stop at the next rule and wait for the worker to end."""
+        """Stop at the next rule and wait for the worker to end; what it had is told to nobody."""
         self._waiting.clear()
         self._closing.set()
         self._worker.shutdown(wait=True)
+        self._running = None
+        self.rested.emit()
 
     def _start(self, request: Request) -> None:
         self._running = request
@@ -174,8 +177,11 @@ class Engine(QObject):
         return self._superseded.is_set() and perf_counter() - self._started_s > _ABANDONED_AFTER_S
 
     def _on_landed(self, outcome: Outcome | None) -> None:
+        if self._closing.is_set():
+            # Who would show it may be gone.
+            return
         ended, self._running = self._running, None
-        if outcome is None and ended is not None and not self._closing.is_set():
+        if outcome is None and ended is not None:
             # Abandoned: it goes on later, unless a newer one has its place.
             self._waiting.setdefault(ended.place, ended)
         if self._waiting:
@@ -183,3 +189,5 @@ class Engine(QObject):
             self._start(self._waiting.pop(first))
         if outcome is not None:
             self.finished.emit(outcome)
+        if not self.busy:
+            self.rested.emit()

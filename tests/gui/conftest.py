@@ -1,9 +1,11 @@
 """A studio window of its own for each test, on the small built-in limb."""
 
+import gc
 import threading
 from dataclasses import replace
 
 import pytest
+from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 
 from skinsource.catalogue import available_limbs
@@ -11,6 +13,18 @@ from skinsource.design import start_design
 from skinsource_gui.files import export_actions
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
+
+
+@pytest.fixture(autouse=True)
+def _garbage_is_collected_in_this_thread(qapp):
+    """As in the studio: elsewhere, widgets would be destroyed while this thread paints them."""
+    automatic = gc.isenabled()
+    gc.disable()
+    yield
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    gc.collect(0)
+    if automatic:
+        gc.enable()
 
 
 @pytest.fixture(autouse=True)

@@ -90,6 +90,7 @@ def stage(qtbot):
     stage.document, stage.engine, stage.graph, stage.gate = document, engine, graph, gate
     stage.loud, stage.colourful, stage.conductor = loud, colourful, conductor
     yield stage
+    gate.set()
     engine.close()
 
 

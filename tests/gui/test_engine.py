@@ -221,3 +221,15 @@ def test_what_is_shown_is_not_put_off_for_a_check(qtbot, slow, slow_engine):
     assert not any(slow.asked)
     slow.given_up.set()
     qtbot.waitUntil(lambda: not slow_engine.busy, timeout=10_000)
+
+
+def test_what_lands_after_closing_is_told_to_nobody_and_who_waited_goes_on(qapp, engine, gate):
+    outcomes, rests = [], []
+    engine.finished.connect(outcomes.append)
+    engine.rested.connect(lambda: rests.append(engine.busy))
+    engine.request(request(1))
+    gate.set()
+    engine.close()
+    qapp.processEvents()
+    assert outcomes == []
+    assert rests == [False]

@@ -2,7 +2,7 @@ import threading
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog
 
@@ -225,3 +225,17 @@ def test_f6_goes_to_a_panel_that_floats_and_back_and_tab_stays_in_it(at_work, qt
 def region_with_keyboard(window):
     focused = QApplication.focusWidget()
     return None if focused is None else region_of(window, focused)
+
+
+def test_after_tab_what_is_removed_takes_no_other_widget_with_it(at_work, settle):
+    window = at_work
+    window.do("duplicate_input")
+    settle()
+    walk(window)
+    window.do("remove_input")
+    settle()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    window.reports.report("Saved")
+    assert window.statusBar().currentMessage() == "Saved"
+    window.reports.complain("The disk is full.")
+    assert window.notice.text == "The disk is full."

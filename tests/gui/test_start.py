@@ -4,12 +4,13 @@ import subprocess
 import sys
 
 import pytest
+from PySide6.QtCore import QObject
 
 from skinsource.catalogue import available_limbs
 from skinsource.design import start_design
 from skinsource_gui import __main__ as start
 from skinsource_gui import system_libraries
-from skinsource_gui.shell.app import exempt_from_collection
+from skinsource_gui.shell.garbage import GarbageCollector, take_over_collection
 from skinsource_gui.shell.window import MainWindow
 
 UNNEEDED = ("scipy.signal", "matplotlib", "pandas", "matio", "pooch", "requests")
@@ -169,12 +170,12 @@ def shows_something(panel):
     return len(colours) > 1
 
 
-def test_garbage_is_collected_again_once_the_window_stands():
-    gc.disable()
+def test_what_stands_at_the_start_is_not_looked_through_again():
+    owner = QObject()
     try:
-        exempt_from_collection()
-        assert gc.isenabled()
+        take_over_collection(owner)
         assert gc.get_freeze_count() > 0
+        assert not gc.isenabled()
+        assert len(owner.findChildren(GarbageCollector)) == 1
     finally:
         gc.unfreeze()
-        gc.enable()

@@ -1,0 +1,89 @@
+import gc
+import threading
+import weakref
+
+import pytest
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QWidget
+
+from skinsource_gui.shell.garbage import GarbageCollector
+
+
+class Cycle:
+    """Something that only a collection frees; it tells in which thread."""
+
+    def __init__(self, threads):
+        self.itself = self
+        self.threads = threads
+
+    def __del__(self):
+        self.threads.append(threading.current_thread())
+
+
+@pytest.fixture
+def collector(qapp):
+    owner = QObject()
+    gc.collect()
+    yield GarbageCollector(owner)
+    owner.deleteLater()
+
+
+def make_garbage(threads, count=1000):
+    for _ in range(count):
+        Cycle(threads)
+
+
+def test_a_worker_that_makes_garbage_does_not_collect_it(collector, qtbot):
+    threads = []
+    worker = threading.Thread(target=make_garbage, args=(threads,))
+    worker.start()
+    worker.join()
+    assert threads == []
+    qtbot.waitUntil(lambda: len(threads) == 1000)
+    assert set(threads) == {threading.main_thread()}
+
+
+def test_where_nothing_is_new_nothing_is_looked_through(collector):
+    gc.collect()
+    assert collector.collect_what_is_due() is None
+
+
+def test_older_objects_are_looked_through_seldom_and_never_while_something_is_dragged(collector):
+    widget = QWidget()
+    generations = []
+
+    def collect(times):
+        for _ in range(times):
+            make_garbage([])
+            generations.append(collector.collect_what_is_due())
+
+    collect(120)
+    assert (generations.count(0), generations.count(1), generations.count(2)) == (110, 10, 0)
+    QTest.mousePress(widget, Qt.MouseButton.LeftButton)
+    collect(22)
+    assert 2 not in generations
+    QTest.mouseRelease(widget, Qt.MouseButton.LeftButton)
+    collect(11)
+    assert generations[-11:].count(2) == 1
+
+
+def test_a_window_that_was_closed_is_freed_with_its_panels_graphs_and_worker(make_window):
+    window = make_window()
+    engine = window.engine
+    held = [weakref.ref(one) for one in (window, engine, window.document, *window.panels)]
+    graphs = [weakref.ref(graph) for graph in engine._graphs.values()]
+    assert graphs
+    window.document.undo_stack.setClean()
+    window.close()
+    window.deleteLater()
+    opened = gc.get_referrers(window)
+    for one in opened:
+        if isinstance(one, list) and window in one:
+            one.remove(window)
+    del window, engine, opened, one
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    QApplication.processEvents()
+    gc.collect()
+    assert [ref() for ref in graphs] == [None]
+    assert [type(ref()).__name__ for ref in held if ref() is not None] == []
