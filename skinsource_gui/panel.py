@@ -1,6 +1,7 @@
 """What every panel is."""
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any, ClassVar
 
 from PySide6.QtCore import Signal
@@ -58,6 +59,9 @@ class Panel(QWidget):
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
+
+    def show_folder(self, folder: Path) -> None:
+        """Take over where the next file is to be suggested."""
 
     def showEvent(self, event) -> None:
         super().showEvent(event)

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from skinsource.design import Design
-from skinsource.export import export_field, export_levels, export_traces
+from skinsource.export import export_field, export_levels, export_map, export_traces
 from skinsource.job import Progress, Stop
 from skinsource.view import View
 
@@ -111,6 +111,15 @@ EXPORTS: tuple[ExportSpec, ...] = (
         hint="Save the RMS of all outputs, in m/s² and dB",
         write=export_levels,
         keywords="table excel matlab decibels",
+    ),
+    ExportSpec(
+        name="map",
+        title="map of levels as CSV…",
+        file_name="map.csv",
+        kinds=(("CSV", ".csv"),),
+        hint="Save the map as numbers, in dB: a row for each y, a column for each x, in mm",
+        write=export_map,
+        keywords="table excel matlab decibels skin heatmap surface",
     ),
     ExportSpec(
         name="field",

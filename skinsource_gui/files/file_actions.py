@@ -29,6 +29,8 @@ class FileActions(QObject):
     #: A file was opened; the bytes are the window's arrangement that it holds.
     opened = Signal(bytes)
     recent_changed = Signal()
+    #: The folder in which the next file is expected, `Path`.
+    folder_changed = Signal(object)
 
     def __init__(
         self,
@@ -75,7 +77,7 @@ class FileActions(QObject):
         self._document.start_over(content.design, content.view, path)
         self._on_disk, self._told = on_disk, "same"
         self._preferences.remember_file(path)
-        self._preferences.folder = path.absolute().parent
+        self._note_folder(path)
         self.recent_changed.emit()
         self.opened.emit(content.layout)
         self.done.emit(f"Opened {path.name}")
@@ -113,8 +115,12 @@ class FileActions(QObject):
 
     def note_written(self, path: Path) -> None:
         """Remember the folder of a file that was written, and tell that all went well."""
-        self._preferences.folder = path.absolute().parent
+        self._note_folder(path)
         self.done.emit(f"Saved {named(path)}")
+
+    def _note_folder(self, path: Path) -> None:
+        self._preferences.folder = path.absolute().parent
+        self.folder_changed.emit(self._preferences.folder)
 
     def may_lose_changes(self) -> bool:
         """Whether unsaved edits may go: there are none, they are saved now, or the user agrees."""

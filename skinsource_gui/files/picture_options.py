@@ -2,12 +2,16 @@
 
 from dataclasses import dataclass, replace
 
+from PySide6.QtCore import QEvent, QObject
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLabel, QWidget
 
 from skinsource import fields
 from skinsource.fields import ChoiceSpec, NumberSpec, specs_of
 from skinsource_gui.theme import LIGHT, THEMES, Theme, theme_of
 from skinsource_gui.widgets.fields.field_cell import FieldCell
+from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.fields.number_typing import FINISHERS
 
 _SIDE = {"unit": "px", "minimum": 100, "maximum": 20000, "step": 100.0, "whole": True}
 _HINT = "Of pixels; in SVG and PDF 96 of them are an inch"
@@ -64,6 +68,7 @@ class PictureDialog(QDialog):
             cell.set_value(getattr(options, name))
             cell.edited.connect(self._take)
             cell.show_theme(theme_of(self.palette()))
+            cell.field.installEventFilter(self)
             form.addRow(cell.label, cell)
         form.addRow(QLabel("The next step asks where to, and whether as PNG, SVG or PDF."))
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
@@ -72,6 +77,23 @@ class PictureDialog(QDialog):
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         form.addRow(buttons)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        # In the studio's panels Enter begins to type; a dialog is done with it.
+        is_key = event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent)
+        if is_key and event.key() in FINISHERS and isinstance(watched, NumberField):
+            if not watched.editing or watched.commit():
+                self.accept()
+            return True
+        return super().eventFilter(watched, event)
+
+    def event(self, event: QEvent) -> bool:
+        done = super().event(event)
+        if event.type() == QEvent.Type.LayoutRequest:
+            # A remark under a field may take several lines.
+            needed = self.layout().totalHeightForWidth(self.width())
+            self.resize(self.width(), max(self.height(), needed))
+        return done
 
     def _take(self, name: str, value: object, _gesture: int | None) -> None:
         whole = int(value) if isinstance(value, float) else value

@@ -94,8 +94,10 @@ class Arrangements(QObject):
         foot of the last column.
     """
 
-    #: The arrangement that is taken up; before that happens.
+    #: The `ArrangementSpec` that is taken up; before that happens.
     chosen = Signal(object)
+    #: Size of words that belongs to it.
+    text_scaled = Signal(float)
 
     def __init__(
         self, window: QMainWindow, docks: Mapping[str, QDockWidget], places: Places
@@ -104,9 +106,10 @@ class Arrangements(QObject):
         self._window, self._docks, self._places = window, docks, places
 
     def show(self, name: str) -> None:
-        """Take up the arrangement ``name``."""
-        spec = next(one for one in ARRANGEMENTS if one.name == name)
+        """Take up the arrangement ``name``; the first one where it is not known."""
+        spec = next((one for one in ARRANGEMENTS if one.name == name), ARRANGEMENTS[0])
         self.chosen.emit(spec)
+        self.text_scaled.emit(spec.text_scale)
         shown = {panel: self._place(panel, spec) for panel in self._docks}
         columns = self._columns(shown, spec)
         self._put(columns)

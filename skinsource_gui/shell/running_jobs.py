@@ -1,6 +1,6 @@
 """The long jobs of one window: cancelling them, and closing while they run."""
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QMessageBox, QWidget
 
 from skinsource_gui.state.job_runner import JobRunner
@@ -19,10 +19,14 @@ class RunningJobs(QObject):
         In front of which questions are asked; also the parent.
     """
 
+    #: Whether there is something to cancel.
+    can_cancel = Signal(bool)
+
     def __init__(self, runner: JobRunner, window: QWidget) -> None:
         super().__init__(window)
         self._runner, self._window = runner, window
         self._ended = False
+        runner.changed.connect(self._tell)
 
     def cancel(self) -> None:
         """Stop the job that is being carried out; the next one begins."""
@@ -49,3 +53,6 @@ class RunningJobs(QObject):
             # To clear away a gigabyte can take a second.
             self._window.hide()
         self._runner.close()
+
+    def _tell(self) -> None:
+        self.can_cancel.emit(self._runner.current is not None)

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, QEventLoop, Qt
+from PySide6.QtCore import QEventLoop, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMainWindow
 
@@ -19,6 +19,7 @@ from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.arrangements import Arrangements
 from skinsource_gui.shell.bars import setup_toolbar
+from skinsource_gui.shell.dock_layout import DockLayout
 from skinsource_gui.shell.docks import dock_of, toggles
 from skinsource_gui.shell.focus_order import move_focus
 from skinsource_gui.shell.kind_choices import kind_choices
@@ -90,10 +91,9 @@ class MainWindow(QMainWindow):
         self.conductor = Conductor(self.document, self.engine, self.panels, needs)
         self._connect()
         self.appearance.apply()
-        self._restore()
+        self.layout_of_docks.restore()
         self._show_limbs()
         self._show_state()
-        self._show_title()
         for panel in self.panels:
             if panel.needs:
                 panel.show_problem(_PREPARING)
@@ -128,8 +128,9 @@ class MainWindow(QMainWindow):
         self.appearance = Appearance(self.preferences, self)
         places = {spec.panel.name: spec.places for spec in PANELS}
         self.arrangements = Arrangements(self, self.docks, places)
+        self.layout_of_docks = DockLayout(self, self.docks, self.arrangements, self.preferences)
         self.files = FileActions(
-            self.document, self.preferences, self, lambda: self.saveState().data()
+            self.document, self.preferences, self, self.layout_of_docks.content
         )
         self.exports = ExportActions(
             self.document, self.preferences, self.files, self.runner, self._drawer_of, self
@@ -161,7 +162,7 @@ class MainWindow(QMainWindow):
             "panel_focus": PanelFocus(self.panels, self),
             "appearance": self.appearance,
             "pages": self.pages,
-            "frame": WindowFrame(self),
+            "frame": WindowFrame(self, self.document),
         }
 
     def _build(self) -> None:
@@ -179,21 +180,24 @@ class MainWindow(QMainWindow):
     def _connect(self) -> None:
         document, reports = self.document, self.reports
         document.changed.connect(self._show_state)
-        document.title_changed.connect(self._show_title)
         document.refused.connect(reports.complain)
         self.action_set.edited.connect(document.apply)
         self.appearance.changed.connect(self._show_theme)
-        self.arrangements.chosen.connect(self._fit_room)
+        self.arrangements.text_scaled.connect(self.appearance.fit_room)
         self.setup_bar.edited.connect(document.apply)
         self.files.failed.connect(reports.complain)
         self.files.done.connect(reports.report)
-        self.files.opened.connect(self._restore_arrangement)
+        self.files.opened.connect(self.layout_of_docks.put)
         self.exports.failed.connect(reports.complain)
         for panel in self.panels:
             panel.action_wanted.connect(self.do)
             panel.failed.connect(reports.complain)
             panel.written.connect(self.files.note_written)
-        self.runner.changed.connect(self._show_running)
+            panel.show_folder(self.preferences.folder)
+            self.files.folder_changed.connect(panel.show_folder)
+        cancel = self.actions_by_name["cancel_job"]
+        cancel.setEnabled(False)
+        self.running_jobs.can_cancel.connect(cancel.setEnabled)
         self._limb_note.help_wanted.connect(self.pages.show_dataset)
         self.conductor.failed.connect(reports.show_impossible)
         self.conductor.delivered.connect(reports.show_outcome)
@@ -214,9 +218,6 @@ class MainWindow(QMainWindow):
         self.catch_up()
         return self.panel(panel).draw_picture
 
-    def _fit_room(self, arrangement) -> None:
-        self.appearance.fit_room(arrangement.text_scale)
-
     def _show_state(self) -> None:
         design, view = self.document.design, self.document.view
         self.setup_bar.show_state(design, view)
@@ -230,27 +231,9 @@ class MainWindow(QMainWindow):
         known = f"use_{name}_theme" in self.actions_by_name
         self.actions_by_name[f"use_{name if known else 'system'}_theme"].setChecked(True)
 
-    def _show_running(self) -> None:
-        self.actions_by_name["cancel_job"].setEnabled(self.runner.current is not None)
-
     def _show_limbs(self) -> None:
         self.setup_bar.show_available(self.limbs.names)
         self._limb_note.show_available(self.limbs.names)
-
-    def _show_title(self) -> None:
-        path = self.document.path
-        self.setWindowTitle(f"{path.stem if path else 'Untitled'}[*] – SkinSource studio")
-        self.setWindowModified(self.document.modified)
-
-    def _restore_arrangement(self, layout: bytes) -> None:
-        if layout:
-            self.restoreState(QByteArray(layout))
-
-    def _restore(self) -> None:
-        self.restoreGeometry(self.preferences.geometry)
-        self.arrangements.show("design")
-        self._restore_arrangement(self.preferences.layout.data())
-        self._show_running()
 
     def focusNextPrevChild(self, forward: bool) -> bool:
         regions = (self.notice.buttons, self.setup_bar, *self.panels, self.statusBar())
@@ -272,14 +255,8 @@ class MainWindow(QMainWindow):
         if not (self.files.may_lose_changes() and self.running_jobs.may_close()):
             event.ignore()
             return
-        self.preferences.geometry = self.saveGeometry()
-        self.preferences.layout = self.saveState()
-        self.preferences.flush()
+        self.layout_of_docks.close()
         self.engine.close()
-        for dock in self.docks.values():
-            # A panel in a window of its own does not close with this one on every desktop.
-            if dock.isFloating():
-                dock.hide()
         self.running_jobs.end()
         self.pages.end()
         super().closeEvent(event)

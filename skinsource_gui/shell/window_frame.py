@@ -1,15 +1,19 @@
-"""What is done with the window as a whole."""
+"""What is done with the window as a whole, and what its title says."""
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QWidget
 
+from skinsource_gui.state.document import Document
+
 
 class WindowFrame(QObject):
-    """Closes ``window``, or lays it over the whole screen."""
+    """Closes ``window``, lays it over the whole screen, and names ``document`` in its title."""
 
-    def __init__(self, window: QWidget) -> None:
+    def __init__(self, window: QWidget, document: Document) -> None:
         super().__init__(window)
-        self._window = window
+        self._window, self._document = window, document
+        document.title_changed.connect(self._show_title)
+        self._show_title()
 
     def close(self) -> None:
         """Close it, as its button does."""
@@ -19,3 +23,8 @@ class WindowFrame(QObject):
         """Lay it over the whole screen, or back."""
         # Not showNormal: a maximised window shall be one afterwards.
         self._window.setWindowState(self._window.windowState() ^ Qt.WindowState.WindowFullScreen)
+
+    def _show_title(self) -> None:
+        path = self._document.path
+        self._window.setWindowTitle(f"{path.stem if path else 'Untitled'}[*] – SkinSource studio")
+        self._window.setWindowModified(self._document.modified)

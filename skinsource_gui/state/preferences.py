@@ -83,6 +83,15 @@ class Preferences:
         self._settings.setValue("layout", layout)
 
     @property
+    def arrangement(self) -> str:
+        """The arrangement that was taken up last; empty at first."""
+        return str(self._settings.value("arrangement", ""))
+
+    @arrangement.setter
+    def arrangement(self, name: str) -> None:
+        self._settings.setValue("arrangement", name)
+
+    @property
     def recent_files(self) -> list[Path]:
         """Files that were opened or saved, newest first."""
         found = self._settings.value("recent", [])

@@ -1,10 +1,11 @@
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
+from PySide6.QtCore import QMimeData, QPoint, QPointF, QRect, Qt, QUrl
 from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
+from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QMessageBox
 
 from skinsource.design import Input
 from skinsource.design_file import open_design, save_design
@@ -13,6 +14,7 @@ from skinsource_gui.files.picture_options import PictureDialog, PictureOptions
 from skinsource_gui.theme import DARK
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.plot.signal_view import SignalView
 
 NO_KEYS = Qt.KeyboardModifier.NoModifier
 
@@ -153,6 +155,50 @@ def test_size_and_colours_of_a_picture_are_chosen_in_fields(qtbot):
     QTest.keyClick(field, Qt.Key.Key_Return)
     dialog.findChild(ChoiceField, "colours_field").choose("dark")
     assert dialog.options == PictureOptions(width_px=640, colours="dark")
+
+
+def test_enter_accepts_the_size_of_a_picture_as_it_is_and_as_it_was_typed(qtbot):
+    for letters in ("", "640"):
+        dialog = PictureDialog(PictureOptions())
+        qtbot.addWidget(dialog)
+        field = dialog.findChild(NumberField, "width_px_field")
+        QTest.keyClicks(field, letters)
+        QTest.keyClick(field, Qt.Key.Key_Return)
+        assert dialog.result() == PictureDialog.DialogCode.Accepted
+        assert dialog.options.width_px == int(letters or 1200)
+
+
+def test_what_is_no_size_of_a_picture_is_refused_with_all_of_the_reason(qtbot):
+    dialog = PictureDialog(PictureOptions())
+    qtbot.addWidget(dialog)
+    dialog.show()
+    field = dialog.findChild(NumberField, "width_px_field")
+    field.begin_editing("/home/somebody/pictures/map.svg")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert dialog.isVisible()
+    note = dialog.findChild(QLabel, "width_px_note")
+    qtbot.waitUntil(lambda: note.height() >= note.heightForWidth(note.width()) > 0)
+    assert note.mapTo(dialog, note.rect().bottomRight()).y() < dialog.height()
+    others = [one for one in dialog.findChildren(NumberField) if one is not field]
+    place = QRect(note.mapTo(dialog, QPoint(0, 0)), note.size())
+    assert not any(
+        place.intersects(QRect(one.mapTo(dialog, QPoint(0, 0)), one.size())) for one in others
+    )
+
+
+def test_plots_suggest_the_folder_of_the_last_file(window, answers, tmp_path, monkeypatch):
+    answers["save"] = str(tmp_path / "a.skinsource")
+    window.do("save_design")
+    asked = []
+
+    def ask(*words):
+        asked.append(words)
+        return "", ""
+
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", ask)
+    for name in ("traces", "spectra"):
+        window.panel(name).findChild(SignalView).exports.save_picture()
+    assert [Path(words[2]).parent for words in asked] == [tmp_path, tmp_path]
 
 
 def test_a_name_with_a_point_keeps_it_and_gets_the_ending(window, answers, tmp_path):

@@ -2,7 +2,9 @@ import pytest
 from PySide6.QtCore import QMargins, QRect, QSize
 from PySide6.QtWidgets import QWidget
 
+from skinsource.design import start_design
 from skinsource_gui.shell.screen_fit import fitted
+from skinsource_gui.shell.window import MainWindow
 
 FRAMES = [QMargins(1, 24, 1, 5), QMargins(8, 31, 8, 8), QMargins(0, 37, 0, 0)]
 #: Screens in logical pixels: 1366x768, 1080p at scale 1, 1.5 and 2.
@@ -80,3 +82,21 @@ def test_presenting_shows_frequency_and_amplitude_in_large_words(window, settle)
     window.do("arrange_design")
     settle()
     assert window.panel("hand").fontMetrics().height() == small
+
+
+def test_a_window_that_was_presenting_starts_with_large_words(make_window, preferences, qapp):
+    usual = make_window()
+    size = qapp.font().pointSizeF()
+    usual.do("arrange_presentation")
+    large = qapp.font().pointSizeF()
+    assert large > size
+    usual.close()
+    preferences.flush()
+    again = MainWindow(
+        start_design("synthetic-1"), preferences=preferences, available_limbs=("synthetic-1",)
+    )
+    assert qapp.font().pointSizeF() == large
+    assert again.docks["frequency_and_amplitude"].isHidden() is False
+    again.do("arrange_design")
+    assert qapp.font().pointSizeF() == size
+    again.close_unasked()

@@ -12,7 +12,11 @@ from skinsource_gui.widgets.pan_zoom import WHOLE
 
 
 def open_map_menu(
-    shown: SkinMap, at: QPoint, picture: Callable[[], QImage], save: Callable[[], None]
+    shown: SkinMap,
+    at: QPoint,
+    picture: Callable[[], QImage],
+    save: Callable[[], None],
+    export: Callable[[], None],
 ) -> None:
     """Offer fits and pictures of a map at a point of the screen.
 
@@ -22,8 +26,8 @@ def open_map_menu(
         The map.
     at
         Where on the screen.
-    picture, save
-        Make a picture of it; ask where to, and save one.
+    picture, save, export
+        Make a picture of it; ask where to, and save one; ask where to, and save its numbers.
     """
     menu = QMenu(shown)
     menu.setObjectName("skin_menu")
@@ -33,6 +37,7 @@ def open_map_menu(
     menu.addSeparator()
     menu.addAction("Copy picture", partial(_copy, picture))
     menu.addAction("Save picture as…", save)
+    menu.addAction("Export data…", export)
     menu.popup(at)
 
 

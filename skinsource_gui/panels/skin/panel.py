@@ -218,7 +218,8 @@ class SkinPanel(Panel):
 
     def _open_menu(self, at: QPoint) -> None:
         save = partial(self.action_wanted.emit, "export_picture")
-        open_map_menu(self.map, at, partial(self.picture, *PICTURE_PX), save)
+        export = partial(self.action_wanted.emit, "export_levels")
+        open_map_menu(self.map, at, partial(self.picture, *PICTURE_PX), save, export)
 
 
 def _field_image(surface: SurfaceOperator, limb: Limb) -> FieldImage:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 from PySide6.QtWidgets import QVBoxLayout, QWidget
@@ -127,6 +128,9 @@ class SpectraPanel(Panel):
 
     def show_problem(self, reason: str) -> None:
         self._say(reason)
+
+    def show_folder(self, folder: Path) -> None:
+        self._plot.exports.folder = folder
 
     def show_theme(self, theme: Theme) -> None:
         self._plot.set_theme(theme)

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 from PySide6.QtWidgets import QVBoxLayout, QWidget
@@ -116,6 +117,9 @@ class TracesPanel(Panel):
 
     def show_problem(self, reason: str) -> None:
         self._plot.show_message(reason)
+
+    def show_folder(self, folder: Path) -> None:
+        self._plot.exports.folder = folder
 
     def show_theme(self, theme: Theme) -> None:
         self._plot.set_theme(theme)

@@ -18,7 +18,13 @@ _TABLES = "CSV (*.csv)"
 
 
 class SignalExports(QObject):
-    """Copies and saves what ``plot`` shows when it is asked to; ``title`` names it."""
+    """Copies and saves what ``plot`` shows when it is asked to; ``title`` names it.
+
+    Attributes
+    ----------
+    folder
+        Where files are suggested.
+    """
 
     #: A file was written there, `Path`.
     written = Signal(object)
@@ -28,6 +34,7 @@ class SignalExports(QObject):
     def __init__(self, plot: Plot, title: str, parent: QWidget) -> None:
         super().__init__(parent)
         self._plot, self._title, self._parent = plot, title, parent
+        self.folder = Path()
 
     def copy_picture(self) -> None:
         """Put a picture on the clipboard."""
@@ -46,7 +53,9 @@ class SignalExports(QObject):
             self._write(path, save_table)
 
     def _ask(self, title: str, name: str, kinds: str) -> Path | None:
-        chosen, kind = QFileDialog.getSaveFileName(self._parent, title, name, kinds)
+        chosen, kind = QFileDialog.getSaveFileName(
+            self._parent, title, str(self.folder / name), kinds
+        )
         if not chosen:
             return None
         path = Path(chosen)

@@ -131,13 +131,15 @@ def test_the_right_button_offers_fits_and_pictures(window, qtbot):
         "Fit hand and arm",
         "Copy picture",
         "Save picture as…",
+        "Export data…",
     ]
     actions["Fit hand"].trigger()
     assert view.pan_zoom.fit == HAND
     actions["Fit hand and arm"].trigger()
     assert view.pan_zoom.fit == WHOLE
     actions["Save picture as…"].trigger()
-    assert wanted == ["export_picture"]
+    actions["Export data…"].trigger()
+    assert wanted == ["export_picture", "export_levels"]
     actions["Copy picture"].trigger()
     assert QApplication.clipboard().image() == window.panel.picture(1200, 1800)
     menu.close()

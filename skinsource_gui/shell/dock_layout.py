@@ -1,0 +1,64 @@
+"""Where the docks of a window stand: between sessions, and in the files of designs."""
+
+from collections.abc import Mapping
+
+from PySide6.QtCore import QByteArray, QObject
+from PySide6.QtWidgets import QDockWidget, QMainWindow
+
+from skinsource_gui.shell.arrangements import Arrangements, ArrangementSpec
+from skinsource_gui.state.preferences import Preferences
+
+
+class DockLayout(QObject):
+    """Brings back what the window was like, and remembers it.
+
+    Parameters
+    ----------
+    window
+        Whose docks; also the parent.
+    docks, arrangements
+        Its docks, and what arranges them.
+    preferences
+        Where it is remembered between sessions.
+    """
+
+    def __init__(
+        self,
+        window: QMainWindow,
+        docks: Mapping[str, QDockWidget],
+        arrangements: Arrangements,
+        preferences: Preferences,
+    ) -> None:
+        super().__init__(window)
+        self._window, self._docks, self._preferences = window, docks, preferences
+        self._arrangements = arrangements
+        arrangements.chosen.connect(self._note_arrangement)
+
+    def content(self) -> bytes:
+        """What `put` takes back."""
+        return self._window.saveState().data()
+
+    def put(self, content: bytes) -> None:
+        """Put the docks where they stood, if anything is said about it."""
+        if content:
+            self._window.restoreState(QByteArray(content))
+
+    def restore(self) -> None:
+        """Bring back the last session."""
+        self._window.restoreGeometry(self._preferences.geometry)
+        # With the arrangement come its large words; where its docks were moved, they stand there.
+        self._arrangements.show(self._preferences.arrangement)
+        self.put(self._preferences.layout.data())
+
+    def close(self) -> None:
+        """Remember this session for the next one; the window closes."""
+        self._preferences.geometry = self._window.saveGeometry()
+        self._preferences.layout = self._window.saveState()
+        self._preferences.flush()
+        for dock in self._docks.values():
+            # A panel in a window of its own does not close with this one on every desktop.
+            if dock.isFloating():
+                dock.hide()
+
+    def _note_arrangement(self, spec: ArrangementSpec) -> None:
+        self._preferences.arrangement = spec.name
