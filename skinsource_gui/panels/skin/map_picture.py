@@ -11,7 +11,12 @@ from skinsource.view import View
 from skinsource_gui.panels.skin.colour_maps import colour_table
 from skinsource_gui.panels.skin.colour_scale import paint_colour_scale
 from skinsource_gui.panels.skin.map_content import MapContent
-from skinsource_gui.panels.skin.map_layout import fitted_beside_cards, map_layout, outline_bounds
+from skinsource_gui.panels.skin.map_layout import (
+    MapLayout,
+    fitted_beside_cards,
+    map_layout,
+    outline_bounds,
+)
 from skinsource_gui.panels.skin.map_painter import MapPainter, small_font
 from skinsource_gui.panels.skin.map_words import paint_words
 from skinsource_gui.theme import Theme, tabular
@@ -20,8 +25,8 @@ from skinsource_gui.widgets.kept_picture import PaintedAnew
 # Lines of text in the height of the picture, and the limits of a line, px.
 _LINES = 48
 _SMALLEST_FONT_PX, _LARGEST_FONT_PX = 9, 64
-# A heading may take this part of the height; where it needs more, its font shrinks.
-_HEADING = 0.12
+# Each part of a heading may take this part of the height; where it needs more, its font shrinks.
+_HEADING_LINE = 0.06
 # Size of the details, in fonts of the title.
 _DETAILS = 0.8
 _WRAPPED = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap
@@ -29,10 +34,11 @@ _WRAPPED = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop | Qt.TextFl
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Heading:
-    """What stands above the map: what is shown, and of what."""
+    """What stands above the map: what is shown, of what, and what one should know about it."""
 
     title: str
     details: str
+    note: str = ""
 
 
 def heading_of(design: Design | None, view: View) -> Heading:
@@ -78,14 +84,13 @@ def paint_picture(
     inner.setTop(_paint_heading(painter, inner, heading, font, theme) + 0.4 * line)
     room = inner.adjusted(0, 0, -6.2 * line, 0)
     painter.setFont(small_font(font))
-    if content.limb_map is not None:
-        _paint_map(painter, content, room, theme)
+    layout = _paint_map(painter, content, room, theme) if content.limb_map is not None else None
     ramp = QRectF(room.right() + line, room.top() + line, line, room.height() - 2 * line)
     levels = content.range_db
     painter.setFont(small_font(font))
     paint_colour_scale(painter, ramp, levels, levels, colour_table(), theme, content.span)
     painter.setFont(font)
-    paint_words(painter, content, room, theme)
+    paint_words(painter, content, layout, room, theme)
 
 
 def heading_font(font: QFont, text: str, area: QRectF) -> QFont:
@@ -102,15 +107,18 @@ def heading_font(font: QFont, text: str, area: QRectF) -> QFont:
 def _paint_heading(
     painter: QPainter, inner: QRectF, heading: Heading, font: QFont, theme: Theme
 ) -> float:
-    """Draw title and details; return where they end."""
+    """Draw title, details and note; return where they end."""
     title_font = QFont(font)
     title_font.setBold(True)
     top = inner.top()
     for words, usual, colour in (
         (heading.title, title_font, theme.text),
         (heading.details, small_font(font, _DETAILS), theme.dim),
+        (heading.note, small_font(font, _DETAILS), theme.warning),
     ):
-        area = QRectF(inner.left(), top, inner.width(), _HEADING / 2 * inner.height())
+        if not words:
+            continue
+        area = QRectF(inner.left(), top, inner.width(), _HEADING_LINE * inner.height())
         painter.setFont(heading_font(usual, words, area))
         painter.setPen(QColor(colour))
         painter.drawText(area, int(_WRAPPED), words)
@@ -119,10 +127,11 @@ def _paint_heading(
     return top
 
 
-def _paint_map(painter: QPainter, content: MapContent, room: QRectF, theme: Theme) -> None:
+def _paint_map(painter: QPainter, content: MapContent, room: QRectF, theme: Theme) -> MapLayout:
     metrics = QFontMetricsF(painter.font())
     bounds = outline_bounds(content.limb_map)
     frame = fitted_beside_cards(bounds, room, metrics)
     layout = map_layout(content.limb_map, frame, room, metrics)
     map_painter = MapPainter(content.limb_map, colour_table(), PaintedAnew)
     map_painter.paint(painter, content, layout, theme)
+    return layout

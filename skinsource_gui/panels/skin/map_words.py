@@ -1,43 +1,81 @@
-"""Words that stand on the map: the reason for its absence, marks, notes."""
+"""Words that stand on the map: the reason for its absence, and marks."""
 
-from PySide6.QtCore import QRectF, Qt
+from itertools import product
+
+from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 
 from skinsource.choice_words import BACK_SIDE
 from skinsource_gui.panels.skin.map_content import MapContent
+from skinsource_gui.panels.skin.map_layout import MapLayout
 from skinsource_gui.panels.skin.map_painter import small_font
 from skinsource_gui.theme import Theme
 
 SYNTHETIC_MARK = "SYNTHETIC"
-OUTDATED_MARK = "Updating…"
-_LOWER_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignBottom
+OUTDATED_MARK = "updating…"
+# Places that are tried for a message: so many steps across, and so many down.
+_STEPS = 24
 
 
-def paint_words(painter: QPainter, content: MapContent, room: QRectF, theme: Theme) -> None:
-    """Draw side, message, synthetic mark, note and the mark of something outdated in ``room``."""
+def paint_words(
+    painter: QPainter,
+    content: MapContent,
+    layout: MapLayout | None,
+    room: QRectF,
+    theme: Theme,
+) -> None:
+    """Draw side, message, synthetic mark and the mark of something outdated in ``room``."""
     unit = QFontMetricsF(painter.font()).height() / 14
     inner = room.adjusted(8 * unit, 5 * unit, -5 * unit, -6 * unit)
-    if content.limb_map is not None:
-        painter.save()
-        painter.setFont(small_font(painter.font()))
-        top = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop
-        corner = QRectF(inner.left(), inner.top(), 0.42 * inner.width(), inner.height())
-        _paint_card(painter, corner, BACK_SIDE, QColor(theme.dim), theme, top)
-        painter.restore()
+    free = QRectF(inner)
     if content.synthetic:
-        paint_synthetic_mark(painter, inner, theme)
+        free.setRight(_paint_synthetic_mark(painter, inner, theme) - 8 * unit)
+    painter.save()
+    painter.setFont(small_font(painter.font()))
+    said = _side_words(content, free.width(), QFontMetricsF(painter.font()))
+    _paint_card(painter, free, said, theme)
+    painter.restore()
     if content.message:
-        _paint_message(painter, inner, content.message, theme)
-    words = OUTDATED_MARK if content.outdated else content.note
-    if words:
-        colour = theme.dim if content.outdated else theme.warning
-        area = QRectF(inner)
-        area.setWidth(0.55 * inner.width())
-        _paint_card(painter, area, words, QColor(colour), theme, _LOWER_LEFT)
+        _paint_message(painter, inner, content.message, layout, theme)
 
 
-def paint_synthetic_mark(painter: QPainter, area: QRectF, theme: Theme) -> None:
-    """Draw the word SYNTHETIC into the upper right corner of ``area``."""
+def message_place(wanted: QRectF, room: QRectF, layout: MapLayout) -> QRectF:
+    """Return ``wanted``, moved no farther than needed to hide no output and no card in ``room``.
+
+    Where everything is full it stays where it is.
+    """
+    radius = layout.disc_radius
+    outputs = [QPointF(x, y) for x, y in layout.points]
+
+    def is_free(place: QRectF) -> bool:
+        around = place.adjusted(-radius, -radius, radius, radius)
+        cards = (layout.palmar_card, layout.triad_card)
+        return not any(map(around.contains, outputs)) and not any(map(around.intersects, cards))
+
+    across, down = room.width() - wanted.width(), room.height() - wanted.height()
+    corners = (
+        QPointF(room.left() + across * i / _STEPS, room.top() + down * k / _STEPS)
+        for i, k in product(range(_STEPS + 1), repeat=2)
+    )
+    places = [wanted, *(QRectF(corner, wanted.size()) for corner in corners)]
+    free = [place for place in places if is_free(place)]
+    return min(
+        free,
+        key=lambda place: (place.center() - wanted.center()).manhattanLength(),
+        default=wanted,
+    )
+
+
+def _side_words(content: MapContent, room_px: float, metrics: QFontMetricsF) -> str:
+    side = "" if content.limb_map is None else BACK_SIDE
+    if not content.outdated:
+        return side
+    both = f"{side} · {OUTDATED_MARK}" if side else OUTDATED_MARK
+    return both if metrics.horizontalAdvance(both) <= room_px else OUTDATED_MARK
+
+
+def _paint_synthetic_mark(painter: QPainter, area: QRectF, theme: Theme) -> float:
+    """Draw the word SYNTHETIC into the upper right corner of ``area``; return its left edge."""
     painter.save()
     font = small_font(painter.font())
     font.setBold(True)
@@ -51,33 +89,35 @@ def paint_synthetic_mark(painter: QPainter, area: QRectF, theme: Theme) -> None:
     painter.drawRoundedRect(badge, 3, 3)
     painter.drawText(badge, Qt.AlignmentFlag.AlignCenter, SYNTHETIC_MARK)
     painter.restore()
+    return badge.left()
 
 
-def _paint_message(painter: QPainter, area: QRectF, words: str, theme: Theme) -> None:
+def _paint_message(
+    painter: QPainter, area: QRectF, words: str, layout: MapLayout | None, theme: Theme
+) -> None:
     flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
     inside = area.adjusted(10, 7, -10, -7)
     needed = QFontMetricsF(painter.font()).boundingRect(inside, int(flags), words)
     card = needed.adjusted(-10, -7, 10, 7)
+    if layout is not None:
+        card = message_place(card, area, layout)
     painter.setPen(QColor(theme.border))
     painter.setBrush(QColor(theme.base))
     painter.drawRoundedRect(card, 4, 4)
     painter.setPen(QColor(theme.text))
-    painter.drawText(needed, int(flags), words)
+    painter.drawText(card.adjusted(10, 7, -10, -7), int(flags), words)
 
 
-def _paint_card(
-    painter: QPainter,
-    area: QRectF,
-    words: str,
-    colour: QColor,
-    theme: Theme,
-    side: Qt.AlignmentFlag,
-) -> None:
-    """Words at a ``side`` of ``area``."""
-    flags = side | Qt.TextFlag.TextWordWrap
+def _paint_card(painter: QPainter, area: QRectF, words: str, theme: Theme) -> None:
+    """Words in the upper left corner of ``area``, readable on whatever was moved under them."""
+    if not words:
+        return
+    # One line: below a second one there could be skin.
+    flags, metrics = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, painter.fontMetrics()
+    words = metrics.elidedText(words, Qt.TextElideMode.ElideRight, int(area.width()))
     needed = QFontMetricsF(painter.font()).boundingRect(area, int(flags), words)
     ground = QColor(theme.base)
     ground.setAlphaF(0.88)
     painter.fillRect(needed.adjusted(-4, -2, 4, 2), ground)
-    painter.setPen(colour)
+    painter.setPen(QColor(theme.dim))
     painter.drawText(needed, int(flags), words)

@@ -15,6 +15,7 @@ from skinsource.decibels import FLOOR_DB
 from skinsource.design import Design
 from skinsource.limb import Limb
 from skinsource.panel_settings import settings_of, with_settings
+from skinsource.quoting import sentence
 from skinsource.surface import SurfaceOperator
 from skinsource.view import View
 from skinsource_gui.panel import Panel
@@ -24,6 +25,7 @@ from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_menu import open_map_menu
 from skinsource_gui.panels.skin.map_picture import heading_of, paint_picture
 from skinsource_gui.panels.skin.map_toolbar import MapToolbar
+from skinsource_gui.panels.skin.note_line import NoteLine
 from skinsource_gui.panels.skin.readout_lines import ReadoutLines
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.skin_map import SkinMap
@@ -57,6 +59,8 @@ class SkinPanel(Panel):
         self.map.setObjectName("skin_map")
         self.colour_bar = ColourBar(self)
         self.colour_bar.setObjectName("skin_colour_bar")
+        self.note = NoteLine(self)
+        self.note.setObjectName("skin_note")
         self.readout = ReadoutLines(self)
         self.readout.setObjectName("skin_readout")
         self.readout.setAccessibleName("Under the pointer")
@@ -66,7 +70,8 @@ class SkinPanel(Panel):
         grid.addWidget(self.toolbar, 0, 0, 1, 2)
         grid.addWidget(self.map, 1, 0)
         grid.addWidget(self.colour_bar, 1, 1)
-        grid.addWidget(self.readout, 2, 0, 1, 2)
+        grid.addWidget(self.note, 2, 0, 1, 2)
+        grid.addWidget(self.readout, 3, 0, 1, 2)
         grid.setRowStretch(1, 1)
         grid.setColumnStretch(0, 1)
         self.setMinimumSize(250, 300)
@@ -128,7 +133,7 @@ class SkinPanel(Panel):
 
     def show_theme(self, theme: Theme) -> None:
         self._theme = theme
-        for part in (self.toolbar, self.map, self.colour_bar, self.readout):
+        for part in (self.toolbar, self.map, self.colour_bar, self.note, self.readout):
             part.show_theme(theme)
         self._show_choice()
 
@@ -137,7 +142,7 @@ class SkinPanel(Panel):
     ) -> None:
         """Draw the map for a page or a slide, with all that is needed to read it; size in px."""
         content = replace(self._content, outdated=False)
-        heading = heading_of(self._design, self._view)
+        heading = replace(heading_of(self._design, self._view), note=self._content.note)
         size = QSizeF(width, height)
         paint_picture(painter, size, content, heading, theme, self.font().family())
 
@@ -183,6 +188,7 @@ class SkinPanel(Panel):
             )
         )
         self.map.show_content(self._content)
+        self.note.show_text(self._content.note)
         self._show_readout(self.map.readout())
 
     def _mark_outdated(self, late: bool) -> None:
@@ -230,4 +236,5 @@ def _field_image(surface: SurfaceOperator, limb: Limb) -> FieldImage:
 def _note(surface: SurfaceOperator | None, limb: Limb | None) -> str:
     """What one should know about the map and about where its numbers come from."""
     warnings = () if surface is None else surface.warnings
-    return " ".join([*warnings, *([limb.note] if limb is not None and limb.note else [])])
+    about = limb.note if limb is not None else ""
+    return " ".join([*warnings, *([sentence(about[:1].upper() + about[1:])] if about else [])])

@@ -143,7 +143,7 @@ class SkinMap(QWidget):
                 paint_band(painter, self.mouse.band, self._theme)
         painter.setFont(self.font())
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        paint_words(painter, self.content, QRectF(self.rect()), self._theme)
+        paint_words(painter, self.content, self._layout, QRectF(self.rect()), self._theme)
         if self.hasFocus():
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.setPen(QPen(QColor(self._theme.accent), 2))

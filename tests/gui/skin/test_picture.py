@@ -4,9 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QPointF, QSizeF, QTimer
+from PySide6.QtCore import QPoint, QPointF, QRectF, QSizeF, QTimer
 from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtSvg import QSvgRenderer
+from PySide6.QtWidgets import QApplication
 
 from skinsource.limb import LimbMap
 from skinsource_gui.files.pictures import save_drawing
@@ -14,6 +15,7 @@ from skinsource_gui.panels.skin.colour_maps import colour_indices, colour_table
 from skinsource_gui.panels.skin.field_image import FieldImage
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_picture import Heading, heading_of, paint_picture
+from skinsource_gui.panels.skin.map_words import message_place, paint_words
 from skinsource_gui.panels.skin.panel import SILENT, SkinPanel
 from skinsource_gui.panels.skin.skin_map import SkinMap
 from skinsource_gui.theme import DARK, LIGHT
@@ -258,10 +260,57 @@ def test_pictures_of_lines_look_like_those_of_pixels(window, tmp_path):
     assert [float(side) for side in box[1].split()] == pytest.approx([0, 0, 450, 675], abs=1)
 
 
-def test_a_limb_about_which_there_is_something_to_know_says_so_on_the_map(window):
+def test_a_limb_about_which_there_is_something_to_know_says_so_below_the_map(window):
     limb = copy(window.results["limb_data"])
     limb.note = "made from files that are not the published"
+    without = window.panel.map.grab().toImage(), window.panel.picture(400, 600)
     window.deliver(limb_data=limb)
-    assert "not the published" in window.panel.map.content.note
+    assert "Made from files that are not the published." in window.panel.note.text()
+    assert window.panel.note.isVisible()
+    assert "not the published" in window.panel.note.toolTip()
+    QApplication.processEvents()
+    assert window.panel.map.height() < without[0].height()
+    # What has no room below it is in its head, above the skin.
+    assert window.panel.picture(400, 600) != without[1]
     window.deliver()
-    assert window.panel.map.content.note == " ".join(window.results["surface"].warnings)
+    assert window.panel.note.text() == " ".join(window.results["surface"].warnings)
+    assert window.panel.note.isHidden()
+
+
+@pytest.mark.parametrize("size", [(150, 180), (220, 300), (266, 576), (420, 640), (900, 500)])
+@pytest.mark.parametrize("fit", ["whole", "hand"])
+def test_words_above_a_fitted_map_lie_on_no_skin(window, size, fit):
+    view = window.panel.map
+    view.setFixedSize(*size)
+    QApplication.processEvents()
+    view.pan_zoom.show(fit)
+    view.show_content(replace(view.content, outdated=True))
+    layout = view.map_layout()
+    top = layout.frame.to_screen(view.content.limb_map.outline)[:, 1].min()
+    image = QImage(*size, QImage.Format.Format_RGB32)
+    image.fill(QColor("white"))
+    painter = QPainter(image)
+    painter.setFont(view.font())
+    paint_words(painter, view.content, layout, QRectF(view.rect()), LIGHT)
+    painter.end()
+    pixels = np.frombuffer(image.constBits(), np.uint32).reshape(size[1], -1) & 0xFFFFFF
+    inked = np.flatnonzero((pixels != 0xFFFFFF).any(axis=1))
+    assert inked.size
+    assert inked.max() < top
+
+
+def test_a_message_hides_no_output_and_no_card(window):
+    view = window.panel.map
+    for size in ((266, 576), (420, 640), (600, 900)):
+        view.resize(*size)
+        layout, room = view.map_layout(), QRectF(view.rect())
+        wanted = QRectF(0, 0, 150, 30)
+        wanted.moveCenter(room.center())
+        place = message_place(wanted, room, layout)
+        assert place.size() == wanted.size()
+        assert room.contains(place)
+        assert not any(place.contains(QPointF(x, y)) for x, y in layout.points)
+        assert not place.intersects(layout.palmar_card)
+        assert not place.intersects(layout.triad_card)
+    # Nothing is free for one that is as large as the map.
+    assert message_place(room, room, layout) == room

@@ -1,0 +1,54 @@
+"""A line that warns, where there is something to warn of."""
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QColor, QPainter
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.widgets.tooltips import tooltip
+
+
+class NoteLine(QWidget):
+    """One line of text, cut short where it is too long; the whole of it is in its tooltip.
+
+    It takes no room while there is nothing to say.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._text = ""
+        self._theme = LIGHT
+        self.setAccessibleName("Note on the map")
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.hide()
+
+    def text(self) -> str:
+        """The text, uncut."""
+        return self._text
+
+    def show_text(self, text: str) -> None:
+        """Show other text; hide where it is empty."""
+        if text != self._text:
+            self._text = text
+            self.setAccessibleDescription(text)
+            self.setToolTip(tooltip(text) if text else "")
+            self.setVisible(bool(text))
+            self.update()
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self._theme = theme
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        return QSize(100, self.fontMetrics().lineSpacing())
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(0, self.sizeHint().height())
+
+    def paintEvent(self, event) -> None:
+        painter = QPainter(self)
+        painter.setPen(QColor(self._theme.warning))
+        words = self.fontMetrics().elidedText(self._text, Qt.TextElideMode.ElideRight, self.width())
+        painter.drawText(self.rect(), Qt.AlignmentFlag.AlignLeft, words)
+        painter.end()
