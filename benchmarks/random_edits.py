@@ -10,7 +10,7 @@ from skinsource.design import Design, Input
 from skinsource.limb import N_INPUTS, N_OUTPUTS
 from skinsource.panel_settings import with_settings
 from skinsource.projection import AXES, METHODS
-from skinsource.response_scaling import SCALINGS
+from skinsource.scaling.response_scaling import SCALINGS
 from skinsource.waveforms import Impulse, Noise, Tap, Tone
 from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.state.document import Document

@@ -2,7 +2,7 @@
 
 import sys
 
-from skinsource.command_line import main
+from skinsource.commands.command_line import main
 
 __all__ = ["main"]
 

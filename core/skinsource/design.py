@@ -8,7 +8,7 @@ from skinsource.errors import InvalidInputError
 from skinsource.fields import ChoiceSpec, ListSpec, NumberSpec, RecipeSpec, SwitchSpec, TextSpec
 from skinsource.limb import MOST_PLACES
 from skinsource.quoting import quoted
-from skinsource.response_scaling import Scaling
+from skinsource.scaling.response_scaling import Scaling
 from skinsource.waveforms import Tone, Waveform, kinds
 
 #: More inputs than places are allowed; a hundred of them are a mistake.

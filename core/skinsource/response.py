@@ -22,7 +22,7 @@ from skinsource.rendering.spectra_of_limbs import SpectraOfLimbs
 from skinsource.rendering.streaming import StreamedVibration
 from skinsource.rendering.sums import sum_of_vibrations
 from skinsource.rendering.transforms import forward, inverse
-from skinsource.response_scaling import Scaling, check_scaling
+from skinsource.scaling.response_scaling import Scaling, check_scaling
 
 
 def predict(
@@ -48,7 +48,7 @@ def predict(
         ``"upstream"``: what each input causes is divided by its signed maximum over all outputs,
         axes and times, so that an amplitude is that maximum in m/s².  ``"relative"``: no division;
         1 is the measuring pulse, sample by sample.  ``"probe"``: responses calibrated to probe
-        acceleration (`skinsource.calibration`).
+        acceleration (`skinsource.scaling.calibration`).
 
     Returns
     -------

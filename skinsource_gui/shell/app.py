@@ -8,10 +8,10 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 
 from skinsource.allocation import keep_freed_memory
-from skinsource.assets import user_folder
 from skinsource.catalogue import available_limbs, default_limb
 from skinsource.design import start_design
 from skinsource.files import make_folder
+from skinsource.files.assets import user_folder
 from skinsource_gui.files.kept_work import KeptWork
 from skinsource_gui.shell.ending import EndSignals, keep_unsaved, offer_kept
 from skinsource_gui.shell.garbage import take_over_collection

@@ -4,9 +4,9 @@ from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QSettings
 
-from skinsource.assets import config_folder, user_folder
 from skinsource.errors import SkinSourceError
 from skinsource.files import is_folder, is_there, make_folder, read_bytes, write_bytes
+from skinsource.files.assets import config_folder, user_folder
 
 _RECENT_FILES = 10
 _NAME = "studio.ini"

@@ -9,7 +9,7 @@ from skinsource import choice_words
 from skinsource.limb import LIMB_NAMES
 from skinsource.loudest_window import SPANS
 from skinsource.projection import AXES, METHODS
-from skinsource.response_scaling import SCALINGS
+from skinsource.scaling.response_scaling import SCALINGS
 
 PAGE = Path(__file__).parents[2] / "docs" / "words.md"
 

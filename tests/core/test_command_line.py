@@ -11,7 +11,7 @@ from pathlib import Path
 import h5py
 import pytest
 
-from skinsource.command_line import main
+from skinsource.commands.command_line import main
 from skinsource.dataset import commands
 from skinsource.dataset.progress_bar import ProgressBar
 from skinsource.errors import Stopped

@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from skinsource.command_line import main
+from skinsource.commands.command_line import main
 from skinsource.errors import MissingExtraError
 from skinsource.method_comparison import commands
 from skinsource.method_comparison.engines import ENGINES, engine_of
@@ -67,7 +67,7 @@ def test_a_folder_that_cannot_be_written_is_told_before_the_work(tmp_path, monke
 
 def test_the_command_line_starts_without_what_only_the_benchmark_needs():
     code = (
-        "import sys, skinsource.command_line;"
+        "import sys, skinsource.commands.command_line;"
         "print(sorted({'scipy.signal', 'matplotlib', 'PySide6'} & set(sys.modules)))"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -13,10 +13,10 @@ from skinsource.method_comparison.engines import ENGINES, engine_of
 from skinsource.method_comparison.method import Method, Setting, Unfit, taps_of
 from skinsource.method_comparison.promises import PEAK_ERROR
 from skinsource.method_comparison.references import Reference, load_reference
-from skinsource.method_comparison.scenes import SCENES, Player, Scene, scene_of
+from skinsource.method_comparison.scenes import SCENES, ComparedScene, Player, scene_of
 
 SCRIPT = Path(__file__).parents[1] / "references" / "comparison" / "make_references.py"
-TINY = Scene(
+TINY = ComparedScene(
     key="tiny",
     title="",
     reference="tiny",

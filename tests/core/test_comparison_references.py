@@ -8,8 +8,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from skinsource.assets import data_folder
 from skinsource.errors import FileFormatError
+from skinsource.files.assets import data_folder
 from skinsource.limb import N_TAPS
 from skinsource.method_comparison.made_up import (
     DRIVE_EXPONENT,

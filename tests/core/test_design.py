@@ -11,7 +11,7 @@ from skinsource.design import (
     start_design,
 )
 from skinsource.errors import InvalidInputError
-from skinsource.response_scaling import SCALINGS
+from skinsource.scaling.response_scaling import SCALINGS
 from skinsource.waveforms import Noise, Tap, Tone
 
 THREE = Design(limb="synthetic-1", inputs=tuple(Input(location=k, colour=k) for k in (1, 2, 3)))

@@ -8,7 +8,7 @@ import pytest
 
 from skinsource.design import Design, Input
 from skinsource.errors import Stopped, StorageError
-from skinsource.export import export_field, export_levels, export_traces, scene
+from skinsource.export import export_field, export_levels, export_traces, exported_design
 from skinsource.quantities import new_graph, sources
 from skinsource.view import View
 from skinsource.waveforms import Noise, Tap
@@ -42,7 +42,7 @@ def test_traces_of_a_long_design_are_those_on_screen(tmp_path):
 def test_traces_that_are_too_many_to_be_held_are_the_same(tmp_path, monkeypatch, method):
     view = View(outputs=VIEW.outputs, axes=VIEW.axes, method=method)
     export_traces(tmp_path / "held.csv", DESIGN, view)
-    monkeypatch.setattr(scene, "_MOST_HELD_BYTES", 500_000)
+    monkeypatch.setattr(exported_design, "_MOST_HELD_BYTES", 500_000)
     export_traces(tmp_path / "traces.csv", DESIGN, view)
     held, found = read(tmp_path / "held.csv"), read(tmp_path / "traces.csv")
     assert found.shape == held.shape

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from skinsource.commands.graph_drawing import brought_up_to_date, drawing, rules_of, table
 from skinsource.graph import Graph
-from skinsource.graph_drawing import brought_up_to_date, drawing, rules_of, table
 from skinsource.quantities import new_graph, sources
 
 DOCUMENT = Path(__file__).parents[2] / "docs" / "rendering.md"
@@ -38,7 +38,7 @@ def test_a_drawing_shows_rules_what_they_need_and_what_comes_from_elsewhere():
 def test_the_document_shows_the_graph_as_it_is():
     text = DOCUMENT.read_text(encoding="utf-8")
     assert brought_up_to_date(text) == text, (
-        "docs/rendering.md shows another graph; run python -m skinsource.graph_drawing "
+        "docs/rendering.md shows another graph; run python -m skinsource.commands.graph_drawing "
         "docs/rendering.md"
     )
 

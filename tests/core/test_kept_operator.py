@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.assets import cache_folder
+from skinsource.files.assets import cache_folder
 from skinsource.limb import Limb
 from skinsource.surface import kept, surface_operator
 from skinsource.surface.kept import decoded, encoded, kept_surface_operator

@@ -12,7 +12,7 @@ from skinsource.limb import Limb
 from skinsource.projection import AXES, METHODS, project_axes
 from skinsource.quantities import RULES, new_graph, sources
 from skinsource.response import predict
-from skinsource.response_scaling import SCALINGS
+from skinsource.scaling.response_scaling import SCALINGS
 from skinsource.shared import Shared
 from skinsource.signals import sinusoid
 from skinsource.spectra import magnitude_spectrum, rms

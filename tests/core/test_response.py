@@ -9,7 +9,7 @@ import pytest
 from skinsource.errors import InvalidInputError
 from skinsource.limb import Limb
 from skinsource.response import predict
-from skinsource.response_scaling import SCALINGS
+from skinsource.scaling.response_scaling import SCALINGS
 
 SEED = 1300
 BYTES_PER_PLACE = 72 * 3 * 522 * 8

@@ -4,8 +4,8 @@ import hashlib
 import json
 from pathlib import Path
 
-from skinsource.assets import data_folder
 from skinsource.files import write_bytes
+from skinsource.files.assets import data_folder
 
 NAME = "shipped_files.json"
 

@@ -5,8 +5,8 @@ import sys
 import numpy as np
 import pytest
 
-from skinsource.assets import data_folder
 from skinsource.errors import InvalidInputError, UnknownLimbError
+from skinsource.files.assets import data_folder
 from skinsource.synthetic import SYNTHETIC_LIMBS, load_synthetic_limb, synthetic_model
 from skinsource.synthetic.geodesic import paths_in
 from skinsource.synthetic.waves import Pulse, Skin, pulse_spectrum, wavenumber

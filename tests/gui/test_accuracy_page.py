@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
     QTabWidget,
 )
 
-from skinsource.command_line import _parser
+from skinsource.commands.command_line import _parser
 from skinsource.job import Job
 from skinsource.method_comparison.table import read_table
 from skinsource.rendering.check import TraceError

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from skinsource.assets import config_folder, user_folder
+from skinsource.files.assets import config_folder, user_folder
 from skinsource_gui.state.preferences import Preferences, settings_path
 
 

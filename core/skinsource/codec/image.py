@@ -22,11 +22,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource import hdf5
 from skinsource.codec.json_text import MAX_TEXT_BYTES, dumped, loaded
 from skinsource.codec.references import put_back, taken_out
 from skinsource.errors import FileFormatError, InvalidInputError
 from skinsource.fields import Tree
+from skinsource.files import hdf5
 from skinsource.quoting import quoted
 from skinsource.samples import Samples
 

@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.dataset.download import download
+from skinsource.dataset.downloaded_files import download_folder, leftovers
 from skinsource.dataset.install import install
 from skinsource.dataset.optional import optional_package
 from skinsource.dataset.published import RemoteFile, checksum_of, published_files
-from skinsource.dataset.source import download_folder, leftovers
 from skinsource.dataset.store import StoreInfo
 from skinsource.errors import DownloadError, StorageError
 from skinsource.files import make_folder

@@ -10,15 +10,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource import hdf5
-from skinsource.assets import user_folder
 from skinsource.dataset import layout
+from skinsource.dataset.downloaded_files import find_downloaded
 from skinsource.dataset.mapfiles import MapFiles, read_map_files
 from skinsource.dataset.published import checksum_of, refuse_unpublished_maps, unpublished_files
 from skinsource.dataset.responses import N_ROWS, Responses, read_responses
-from skinsource.dataset.source import find_source
 from skinsource.dataset.store import StoreInfo, describe
-from skinsource.files import make_folder, replacing
+from skinsource.files import hdf5, make_folder, replacing
+from skinsource.files.assets import user_folder
 from skinsource.job import Progress, Stop, never, silent, stop_if
 
 STOPPED = "Installing was stopped; nothing was changed."
@@ -62,7 +61,7 @@ def install(
     Stopped
         ``stop`` said so.
     """
-    found = find_source(source)
+    found = find_downloaded(source)
     strange = unpublished_files(found)
     if not unpublished:
         refuse_unpublished_maps(found, strange)

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.arrays import Floats
+from skinsource.dataset.downloaded_files import MASK_FILES
 from skinsource.dataset.layout import MASK_SHAPES, N_VERTICES
 from skinsource.dataset.matfile import read_variable
 from skinsource.dataset.pieces import WHAT_TO_DO
-from skinsource.dataset.source import MASK_FILES
 from skinsource.errors import DatasetError
 from skinsource.limb import N_INPUTS, N_OUTPUTS, VOLAR_OUTPUTS
 

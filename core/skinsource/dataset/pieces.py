@@ -11,8 +11,8 @@ from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from skinsource import hdf5
 from skinsource.errors import DatasetError
+from skinsource.files import hdf5
 
 if TYPE_CHECKING:
     import h5py

@@ -4,7 +4,12 @@ import hashlib
 from dataclasses import dataclass
 from pathlib import Path
 
-from skinsource.dataset.source import MAP_FILES, MAP_FOLDER, RESPONSES_FILE, Source
+from skinsource.dataset.downloaded_files import (
+    MAP_FILES,
+    MAP_FOLDER,
+    RESPONSES_FILE,
+    DownloadedFiles,
+)
 from skinsource.errors import DatasetError, StorageError
 
 #: Record of the dataset, doi 10.5281/zenodo.10547601.
@@ -98,18 +103,18 @@ def checksum_of(path: Path, algorithm: str) -> str:
         ) from error
 
 
-def unpublished_files(source: Source) -> tuple[str, ...]:
+def unpublished_files(found: DownloadedFiles) -> tuple[str, ...]:
     """Published names of those files in a download that are not the published ones."""
     strange = []
     for file in published_files():
         name = file.name.rpartition("/")[2]
-        path = source.responses if name == RESPONSES_FILE else source.map_folder / name
+        path = found.responses if name == RESPONSES_FILE else found.map_folder / name
         if checksum_of(path, file.checksum.partition(":")[0]) != file.checksum:
             strange.append(name)
     return tuple(strange)
 
 
-def refuse_unpublished_maps(source: Source, unpublished: tuple[str, ...]) -> None:
+def refuse_unpublished_maps(found: DownloadedFiles, unpublished: tuple[str, ...]) -> None:
     """Raise `DatasetError` if any of the ``unpublished`` files is one of the map's.
 
     A damaged one moves sensors, and nothing in it tells.
@@ -117,7 +122,7 @@ def refuse_unpublished_maps(source: Source, unpublished: tuple[str, ...]) -> Non
     strange = [name for name in unpublished if name in MAP_FILES]
     if strange:
         raise DatasetError(
-            f"{source.map_folder}: not the published content: {', '.join(strange)} (the checksum "
+            f"{found.map_folder}: not the published content: {', '.join(strange)} (the checksum "
             "differs). The download may be damaged; run 'skinsource dataset fetch' again. If other "
             "files are meant, use 'skinsource dataset install PATH --unpublished'."
         )

@@ -14,9 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource import hdf5
 from skinsource.arrays import Floats
-from skinsource.assets import user_folder
 from skinsource.dataset import layout
 from skinsource.dataset.contents import Contents
 from skinsource.dataset.store_parts import REINSTALL
@@ -27,7 +25,8 @@ from skinsource.errors import (
     StorageError,
     UnknownLimbError,
 )
-from skinsource.files import is_file
+from skinsource.files import hdf5, is_file
+from skinsource.files.assets import user_folder
 from skinsource.limb import HAND_LENGTHS_MM, Limb, LimbMap
 from skinsource.quoting import quoted
 

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from skinsource import hdf5
 from skinsource.dataset import layout
 from skinsource.errors import DatasetError
+from skinsource.files import hdf5
 
 if TYPE_CHECKING:
     import h5py

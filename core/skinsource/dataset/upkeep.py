@@ -6,7 +6,7 @@ from pathlib import Path
 
 from skinsource.dataset import layout
 from skinsource.dataset.contents import Contents
-from skinsource.dataset.source import (
+from skinsource.dataset.downloaded_files import (
     MAP_FILES,
     MAP_FOLDER,
     RESPONSES_FILE,

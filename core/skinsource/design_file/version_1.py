@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from skinsource import fields, hdf5
+from skinsource import fields
 from skinsource.design import MAX_INPUTS, Design, Input
 from skinsource.errors import FileFormatError, InvalidInputError
 from skinsource.fields import (
@@ -35,6 +35,7 @@ from skinsource.fields import (
     Spec,
     SwitchSpec,
 )
+from skinsource.files import hdf5
 from skinsource.limb import LIMB_NAMES, N_INPUTS, N_OUTPUTS
 from skinsource.quoting import printable, quoted
 from skinsource.view import View

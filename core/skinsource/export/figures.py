@@ -9,19 +9,19 @@ import scipy
 from skinsource.choice_words import AXES, LIMBS, METHODS, SCALINGS, SPANS, word_of
 from skinsource.design import audible_inputs
 from skinsource.errors import TooInaccurateError
-from skinsource.export.scene import Scene
+from skinsource.export.exported_design import ExportedDesign
 from skinsource.rendering.check import ESTIMATE_FACTOR, N_SAMPLES, TraceError
 from skinsource.version import __version__
 
 
-def about_design(scene: Scene) -> list[str]:
+def about_design(exported: ExportedDesign) -> list[str]:
     """Lines on limb, scaling, and what is played."""
-    design = scene.design
+    design = exported.design
     lines = ["SkinSource studio"]
-    if scene.limb.synthetic:
+    if exported.limb.synthetic:
         lines.append("SYNTHETIC LIMB: computed responses, not measured ones")
-    if scene.limb.note:
-        lines.append(f"NOTE on the limb: {scene.limb.note}")
+    if exported.limb.note:
+        lines.append(f"NOTE on the limb: {exported.limb.note}")
     scaling = word_of(SCALINGS, design.scaling).both
     lines.append(f"limb: {word_of(LIMBS, design.limb).title}, {design.limb}; scaling: {scaling}")
     for one in design.inputs:
@@ -34,30 +34,34 @@ def about_design(scene: Scene) -> list[str]:
     return lines
 
 
-def about_axes(scene: Scene) -> str:
+def about_axes(exported: ExportedDesign) -> str:
     """Line on the axes and how they become one signal."""
-    axes, method = scene.view.axes, word_of(METHODS, scene.view.method).both
+    axes, method = exported.view.axes, word_of(METHODS, exported.view.method).both
     how = "" if len(axes) == 1 else f"; method: {method}"
     return f"axes: {word_of(AXES, axes).both}{how}"
 
 
-def about_levels(scene: Scene) -> str:
+def about_levels(exported: ExportedDesign) -> str:
     """Line on what levels are the RMS over, which every file names, also those without levels.
 
     Who later puts a file of traces beside one of levels then sees whether they belong together.
     """
-    return f"levels: RMS over the {word_of(SPANS, scene.view.span).both.lower()}"
+    return f"levels: RMS over the {word_of(SPANS, exported.view.span).both.lower()}"
 
 
-def about_method(scene: Scene) -> list[str]:
+def about_method(exported: ExportedDesign) -> list[str]:
     """Lines on versions, method, and the data that went in."""
-    audible = audible_inputs(scene.design.inputs)
-    how = "cached spectra" if scene.streamed is None else f"overlap-save {scene.streamed.cut.n_fft}"
+    audible = audible_inputs(exported.design.inputs)
+    how = (
+        "cached spectra"
+        if exported.streamed is None
+        else f"overlap-save {exported.streamed.cut.n_fft}"
+    )
     return [
         f"computed by: skinsource {__version__}, numpy {np.__version__}, scipy {scipy.__version__}",
         f"precision and method: float64, {how}",
-        f"inputs heard: {len(audible)} of {len(scene.design.inputs)}",
-        *_about_data(scene, sorted({one.location for one in audible})),
+        f"inputs heard: {len(audible)} of {len(exported.design.inputs)}",
+        *_about_data(exported, sorted({one.location for one in audible})),
     ]
 
 
@@ -86,11 +90,11 @@ def refuse_if_worse(error: TraceError | None, largest_error: float) -> None:
         )
 
 
-def _about_data(scene: Scene, places: list[int]) -> list[str]:
+def _about_data(exported: ExportedDesign, places: list[int]) -> list[str]:
     if not places:
         return []
     digest = hashlib.sha256()
     for place in places:
-        digest.update(np.ascontiguousarray(scene.limb.response_to(place), "<f8").data)
+        digest.update(np.ascontiguousarray(exported.limb.response_to(place), "<f8").data)
     numbers = ", ".join(map(str, places))
     return [f"responses to places {numbers}: SHA-256 {digest.hexdigest()}"]

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from skinsource.arrays import Floats
 from skinsource.design import Design
 from skinsource.export.csv_table import CsvTable
+from skinsource.export.exported_design import ExportedDesign
 from skinsource.export.figures import (
     about_axes,
     about_design,
@@ -19,7 +20,6 @@ from skinsource.export.figures import (
 )
 from skinsource.export.output_file import output_file
 from skinsource.export.png import write_png
-from skinsource.export.scene import Scene
 from skinsource.job import Progress, Stop, never, silent
 from skinsource.surface import SurfaceOperator
 from skinsource.view import View
@@ -102,16 +102,16 @@ def _map_of(
     design: Design, view: View, progress: Progress, stop: Stop, largest_error: float
 ) -> tuple[SurfaceOperator, Floats, list[str]]:
     """Return the map's pixels, its levels, and what a file says of them."""
-    scene = Scene(design, view, progress, stop)
-    wanted = scene.values({"surface", "surface_levels_db", "output_rms"})
+    exported = ExportedDesign(design, view, progress, stop)
+    wanted = exported.values({"surface", "surface_levels_db", "output_rms"})
     loudest = int(np.argmax(wanted["output_rms"])) + 1
-    error = scene.error((loudest,), view.axes)
+    error = exported.error((loudest,), view.axes)
     refuse_if_worse(error, largest_error)
     about = [
-        *about_design(scene),
-        about_axes(scene),
-        f"{about_levels(scene)}, in dB re 1 m/s²",
-        *about_method(scene),
+        *about_design(exported),
+        about_axes(exported),
+        f"{about_levels(exported)}, in dB re 1 m/s²",
+        *about_method(exported),
         about_error(error, f"the traces of output {loudest}, the loudest"),
     ]
     return wanted["surface"], wanted["surface_levels_db"], about

@@ -9,6 +9,7 @@ import numpy as np
 from skinsource.arrays import Floats
 from skinsource.design import Design
 from skinsource.export.csv_table import CsvTable
+from skinsource.export.exported_design import PIECE_SAMPLES, ExportedDesign
 from skinsource.export.figures import (
     about_axes,
     about_design,
@@ -19,7 +20,6 @@ from skinsource.export.figures import (
     refuse_if_worse,
 )
 from skinsource.export.output_file import output_file
-from skinsource.export.scene import PIECE_SAMPLES, Scene
 from skinsource.job import Progress, Stop, never, silent
 from skinsource.limb import PRE_TRIGGER_DELAY_S
 from skinsource.locations import OUTPUTS, output_place
@@ -60,30 +60,30 @@ def export_traces(
     Stopped
         ``stop`` said so.
     """
-    scene = Scene(design, view, progress, stop)
-    checked = scene.holdable(view.outputs, view.axes)
-    error = scene.error(checked, view.axes)
+    exported = ExportedDesign(design, view, progress, stop)
+    checked = exported.holdable(view.outputs, view.axes)
+    error = exported.error(checked, view.axes)
     refuse_if_worse(error, largest_error)
     shift = "removed from" if view.delay_removed else "contained in"
     what = "the traces" if checked == view.outputs else f"the traces of {listed(checked)}"
     about = [
-        *about_design(scene),
-        about_axes(scene),
+        *about_design(exported),
+        about_axes(exported),
         f"pre-trigger delay of {PRE_TRIGGER_DELAY_S * 1e3:g} ms: {shift} the times",
-        about_levels(scene),
-        *about_method(scene),
+        about_levels(exported),
+        *about_method(exported),
         about_error(error, what),
     ]
     header = ["time_s", *(f"output_{output}_m_per_s2" for output in view.outputs)]
-    time_s = scene.value("response_time_s")
+    time_s = exported.value("response_time_s")
     with output_file(path, stop) as file:
         table = CsvTable(file, about, header, stop)
         done = 0
-        for block in _trace_blocks(scene):
+        for block in _trace_blocks(exported):
             end = done + block.shape[-1]
             table.add(np.vstack((time_s[done:end], block)).T)
             done = end
-            progress(done, scene.n_times, "Writing")
+            progress(done, exported.n_times, "Writing")
 
 
 def export_levels(
@@ -99,24 +99,24 @@ def export_levels(
 
     Parameters and errors are those of `export_traces`.
     """
-    scene = Scene(design, view, progress, stop)
-    wanted = scene.values({"output_rms", "output_levels_db"})
+    exported = ExportedDesign(design, view, progress, stop)
+    wanted = exported.values({"output_rms", "output_levels_db"})
     loudest = int(np.argmax(wanted["output_rms"])) + 1
-    error = scene.error((loudest,), view.axes)
+    error = exported.error((loudest,), view.axes)
     refuse_if_worse(error, largest_error)
     about = [
-        *about_design(scene),
-        about_axes(scene),
-        about_levels(scene),
-        *about_method(scene),
+        *about_design(exported),
+        about_axes(exported),
+        about_levels(exported),
+        *about_method(exported),
         about_error(error, f"the traces of output {loudest}, the loudest"),
     ]
     header = ["output", "rms_m_per_s2", "level_db_re_1_m_per_s2", "side", "place"]
     with output_file(path, stop) as file:
         table = CsvTable(file, about, header, stop)
         table.add(
-            np.vstack((scene.all_outputs, wanted["output_rms"], wanted["output_levels_db"])).T,
-            [_side_and_place(output) for output in scene.all_outputs],
+            np.vstack((exported.all_outputs, wanted["output_rms"], wanted["output_levels_db"])).T,
+            [_side_and_place(output) for output in exported.all_outputs],
         )
         progress(1, 1, "Writing")
 
@@ -129,15 +129,15 @@ def _side_and_place(output: int) -> tuple[str, str]:
     return ("palm" if place.side == "volar" else "back"), place.name
 
 
-def _trace_blocks(scene: Scene) -> Iterator[Floats]:
+def _trace_blocks(exported: ExportedDesign) -> Iterator[Floats]:
     """Yield the projected traces piece by piece, (n_selected, n)."""
-    outputs = scene.view.outputs
-    if outputs == scene.holdable(outputs, scene.view.axes):
-        traces = scene.value("selected_traces")
-        for first in range(0, scene.n_times, PIECE_SAMPLES):
+    outputs = exported.view.outputs
+    if outputs == exported.holdable(outputs, exported.view.axes):
+        traces = exported.value("selected_traces")
+        for first in range(0, exported.n_times, PIECE_SAMPLES):
             yield traces[:, first : first + PIECE_SAMPLES]
         return
-    projection = scene.value("selected_projection")
-    chosen = np.ix_([output - 1 for output in outputs], axis_numbers(scene.view.axes))
-    for block in scene.field_blocks():
+    projection = exported.value("selected_projection")
+    chosen = np.ix_([output - 1 for output in outputs], axis_numbers(exported.view.axes))
+    for block in exported.field_blocks():
         yield projection.signals(block[chosen])

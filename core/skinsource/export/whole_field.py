@@ -8,6 +8,7 @@ import numpy as np
 
 from skinsource.design import Design
 from skinsource.errors import StorageError
+from skinsource.export.exported_design import ExportedDesign
 from skinsource.export.figures import (
     about_design,
     about_error,
@@ -18,7 +19,6 @@ from skinsource.export.figures import (
 )
 from skinsource.export.npz_archive import NpzArchive
 from skinsource.export.output_file import output_file
-from skinsource.export.scene import Scene
 from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.limb import PRE_TRIGGER_DELAY_S
 from skinsource.view import View
@@ -49,40 +49,42 @@ def export_field(
     StorageError
         The disk has too little room, or what `export_traces` says.
     """
-    scene = Scene(design, view, progress, stop)
-    shape = scene.limb.n_outputs, scene.limb.n_axes, scene.n_times
+    exported = ExportedDesign(design, view, progress, stop)
+    shape = exported.limb.n_outputs, exported.limb.n_axes, exported.n_times
     # What is checked is what was written, at some outputs.
-    looked_at = view.outputs if scene.streamed is not None else ()
-    checked = scene.holdable(looked_at or scene.all_outputs, "xyz")
+    looked_at = view.outputs if exported.streamed is not None else ()
+    checked = exported.holdable(looked_at or exported.all_outputs, "xyz")
     rows = [output - 1 for output in checked]
     kept = np.empty((len(checked), *shape[1:]))
     with output_file(path, stop) as file:
         _refuse_without_room(path, math.prod(shape) * np.dtype(np.float64).itemsize)
         with NpzArchive(file) as archive:
-            archive.put("sample_rate_hz", np.array(scene.sample_rate_hz))
+            archive.put("sample_rate_hz", np.array(exported.sample_rate_hz))
             with archive.growing("acceleration_m_per_s2", shape) as array:
-                for block in scene.field_blocks():
+                for block in exported.field_blocks():
                     stop_if(stop)
                     kept[..., array.n_times : array.n_times + block.shape[-1]] = block[rows]
                     array.add(block)
-            error = scene.error_of(kept, checked)
+            error = exported.error_of(kept, checked)
             refuse_if_worse(error, largest_error)
             what = (
-                "the field" if checked == scene.all_outputs else f"the field at {listed(checked)}"
+                "the field"
+                if checked == exported.all_outputs
+                else f"the field at {listed(checked)}"
             )
-            about = [*_about(scene), about_error(error, what)]
+            about = [*_about(exported), about_error(error, what)]
             archive.put("about", np.array("\n".join(about)))
 
 
-def _about(scene: Scene) -> list[str]:
+def _about(exported: ExportedDesign) -> list[str]:
     return [
-        *about_design(scene),
-        f"acceleration_m_per_s2: {scene.limb.n_outputs} outputs, {scene.limb.n_axes} axes "
-        f"(x, y, z), {scene.n_times} times, in m/s²",
-        f"times: sample k at k / {scene.sample_rate_hz:g} s; pre-trigger delay of "
+        *about_design(exported),
+        f"acceleration_m_per_s2: {exported.limb.n_outputs} outputs, {exported.limb.n_axes} axes "
+        f"(x, y, z), {exported.n_times} times, in m/s²",
+        f"times: sample k at k / {exported.sample_rate_hz:g} s; pre-trigger delay of "
         f"{PRE_TRIGGER_DELAY_S * 1e3:g} ms: contained in the times",
-        about_levels(scene),
-        *about_method(scene),
+        about_levels(exported),
+        *about_method(exported),
     ]
 
 

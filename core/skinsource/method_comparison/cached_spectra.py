@@ -15,10 +15,10 @@ from skinsource.method_comparison.method import (
     require_bytes,
     taps_of,
 )
-from skinsource.method_comparison.scenes import Scene
+from skinsource.method_comparison.scenes import ComparedScene
 
 
-def prepare(scene: Scene, method: Method) -> Prepared:
+def prepare(scene: ComparedScene, method: Method) -> Prepared:
     """Transform the responses."""
     rank = method.setting.rank
     n_kept = N_CHANNELS if rank is None else rank
@@ -27,7 +27,7 @@ def prepare(scene: Scene, method: Method) -> Prepared:
     return _whole(scene, method) if rank is None else _of_low_rank(scene, method, rank)
 
 
-def _whole(scene: Scene, method: Method) -> Prepared:
+def _whole(scene: ComparedScene, method: Method) -> Prepared:
     taps, drives = taps_of(scene, method), drives_of(scene, method)
     n_times = drives.shape[-1] + taps.shape[-1] - 1
     n_fft = fft.next_fast_len(n_times, real=True)
@@ -45,7 +45,7 @@ def _whole(scene: Scene, method: Method) -> Prepared:
     return Prepared(rows=all_channels(), run=run)
 
 
-def _of_low_rank(scene: Scene, method: Method, rank: int) -> Prepared:
+def _of_low_rank(scene: ComparedScene, method: Method, rank: int) -> Prepared:
     """Each response as a combination of the ``rank`` shapes that explain most of the energy."""
     taps, drives = taps_of(scene, method), drives_of(scene, method)
     n_times = drives.shape[-1] + taps.shape[-1] - 1

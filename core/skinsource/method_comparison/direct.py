@@ -15,7 +15,7 @@ from skinsource.method_comparison.method import (
     drives_of,
     taps_of,
 )
-from skinsource.method_comparison.scenes import Scene
+from skinsource.method_comparison.scenes import ComparedScene
 
 #: Samples computed together: the matrix of delayed drives then fits a cache.
 _STEP = 1024
@@ -23,7 +23,7 @@ _STEP = 1024
 _MOST_PRODUCTS = 5e11
 
 
-def prepare(scene: Scene, method: Method) -> Prepared:
+def prepare(scene: ComparedScene, method: Method) -> Prepared:
     """Lay the responses side by side, (216, n_inputs x n_taps), last tap first."""
     taps, drives = taps_of(scene, method), drives_of(scene, method)
     n_taps = taps.shape[-1]

@@ -5,11 +5,11 @@ from dataclasses import dataclass
 
 from skinsource.method_comparison import cached_spectra, direct, overlap_add, program, scipy_signal
 from skinsource.method_comparison.method import Method, Precision, Prepared, Setting
-from skinsource.method_comparison.scenes import Scene
+from skinsource.method_comparison.scenes import ComparedScene
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Engine:
+class ComparedEngine:
     """A way of computing scenes.
 
     Attributes
@@ -27,7 +27,7 @@ class Engine:
     """
 
     name: str
-    prepare: Callable[[Scene, Method], Prepared]
+    prepare: Callable[[ComparedScene, Method], Prepared]
     methods: tuple[Method, ...]
     is_ours: bool = False
     family: str = "convolution"
@@ -54,7 +54,7 @@ _SHORT_BLOCKS = tuple(
 )
 
 ENGINES = (
-    Engine(
+    ComparedEngine(
         name="this program",
         prepare=program.prepare,
         methods=(
@@ -65,22 +65,22 @@ ENGINES = (
         ),
         is_ours=True,
     ),
-    Engine(
+    ComparedEngine(
         name="cached spectra",
         prepare=cached_spectra.prepare,
         methods=(*_EXACT, *_CUTS, *_RANKS),
     ),
-    Engine(
+    ComparedEngine(
         name="overlap-add",
         prepare=overlap_add.prepare,
         methods=(*_EXACT, *_CUTS, *_SHORT_BLOCKS),
     ),
-    Engine(name="direct", prepare=direct.prepare, methods=(*_EXACT, *_CUTS)),
-    Engine(name="fftconvolve", prepare=scipy_signal.prepare_fftconvolve, methods=_EXACT),
-    Engine(name="oaconvolve", prepare=scipy_signal.prepare_oaconvolve, methods=_EXACT),
+    ComparedEngine(name="direct", prepare=direct.prepare, methods=(*_EXACT, *_CUTS)),
+    ComparedEngine(name="fftconvolve", prepare=scipy_signal.prepare_fftconvolve, methods=_EXACT),
+    ComparedEngine(name="oaconvolve", prepare=scipy_signal.prepare_oaconvolve, methods=_EXACT),
 )
 
 
-def engine_of(name: str) -> Engine:
+def engine_of(name: str) -> ComparedEngine:
     """Return the engine called ``name``."""
     return next(engine for engine in ENGINES if engine.name == name)

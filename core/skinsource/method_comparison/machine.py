@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import scipy
 
-from skinsource.assets import data_folder
+from skinsource.files.assets import data_folder
 from skinsource.method_comparison.made_up import responses_sha256
 from skinsource.method_comparison.references import FILE_NAME
 from skinsource.version import __version__

@@ -13,10 +13,10 @@ import numpy as np
 
 from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.method_comparison.accuracy import Errors
-from skinsource.method_comparison.engines import Engine
+from skinsource.method_comparison.engines import ComparedEngine
 from skinsource.method_comparison.method import Method
 from skinsource.method_comparison.promises import Outcome, broken_promises
-from skinsource.method_comparison.scenes import Scene
+from skinsource.method_comparison.scenes import ComparedScene
 from skinsource.method_comparison.table import Row
 from skinsource.method_comparison.timing import times_of
 from skinsource.method_comparison.worker import Task
@@ -63,15 +63,15 @@ class Case:
         Why no more processes are started; empty while all is well.
     """
 
-    scene: Scene
-    engine: Engine
+    scene: ComparedScene
+    engine: ComparedEngine
     method: Method
     results: list[dict[str, Any]] = field(default_factory=list)
     failure: str = ""
 
 
 def cases_of(
-    scenes: Sequence[Scene], engines: Sequence[Engine], *, quick: bool = False
+    scenes: Sequence[ComparedScene], engines: Sequence[ComparedEngine], *, quick: bool = False
 ) -> list[Case]:
     """Every method on every scene of its family; for a short run, those that it includes."""
     return [

@@ -11,7 +11,7 @@ from skinsource.arrays import Integers
 from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS
 from skinsource.method_comparison.accuracy import Block
 from skinsource.method_comparison.made_up import made_up_drive, made_up_response
-from skinsource.method_comparison.scenes import Scene
+from skinsource.method_comparison.scenes import ComparedScene
 
 Real = NDArray[np.floating]
 Precision = Literal["float64", "float32"]
@@ -96,7 +96,7 @@ def all_channels() -> Integers:
     return np.arange(N_CHANNELS)
 
 
-def taps_of(scene: Scene, method: Method) -> Real:
+def taps_of(scene: ComparedScene, method: Method) -> Real:
     """Responses to the place of each input, (n_inputs, 216, n_taps), cut where asked."""
     taps = np.array([made_up_response(player.location) for player in scene.players])
     taps = taps.reshape(len(scene.players), N_CHANNELS, N_TAPS)
@@ -107,7 +107,7 @@ def taps_of(scene: Scene, method: Method) -> Real:
     return np.ascontiguousarray(taps, dtype=method.precision)
 
 
-def drives_of(scene: Scene, method: Method) -> Real:
+def drives_of(scene: ComparedScene, method: Method) -> Real:
     """What each input plays, amplitude and onset included, (n_inputs, n_stimulus)."""
     drives = np.zeros((len(scene.players), scene.stimulus_samples), method.precision)
     for row, player in zip(drives, scene.players, strict=True):
@@ -125,6 +125,6 @@ def require_bytes(needed: float) -> None:
         )
 
 
-def output_bytes(scene: Scene, method: Method) -> int:
+def output_bytes(scene: ComparedScene, method: Method) -> int:
     """Size of all 216 channels of the response."""
     return N_CHANNELS * scene.response_samples * np.dtype(method.precision).itemsize

@@ -14,10 +14,10 @@ from skinsource.method_comparison.method import (
     drives_of,
     taps_of,
 )
-from skinsource.method_comparison.scenes import Scene
+from skinsource.method_comparison.scenes import ComparedScene
 
 
-def prepare(scene: Scene, method: Method) -> Prepared:
+def prepare(scene: ComparedScene, method: Method) -> Prepared:
     """Transform the responses at the length of a block."""
     taps, drives = taps_of(scene, method), drives_of(scene, method)
     n_fft, overlap = method.setting.block, taps.shape[-1] - 1

@@ -22,7 +22,7 @@ from skinsource.method_comparison.method import (
     output_bytes,
     require_bytes,
 )
-from skinsource.method_comparison.scenes import VISIBLE_OUTPUTS, Player, Scene
+from skinsource.method_comparison.scenes import VISIBLE_OUTPUTS, ComparedScene, Player
 from skinsource.quantities import new_graph, sources
 from skinsource.response import predict
 from skinsource.view import View
@@ -52,7 +52,7 @@ class MadeUpNoise(Noise):
         return self.drive
 
 
-def prepare(scene: Scene, method: Method) -> Prepared:
+def prepare(scene: ComparedScene, method: Method) -> Prepared:
     """Make the graph ready: every run is an edit of the waveforms."""
     if method.precision != "float64":
         raise Unfit("computes in float64 only")
@@ -82,7 +82,7 @@ def prepare(scene: Scene, method: Method) -> Prepared:
     return Prepared(rows=rows.ravel(), run=run, lent_bytes=lent_bytes)
 
 
-def _design(scene: Scene, drives: list[Floats], edition: int) -> Design:
+def _design(scene: ComparedScene, drives: list[Floats], edition: int) -> Design:
     one = scene.changed
     inputs = tuple(
         _input(player, drive, edition if one is None or one == k else 0)
@@ -106,7 +106,7 @@ def _input(player: Player, drive: Floats, edition: int) -> Input:
     )
 
 
-def _library(scene: Scene, method: Method) -> Prepared:
+def _library(scene: ComparedScene, method: Method) -> Prepared:
     require_bytes(_LIBRARY_COPIES * output_bytes(scene, method))
     limb = made_up_limb()
     loud = [dataclasses.replace(player, amplitude=1.0) for player in scene.players]

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from skinsource.method_comparison.accuracy import Errors
 from skinsource.method_comparison.method import Precision
-from skinsource.method_comparison.scenes import Scene
+from skinsource.method_comparison.scenes import ComparedScene
 
 #: Largest error over the peak, by precision.
 PEAK_ERROR: dict[Precision, float] = {"float64": 1e-14, "float32": 2e-6}
@@ -34,7 +34,7 @@ class Outcome:
 
 
 def broken_promises(
-    outcome: Outcome, scene: Scene, precision: Precision, *, is_ours: bool
+    outcome: Outcome, scene: ComparedScene, precision: Precision, *, is_ours: bool
 ) -> tuple[str, ...]:
     """Name each promise that does not hold, with the figure found and the one promised.
 

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.arrays import Floats, Integers
-from skinsource.assets import data_folder
 from skinsource.errors import FileFormatError
+from skinsource.files.assets import data_folder
 from skinsource.quoting import printable, quoted
 
 FILE_NAME = "bench-references.npz"

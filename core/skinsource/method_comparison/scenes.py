@@ -32,7 +32,7 @@ class Player:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Scene:
+class ComparedScene:
     """What is to be computed.
 
     Attributes
@@ -102,23 +102,23 @@ _LOUD_AND_QUIET = (
 )
 
 SCENES = (
-    Scene(
+    ComparedScene(
         key="S1",
         title="1 input × 0.5 s",
         players=_players(1, 0.5),
         reference="S1",
         in_quick=True,
     ),
-    Scene(
+    ComparedScene(
         key="S2",
         title="4 inputs × 2 s",
         players=_players(4, 2.0),
         reference="S2",
         in_quick=True,
     ),
-    Scene(key="S3", title="20 inputs × 2 s", players=_players(20, 2.0), reference="S3"),
-    Scene(key="S4", title="4 inputs × 10 s", players=_players(4, 10.0), reference="S4"),
-    Scene(
+    ComparedScene(key="S3", title="20 inputs × 2 s", players=_players(20, 2.0), reference="S3"),
+    ComparedScene(key="S4", title="4 inputs × 10 s", players=_players(4, 10.0), reference="S4"),
+    ComparedScene(
         key="S5",
         title="20 inputs × 600 s",
         players=_players(20, 600.0),
@@ -127,14 +127,14 @@ SCENES = (
         allowed_s=10.0,
         allowed_bytes=500e6,
     ),
-    Scene(
+    ComparedScene(
         key="S6",
         title="loud, then 120 dB quieter",
         players=_LOUD_AND_QUIET,
         reference="S6",
         in_quick=True,
     ),
-    Scene(
+    ComparedScene(
         key="S7",
         title="1 of 20 inputs changed, 2 s",
         players=_players(20, 2.0),
@@ -145,6 +145,6 @@ SCENES = (
 )
 
 
-def scene_of(key: str) -> Scene:
+def scene_of(key: str) -> ComparedScene:
     """Return the scene called ``key``."""
     return next(scene for scene in SCENES if scene.key == key)

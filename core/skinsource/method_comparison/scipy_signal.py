@@ -14,13 +14,13 @@ from skinsource.method_comparison.method import (
     require_bytes,
     taps_of,
 )
-from skinsource.method_comparison.scenes import Scene
+from skinsource.method_comparison.scenes import ComparedScene
 
 #: The sum, one field, its padded transform and a product of transforms.
 _COPIES = 4
 
 
-def _prepare(name: str, scene: Scene, method: Method) -> Prepared:
+def _prepare(name: str, scene: ComparedScene, method: Method) -> Prepared:
     require_bytes(_COPIES * output_bytes(scene, method))
     # A second of import that only these two engines pay for.
     convolve = getattr(importlib.import_module("scipy.signal"), name)

@@ -22,7 +22,7 @@ from skinsource.method_comparison.engines import engine_of
 from skinsource.method_comparison.made_up import made_up_drive, made_up_response
 from skinsource.method_comparison.method import N_CHANNELS, Unfit
 from skinsource.method_comparison.references import Reference, load_reference
-from skinsource.method_comparison.scenes import Scene, scene_of
+from skinsource.method_comparison.scenes import ComparedScene, scene_of
 from skinsource.method_comparison.timing import repeated
 
 _STATUS = Path("/proc/self/status")
@@ -107,7 +107,7 @@ def measured(task: Task) -> dict[str, Any]:
     }
 
 
-def _bound_scale(scene: Scene, reference: Reference) -> Floats:
+def _bound_scale(scene: ComparedScene, reference: Reference) -> Floats:
     """Sum over inputs of the norms of drive and response, (n_channels,)."""
     total = np.zeros(reference.channels.size)
     for player in scene.players:

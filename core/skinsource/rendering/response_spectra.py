@@ -11,12 +11,12 @@ from weakref import ref
 import numpy as np
 
 from skinsource.arrays import Complexes, Floats
-from skinsource.calibration import per_probe_acceleration
 from skinsource.chain import LARGEST, first_unusable
 from skinsource.errors import InvalidInputError
 from skinsource.limb import Limb
 from skinsource.rendering.transforms import forward
-from skinsource.response_scaling import Scaling
+from skinsource.scaling.calibration import per_probe_acceleration
+from skinsource.scaling.response_scaling import Scaling
 
 #: Responses of twenty places for stimuli of four seconds.
 BUDGET_BYTES = 204 * 2**20

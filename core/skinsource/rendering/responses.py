@@ -11,7 +11,7 @@ from skinsource.rendering.gains import Sounding
 from skinsource.rendering.remembered import Remembered
 from skinsource.rendering.response_spectra import ResponseSpectrum, Stack
 from skinsource.rendering.segments import Blocks
-from skinsource.response_scaling import Scaling
+from skinsource.scaling.response_scaling import Scaling
 from skinsource.voices import UnitVoice
 
 

@@ -12,7 +12,7 @@ from skinsource.limb import Limb
 from skinsource.rendering.response_spectra import ResponseSpectrum, scaled_taps
 from skinsource.rendering.side_by_side import side_by_side
 from skinsource.rendering.transforms import forward
-from skinsource.response_scaling import Scaling
+from skinsource.scaling.response_scaling import Scaling
 
 #: Twice what twenty places take for stimuli of one second.
 BUDGET_BYTES = 128 * 2**20

@@ -21,7 +21,7 @@ from skinsource.rendering.streaming import StreamedVibration
 from skinsource.rendering.sums import sum_of_vibrations
 from skinsource.rendering.total_spectrum import TotalSpectrum
 from skinsource.rendering.vibration import Vibration
-from skinsource.response_scaling import Scaling
+from skinsource.scaling.response_scaling import Scaling
 from skinsource.voices import UnitVoice, Voice
 
 

@@ -15,9 +15,9 @@ from pathlib import Path
 import numpy as np
 import scipy
 
-from skinsource.assets import cache_folder
 from skinsource.errors import SkinSourceError
 from skinsource.files import make_folder, read_bytes, write_bytes
+from skinsource.files.assets import cache_folder
 from skinsource.job import Stop, never
 from skinsource.limb import Limb
 from skinsource.surface.building import surface_operator

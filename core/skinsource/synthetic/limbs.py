@@ -9,8 +9,8 @@ import numpy as np
 import scipy
 
 from skinsource.arrays import Complexes, Floats
-from skinsource.assets import data_folder
 from skinsource.errors import UnknownLimbError
+from skinsource.files.assets import data_folder
 from skinsource.hand.anatomy import HandProportions
 from skinsource.hand.outline import HandShape, hand_shape
 from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS, SAMPLE_RATE_HZ, Limb, check_input_location

@@ -14,8 +14,8 @@ from fractions import Fraction
 
 import numpy as np
 
-from skinsource.assets import data_folder
 from skinsource.files import write_bytes
+from skinsource.files.assets import data_folder
 from skinsource.limb import N_TAPS
 from skinsource.method_comparison.made_up import (
     DRIVE_EXPONENT,
@@ -24,7 +24,7 @@ from skinsource.method_comparison.made_up import (
     whole_response,
 )
 from skinsource.method_comparison.references import FILE_NAME, WINDOW_SAMPLES
-from skinsource.method_comparison.scenes import CHECKED_AXES, SCENES, VISIBLE_OUTPUTS, Scene
+from skinsource.method_comparison.scenes import CHECKED_AXES, SCENES, VISIBLE_OUTPUTS, ComparedScene
 
 MOST_WINDOWS, SAMPLES_PER_WINDOW = 24, 8
 HALF_BITS = 20
@@ -38,7 +38,7 @@ def channels() -> np.ndarray:
     )
 
 
-def window_starts(scene: Scene) -> np.ndarray:
+def window_starts(scene: ComparedScene) -> np.ndarray:
     """First samples of some windows, evenly spread, the first and the last among them."""
     count = -(-scene.response_samples // WINDOW_SAMPLES)
     chosen = np.linspace(0, count - 1, min(count, MOST_WINDOWS)).astype(int)
@@ -66,7 +66,7 @@ def whole_convolution(response: np.ndarray, drive: np.ndarray, first: int, n: in
     return total
 
 
-def exact_window(scene: Scene, which: np.ndarray, first: int, n: int) -> np.ndarray:
+def exact_window(scene: ComparedScene, which: np.ndarray, first: int, n: int) -> np.ndarray:
     """Exact response at ``n`` samples, (n_channels, n), as fractions."""
     total = np.zeros((which.size, n), object)
     for player in scene.players:
@@ -79,7 +79,7 @@ def exact_window(scene: Scene, which: np.ndarray, first: int, n: int) -> np.ndar
     return total * (Fraction(2) ** (RESPONSE_EXPONENT + DRIVE_EXPONENT))
 
 
-def reference_of(scene: Scene, starts: np.ndarray) -> dict[str, np.ndarray]:
+def reference_of(scene: ComparedScene, starts: np.ndarray) -> dict[str, np.ndarray]:
     """Arrays as `skinsource.method_comparison.references.load_reference` reads them."""
     which = channels()
     shape = which.size, starts.size, SAMPLES_PER_WINDOW

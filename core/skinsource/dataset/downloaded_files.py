@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from skinsource.assets import user_folder
 from skinsource.errors import DatasetError, StorageError
 from skinsource.files import is_file, is_folder
+from skinsource.files.assets import user_folder
 
 RESPONSES_FILE = "impulseResponses.mat"
 MAP_FOLDER = "visualization"
@@ -31,7 +31,7 @@ _RESPONSES_FOLDERS = ("", "*", "*/source")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Source:
+class DownloadedFiles:
     """A complete download.
 
     Attributes
@@ -57,7 +57,7 @@ def leftovers(downloads: Path) -> tuple[Path, ...]:
     return tuple(path for folder in folders for path in sorted(folder.glob(_TEMPORARY)))
 
 
-def find_source(path: Path) -> Source:
+def find_downloaded(path: Path) -> DownloadedFiles:
     """Find the files of the download in a folder, or beside ``impulseResponses.mat`` itself.
 
     Raises
@@ -89,7 +89,7 @@ def find_source(path: Path) -> Source:
             f"with its {len(MAP_FILES)} map files beside {responses.name}, or get everything with "
             "'skinsource dataset fetch'."
         )
-    return Source(responses=responses, map_folder=map_folder)
+    return DownloadedFiles(responses=responses, map_folder=map_folder)
 
 
 def _first(folder: Path, patterns: tuple[str, ...], name: str) -> Path | None:

@@ -1,4 +1,4 @@
-"""A scene that is being exported, with a graph of its own."""
+"""A exported that is being exported, with a graph of its own."""
 
 from collections.abc import Collection, Iterator
 from typing import Any
@@ -18,11 +18,11 @@ from skinsource.view import View
 #: Samples that are written together.
 PIECE_SAMPLES = 1536
 
-#: Channels of a long scene that take more than this are never held as a whole.
+#: Channels of a long exported that take more than this are never held as a whole.
 _MOST_HELD_BYTES = 64 * 2**20
 
 
-class Scene:
+class ExportedDesign:
     """Computes what is exported of one design and view.
 
     Parameters
@@ -41,7 +41,7 @@ class Scene:
     all_outputs
         Numbers of the limb's outputs.
     streamed
-        The field of a scene that is too long to be computed at once, else None.
+        The field of a exported that is too long to be computed at once, else None.
     """
 
     def __init__(self, design: Design, view: View, progress: Progress, stop: Stop) -> None:

@@ -2,7 +2,7 @@
 
 To bring those of a document up to date:
 
-    python -m skinsource.graph_drawing docs/rendering.md
+    python -m skinsource.commands.graph_drawing docs/rendering.md
 """
 
 import inspect

@@ -5,9 +5,9 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from skinsource import design_commands
 from skinsource.catalogue import available_limbs, load_limb
 from skinsource.choice_words import LIMBS, word_of
+from skinsource.commands import design_commands
 from skinsource.dataset import commands as dataset_commands
 from skinsource.errors import SkinSourceError, Stopped
 from skinsource.method_comparison import commands as bench_commands

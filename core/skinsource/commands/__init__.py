@@ -1,0 +1,1 @@
+"""What is run from a shell: the command ``skinsource``, and the drawing of the graph."""
