@@ -1,4 +1,4 @@
-"""A exported that is being exported, with a graph of its own."""
+"""A design that is being exported, with a graph of its own."""
 
 from collections.abc import Collection, Iterator
 from typing import Any
@@ -18,7 +18,7 @@ from skinsource.view import View
 #: Samples that are written together.
 PIECE_SAMPLES = 1536
 
-#: Channels of a long exported that take more than this are never held as a whole.
+#: Channels of a long response that take more than this are never held as a whole.
 _MOST_HELD_BYTES = 64 * 2**20
 
 
@@ -41,7 +41,7 @@ class ExportedDesign:
     all_outputs
         Numbers of the limb's outputs.
     streamed
-        The field of a exported that is too long to be computed at once, else None.
+        The vibration of a response that is too long to be computed at once, else None.
     """
 
     def __init__(self, design: Design, view: View, progress: Progress, stop: Stop) -> None:
