@@ -10,24 +10,22 @@ from PySide6.QtCore import QPoint, QSize, QSizeF
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QGridLayout, QWidget
 
-from skinsource import edits
 from skinsource.decibels import FLOOR_DB
 from skinsource.design import Design
 from skinsource.limb import Limb
-from skinsource.panel_settings import settings_of, with_settings
 from skinsource.quoting import sentence
 from skinsource.surface import SurfaceOperator
 from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.skin.colour_bar import ColourBar
 from skinsource_gui.panels.skin.field_image import FieldImage
+from skinsource_gui.panels.skin.map_choices import MapChoices
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_menu import open_map_menu
 from skinsource_gui.panels.skin.map_picture import heading_of, paint_picture
 from skinsource_gui.panels.skin.map_toolbar import MapToolbar
 from skinsource_gui.panels.skin.note_line import NoteLine
 from skinsource_gui.panels.skin.readout_lines import ReadoutLines
-from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.skin_map import SkinMap
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.lateness import Lateness
@@ -35,7 +33,6 @@ from skinsource_gui.widgets.lateness import Lateness
 #: Width and height of a picture for which none is asked, px.
 PICTURE_PX = (1200, 1800)
 SILENT = "Silent: nothing is driven"
-# What is outdated for a shorter time is not marked: during a drag the mark would flicker.
 
 
 class SkinPanel(Panel):
@@ -47,7 +44,8 @@ class SkinPanel(Panel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._design: Design | None = None
-        self._view, self._settings = View(), SkinSettings()
+        self._view = View()
+        self._choices = MapChoices(self.name, self)
         self._theme = LIGHT
         self._content = MapContent()
         self._shown_limb = ""
@@ -77,14 +75,14 @@ class SkinPanel(Panel):
         self.setMinimumSize(250, 300)
         self.setFocusProxy(self.map)
         self._connect()
-        self.toolbar.show_settings(self._settings)
+        self.toolbar.show_settings(self._choices.settings)
         self.show_theme(LIGHT)
         self._show_readout(self.map.readout())
 
     @property
     def needs(self) -> frozenset[str]:
         always = frozenset({"limb_map", "output_levels_db"})
-        if self._settings.map_style == "sensors":
+        if self._choices.settings.map_style == "sensors":
             return always
         return always | {"limb_data", "surface", "surface_levels_db"}
 
@@ -93,12 +91,12 @@ class SkinPanel(Panel):
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
-        self._settings = settings_of(view, self.name, SkinSettings)
-        self.toolbar.show_settings(self._settings)
-        self.colour_bar.choose(self._settings.map_range_db)
+        self._choices.show_state(design, view)
+        self.toolbar.show_settings(self._choices.settings)
+        self.colour_bar.choose(self._choices.settings.map_range_db)
         if self._content.levels_db is not None:
             self.colour_bar.follow(self._content.levels_db)
-        if self._settings.map_style == "sensors":
+        if self._choices.settings.map_style == "sensors":
             # Kept, it would belong to an older design when it is shown again.
             self._change(field_levels_db=None)
         self._show_choice()
@@ -107,7 +105,9 @@ class SkinPanel(Panel):
         self._lateness.set_stale(False)
         self._shown_limb = "" if self._design is None else self._design.limb
         levels = results["output_levels_db"]
-        interpolated = self._settings.map_style == "interpolated" and "surface_levels_db" in results
+        interpolated = (
+            self._choices.settings.map_style == "interpolated" and "surface_levels_db" in results
+        )
         surface = results["surface"] if interpolated else None
         if surface is not None and surface is not self._surface:
             self._surface = surface
@@ -155,13 +155,15 @@ class SkinPanel(Panel):
         return image
 
     def _connect(self) -> None:
-        self.toolbar.style_chosen.connect(self._choose_style)
-        self.toolbar.sensors_switched.connect(self._switch_sensors)
+        self._choices.edited.connect(self.edited)
+        self._choices.view_changed.connect(self.view_changed)
+        self.toolbar.style_chosen.connect(self._choices.choose_style)
+        self.toolbar.sensors_switched.connect(self._choices.switch_sensors)
         self.toolbar.fit_chosen.connect(self.map.pan_zoom.show)
-        self.map.outputs_chosen.connect(self._choose_outputs)
+        self.map.outputs_chosen.connect(self._choices.choose_outputs)
         self.map.menu_requested.connect(self._open_menu)
         self.map.readout_changed.connect(self._show_readout)
-        self.colour_bar.range_chosen.connect(self._choose_range)
+        self.colour_bar.range_chosen.connect(self._choices.choose_range)
 
     def _change(self, **changes: Any) -> None:
         self._content = replace(self._content, **changes)
@@ -171,7 +173,7 @@ class SkinPanel(Panel):
         limbs = (self._shown_limb, "" if self._design is None else self._design.limb)
         self._change(
             outputs=self._view.outputs,
-            sensors_shown=self._settings.sensors_shown,
+            sensors_shown=self._choices.settings.sensors_shown,
             range_db=self.colour_bar.range_db,
             span=self._view.span,
             synthetic=any(limb.startswith("synthetic") for limb in limbs),
@@ -204,23 +206,6 @@ class SkinPanel(Panel):
         else:
             noun = "output" if count == 1 else "outputs"
             self.readout.show_text(f"{count} {noun} selected\nShift+click adds or removes one")
-
-    def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
-        if self._design is not None:
-            self.edited.emit(edits.select_outputs(self._design, self._view, outputs), None)
-
-    def _choose_range(self, range_db: tuple[float, float] | None) -> None:
-        self._change_settings(map_range_db=range_db)
-
-    def _choose_style(self, style: str) -> None:
-        self._change_settings(map_style=style)
-
-    def _switch_sensors(self, shown: bool) -> None:
-        self._change_settings(sensors_shown=shown)
-
-    def _change_settings(self, **changes: Any) -> None:
-        settings = replace(self._settings, **changes)
-        self.view_changed.emit(with_settings(self._view, self.name, settings))
 
     def _open_menu(self, at: QPoint) -> None:
         save = partial(self.action_wanted.emit, "export_picture")

@@ -1,0 +1,60 @@
+"""What is chosen on the skin map and around it."""
+
+from dataclasses import replace
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from skinsource import edits
+from skinsource.design import Design
+from skinsource.panel_settings import settings_of, with_settings
+from skinsource.view import View
+from skinsource_gui.panels.skin.settings import SkinSettings
+
+
+class MapChoices(QObject):
+    """Turns what map, toolbar and colour bar tell into another choice of outputs, or settings.
+
+    Attributes
+    ----------
+    settings
+        Those of the present view.
+    """
+
+    #: `Edit` or `Refusal`, None: no gesture.
+    edited = Signal(object, object)
+    #: The new `View`.
+    view_changed = Signal(object)
+
+    def __init__(self, panel_name: str, parent: QObject) -> None:
+        super().__init__(parent)
+        self._panel_name = panel_name
+        self._design: Design | None = None
+        self._view = View()
+        self.settings = SkinSettings()
+
+    def show_state(self, design: Design, view: View) -> None:
+        """Take over the present design and view."""
+        self._design, self._view = design, view
+        self.settings = settings_of(view, self._panel_name, SkinSettings)
+
+    def choose_outputs(self, outputs: tuple[int, ...]) -> None:
+        """Select these outputs."""
+        if self._design is not None:
+            self.edited.emit(edits.select_outputs(self._design, self._view, outputs), None)
+
+    def choose_range(self, range_db: tuple[float, float] | None) -> None:
+        """Let colours span these levels, or follow the loudest output."""
+        self._change(map_range_db=range_db)
+
+    def choose_style(self, style: str) -> None:
+        """Colour the skin, or the sensors alone."""
+        self._change(map_style=style)
+
+    def switch_sensors(self, shown: bool) -> None:
+        """Show or hide the sensors on the interpolated map."""
+        self._change(sensors_shown=shown)
+
+    def _change(self, **changes: Any) -> None:
+        settings = replace(self.settings, **changes)
+        self.view_changed.emit(with_settings(self._view, self._panel_name, settings))
