@@ -100,7 +100,7 @@ def test_what_the_panel_needs_is_computed_or_given(qapp):
 def test_a_sine_reads_its_amplitude_at_its_frequency(show):
     panel = show()
     plot, legend = plot_of(panel), panel.findChild(SignalView).legend
-    plot.set_cursor(plot.curves.nearest(100.0))
+    plot.crosshair.put(plot.curves.nearest(100.0))
     assert legend.text.where == "100.0 Hz"
     assert legend.text.readings == ("0.5000", "0.0500")
     assert legend.text.unit == "m/s²"
@@ -145,7 +145,7 @@ def test_a_tone_in_silence_reads_its_amplitude_in_the_loudest_250_ms(show):
     legend = panel.findChild(SignalView).legend
     for silence in (0, 2000):
         panel.show_results(results_for(view, silence=silence))
-        plot_of(panel).set_cursor(plot_of(panel).curves.nearest(100.0))
+        plot_of(panel).crosshair.put(plot_of(panel).curves.nearest(100.0))
         readings = [float(reading) for reading in legend.text.readings]
         assert readings == pytest.approx([0.5, 0.05], rel=0.01)
 
@@ -153,7 +153,7 @@ def test_a_tone_in_silence_reads_its_amplitude_in_the_loudest_250_ms(show):
 def test_the_level_switch_shows_db_of_the_same_results_at_once(show):
     panel = show()
     plot, legend = plot_of(panel), panel.findChild(SignalView).legend
-    plot.set_cursor(plot.curves.nearest(100.0))
+    plot.crosshair.put(plot.curves.nearest(100.0))
     button = click(panel, "log-magnitude")
     assert settings(panel.views[-1]).log_magnitude
     assert button.isChecked()

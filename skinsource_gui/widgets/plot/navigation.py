@@ -5,6 +5,7 @@ from typing import Protocol
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 
+from skinsource_gui.widgets.plot.crosshair import Crosshair
 from skinsource_gui.widgets.plot.curves import Curves
 from skinsource_gui.widgets.plot.plot_layout import PlotLayout
 from skinsource_gui.widgets.plot.ranges import Range, within, zoomed
@@ -31,13 +32,7 @@ class Navigable(Protocol):
     curves: Curves | None
     window: XWindow
     places: PlotLayout
-    cursor: int | None
-
-    def set_cursor(self, index: int | None) -> None:
-        """Put the crosshair on sample ``index``."""
-
-    def crosshair(self) -> float | None:
-        """Position of the crosshair, if it is in sight."""
+    crosshair: Crosshair
 
     def show_band(self, covered: Range | None) -> None:
         """Show what a drag covers, positions, or nothing."""
@@ -78,15 +73,15 @@ class Navigation(QObject):
             return
         self._pinned = False
         if not plot.places.area.contains(at):
-            plot.set_cursor(None)
+            plot.crosshair.put(None)
             return
         part = (at.x() - plot.places.left) / plot.places.area.width()
-        plot.set_cursor(plot.curves.nearest(plot.window.axis.value(plot.window.position(part))))
+        plot.crosshair.put(plot.curves.nearest(plot.window.axis.value(plot.window.position(part))))
 
     def leave(self) -> None:
         """Read nothing, unless keys put the crosshair where it is."""
         if not self._pinned:
-            self._plot.set_cursor(None)
+            self._plot.crosshair.put(None)
 
     def press(self, event: QKeyEvent) -> None:
         """Do what a key means, or leave it to others."""
@@ -98,7 +93,7 @@ class Navigation(QObject):
         elif key in _EVERYTHING:
             self.show_everything()
         elif key in _ZOOMS:
-            anchor = plot.crosshair()
+            anchor = plot.crosshair.position
             # Keys zoom at the crosshair if it is in sight.
             self._zoom(sum(plot.window.shown) / 2 if anchor is None else anchor, _ZOOMS[key])
         elif key in _STEPS:
@@ -137,7 +132,7 @@ class Navigation(QObject):
         self.zoom_requested.emit(None if part is None else plot.window.values(part))
 
     def _step(self, curves: Curves, samples: int) -> None:
-        window, cursor = self._plot.window, self._plot.cursor
+        window, cursor = self._plot.window, self._plot.crosshair.index
         if cursor is None:
             self._pin(curves, curves.nearest(window.axis.value(sum(window.shown) / 2)))
         else:
@@ -152,16 +147,16 @@ class Navigation(QObject):
         position = window.axis.position(float(curves.x[index]))
         low, high = window.shown
         move = min(position - low, 0.0) + max(position - high, 0.0)
-        self._plot.set_cursor(index)
+        self._plot.crosshair.put(index)
         self._pan(move)
 
     def _escape(self, event: QKeyEvent) -> None:
         if self._covering:
             self._covering, self._given_up = False, True
             self._plot.show_band(None)
-        elif self._plot.cursor is not None:
+        elif self._plot.crosshair.index is not None:
             self._pinned = False
-            self._plot.set_cursor(None)
+            self._plot.crosshair.put(None)
         else:
             event.ignore()
 

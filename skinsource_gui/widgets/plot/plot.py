@@ -20,6 +20,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
 from skinsource_gui.widgets.plot.axis_spec import ValueUnit, XAxis, value_unit
+from skinsource_gui.widgets.plot.crosshair import Crosshair
 from skinsource_gui.widgets.plot.curve_points import curve_points
 from skinsource_gui.widgets.plot.curves import Curves
 from skinsource_gui.widgets.plot.navigation import Navigation, is_ours
@@ -54,13 +55,13 @@ class Plot(pyqtgraph.GraphicsView):
         What is said around the curves, and how it is written.
     places
         Where everything is, px.
-    cursor
-        Index of the sample under the crosshair, or ``None``.
+    crosshair
+        What is read.
     navigation
         What mouse and keys ask for.
     """
 
-    #: The crosshair reads something else: `cursor` and what is drawn are up to date.
+    #: The crosshair reads something else: `crosshair` and what is drawn are up to date.
     reading_changed = Signal()
     #: Where on the screen the menu is wanted.
     menu_wanted = Signal(object)
@@ -79,13 +80,14 @@ class Plot(pyqtgraph.GraphicsView):
         self.unit: ValueUnit = value_unit("amplitude", 0.0, 1.0)
         self.window: XWindow = x_window(XAxis(titles=("",), unit=""), (0.0, 1.0), None)
         self.places = PlotLayout(width=1, height=1, left=0, top=0, right=1, bottom=1, n_rows=1)
-        self.cursor: int | None = None
         self.words_font = scaled(tabular(self.font()), _TEXT)
         self.zoom: Range | None = None
         self.stacked = False
         self.words = Words()
         self._held = HeldRange()
         self._content: tuple[Content, XWindow] | None = None
+        self.crosshair = Crosshair(self, self)
+        self.crosshair.moved.connect(self.reading_changed)
         self.navigation = Navigation(self, self)
         self.stack = Stack(self.scene(), self.theme, self.words_font, self.navigation.watch)
         self.scene().sigMouseMoved.connect(self.navigation.follow_mouse)
@@ -129,8 +131,7 @@ class Plot(pyqtgraph.GraphicsView):
         if not (np.isfinite(low) and np.isfinite(high)):
             self.show_message(_NOT_FINITE)
             return
-        if self.curves is not None and self.cursor is not None:
-            self.cursor = curves.nearest(float(self.curves.x[self.cursor]))
+        self.crosshair.follow(curves)
         others = self.curves is None or curves.names != self.curves.names
         self.curves = curves
         values = self._held.follow(low, high, curves.kind)
@@ -146,26 +147,10 @@ class Plot(pyqtgraph.GraphicsView):
         """Empty the picture and say ``message`` in its middle."""
         if self.curves is None and message == self.message:
             return
-        self.curves, self.cursor, self._content = None, None, None
+        self.curves, self._content = None, None
+        self.crosshair.forget()
         self.stack.say(message)
         self.reading_changed.emit()
-
-    def set_cursor(self, index: int | None) -> None:
-        """Put the crosshair on sample ``index``."""
-        if index != self.cursor:
-            self.cursor = index
-            self._read()
-            self.reading_changed.emit()
-
-    def crosshair(self) -> float | None:
-        """Position of the crosshair; ``None`` where there is none in the visible part."""
-        if self.curves is None or self.cursor is None:
-            return None
-        x = float(self.curves.x[self.cursor])
-        if self.window.axis.log and x <= 0:
-            return None
-        position = self.window.axis.position(x)
-        return position if 0 <= self.window.part(position) <= 1 else None
 
     def show_band(self, covered: Range | None) -> None:
         """Show what a drag covers, positions, or nothing."""
@@ -258,7 +243,7 @@ class Plot(pyqtgraph.GraphicsView):
         self.stack.show_points(curve_points(self.curves, self.window, self.scale, rows, ratio))
         if other_rows:  # only now has each row its curves
             self._colour()
-        self._read()
+        self.crosshair.draw()
 
     def _lay_out(self) -> bool:  # whether there are more or fewer rows than before
         curves = self.curves
@@ -289,12 +274,3 @@ class Plot(pyqtgraph.GraphicsView):
     def _colour(self) -> None:
         names = () if self.curves is None or not self.stacked else self.curves.names
         self.stack.show_colours([name.number for name in names], stale=self.words.stale)
-
-    def _read(self) -> None:
-        position = self.crosshair()
-        if self.curves is None or position is None:
-            self.stack.show_crosshair(None, ())
-            return
-        n_drawn = len(self.stack.rows) if self.stacked else len(self.curves.names)
-        heights = self.scale.heights(self.curves.y[:n_drawn, self.cursor])
-        self.stack.show_crosshair(position, heights.tolist())

@@ -122,10 +122,10 @@ def reading(plot: Plot) -> LegendText:
         where_room=axis.reading(float(max(-curves.x[0], curves.x[-1]))),
         reading_room=max((unit.reading(value) for value in plot.scale.values), key=len),
     )
-    if plot.cursor is None:
+    if plot.crosshair.index is None:
         return text
     return replace(
         text,
-        where=axis.reading(float(curves.x[plot.cursor])),
-        readings=tuple(unit.reading(float(y)) for y in curves.y[:, plot.cursor]),
+        where=axis.reading(float(curves.x[plot.crosshair.index])),
+        readings=tuple(unit.reading(float(y)) for y in curves.y[:, plot.crosshair.index]),
     )

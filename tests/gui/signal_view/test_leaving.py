@@ -17,7 +17,7 @@ def test_a_closed_view_leaves_no_plot_no_scene_and_no_view_box(qapp):
     view.show()
     view.set_view(TIME, None, stacked=True)
     view.show_curves(waves(5), synthetic=True)
-    view.plot.set_cursor(10)
+    view.plot.crosshair.put(10)
     QApplication.processEvents()
     assert len(set(pyqtgraph.ViewBox.AllViews) - boxes) == 5
     gone = [weakref.ref(part) for part in (view, view.plot, view.plot.scene())]

@@ -75,7 +75,7 @@ def test_twenty_openings_of_the_menu_leave_nothing(signals):
 def test_the_picture_on_the_clipboard_is_light_large_and_has_a_legend(signals):
     signals.set_theme(DARK)
     signals.show_curves(waves(3), synthetic=True)
-    signals.plot.set_cursor(100)
+    signals.plot.crosshair.put(100)
     choose(signals, "Copy picture")
     picture = QApplication.clipboard().image()
     assert picture.width() == 2 * signals.plot.width()
@@ -89,7 +89,7 @@ def test_the_picture_on_the_clipboard_is_light_large_and_has_a_legend(signals):
     assert DARK.base not in seen
     # The plot on the screen stays as it is.
     assert signals.plot.theme is DARK
-    assert signals.plot.cursor == 100
+    assert signals.plot.crosshair.index == 100
 
 
 def test_a_picture_is_saved_as_png(signals, save_to):

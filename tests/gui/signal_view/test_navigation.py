@@ -14,7 +14,7 @@ def test_the_crosshair_reads_exact_samples_and_leaves_with_the_mouse(signals):
     signals.show_curves(curves, synthetic=False)
     canvas = signals.plot
     QTest.mouseMove(canvas.viewport(), QPoint(200, 60))
-    index = canvas.cursor
+    index = canvas.crosshair.index
     assert index is not None
     text = signals.legend.text
     assert text.where == f"{curves.x[index] * 1e3:.1f} ms"
@@ -23,35 +23,35 @@ def test_the_crosshair_reads_exact_samples_and_leaves_with_the_mouse(signals):
     left, width = left_and_width(signals)
     assert curves.x[index] == pytest.approx((200 - left) / width * curves.x[-1], abs=1 / 1300)
     QTest.mouseMove(canvas.viewport(), QPoint(2, 2))
-    assert canvas.cursor is None
+    assert canvas.crosshair.index is None
     assert signals.legend.text.readings == ()
 
 
 def test_the_crosshair_keeps_its_place_when_data_change(signals):
     signals.show_curves(waves(2), synthetic=False)
-    signals.plot.set_cursor(130)
+    signals.plot.crosshair.put(130)
     signals.show_curves(waves(2, n_points=1300, amplitude=0.25), synthetic=False)
-    assert signals.plot.cursor == 130
+    assert signals.plot.crosshair.index == 130
     assert signals.legend.text.where == "100.0 ms"
     signals.show_curves(waves(2, n_points=50), synthetic=False)
-    assert signals.plot.cursor == 49
+    assert signals.plot.crosshair.index == 49
 
 
 def test_keys_move_the_crosshair_until_escape(signals):
     signals.show_curves(waves(2), synthetic=False)
     canvas = signals.plot
     QTest.keyClick(canvas, Qt.Key.Key_Right)
-    assert canvas.cursor == 325
+    assert canvas.crosshair.index == 325
     QTest.keyClick(canvas, Qt.Key.Key_Left)
     QTest.keyClick(canvas, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
-    assert canvas.cursor == 334
+    assert canvas.crosshair.index == 334
     QTest.keyClick(canvas, Qt.Key.Key_End)
     QTest.keyClick(canvas, Qt.Key.Key_Right)
-    assert canvas.cursor == 650
+    assert canvas.crosshair.index == 650
     QTest.keyClick(canvas, Qt.Key.Key_Home)
-    assert canvas.cursor == 0
+    assert canvas.crosshair.index == 0
     QTest.keyClick(canvas, Qt.Key.Key_Escape)
-    assert canvas.cursor is None
+    assert canvas.crosshair.index is None
 
 
 def test_a_crosshair_moved_out_of_sight_asks_for_the_part_it_is_in(signals, qtbot):
@@ -152,7 +152,7 @@ def test_a_logarithmic_axis_zooms_evenly_in_octaves(signals, qtbot):
         Curves(x=x, y=np.ones((1, x.size)), names=output_names((1,))), synthetic=False
     )
     signals.set_view(FREQUENCY, (50.0, 200.0), stacked=False)
-    signals.plot.set_cursor(50)
+    signals.plot.crosshair.put(50)
     assert signals.legend.text.where == "100.0 Hz"
     with qtbot.waitSignal(signals.zoom_requested) as asked:
         QTest.keyClick(signals.plot, Qt.Key.Key_Minus)

@@ -56,7 +56,7 @@ def test_what_is_drawn_follows_the_data(signals):
 
 def test_a_narrow_legend_leaves_out_words_but_its_tooltip_has_them_all(signals):
     signals.show_curves(waves(9), synthetic=False)
-    signals.plot.set_cursor(10)
+    signals.plot.crosshair.put(10)
     lines = signals.legend.text.lines().splitlines()
     assert len(lines) == 10
     assert lines[1].startswith("1  Digit V, beside the nail, ulnar: ")
