@@ -92,10 +92,8 @@ class StoreParts:
             raise self._damaged(f"{place} holds {', '.join(sorted(unknown))}, which is unknown")
 
     def _member(self, group: "h5py.Group", name: str, kind: type) -> Any:
-        # A link could lead into any other file.
-        is_here = isinstance(group.get(name, getlink=True), hdf5.HardLink)
-        member = group[name] if is_here else None
-        if not isinstance(member, kind):
+        member = hdf5.own_member(group, name, kind)
+        if member is None:
             raise self._damaged(f"{name} in {group.name} is not a {kind.__name__.lower()} of it")
         return member
 

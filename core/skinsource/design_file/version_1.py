@@ -260,10 +260,8 @@ def _attribute(group: "h5py.Group", name: str) -> Any:
 
 
 def _member(group: "h5py.Group", name: str, kind: type) -> Any:
-    # A link could lead into any other file.
-    is_here = isinstance(group.get(name, getlink=True), hdf5.HardLink)
-    member = group[name] if is_here else None
-    if not isinstance(member, kind):
+    member = hdf5.own_member(group, name, kind)
+    if member is None:
         raise FileFormatError(
             f"{name} in {group.name} is not a {kind.__name__.lower()} of this file. {_DAMAGED}"
         )
