@@ -3,13 +3,14 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QApplication, QFrame, QScrollArea, QVBoxLayout, QWidget
 
 from skinsource_gui.panels.inputs.input_row import InputRow
 from skinsource_gui.panels.inputs.list_keys import ListKeys
 from skinsource_gui.panels.inputs.list_mouse import ListMouse
+from skinsource_gui.panels.inputs.row_signals import RowSignals
 from skinsource_gui.panels.inputs.row_state import RowState
 from skinsource_gui.theme import LIGHT, Theme
 
@@ -20,14 +21,12 @@ class InputRows(QWidget):
     """The rows, by the id of their input.
 
     Rows stay with their input when others come and go, so that an open editor survives.
-    """
 
-    #: Id of an input, for each of the rows' own controls.
-    entered = Signal(int)
-    amplitude_edited = Signal(int, float, object)
-    mute_toggled = Signal(int)
-    solo_toggled = Signal(int)
-    removed = Signal(int)
+    Attributes
+    ----------
+    signals, keys, mouse
+        What is done to the rows: by their controls, by keys and by the mouse.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -36,6 +35,7 @@ class InputRows(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self._theme = LIGHT
         self._rows: dict[int, InputRow] = {}
+        self.signals = RowSignals(self)
         self.keys, self.mouse = ListKeys(self), ListMouse(self)
         self.keys.typing_wanted.connect(self._type_amplitude)
         self.keys.moved.connect(self._take_keys)
@@ -161,13 +161,8 @@ class InputRows(QWidget):
                 before = control
 
     def _new_row(self) -> InputRow:
-        row = InputRow(self)
+        row = InputRow(self.signals, self)
         row.show_theme(self._theme)
-        row.entered.connect(self.entered)
-        row.amplitude_edited.connect(self.amplitude_edited)
-        row.mute_toggled.connect(self.mute_toggled)
-        row.solo_toggled.connect(self.solo_toggled)
-        row.removed.connect(self.removed)
         return row
 
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QColor, QPainter, QResizeEvent
 from PySide6.QtWidgets import QWidget
 
@@ -12,6 +12,7 @@ from skinsource.design import AMPLITUDE
 from skinsource.locations import input_words
 from skinsource_gui.panels.inputs.row_picture import paint_row
 from skinsource_gui.panels.inputs.row_places import ROW_PX, row_places
+from skinsource_gui.panels.inputs.row_signals import RowSignals
 from skinsource_gui.panels.inputs.row_state import RowState
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.number_field import NumberField
@@ -25,17 +26,11 @@ from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
 
 
 class InputRow(QWidget):
-    """A row of the list of inputs.  Its signals begin with the id of its input."""
+    """A row of the list of inputs, which tells by ``signals`` what is done to it."""
 
-    #: The keyboard went to its number.
-    entered = Signal(int)
-    amplitude_edited = Signal(int, float, object)
-    mute_toggled = Signal(int)
-    solo_toggled = Signal(int)
-    removed = Signal(int)
-
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, signals: RowSignals, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._signals = signals
         self._theme = LIGHT
         self._state: RowState | None = None
         self.setObjectName("input_row")
@@ -113,7 +108,7 @@ class InputRow(QWidget):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.amplitude and event.type() == QEvent.Type.FocusIn:
-            self.entered.emit(self.id)
+            self._signals.entered.emit(self.id)
         return super().eventFilter(watched, event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -150,13 +145,13 @@ class InputRow(QWidget):
             control.setFocusPolicy(button)
 
     def _edit_amplitude(self, value: float, gesture: int | None) -> None:
-        self.amplitude_edited.emit(self.id, value, gesture)
+        self._signals.amplitude_edited.emit(self.id, value, gesture)
 
     def _toggle_mute(self) -> None:
-        self.mute_toggled.emit(self.id)
+        self._signals.mute_toggled.emit(self.id)
 
     def _toggle_solo(self) -> None:
-        self.solo_toggled.emit(self.id)
+        self._signals.solo_toggled.emit(self.id)
 
     def _remove(self) -> None:
-        self.removed.emit(self.id)
+        self._signals.removed.emit(self.id)

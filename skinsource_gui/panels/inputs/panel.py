@@ -101,7 +101,7 @@ class InputsPanel(Panel):
         self._foot.setStyleSheet(f"color: {theme.error};")
 
     def _connect(self) -> None:
-        rows, keys, mouse = self._rows, self._rows.keys, self._rows.mouse
+        rows, keys, mouse = self._rows.signals, self._rows.keys, self._rows.mouse
         selection, changes = self._selection, self._edits
         selection.edited.connect(self.edited)
         changes.edited.connect(self.edited)
