@@ -1,0 +1,47 @@
+"""What a store knows of the files it was made from."""
+
+import h5py
+import numpy as np
+import pytest
+
+from skinsource.dataset import store, upkeep
+from skinsource.errors import DatasetError
+
+
+def _set_attribute(path, name, value):
+    with h5py.File(path, "r+") as opened:
+        opened.attrs[name] = value
+
+
+def test_a_store_says_which_files_were_not_the_published_ones(made_up_installed):
+    info = store.describe()
+    assert info.unpublished is not None
+    assert {"impulseResponses.mat", "surface.mat", "mask4.mat"} <= set(info.unpublished)
+    assert "not the published ones" in info.note
+    assert "surface.mat" in store.load_measured_limb(1).note
+
+
+def test_the_measured_dataset_here_is_noted_as_another_file_with_the_published_map(measured):
+    assert store.describe().unpublished == ("impulseResponses.mat",)
+    assert store.load_measured_limb(4).note == (
+        "made from files that are not the published ones: impulseResponses.mat"
+    )
+
+
+def test_a_store_made_of_the_published_files_has_no_note(made_up_installed):
+    _set_attribute(made_up_installed, "unpublished", np.bytes_(b"none"))
+    assert store.describe().unpublished == ()
+    assert store.load_measured_limb(1).note == ""
+
+
+def test_a_store_of_the_first_version_opens_and_says_that_nothing_was_compared(made_up_installed):
+    with h5py.File(made_up_installed, "r+", libver=("v110", "v110")) as opened:
+        del opened.attrs["unpublished"]
+    with pytest.raises(DatasetError, match="lacks unpublished"):
+        store.describe()
+    _set_attribute(made_up_installed, "format_version", 1)
+    assert store.describe().unpublished is None
+    limb = store.load_measured_limb(2)
+    assert "did not compare" in limb.note
+    assert limb.response_to(3).any()
+    assert upkeep.verify() == ()
