@@ -31,6 +31,7 @@ from skinsource.design import Design, Input
 from skinsource.errors import Stopped
 from skinsource.graph import Graph
 from skinsource.quantities import new_graph, sources
+from skinsource.rendering.budgets import TOTAL_BYTES
 from skinsource.view import View
 from skinsource.waveforms import Noise, Tap, Tone
 
@@ -38,7 +39,7 @@ from skinsource.waveforms import Noise, Tap, Tone
 #: engine may remember; the longest wait as a part of the whole: once 10 s, 500 MB and 100 ms.
 MOST_TRANSFORMS, MOST_TIMES_HELD, LONGEST_PART = 30.0, 1.4, 1 / 50
 WHOLE_S = 10.0
-REMEMBERED_MB = 268.4  # 256 MiB
+REMEMBERED_MB = TOTAL_BYTES / 1e6
 MAP = ("output_levels_db", "surface_levels_db")
 SHOWN = (*MAP, "axis_traces", "axis_spectra")
 STUDIO = (*MAP, "selected_traces", "response_time_s", "selected_spectra", "input_waveforms")

@@ -1,8 +1,8 @@
 """What graphs share: limbs, the operators of their maps, and what rendering remembers.
 
 Two graphs that look at one limb read and transform its responses once.  All that is remembered
-takes at most 256 MiB together; a limb itself, with the responses that were read, stays as long as a
-graph holds it.
+takes at most as much as `skinsource.rendering.budgets` says; a limb itself, with the responses that
+were read, stays as long as a graph holds it.
 """
 
 from collections.abc import Callable
@@ -12,13 +12,11 @@ from weakref import WeakValueDictionary, ref
 from skinsource.catalogue import load_limb
 from skinsource.job import Stop
 from skinsource.limb import Limb
+from skinsource.rendering.budgets import SURFACES_BYTES
 from skinsource.rendering.memory import Memory
 from skinsource.rendering.remembered import Remembered
 from skinsource.surface import SurfaceOperator
 from skinsource.surface.kept import kept_surface_operator
-
-#: Operators of the maps of a few limbs.
-SURFACES_BYTES = 7 * 2**20
 
 
 class Shared:

@@ -152,7 +152,7 @@ def test_what_was_used_last_is_kept_longest(limb, monkeypatch):
         os.utime(newest, (1000 + k, 1000 + k))
     assert fetched(limb, 8.0)[1] == 0  # used now
     largest = max(path.stat().st_size for path in files())
-    monkeypatch.setattr(kept, "BUDGET_BYTES", 3 * largest)
+    monkeypatch.setattr(kept, "MOST_ON_DISK_BYTES", 3 * largest)
     fetched(limb, 10.0)
     assert sum(path.stat().st_size for path in files()) <= 3 * largest
     assert [fetched(limb, spacing)[1] for spacing in (8.0, 10.0)] == [0, 0]

@@ -6,28 +6,35 @@ import tracemalloc
 
 import pytest
 
-from skinsource import shared
 from skinsource.chain import Chain
 from skinsource.limb import N_AXES, N_OUTPUTS
-from skinsource.rendering import drives, exact_spectra, gains, response_spectra
+from skinsource.rendering import budgets
 from skinsource.rendering.memory import ENTRY_BYTES, Memory
 from skinsource.rendering.response_spectra import ResponseSpectra
 from skinsource.rendering.segments import length_at_once
+from skinsource.shared import Shared
 from skinsource.synthetic import load_synthetic_limb
 from skinsource.voices import UnitVoice
 from skinsource.waveforms import Tone
 
 
 def test_all_memories_together_hold_at_most_256_mebibytes():
-    # Drives are held as samples and as spectra.
-    budgets = (
-        response_spectra.BUDGET_BYTES,
-        2 * drives.BUDGET_BYTES,
-        exact_spectra.BUDGET_BYTES,
-        gains.BUDGET_BYTES,
-        shared.SURFACES_BYTES,
-    )
-    assert sum(budgets) <= 256 * 2**20
+    assert budgets.TOTAL_BYTES <= 256 * 2**20
+
+
+def test_every_memory_of_an_engine_is_held_to_its_budget():
+    shared = Shared()
+    remembered = shared.remembered()
+    drives = remembered.drives
+    held_to = [
+        remembered.responses._budget_bytes,
+        drives._drawn._budget_bytes,
+        drives._spectra._budget_bytes,
+        remembered.exact_spectra._known._budget_bytes,
+        remembered.gains._known._budget_bytes,
+        shared._surfaces._budget_bytes,
+    ]
+    assert sum(held_to) == budgets.TOTAL_BYTES
 
 
 @pytest.mark.parametrize("n_places", [1, 2, 4, 5, 7, 10, 19, 20])
@@ -35,9 +42,9 @@ def test_whatever_is_transformed_at_once_fits(n_places):
     longest = max(n for n in range(500, 40_000, 97) if length_at_once(n, n_places) is not None)
     n_bins = length_at_once(longest, n_places) // 2 + 1
     held = n_places * N_OUTPUTS * N_AXES * n_bins * 16
-    assert held <= response_spectra.BUDGET_BYTES
+    assert held <= budgets.RESPONSE_SPECTRA_BYTES
     # Nor is less transformed at once than there is room for.
-    assert n_places < 5 or held > response_spectra.BUDGET_BYTES / 2
+    assert n_places < 5 or held > budgets.RESPONSE_SPECTRA_BYTES / 2
 
 
 def test_the_least_recently_used_goes_first():
@@ -93,6 +100,7 @@ def test_places_that_were_never_asked_for_take_no_memory():
     script = """
 from skinsource.allocation import keep_freed_memory
 from skinsource.rendering.response_spectra import ResponseSpectra
+from skinsource.shared import Shared
 from skinsource.synthetic import load_synthetic_limb
 from skinsource.waveforms import Tone
 import numpy as np

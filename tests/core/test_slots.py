@@ -8,7 +8,8 @@ import pytest
 
 from skinsource.design import Design, Input
 from skinsource.quantities import graphs_that_share, new_graph, sources
-from skinsource.shared import SURFACES_BYTES, Shared
+from skinsource.rendering.budgets import SURFACES_BYTES
+from skinsource.shared import Shared
 from skinsource.view import View
 from skinsource.waveforms import Noise, Tap, Tone
 

@@ -6,17 +6,16 @@ import numpy as np
 
 from skinsource.arrays import Booleans, Complexes
 from skinsource.chain import Chain, Drive, drive_played
+from skinsource.rendering.budgets import DRIVES_BYTES
 from skinsource.rendering.memory import Memory
 from skinsource.rendering.transforms import forward
 from skinsource.voices import UnitVoice
-
-BUDGET_BYTES = 16 * 2**20
 
 
 class Drives:
     """Drawn chains and their spectra, in bounded memory."""
 
-    def __init__(self, budget_bytes: int = BUDGET_BYTES) -> None:
+    def __init__(self, budget_bytes: int = DRIVES_BYTES) -> None:
         self._drawn = Memory[Drive](budget_bytes, lambda drive: drive.samples.nbytes)
         self._spectra = Memory[Complexes](budget_bytes, lambda spectrum: spectrum.nbytes)
         # Long drives exceed the budget; what a graph still holds is not drawn twice.

@@ -10,18 +10,17 @@ from collections.abc import Callable, Hashable
 import numpy as np
 
 from skinsource.arrays import Complexes, Floats
+from skinsource.rendering.budgets import EXACT_SPECTRA_BYTES
 from skinsource.rendering.channels import Channel
 from skinsource.rendering.memory import Memory
 from skinsource.rendering.transforms import forward
-
-BUDGET_BYTES = 12 * 2**20
 
 
 class ExactSpectra:
     """Spectra of single responses at exact lengths, in bounded memory."""
 
     def __init__(self) -> None:
-        self._known = Memory[Complexes](BUDGET_BYTES, lambda spectrum: spectrum.nbytes)
+        self._known = Memory[Complexes](EXACT_SPECTRA_BYTES, lambda spectrum: spectrum.nbytes)
 
     def of(
         self, samples: Floats, taps: Floats, name: Hashable, n_times: int

@@ -12,13 +12,13 @@ from skinsource.chain import Drive
 from skinsource.job import Stop, never
 from skinsource.limb import Limb
 from skinsource.rendering.bounds import rounding_bound
+from skinsource.rendering.budgets import GAINS_BYTES
 from skinsource.rendering.drives import Drives
 from skinsource.rendering.maxima import Peak, peaks_of
 from skinsource.rendering.memory import Memory
 from skinsource.rendering.response_spectra import ResponseSpectrum
 from skinsource.voices import UnitVoice
 
-BUDGET_BYTES = 2**20
 # Below it a reciprocal overflows.
 _SMALLEST = float(np.finfo(np.float64).tiny)
 
@@ -71,7 +71,7 @@ class Gains:
 
     def __init__(self, drives: Drives) -> None:
         self._drives = drives
-        self._known = Memory[float](BUDGET_BYTES, getsizeof)
+        self._known = Memory[float](GAINS_BYTES, getsizeof)
 
     def of(
         self, limb: Limb, voices: Sequence[Sounding], *, in_blocks: bool, stop: Stop = never

@@ -14,12 +14,11 @@ from skinsource.arrays import Complexes, Floats
 from skinsource.chain import LARGEST, first_unusable
 from skinsource.errors import InvalidInputError
 from skinsource.limb import Limb
+from skinsource.rendering.budgets import RESPONSE_SPECTRA_BYTES
 from skinsource.rendering.transforms import forward
 from skinsource.scaling.calibration import per_probe_acceleration
 from skinsource.scaling.response_scaling import Scaling
 
-#: Responses of twenty places for stimuli of four seconds.
-BUDGET_BYTES = 204 * 2**20
 #: Taps at which responses are cut for bounds by energy: finely where most of it is.
 SECTIONS = (0, 32, 64, 96, 128, 192, 256)
 #: Bins of a band, over which responses, shorter than the transform, change little.
@@ -161,7 +160,7 @@ _Key = tuple[ref[Limb], bool, int, tuple[int, ...]]
 class ResponseSpectra:
     """Spectra by limb, place, scaling and length; the least recently used lengths go first."""
 
-    def __init__(self, budget_bytes: int = BUDGET_BYTES) -> None:
+    def __init__(self, budget_bytes: int = RESPONSE_SPECTRA_BYTES) -> None:
         self._budget_bytes = budget_bytes
         self._held: OrderedDict[_Key, _Places | Stack] = OrderedDict()
 

@@ -9,13 +9,11 @@ from threading import Lock
 from weakref import WeakKeyDictionary
 
 from skinsource.limb import Limb
+from skinsource.rendering.budgets import PREDICT_BYTES
 from skinsource.rendering.response_spectra import ResponseSpectrum, scaled_taps
 from skinsource.rendering.side_by_side import side_by_side
 from skinsource.rendering.transforms import forward
 from skinsource.scaling.response_scaling import Scaling
-
-#: Twice what twenty places take for stimuli of one second.
-BUDGET_BYTES = 128 * 2**20
 
 # Place, length, and whether calibrated.
 _Key = tuple[int, int, bool]
@@ -31,7 +29,7 @@ class SpectraOfLimbs:
         What all spectra together may take.
     """
 
-    def __init__(self, budget_bytes: int = BUDGET_BYTES) -> None:
+    def __init__(self, budget_bytes: int = PREDICT_BYTES) -> None:
         self._budget_bytes = budget_bytes
         self._lock = Lock()
         # The latest last, limbs and spectra.

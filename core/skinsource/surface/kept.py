@@ -26,7 +26,7 @@ from skinsource.version import __version__
 from skinsource.work import tally
 
 #: What all kept operators take on disk, at most, and one of them.
-BUDGET_BYTES, LARGEST_BYTES = 64 * 2**20, 16 * 2**20
+MOST_ON_DISK_BYTES, LARGEST_BYTES = 64 * 2**20, 16 * 2**20
 _HEAD = b"skinsource operator 1\n"
 _DIGEST_BYTES = 32
 
@@ -151,5 +151,5 @@ def _make_room(folder: Path) -> None:
     total = 0
     for about, path in kept:
         total += about.st_size
-        if total > BUDGET_BYTES:
+        if total > MOST_ON_DISK_BYTES:
             path.unlink(missing_ok=True)
