@@ -8,14 +8,12 @@ from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.widgets.frame import Floats, Frame
+from skinsource_gui.widgets.wheel import NOTCH, ZOOM_PER_NOTCH
 
 #: The fit that shows all, and what stands for none of the fits.
 WHOLE, FREE = "whole", "free"
 
 _LARGEST_ZOOM = 25.0
-# One notch of a wheel is 120 eighths of a degree.
-_NOTCH = 120.0
-_ZOOM_PER_NOTCH = 1.2
 _ZOOM_PER_KEY = 1.25
 _PAN_PER_NOTCH_PX = 48.0
 # Something brought into sight stays this far from the edge, px.
@@ -115,12 +113,12 @@ class PanZoom(QObject):
 
     def wheel(self, event: QWheelEvent) -> None:
         """The wheel turns over the drawing."""
-        right, up = event.angleDelta().x() / _NOTCH, event.angleDelta().y() / _NOTCH
+        right, up = event.angleDelta().x() / NOTCH, event.angleDelta().y() / NOTCH
         if event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
             self.pan((right + up) * _PAN_PER_NOTCH_PX, 0)
         else:
             if up:
-                self.zoom(_ZOOM_PER_NOTCH**up, event.position())
+                self.zoom(ZOOM_PER_NOTCH**up, event.position())
             if right:
                 self.pan(right * _PAN_PER_NOTCH_PX, 0)
         event.accept()

@@ -10,12 +10,12 @@ from skinsource_gui.widgets.fields.burst import Burst
 from skinsource_gui.widgets.fields.gesture import new_gesture
 from skinsource_gui.widgets.fields.round_numbers import COARSE, FINE, PLAIN, Ladder, stepped
 from skinsource_gui.widgets.fields.shown_number import ShownNumber
+from skinsource_gui.widgets.wheel import NOTCH
 
 #: Way of the mouse that makes one step, and way after which a press is a drag.
 PIXELS_PER_STEP = 4
 DRAG_BEGINS_PX = 3
 
-_WHEEL_NOTCH = 120
 _DIRECTIONS = {
     Qt.Key.Key_Up: 1,
     Qt.Key.Key_Down: -1,
@@ -65,7 +65,7 @@ class NumberGestures(QObject):
         super().__init__(parent)
         self._drag: _Drag | None = None
         self._burst = Burst(self)
-        self._wheel_travel = 0
+        self._wheel_travel = 0.0
 
     @property
     def in_burst(self) -> bool:
@@ -86,8 +86,8 @@ class NumberGestures(QObject):
         """Whole notches that the wheel has turned since the last one."""
         # Shift and Alt turn a vertical wheel into a horizontal one on some systems.
         self._wheel_travel += event.angleDelta().y() or event.angleDelta().x()
-        notches = int(self._wheel_travel / _WHEEL_NOTCH)
-        self._wheel_travel -= notches * _WHEEL_NOTCH
+        notches = int(self._wheel_travel / NOTCH)
+        self._wheel_travel -= notches * NOTCH
         return notches
 
     def turn(self, notches: int, number: ShownNumber, event: QWheelEvent) -> None:

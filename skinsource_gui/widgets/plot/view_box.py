@@ -6,8 +6,8 @@ import pyqtgraph
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QPainter, QPainterPath
 
-_WHEEL_ZOOM = 1.2
-_NOTCH = 120.0
+from skinsource_gui.widgets.wheel import NOTCH, ZOOM_PER_NOTCH
+
 # A notch of the wheel pans by so much of what is visible.
 _PAN_PART = 0.1
 _SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -48,13 +48,13 @@ class PlotViewBox(pyqtgraph.ViewBox):
         """Paint nothing: the axis beside draws the frame."""
 
     def wheelEvent(self, event: Any, axis: int | None = None) -> None:
-        turns = event.delta() / _NOTCH
+        turns = event.delta() / NOTCH
         aside = event.orientation() == Qt.Orientation.Horizontal
         if aside or event.modifiers() & _SHIFT:
             low, high = self.viewRange()[0]
             self.pan_wanted.emit(-turns * _PAN_PART * (high - low))
         else:
-            self.zoom_wanted.emit(self.position(event.scenePos()), _WHEEL_ZOOM**turns)
+            self.zoom_wanted.emit(self.position(event.scenePos()), ZOOM_PER_NOTCH**turns)
         event.accept()
 
     def mouseDragEvent(self, event: Any, axis: int | None = None) -> None:
