@@ -8,6 +8,8 @@ from skinsource.errors import InvalidInputError
 
 #: What silence is shown as.  Nothing measured or predicted comes near it.
 FLOOR_DB = -200.0
+#: What the colours of a map span, unless another range is chosen: from the loudest output down.
+MAP_RANGE_DB = 50.0
 
 
 def decibels(

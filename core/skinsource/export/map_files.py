@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.arrays import Floats
+from skinsource.decibels import MAP_RANGE_DB
 from skinsource.design import Design
 from skinsource.export.csv_table import CsvTable
 from skinsource.export.exported_design import ExportedDesign
@@ -24,8 +25,6 @@ from skinsource.job import Progress, Stop, never, silent
 from skinsource.surface import SurfaceOperator
 from skinsource.view import View
 
-#: Levels further below the loudest output than this have the colour of the lowest.
-RANGE_DB = 50.0
 # From the lowest level to the highest: lightness rises evenly, so that it reads in grey as well.
 _ANCHORS = np.array(
     [[13, 8, 35], [72, 20, 92], [142, 38, 88], [208, 73, 58], [243, 139, 44], [252, 236, 160]]
@@ -68,12 +67,14 @@ def export_map_picture(
 ) -> None:
     """Compute and write the map as a picture (PNG) that says within what its colours mean.
 
-    Colours go from the loudest output to 50 dB below it.  Parameters and errors are those of
+    Colours go from the loudest output to `MAP_RANGE_DB` below it.  Parameters and errors are those of
     `export_traces`.
     """
     _, levels_db, about = _map_of(design, view, progress, stop, largest_error)
     top_db = float(np.nanmax(levels_db))
-    colours = f"colours: {top_db - RANGE_DB:.1f} (darkest) to {top_db:.1f} (lightest) dB re 1 m/s²"
+    colours = (
+        f"colours: {top_db - MAP_RANGE_DB:.1f} (darkest) to {top_db:.1f} (lightest) dB re 1 m/s²"
+    )
     pixels = picture_of(levels_db, top_db)
     with output_file(path, stop) as file:
         write_png(file, pixels, {"Description": "\n".join([*about, colours])})
@@ -91,7 +92,7 @@ def picture_of(levels_db: Floats, top_db: float) -> NDArray[np.uint8]:
         Level of the lightest colour.
     """
     inside = np.isfinite(levels_db)
-    share = np.clip((np.where(inside, levels_db, top_db) - top_db) / RANGE_DB + 1.0, 0.0, 1.0)
+    share = np.clip((np.where(inside, levels_db, top_db) - top_db) / MAP_RANGE_DB + 1.0, 0.0, 1.0)
     at = np.linspace(0.0, 1.0, len(_ANCHORS))
     colours = np.stack([np.interp(share, at, channel) for channel in _ANCHORS.T], axis=-1)
     pixels = np.where(inside[..., None], np.rint(colours), _NOWHERE).astype(np.uint8)

@@ -8,9 +8,12 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
+from skinsource.decibels import MAP_RANGE_DB
 from skinsource_gui.panels.skin.colour_strip import ColourStrip
 from skinsource_gui.panels.skin.level_field import high_field, low_field
 from skinsource_gui.panels.skin.level_range import (
+    ROUND_TO_DB,
+    SILENT_RANGE,
     Range,
     automatic_range,
     pushed_high,
@@ -28,7 +31,7 @@ class ColourBar(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._chosen: Range | None = None
-        self.range_db: Range = (-50.0, 0.0)
+        self.range_db: Range = SILENT_RANGE
         self.strip = ColourStrip(self)
         self.high_field, self.low_field = high_field(self), low_field(self)
         self.auto_button = QToolButton(self)
@@ -36,7 +39,8 @@ class ColourBar(QWidget):
         self.auto_button.setText("Auto")
         self.auto_button.setAccessibleName("Automatic range")
         self.auto_button.setToolTip(
-            "The range follows the loudest output: 50 dB, up to the next 5 dB"
+            f"The range follows the loudest output: {MAP_RANGE_DB:g} dB, "
+            f"up to the next {ROUND_TO_DB:g} dB"
         )
         self.auto_button.setCheckable(True)
         self.auto_button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.panels.skin.colour_maps import colour_table
 from skinsource_gui.panels.skin.colour_scale import level_y, paint_colour_scale
-from skinsource_gui.panels.skin.level_range import Range, moved, with_high, with_low
+from skinsource_gui.panels.skin.level_range import SILENT_RANGE, Range, moved, with_high, with_low
 from skinsource_gui.panels.skin.map_painter import small_font
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.kept_picture import KeptPicture
@@ -101,7 +101,7 @@ class ColourStrip(QWidget):
         super().__init__(parent)
         self._theme = LIGHT
         self._table = colour_table()
-        self._range: Range = (-50.0, 0.0)
+        self._range: Range = SILENT_RANGE
         self._axis = _axis_of(self._range)
         self._marks: tuple[tuple[float, QColor], ...] = ()
         self._span = "record"

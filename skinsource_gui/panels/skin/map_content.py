@@ -5,6 +5,7 @@ from dataclasses import dataclass, fields
 from skinsource.arrays import Floats
 from skinsource.limb import LimbMap
 from skinsource_gui.panels.skin.field_image import FieldImage
+from skinsource_gui.panels.skin.level_range import SILENT_RANGE, Range
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -41,7 +42,7 @@ class MapContent:
     levels_db: Floats | None = None
     field: FieldImage | None = None
     field_levels_db: Floats | None = None
-    range_db: tuple[float, float] = (-50.0, 0.0)
+    range_db: Range = SILENT_RANGE
     outputs: tuple[int, ...] = ()
     sensors_shown: bool = True
     synthetic: bool = False

@@ -21,7 +21,8 @@ class SkinSettings:
     map_style, sensors_shown
         ``"interpolated"`` or ``"sensors"``; whether sensors are marked on the interpolated map.
     map_range_db
-        Levels of the ends of the colour bar; ``None``: the loudest output and 50 dB below it.
+        Levels of the ends of the colour bar; ``None``: they follow the loudest output
+        (`automatic_range`).
     """
 
     map_style: str = fields.choice("interpolated", MAP_STYLE)
