@@ -22,6 +22,7 @@ from skinsource.dataset.published import published_files
 from skinsource.dataset.store import StoreInfo
 from skinsource.errors import SkinSourceError
 from skinsource.job import Job, left_in_words
+from skinsource_gui.dataset_page.title import TITLE
 from skinsource_gui.state.installed_limbs import InstalledLimbs
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
 from skinsource_gui.theme import UNIT_PX
@@ -55,7 +56,7 @@ class DatasetPage(QDialog):
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setObjectName("dataset_page")
-        self.setWindowTitle("Get the measured limbs")
+        self.setWindowTitle(TITLE)
         self.resize(560, 320)
         self._runner, self._limbs = runner, limbs
         size_mb = round(sum(file.size_bytes for file in published_files()) / 1e6)

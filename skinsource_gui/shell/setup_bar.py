@@ -9,11 +9,13 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidg
 
 from skinsource import edits
 from skinsource.choice_words import CHOICES, Word
+from skinsource.dataset.not_installed import NOT_INSTALLED
 from skinsource.design import Design
 from skinsource.edits import Edit, Refusal
 from skinsource.fields import ChoiceSpec
 from skinsource.limb import LIMB_NAMES
 from skinsource.view import View
+from skinsource_gui.dataset_page.title import TITLE
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.tooltips import tooltip
 
@@ -85,9 +87,7 @@ class SetupBar(QWidget):
             there = name in limbs
             item = model.item(index)
             item.setEnabled(there)
-            item.setToolTip(
-                "" if there else "Not installed; Help > Get the measured limbs… installs them"
-            )
+            item.setToolTip("" if there else f"{NOT_INSTALLED} Help > {TITLE}… installs them.")
 
     def choices(self, parent: QObject | None) -> list[QAction]:
         """One action for each choice that can be made, owned by ``parent``."""

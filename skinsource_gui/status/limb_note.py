@@ -4,6 +4,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFocusEvent
 from PySide6.QtWidgets import QLabel, QWidget
 
+from skinsource.dataset.not_installed import NOT_INSTALLED
 from skinsource_gui.state.engine import Outcome
 from skinsource_gui.theme import LIGHT, Theme
 
@@ -71,10 +72,7 @@ class LimbNote(QLabel):
         link = (
             ""
             if self._measured or not self._synthetic
-            else (
-                f" · measured limbs are not installed: "
-                f"<a href='#get' style='color:{colour}'>how to get them</a>"
-            )
+            else f" · {NOT_INSTALLED} <a href='#get' style='color:{colour}'>How to get them</a>"
         )
         # Without a link there is nothing for the keyboard.
         self.setTextInteractionFlags(_LINKS if link else Qt.TextInteractionFlag.NoTextInteraction)

@@ -7,10 +7,10 @@ from typing import Any
 
 from skinsource.dataset.fetch import fetch
 from skinsource.dataset.install import install
+from skinsource.dataset.not_installed import HOW_TO_GET, NOT_INSTALLED
 from skinsource.dataset.progress_bar import ProgressBar
 from skinsource.dataset.published import DATASET_URL, MAP_URL, published_files
 from skinsource.dataset.store import (
-    HOW_TO_GET,
     StoreInfo,
     describe,
 )
@@ -76,7 +76,7 @@ def _list(_: argparse.Namespace) -> int:
     try:
         info = describe()
     except DatasetMissingError:
-        sys.stdout.write(f"The measured dataset is not installed. {HOW_TO_GET}\n")
+        sys.stdout.write(f"{NOT_INSTALLED} {HOW_TO_GET}\n")
         return 0
     for number in info.limbs:
         length_mm = HAND_LENGTHS_MM[number - 1]

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from skinsource.arrays import Floats
 from skinsource.dataset import layout
 from skinsource.dataset.contents import Contents
+from skinsource.dataset.not_installed import HOW_TO_GET, NOT_INSTALLED
 from skinsource.dataset.store_parts import REINSTALL
 from skinsource.errors import (
     DatasetError,
@@ -32,10 +33,6 @@ from skinsource.quoting import quoted
 
 #: Tip of digit III to the middle of the wrist, on the published map.
 HAND_LENGTH_PX = 398.1017
-HOW_TO_GET = (
-    "Get it with 'skinsource dataset fetch' (downloads 70 MB), or, from files you already have, "
-    "with 'skinsource dataset install PATH'."
-)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -164,9 +161,7 @@ def load_mask(number: int) -> NDArray[np.bool_]:
 def open_store(path: Path) -> Iterator[Contents]:
     """Open the store for reading; explain in our own words why that is not possible."""
     if not is_file(path):
-        raise DatasetMissingError(
-            f"The measured dataset is not installed (no {path}). {HOW_TO_GET}"
-        )
+        raise DatasetMissingError(f"{NOT_INSTALLED} There is no {path}. {HOW_TO_GET}")
     try:
         with hdf5.File(path, "r", locking="best-effort") as file:
             yield Contents(file, path)

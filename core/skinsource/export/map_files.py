@@ -67,8 +67,8 @@ def export_map_picture(
 ) -> None:
     """Compute and write the map as a picture (PNG) that says within what its colours mean.
 
-    Colours go from the loudest output to `MAP_RANGE_DB` below it.  Parameters and errors are those of
-    `export_traces`.
+    Colours go from the loudest output to `MAP_RANGE_DB` below it.  Parameters and errors are those
+    of `export_traces`.
     """
     _, levels_db, about = _map_of(design, view, progress, stop, largest_error)
     top_db = float(np.nanmax(levels_db))

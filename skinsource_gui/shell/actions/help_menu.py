@@ -1,5 +1,6 @@
 """What the Help menu does."""
 
+from skinsource_gui.dataset_page.title import TITLE
 from skinsource_gui.shell.action_spec import ActionSpec, action
 
 HELP: tuple[ActionSpec, ...] = (
@@ -32,7 +33,7 @@ HELP: tuple[ActionSpec, ...] = (
     action(
         "show_dataset",
         "Help",
-        "Get the measured limbs…",
+        f"{TITLE}…",
         "Install the measured impulse responses, from a folder or by download",
         command="pages.show_dataset",
         keywords="dataset download install limb data matlab zenodo",
