@@ -4,6 +4,7 @@ import io
 import json
 import tracemalloc
 from dataclasses import dataclass
+from functools import partial
 from hashlib import sha256
 
 import h5py
@@ -17,6 +18,9 @@ from skinsource.codec import decode, encode, image, json_text, text
 from skinsource.errors import FileFormatError, InvalidInputError
 from skinsource.fields import Address, OptionalSpec, SamplesSpec, TextSpec
 from skinsource.samples import Samples
+
+VERSION = 2
+to_image, from_image = (partial(one, version=VERSION) for one in (image.to_image, image.from_image))
 
 SOUND = Samples(values=np.linspace(-1.0, 1.0, 50), sample_rate_hz=1300.0, unit="m/s²")
 OTHER = Samples(values=np.array([5e-324, -0.0]), sample_rate_hz=44100.0)
@@ -47,9 +51,9 @@ class Recording:
 @settings(max_examples=60, deadline=None, derandomize=True)
 @given(tree=PLAIN)
 def test_what_was_put_in_comes_out_and_gives_the_same_bytes_again(tree):
-    stored = image.to_image(tree)
-    assert repr(image.from_image(stored)) == repr(tree)
-    assert image.to_image(image.from_image(stored)) == stored
+    stored = to_image(tree)
+    assert repr(from_image(stored)) == repr(tree)
+    assert to_image(from_image(stored)) == stored
     written = text.to_text(tree, "a tree")
     assert repr(text.from_text(written, "a tree")) == repr(tree)
     assert text.to_text(text.from_text(written, "a tree"), "a tree") == written
@@ -58,30 +62,30 @@ def test_what_was_put_in_comes_out_and_gives_the_same_bytes_again(tree):
 def test_a_recipe_with_samples_comes_back_from_both():
     recipe = Recording(title="Größe", sound=SOUND)
     for carried in (
-        image.from_image(image.to_image(encode(recipe))),
+        from_image(to_image(encode(recipe))),
         text.from_text(text.to_text(encode(recipe), "a recording"), "a recording"),
     ):
         assert decode(carried, (Recording,), Address()) == recipe
 
 
 def test_samples_are_stored_once_however_often_they_are_used():
-    once = len(image.to_image([SOUND, OTHER]))
+    once = len(to_image([SOUND, OTHER]))
     same = Samples(values=SOUND.values, sample_rate_hz=1300.0, unit="m/s²")
-    often = image.to_image([SOUND, OTHER] + [same] * 10)
+    often = to_image([SOUND, OTHER] + [same] * 10)
     assert len(often) - once < 10 * 100
     with h5py.File(io.BytesIO(often)) as file:
         assert set(file["samples"]) == {SOUND.digest, OTHER.digest}
-    found = image.from_image(often)
+    found = from_image(often)
     assert len({id(one) for one in found if one == SOUND}) == 1
 
 
 def test_every_flipped_bit_of_an_image_is_refused():
-    stored = image.to_image({"a": 1, "sound": OTHER})
+    stored = to_image({"a": 1, "sound": OTHER})
     for bit in range(8 * len(stored)):
         damaged = bytearray(stored)
         damaged[bit // 8] ^= 1 << bit % 8
         with pytest.raises(FileFormatError):
-            image.from_image(bytes(damaged))
+            from_image(bytes(damaged))
 
 
 def test_every_changed_character_of_a_text_is_refused():
@@ -93,16 +97,16 @@ def test_every_changed_character_of_a_text_is_refused():
 
 
 def test_an_image_cut_off_or_lengthened_is_refused():
-    stored = image.to_image(TREE)
+    stored = to_image(TREE)
     for other in (stored[:-1], stored[: len(stored) // 2], stored[:600], stored + b"\0"):
         with pytest.raises(FileFormatError, match="checksum does not fit"):
-            image.from_image(other)
+            from_image(other)
 
 
 def test_an_image_of_a_newer_version_says_so():
-    newer = image.to_image(TREE).replace(b"version 2", b"version 3", 1)
+    newer = to_image(TREE).replace(b"version 2", b"version 3", 1)
     with pytest.raises(FileFormatError, match=r"version 3 of the format.*newer SkinSource"):
-        image.from_image(newer)
+        from_image(newer)
     newer = text.to_text([1], "a tree").replace('"version":2', '"version":3')
     with pytest.raises(FileFormatError, match=r"version 3 of the format.*newer SkinSource"):
         text.from_text(newer, "a tree")
@@ -191,13 +195,13 @@ HOSTILE = {
 def test_an_image_made_to_harm_is_refused(case):
     stored = signed(HOSTILE[case])
     with pytest.raises(FileFormatError) as caught:
-        image.from_image(stored)
+        from_image(stored)
     assert len(str(caught.value)) < 500
 
 
 def test_the_same_image_without_harm_is_read():
-    assert image.from_image(signed(naming())) == OTHER
-    assert image.from_image(signed(holding(EMPTY))) == 1
+    assert from_image(signed(naming())) == OTHER
+    assert from_image(signed(holding(EMPTY))) == 1
 
 
 def test_an_image_that_claims_to_be_enormous_costs_nothing():
@@ -212,7 +216,7 @@ def test_an_image_that_claims_to_be_enormous_costs_nothing():
     tracemalloc.start()
     try:
         with pytest.raises(FileFormatError, match="not larger than the file"):
-            image.from_image(stored)
+            from_image(stored)
         assert tracemalloc.get_traced_memory()[1] < 2**20
     finally:
         tracemalloc.stop()
@@ -225,27 +229,27 @@ def test_samples_that_nothing_uses_are_refused():
         file["samples"][OTHER.digest] = OTHER.values
 
     with pytest.raises(FileFormatError, match="nothing uses"):
-        image.from_image(signed(unused))
+        from_image(signed(unused))
 
 
 def test_a_file_holds_no_more_than_it_says():
     padded = signed(holding(EMPTY), padding=bytes(10**7))
     with pytest.raises(FileFormatError, match="bytes, of which 0 are samples"):
-        image.from_image(padded)
+        from_image(padded)
 
 
 def test_what_could_not_be_read_again_is_not_written(monkeypatch):
     monkeypatch.setattr(image, "MAX_IMAGE_BYTES", 100_000)
     with pytest.raises(InvalidInputError, match="too large for a file"):
-        image.to_image([Samples(values=np.zeros(10_000), sample_rate_hz=1.0)])
-    for carrier in (image.to_image, lambda tree: text.to_text(tree, "a tree")):
+        to_image([Samples(values=np.zeros(10_000), sample_rate_hz=1.0)])
+    for carrier in (to_image, lambda tree: text.to_text(tree, "a tree")):
         with pytest.raises(InvalidInputError, match="expected at most"):
             carrier(["x" * json_text.MAX_TEXT_BYTES])
 
 
 def test_other_programs_can_look_into_an_image(tmp_path):
     path = tmp_path / "any.skinsource"
-    path.write_bytes(image.to_image(TREE))
+    path.write_bytes(to_image(TREE))
     assert path.read_bytes()[:29] == b"SkinSource design, version 2\n"
     with h5py.File(path) as file:
         assert file.attrs["format"] == b"skinsource design"

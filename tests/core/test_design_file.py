@@ -206,7 +206,7 @@ def rewritten(path: Path, change) -> None:
     """Write what another studio would have written: another tree, with its checksum."""
     tree = codec.encode(DesignFile(design=DESIGN, view=VIEW))
     change(tree)
-    path.write_bytes(image.to_image(tree))
+    path.write_bytes(image.to_image(tree, design_file.VERSION))
 
 
 OTHERS = {

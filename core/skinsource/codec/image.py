@@ -2,9 +2,9 @@
 
 ::
 
-    SkinSource design, version 2        the first bytes, then ends of lines up to 512 bytes
+    SkinSource design, version <number>    the first bytes, then ends of lines up to 512 bytes
     SHA-256 <of all bytes behind the first 512, in hexadecimal>
-    /                     format = "skinsource design", version = 2
+    /                     format = "skinsource design", version = <number>
     /content              the tree, JSON in UTF-8
     /samples/<digest>     float64, (n_times,); rate and unit stand in the content
 
@@ -34,7 +34,6 @@ if TYPE_CHECKING:
     import h5py
 
 FORMAT = "skinsource design"
-VERSION = 2
 HEADER_BYTES = 512
 #: Whatever is stored.
 MAX_IMAGE_BYTES = 256 * 2**20
@@ -44,8 +43,15 @@ _OVERHEAD_BYTES, _OVERHEAD_EACH = 2**16, 2**12
 _DAMAGED = "The file is damaged; go back to an earlier copy."
 
 
-def to_image(tree: Tree) -> bytes:
+def to_image(tree: Tree, version: int) -> bytes:
     """Return the file that holds ``tree``; the same tree gives the same bytes.
+
+    Parameters
+    ----------
+    tree
+        What `skinsource.codec.encode` makes.
+    version
+        Version of the format, for other versions to see.
 
     Raises
     ------
@@ -69,13 +75,13 @@ def to_image(tree: Tree) -> bytes:
     with hdf5.File(memory, "w", libver=("v110", "v110"), userblock_size=HEADER_BYTES) as file:
         # Studios that know version 1 only look here, and say that they are too old.
         file.attrs.create("format", FORMAT.encode(), dtype=hdf5.string_dtype("utf-8", len(FORMAT)))
-        file.attrs["version"] = VERSION
+        file.attrs["version"] = version
         _write(file, "content", np.frombuffer(text, np.uint8))
         group = file.create_group("samples")
         for digest, one in samples.items():
             _write(group, digest, one.values.astype("<f8", copy=False))
     image = memory.getvalue()[HEADER_BYTES:]
-    return _header(image) + image
+    return _header(image, version) + image
 
 
 def version_of(image: bytes) -> int | None:
@@ -84,20 +90,20 @@ def version_of(image: bytes) -> int | None:
     return int(found[1]) if found else None
 
 
-def from_image(image: bytes) -> Tree:
-    """Return the tree that `to_image` wrote.
+def from_image(image: bytes, version: int) -> Tree:
+    """Return the tree that `to_image` wrote in this ``version``.
 
     Raises
     ------
     FileFormatError
-        A bit of it has changed, or it was written by a newer version.
+        A bit of it has changed, or it was written in another version.
     """
-    if version_of(image) != VERSION:
+    if version_of(image) != version:
         raise FileFormatError(
             f"written in version {version_of(image)} of the format, and this studio reads versions "
-            f"up to {VERSION}. Open it with a newer SkinSource studio."
+            f"up to {version}. Open it with a newer SkinSource studio."
         )
-    if image[:HEADER_BYTES] != _header(memoryview(image)[HEADER_BYTES:]):
+    if image[:HEADER_BYTES] != _header(memoryview(image)[HEADER_BYTES:], version):
         raise FileFormatError(f"not what was saved: the checksum does not fit. {_DAMAGED}")
     try:
         with hdf5.File(io.BytesIO(image), "r") as file:
@@ -106,8 +112,8 @@ def from_image(image: bytes) -> Tree:
         raise FileFormatError(f"not written by SkinSource studio. {_DAMAGED}") from error
 
 
-def _header(image: bytes | memoryview) -> bytes:
-    words = f"SkinSource design, version {VERSION}\nSHA-256 {sha256(image).hexdigest()}\n"
+def _header(image: bytes | memoryview, version: int) -> bytes:
+    words = f"SkinSource design, version {version}\nSHA-256 {sha256(image).hexdigest()}\n"
     return words.encode().ljust(HEADER_BYTES, b"\n")
 
 

@@ -14,7 +14,8 @@ from skinsource.fields import Tree
 from skinsource.quoting import quoted
 from skinsource.samples import Samples
 
-VERSION = 2
+#: Version of what the clipboard and presets hold; files have their own.
+TEXT_VERSION = 2
 _COPY_AGAIN = "Copy it again in SkinSource studio."
 
 
@@ -38,7 +39,7 @@ def to_text(tree: Tree, format: str) -> str:
         "content": content,
         "samples": {digest: _as_tree(one) for digest, one in samples.items()},
     }
-    text = dumped({"format": format, "version": VERSION, "sha256": _checksum(body), **body})
+    text = dumped({"format": format, "version": TEXT_VERSION, "sha256": _checksum(body), **body})
     if len(text) > MAX_TEXT_BYTES:
         raise InvalidInputError(
             f"{len(text)} bytes are too many for a text, expected at most {MAX_TEXT_BYTES}; save "
@@ -58,10 +59,10 @@ def from_text(text: str, format: str) -> Tree:
     found = loaded(text.encode(errors="replace"))
     if not isinstance(found, dict) or found.get("format") != format:
         raise FileFormatError(f"the text does not hold {format}, but {quoted(text)}")
-    if found.get("version") != VERSION:
+    if found.get("version") != TEXT_VERSION:
         raise FileFormatError(
             f"the text was written in version {quoted(found.get('version'))} of the format, and "
-            f"this studio reads version {VERSION}. Use a newer SkinSource studio."
+            f"this studio reads version {TEXT_VERSION}. Use a newer SkinSource studio."
         )
     body = {name: found.get(name) for name in ("content", "samples")}
     if found.get("sha256") != _checksum(body) or not isinstance(body["samples"], dict):

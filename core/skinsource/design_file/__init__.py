@@ -1,6 +1,6 @@
 """`.skinsource` files: a design, the view on it and the window's arrangement.
 
-What is written is version 2 of the format: the codec's tree of a `DesignFile`, as the image of an
+What is written is `VERSION` of the format: the codec's tree of a `DesignFile`, as the image of an
 HDF5 file (see `skinsource.codec.image`), so that a new field of any recipe needs no change here.
 A checksum over all of it is verified first; only then does a field that is missing mean that an
 older studio wrote the file, and takes its default.  What a newer studio wrote is refused: nothing
@@ -24,6 +24,8 @@ from skinsource.quoting import sentence
 from skinsource.view import View
 
 SUFFIX = ".skinsource"
+#: Version of the files that are written; those of version 1 are read too.
+VERSION = 2
 
 #: The window's arrangement takes some thousand bytes.
 _MAX_LAYOUT_BYTES = 2**20
@@ -67,7 +69,7 @@ def save_design(
         The design is larger than any file may be.
     """
     content = DesignFile(design=design, view=View() if view is None else view, layout=layout)
-    write_bytes(Path(path), image.to_image(codec.encode(content)))
+    write_bytes(Path(path), image.to_image(codec.encode(content), VERSION))
 
 
 def open_design(path: str | os.PathLike[str]) -> DesignFile:
@@ -94,6 +96,6 @@ def open_design(path: str | os.PathLike[str]) -> DesignFile:
 
 def _content(stored: bytes) -> DesignFile:
     if image.version_of(stored) is not None:
-        return codec.decode(image.from_image(stored), (DesignFile,), Address())
+        return codec.decode(image.from_image(stored, VERSION), (DesignFile,), Address())
     design, view, layout = version_1.content_of(stored)
     return DesignFile(design=design, view=view, layout=layout)
