@@ -6,6 +6,7 @@ from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication, QComboBox
 
 from skinsource.dataset.install import install
+from skinsource.dataset.not_installed import NOT_INSTALLED
 from skinsource_gui.status.limb_note import LimbNote
 
 
@@ -26,7 +27,7 @@ def test_limbs_that_are_installed_while_the_studio_runs_can_be_used_at_once(
 ):
     count, hints = offered(window)
     assert count == 4
-    assert hints[0].startswith("Not installed")
+    assert hints[0].startswith(NOT_INSTALLED)
     install(made_up_download, unpublished=True, folder=user_data)
     come_back_to(window)
     count, hints = offered(window)
