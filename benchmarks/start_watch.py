@@ -54,7 +54,9 @@ def watch(window: Any) -> None:
         def eventFilter(self, watched: Any, event: Any) -> bool:
             if event.type() == qt.QEvent.Type.Paint and unpainted:
                 unpainted.discard(watched)
-                if not unpainted:
+                # What lies behind another tab, as on a small screen, is not painted.
+                if all(dock.visibleRegion().isEmpty() for dock in unpainted):
+                    unpainted.clear()
                     # All of the window is painted before the next event is looked at.
                     qt.QTimer.singleShot(0, note)
             return super().eventFilter(watched, event)

@@ -10,6 +10,7 @@ from skinsource.design import Design, Input
 from skinsource.errors import Stopped
 from skinsource.view import View
 from skinsource.waveforms import Tone
+from skinsource_gui.widgets.fields.field_cell import FieldCell
 
 KEY = Qt.Key
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -132,7 +133,7 @@ def test_the_row_that_is_selected_has_the_stops(make_window, qtbot):
 def test_tab_ends_typing_and_goes_on(at_work):
     field = next(
         one
-        for one in at_work.panel("inspector")._cells()
+        for one in at_work.panel("inspector").findChildren(FieldCell)
         if one.field.objectName() == "duration_s_field"
     ).field
     field.setFocus()

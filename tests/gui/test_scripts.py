@@ -1,5 +1,6 @@
 """Benchmarks and examples keep up with the code: they are imported, run and looked through."""
 
+import json
 import os
 import re
 import subprocess
@@ -88,3 +89,10 @@ def test_a_benchmark_explains_itself(name):
     done = run(ROOT / "benchmarks" / f"{name}.py", "--help")
     assert done.returncode == 0, done.stderr
     assert "usage:" in done.stdout
+
+
+def test_the_watch_on_the_start_of_the_studio_sees_it_painted():
+    done = run(ROOT / "benchmarks" / "start_watch.py", paths=(ROOT / "benchmarks",))
+    assert done.returncode == 0, done.stderr
+    noted = json.loads(done.stdout)
+    assert noted["painted"] < noted["complete"]
