@@ -23,7 +23,7 @@ from skinsource.dataset.store import StoreInfo
 from skinsource.errors import SkinSourceError
 from skinsource.job import Job, left_in_words
 from skinsource_gui.dataset_page.title import TITLE
-from skinsource_gui.state.installed_limbs import InstalledLimbs
+from skinsource_gui.state.installed_limbs import INSTALLATIONS, InstalledLimbs
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
 from skinsource_gui.theme import UNIT_PX
 
@@ -113,18 +113,18 @@ class DatasetPage(QDialog):
         start = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DownloadLocation)
         folder = QFileDialog.getExistingDirectory(self, "Folder with the download", start)
         if folder:
-            self._runner.add(Job(_TITLES[0], partial(install, Path(folder))))
+            self._runner.add(Job(INSTALLATIONS[0], partial(install, Path(folder))))
 
     def _download(self) -> None:
-        self._runner.add(Job(_TITLES[1], fetch))
+        self._runner.add(Job(INSTALLATIONS[1], fetch))
 
     def _stop(self) -> None:
         for job in self._runner.unfinished:
-            if job.title in _TITLES:
+            if job.title in INSTALLATIONS:
                 self._runner.cancel(job)
 
     def _show_state(self) -> None:
-        runs = any(job.title in _TITLES for job in self._runner.unfinished)
+        runs = any(job.title in INSTALLATIONS for job in self._runner.unfinished)
         had_keyboard = self._cancel.hasFocus()
         self._bar.setVisible(runs)
         self._cancel.setVisible(runs)
@@ -134,7 +134,7 @@ class DatasetPage(QDialog):
             self._close.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _show_progress(self, job: Job[Any], progress: JobProgress) -> None:
-        if job.title in _TITLES:
+        if job.title in INSTALLATIONS:
             self._bar.setRange(0, 1000 if progress.total else 0)
             self._bar.setValue(1000 * progress.done // max(progress.total, 1))
             left = left_in_words(progress.seconds_left)
@@ -151,20 +151,17 @@ class DatasetPage(QDialog):
         )
 
     def _note_done(self, job: Job[Any], result: object) -> None:
-        if job.title in _TITLES:
+        if job.title in INSTALLATIONS:
             self._limbs.look()
             self._show_installed()
             if isinstance(result, StoreInfo) and result.note:
                 self._words.setText(f"{self._words.text()}\nNote: {result.note}.")
 
     def _note_cancelled(self, job: Job[Any]) -> None:
-        if job.title in _TITLES:
+        if job.title in INSTALLATIONS:
             self._words.setText("Cancelled. Nothing was changed.")
 
     def _note_failed(self, job: Job[Any], error: Exception) -> None:
-        if job.title in _TITLES:
+        if job.title in INSTALLATIONS:
             mistake = f"The studio made a mistake: {type(error).__name__}: {error}"
             self._words.setText(str(error) if isinstance(error, SkinSourceError) else mistake)
-
-
-_TITLES = ("Installing the measured limbs", "Downloading the measured limbs")

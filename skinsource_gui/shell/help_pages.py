@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayo
 
 from skinsource import __version__
 from skinsource_gui.shell.action_spec import ActionSpec
+from skinsource_gui.widgets.key_table import WIDGET_KEYS
 
 _MOUSE = (
     ("Click a place on the hand", "place an input there, or select the one that is there"),
@@ -19,21 +20,13 @@ _MOUSE = (
     ("Drag or turn the wheel on a number", "change it; Ctrl makes it fine"),
     ("Double click a number", "type it, with or without its unit"),
     ("Click a sensor on the skin map", "select that output; Shift adds, a frame selects many"),
-    ("Ctrl and wheel on a map or plot", "zoom at the cursor; 0 or a double click shows all"),
+    ("Turn the wheel on a map or plot", "zoom at the cursor; a double click shows all"),
     ("Drag across a plot", "zoom to that stretch"),
 )
 _KEYS = (
     ("Tab, Shift+Tab", "go from control to control through all panels, and back"),
-    ("Left and Right on Overlaid", "change to Stacked; so for all buttons of which one is on"),
-    ("Arrow keys on the hand or the skin", "move the ring from place to place"),
-    ("Enter or Space", "place or select there"),
-    ("Shift and arrow keys on the hand", "move the selected input"),
-    ("Delete", "remove the selected inputs"),
-    ("M, S in the list of inputs", "mute, solo"),
-    ("Alt and Up or Down in the list", "reorder; Shift selects several, Ctrl+A all"),
-    ("Left and right in a plot", "move the crosshair; + and − zoom, Esc takes it away"),
-    ("Space or Enter on the skin", "select the output; Shift adds, Ctrl+A selects all, Esc none"),
-    ("Up and Down in a number", "change it; Ctrl fine, Shift coarse, Esc takes typing back"),
+    ("Left, Right", "choose another of some buttons of which one is on"),
+    ("Up, Down in a number", "change it; Ctrl fine, Shift coarse, Esc takes typing back"),
 )
 _ABOUT = f"""
 <h3>SkinSource studio {__version__}</h3>
@@ -48,7 +41,10 @@ and its dataset,
 
 def keys_page(actions: Iterable[ActionSpec], parent: QWidget) -> QDialog:
     """Every shortcut and what the mouse does, on one page."""
-    rows = [("Mouse", None), *_MOUSE, ("Keyboard", None), *_KEYS, ("Actions", None)]
+    rows: list[tuple[str, str | None]] = [("Mouse", None), *_MOUSE, ("Keyboard", None), *_KEYS]
+    for place, hints in WIDGET_KEYS.values():
+        rows += [(place, None), *((hint.words, hint.means) for hint in hints)]
+    rows += [("Everywhere", None)]
     rows += [
         (_shown(action.keys), f"{action.text} – {action.hint}") for action in actions if action.keys
     ]

@@ -22,6 +22,7 @@ from skinsource_gui.shell.bars import setup_toolbar
 from skinsource_gui.shell.dock_layout import DockLayout
 from skinsource_gui.shell.docks import dock_of, toggles
 from skinsource_gui.shell.focus_order import move_focus
+from skinsource_gui.shell.installations import Installations
 from skinsource_gui.shell.kind_choices import kind_choices
 from skinsource_gui.shell.menus import fill_menu_bar
 from skinsource_gui.shell.notice import Notice
@@ -205,6 +206,7 @@ class MainWindow(QMainWindow):
         self.conductor.delivered.connect(self._limb_note.show_outcome)
         self.accuracy.checked.connect(self.status_line.show_error)
         self.engine.finished.connect(reports.log_fault)
+        Installations(self.runner, self.limbs, reports)
         self.limbs.changed.connect(self._show_limbs)
         # What could not be computed before is tried again.
         self.limbs.changed.connect(document.changed)

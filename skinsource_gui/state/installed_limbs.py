@@ -5,6 +5,9 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.catalogue import available_limbs
 
+#: Titles of the jobs that install limbs: from a folder, and by download.
+INSTALLATIONS = ("Installing the measured limbs", "Downloading the measured limbs")
+
 
 class InstalledLimbs(QObject):
     """Looks again when the user comes back to the window, perhaps from an installation.

@@ -6,18 +6,19 @@ import pytest
 from PySide6.QtWidgets import QFileDialog, QLabel, QPushButton
 
 from skinsource.dataset.install import install
+from skinsource.errors import Stopped
 from skinsource.job import Job
 from skinsource_gui.dataset_page import page as dataset_page
 from skinsource_gui.dataset_page.page import DatasetPage
+from skinsource_gui.state.installed_limbs import INSTALLATIONS
 
 pytest.importorskip("matio", reason="mat-io is not installed")
 
 
 @pytest.fixture
-def page(window, qtbot):
-    page = DatasetPage(window.runner, window.limbs, window)
-    qtbot.addWidget(page)
-    return page
+def page(window):
+    # It goes with the window, or before it when a test closes it.
+    return DatasetPage(window.runner, window.limbs, window)
 
 
 def words(page: DatasetPage) -> str:
@@ -28,7 +29,7 @@ def test_what_there_is_to_note_is_said_after_the_installation(
     page, window, qtbot, made_up_download
 ):
     work = partial(install, made_up_download, unpublished=True)
-    window.runner.add(Job(dataset_page._TITLES[0], work))
+    window.runner.add(Job(INSTALLATIONS[0], work))
     qtbot.waitUntil(lambda: "4 measured limbs are installed" in words(page), timeout=60_000)
     assert "Note: made from files that are not the published ones: " in words(page)
 
@@ -39,3 +40,53 @@ def test_map_files_that_are_not_the_published_ones_are_refused_with_the_reason(
     monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(made_up_download))
     page.findChild(QPushButton, "install_from_folder").click()
     qtbot.waitUntil(lambda: "not the published content" in words(page), timeout=60_000)
+
+
+def test_installing_from_a_folder_can_be_cancelled(page, window, qtbot, tmp_path, monkeypatch):
+    asked = []
+
+    def install_for_ever(folder, *, progress, stop):
+        asked.append(folder)
+        progress(1, 4, "Reading the responses")
+        while not stop():
+            pass
+        raise Stopped
+
+    monkeypatch.setattr(dataset_page, "install", install_for_ever)
+    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
+    page.show()
+    page.findChild(QPushButton, "install_from_folder").click()
+    qtbot.waitUntil(lambda: words(page) == "Reading the responses…")
+    assert asked == [tmp_path]
+    assert not page.findChild(QPushButton, "download").isEnabled()
+    page.findChild(QPushButton, "cancel_installing").click()
+    qtbot.waitUntil(lambda: words(page) == "Cancelled. Nothing was changed.")
+    qtbot.waitUntil(lambda: not window.runner.busy)
+    assert page.findChild(QPushButton, "download").isEnabled()
+    assert not page.findChild(QPushButton, "cancel_installing").isVisible()
+
+
+def test_a_folder_without_the_files_is_refused_and_another_one_may_be_chosen(
+    page, window, qtbot, tmp_path, monkeypatch
+):
+    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
+    page.findChild(QPushButton, "install_from_folder").click()
+    qtbot.waitUntil(lambda: "impulseResponses.mat" in words(page), timeout=30_000)
+    assert page.findChild(QPushButton, "install_from_folder").isEnabled()
+    assert not any(name.startswith("measured") for name in window.limbs.names)
+
+
+def test_an_installation_goes_on_when_the_page_closes_and_the_limbs_are_there(
+    page, window, qtbot, made_up_download
+):
+    work = partial(install, made_up_download, unpublished=True)
+    window.runner.add(Job(INSTALLATIONS[0], work))
+    page.close()
+    qtbot.waitUntil(lambda: "measured-4" in window.limbs.names, timeout=60_000)
+    assert "The measured limbs are installed. Note: " in window.statusBar().currentMessage()
+
+
+def test_a_failed_installation_is_told_when_the_page_is_closed(page, window, qtbot, tmp_path):
+    window.runner.add(Job(INSTALLATIONS[0], partial(install, tmp_path)))
+    page.close()
+    qtbot.waitUntil(lambda: "impulseResponses.mat" in window.notice.text, timeout=30_000)

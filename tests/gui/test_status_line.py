@@ -93,7 +93,7 @@ def test_a_hidden_map_is_not_spoken_of(window, qtbot):
 def test_a_long_scene_is_told_to_be_computed_block_by_block(window, qtbot):
     edit(window, waveform=Tone(duration_s=14.0))
     qtbot.waitUntil(lambda: f"float64, overlap-save {BLOCK_FFT}" in details(window))
-    assert work_words(window).endswith("long scene, summed piece by piece")
+    qtbot.waitUntil(lambda: work_words(window).endswith("long scene, summed piece by piece"))
 
 
 def test_an_empty_design_has_no_inputs(window, qtbot):
@@ -268,3 +268,21 @@ def test_the_sparkline_says_its_numbers_on_hover_and_to_screen_readers(sparkline
     assert QToolTip.text() == "about them"
     assert sparkline.accessibleDescription() == "about them"
     QToolTip.hideText()
+
+
+def test_words_that_are_shorter_than_their_room_end_beside_what_follows(qtbot):
+    label = FittingLabel()
+    qtbot.addWidget(label)
+    label.show_phrases(("2 inputs · up to date · a long scene", "2 inputs"))
+    label.resize(label.minimumSizeHint().width() + 60, 20)
+    label.show()
+    assert label.text() == "2 inputs"
+    image = label.grab().toImage()
+    ground = image.pixel(0, 0)
+    inked = [
+        x
+        for x in range(image.width())
+        if any(image.pixel(x, y) != ground for y in range(image.height()))
+    ]
+    assert inked[0] > 30
+    assert inked[-1] > image.width() - 10

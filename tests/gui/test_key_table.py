@@ -1,0 +1,66 @@
+"""The table of keys says what the widgets in the panels do with keys, no more and no less."""
+
+import pytest
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QKeyEvent, QKeySequence
+from PySide6.QtWidgets import QTextBrowser
+
+from skinsource_gui.panels.hand.site_keys import SiteKeys
+from skinsource_gui.panels.inputs.list_keys import ListKeys
+from skinsource_gui.panels.skin.output_keys import OutputKeys
+from skinsource_gui.widgets.key_table import WIDGET_KEYS
+from skinsource_gui.widgets.plot.navigation import is_ours
+
+_Key, _Held = Qt.Key, Qt.KeyboardModifier
+SIGNS = [Qt.Key(ord(sign)) for sign in "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ+-= "]
+NAMED = [
+    *(_Key.Key_Left, _Key.Key_Right, _Key.Key_Up, _Key.Key_Down, _Key.Key_Home, _Key.Key_End),
+    *(_Key.Key_PageUp, _Key.Key_PageDown, _Key.Key_Return, _Key.Key_Enter, _Key.Key_Delete),
+    *(_Key.Key_Backspace, _Key.Key_Insert, _Key.Key_Escape, _Key.Key_F2),
+]
+HELD = [
+    _Held.NoModifier,
+    _Held.ShiftModifier,
+    _Held.ControlModifier,
+    _Held.AltModifier,
+    _Held.ControlModifier | _Held.ShiftModifier,
+]
+
+
+def claims(place, parent):
+    """What says of an event whether the widget takes it."""
+    if place == "hand":
+        return SiteKeys(20, parent).claims
+    if place == "inputs":
+        parent.kept = ListKeys(parent)
+        return parent.kept.claims
+    return OutputKeys(parent).claims if place == "skin" else is_ours
+
+
+@pytest.mark.parametrize("place", WIDGET_KEYS)
+def test_a_widget_takes_the_keys_that_the_table_lists(qapp, place):
+    parent = QObject()
+    takes = claims(place, parent)
+    taken = {
+        QKeySequence(held.value | key.value).toString()
+        for held in HELD
+        for key in (*SIGNS, *NAMED)
+        if takes(QKeyEvent(QEvent.Type.KeyPress, key, held))
+    }
+    listed = {key for hint in WIDGET_KEYS[place][1] for key in hint.keys}
+    assert listed <= taken
+    # Map and plots take a key with Shift or Alt for what it is without.
+    loose = place in ("skin", "plot")
+    assert {key for key in taken - listed if not loose or key.split("+", 1)[-1] not in listed} <= (
+        {"Shift++"} if loose else set()
+    )
+
+
+def test_the_keys_page_is_made_from_the_table(window):
+    window.do("show_keys")
+    words = window.findChild(QTextBrowser, "page_text").toPlainText()
+    for heading, hints in WIDGET_KEYS.values():
+        assert heading in words
+        for hint in hints:
+            assert hint.words in words
+            assert hint.means in words
