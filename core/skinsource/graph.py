@@ -176,5 +176,5 @@ def _freeze(result: Any) -> None:
 
 def _unknown(name: str, known: Iterable[str]) -> str:
     close = get_close_matches(name, list(known), n=1)
-    hint = f"; did you mean {quoted(close[0])}?" if close else ""
+    hint = f"; perhaps {quoted(close[0])} is meant" if close else ""
     return f"no rule computes {quoted(name)}{hint}"

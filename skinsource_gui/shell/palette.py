@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 _NOTHING_FOUND = "Nothing found"
-_HINT = "Try another word, such as export, limb, mute or theme; F1 shows all keys"
+_HINTS = ("Try another word, such as export, limb, mute or theme", "F1 shows all keys")
 #: Property of an action: other words by which it is found.
 KEYWORDS = "keywords"
 
@@ -85,7 +85,7 @@ class Palette(QDialog):
             self._say_nothing_found()
 
     def _say_nothing_found(self) -> None:
-        for words in (_NOTHING_FOUND, _HINT):
+        for words in (_NOTHING_FOUND, *_HINTS):
             item = QListWidgetItem(words)
             item.setFlags(Qt.ItemFlag.NoItemFlags)
             self.list.addItem(item)

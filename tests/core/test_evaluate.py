@@ -113,7 +113,7 @@ def test_results_cannot_be_written_to():
 
 
 def test_what_nothing_computes_is_refused_with_a_hint():
-    with pytest.raises(InvalidInputError, match="did you mean 'output_levels_db'"):
+    with pytest.raises(InvalidInputError, match="perhaps 'output_levels_db'"):
         ss.evaluate(scene(1), "output_level_db")
 
 

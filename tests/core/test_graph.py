@@ -136,7 +136,7 @@ def test_two_rules_of_one_name_are_refused():
 
 def test_an_unknown_quantity_is_named_with_the_nearest_known_one():
     graph = Graph(total, doubled, squared)
-    with pytest.raises(UnknownQuantity, match="no rule computes 'totl'; did you mean 'total'"):
+    with pytest.raises(UnknownQuantity, match="no rule computes 'totl'; perhaps 'total' is meant"):
         graph.evaluate(["totl"], {"number": 3})
     with pytest.raises(UnknownQuantity, match="no rule computes 'number'"):
         graph.evaluate(["total"], {})

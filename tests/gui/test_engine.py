@@ -72,7 +72,7 @@ def test_an_error_is_an_outcome_and_the_engine_goes_on(qtbot, engine, gate):
     gate.set()
     with qtbot.waitSignal(engine.finished) as first:
         engine.request(request(1, "anser"))
-    assert "did you mean 'answer'" in str(first.args[0].error)
+    assert "perhaps 'answer'" in str(first.args[0].error)
     with qtbot.waitSignal(engine.finished) as second:
         engine.request(request(1))
     assert second.args[0].values == {"answer": 10}

@@ -3,7 +3,7 @@ from PySide6.QtCore import QMargins, QRect, QSize
 from PySide6.QtWidgets import QWidget
 
 from skinsource.design import start_design
-from skinsource_gui.shell.screen_fit import fitted
+from skinsource_gui.shell.screen_fit import ScreenFit, fitted
 from skinsource_gui.shell.window import MainWindow
 
 FRAMES = [QMargins(1, 24, 1, 5), QMargins(8, 31, 8, 8), QMargins(0, 37, 0, 0)]
@@ -26,6 +26,18 @@ def test_window_and_frame_lie_on_the_screen(frame, screen, place):
 def test_a_window_that_fits_is_left_where_it_is():
     place = QRect(100, 100, 800, 500)
     assert fitted(place, SCREENS[0], FRAMES[0]) == place
+
+
+def test_a_window_too_large_for_its_screen_is_fitted_onto_it_before_it_is_shown(qtbot):
+    window = QWidget()
+    qtbot.addWidget(window)
+    window.resize(5000, 4000)
+    ScreenFit(window).guess()
+    room = window.screen().availableGeometry()
+    assert room.contains(window.geometry())
+    # There is room left for a frame, the widest part of which is above.
+    assert window.geometry().top() > room.top()
+    assert window.geometry().height() < room.height()
 
 
 @pytest.mark.parametrize("frame", FRAMES)

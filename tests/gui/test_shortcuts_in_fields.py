@@ -43,6 +43,28 @@ def test_while_typing_only_the_keys_of_texts_stay_with_the_text(field, key):
     assert not takes(field, key)
 
 
+class GreedyLine(QLineEdit):
+    """A line of text as on desktops where nearly every key with Ctrl moves in the text."""
+
+    def event(self, event):
+        if event.type() == QKeyEvent.Type.ShortcutOverride:
+            event.accept()
+            return True
+        return super().event(event)
+
+
+@pytest.mark.parametrize("key", ["Ctrl+E", "Ctrl+K", "Ctrl+D", "Ctrl+T"])
+@pytest.mark.parametrize("read_only", [True, False])
+def test_shortcuts_work_on_desktops_where_lines_of_text_want_them(window, field, key, read_only):
+    line = GreedyLine(window, readOnly=read_only)
+    line.show()
+    assert takes(line, key)
+    line.setFocus()
+    assert not takes(line, key)
+    field.setFocus()
+    assert takes(line, key)
+
+
 def test_while_typing_undo_and_copy_are_of_the_text(field):
     QTest.keyClick(field, Qt.Key.Key_F2)
     QTest.keyClicks(field, "1")

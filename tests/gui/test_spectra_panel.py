@@ -1,6 +1,7 @@
 """The spectra, as a user meets them."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -38,6 +39,13 @@ SPECTRA = {
 }
 
 
+def whose(limb):
+    """What says whose curves they are."""
+    loaded = SimpleNamespace(note="made from files of one's own")
+    design = start_design(limb)
+    return {"limb": limb, "limb_data": loaded, "scaling": "upstream", "inputs": design.inputs}
+
+
 def results_for(view, *, n_times=650, amplitude=0.5, limb="synthetic-1", silence=0):
     time_s = np.arange(n_times) / 1300
     rows = [amplitude / 10**k * np.sin(2 * np.pi * 100 * time_s) for k in range(len(view.outputs))]
@@ -48,8 +56,8 @@ def results_for(view, *, n_times=650, amplitude=0.5, limb="synthetic-1", silence
         "outputs": view.outputs,
         "axes": view.axes,
         "method": view.method,
-        "limb": limb,
         "sample_rate_hz": 1300.0,
+        **whose(limb),
     }
 
 
@@ -93,7 +101,11 @@ def click(panel, name):
 
 
 def test_what_the_panel_needs_is_computed_or_given(qapp):
-    known = {rule.__name__ for rule in RULES} | set(sources(start_design("synthetic-1"), View()))
+    known = (
+        {rule.__name__ for rule in RULES}
+        | {"limb_data"}
+        | set(sources(start_design("synthetic-1"), View()))
+    )
     assert SpectraPanel().needs <= known
 
 
@@ -260,3 +272,19 @@ def test_while_the_first_curves_are_computed_nobody_is_told_to_select_outputs(sh
     panel.show_results(results_for(LINEAR))
     assert plot_of(panel).message == ""
     assert plot_of(panel).curves is not None
+
+
+def test_files_of_the_curves_say_whose_they_are_and_how_they_were_made(show):
+    panel = show(View(method="pca", outputs=(29,), span="loudest"))
+    curves = panel.findChild(SignalView).plot.curves
+    for fact in (
+        "NOTE on the limb: made from files of one's own",
+        "limb: Synthetic 1 (175 mm), synthetic-1; scaling: Peak of each input (upstream)",
+        "axes: x, y, z (xyz); method: Principal axis (pca)",
+        "levels: RMS over the loudest 100 ms (loudest)",
+    ):
+        assert fact in curves.about
+    assert any(line.startswith("input at place 7: Tone(") for line in curves.about)
+    heading = " · ".join(curves.heading)
+    for words in ("Synthetic 1 (175 mm)", "principal axis", "peak of each input", "one's own"):
+        assert words in heading

@@ -6,9 +6,9 @@ import math
 import numpy as np
 import scipy
 
-from skinsource.choice_words import AXES, LIMBS, METHODS, SCALINGS, SPANS, word_of
 from skinsource.design import audible_inputs
 from skinsource.errors import TooInaccurateError
+from skinsource.export.description import describe_levels, describe_played, describe_projection
 from skinsource.export.exported_design import ExportedDesign
 from skinsource.rendering.check import ESTIMATE_FACTOR, N_SAMPLES, TraceError
 from skinsource.version import __version__
@@ -20,33 +20,18 @@ def about_design(exported: ExportedDesign) -> list[str]:
     lines = ["SkinSource studio"]
     if exported.limb.synthetic:
         lines.append("SYNTHETIC LIMB: computed responses, not measured ones")
-    if exported.limb.note:
-        lines.append(f"NOTE on the limb: {exported.limb.note}")
-    scaling = word_of(SCALINGS, design.scaling).both
-    lines.append(f"limb: {word_of(LIMBS, design.limb).title}, {design.limb}; scaling: {scaling}")
-    for one in design.inputs:
-        muted = ", muted" if one.muted else ""
-        solo = ", solo" if one.solo else ""
-        lines.append(
-            f"input at place {one.location}: {one.waveform}, amplitude {one.amplitude!r}, "
-            f"onset {one.onset_s!r} s{muted}{solo}"
-        )
+    lines += describe_played(design.limb, exported.limb.note, design.scaling, design.inputs)
     return lines
 
 
 def about_axes(exported: ExportedDesign) -> str:
     """Line on the axes and how they become one signal."""
-    axes, method = exported.view.axes, word_of(METHODS, exported.view.method).both
-    how = "" if len(axes) == 1 else f"; method: {method}"
-    return f"axes: {word_of(AXES, axes).both}{how}"
+    return describe_projection(exported.view.axes, exported.view.method)
 
 
 def about_levels(exported: ExportedDesign) -> str:
-    """Line on what levels are the RMS over, which every file names, also those without levels.
-
-    Who later puts a file of traces beside one of levels then sees whether they belong together.
-    """
-    return f"levels: RMS over the {word_of(SPANS, exported.view.span).both.lower()}"
+    """Line on what levels are the RMS over."""
+    return describe_levels(exported.view.span)
 
 
 def about_method(exported: ExportedDesign) -> list[str]:

@@ -20,6 +20,7 @@ from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
+from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_of
 from skinsource_gui.widgets.plot.signal_view import SignalView
 
 _NO_OUTPUTS = "Select outputs on the skin map"
@@ -93,7 +94,7 @@ class SpectraPanel(Panel):
     def needs(self) -> frozenset[str]:
         # What the words around the curves say comes with the curves.
         spectra = _QUANTITIES[self._view.span]
-        return frozenset({spectra, "span", "outputs", "axes", "method", "limb", "sample_rate_hz"})
+        return frozenset({spectra, "outputs", "sample_rate_hz"}) | NEEDS
 
     def show_state(self, design: Design, view: View) -> None:
         settings = settings_of(view, self.name, SpectraSettings)
@@ -157,7 +158,8 @@ class SpectraPanel(Panel):
                 names=output_names(results["outputs"]),
                 kind="level" if level else "amplitude",
                 scaling=_SCALINGS[span],
-                about=(f"spectrum: {_SCALINGS[span][0]}", f"limb: {results['limb']}"),
+                about=(f"spectrum: {_SCALINGS[span][0]}", *lines_of(results)),
+                heading=heading_of(results),
             ),
             synthetic=results["limb"].startswith("synthetic"),
             notes=_RECTIFIED if rectified else (),

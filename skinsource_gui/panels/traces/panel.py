@@ -17,6 +17,7 @@ from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
+from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_of
 from skinsource_gui.widgets.plot.signal_view import SignalView
 
 _NO_OUTPUTS = "Select outputs on the skin map"
@@ -76,7 +77,7 @@ class TracesPanel(Panel):
     @property
     def needs(self) -> frozenset[str]:
         # Outputs, delay and limb come with the curves: labels never belong to others.
-        drawn = {"response_time_s", "selected_traces", "outputs", "delay_removed", "limb"}
+        drawn = {"response_time_s", "selected_traces", "outputs", "delay_removed"} | NEEDS
         if self._view.method == "pca" and len(self._view.axes) > 1:
             drawn.add("selected_without_main_axis")
         return frozenset(drawn)
@@ -104,7 +105,8 @@ class TracesPanel(Panel):
             x=results["response_time_s"],
             y=results["selected_traces"],
             names=output_names(results["outputs"]),
-            about=(f"limb: {results['limb']}",),
+            about=lines_of(results),
+            heading=heading_of(results),
         )
         self._plot.show_curves(
             curves,

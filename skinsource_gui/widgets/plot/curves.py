@@ -36,6 +36,8 @@ class Curves:
         What their height means, beside its unit, longest first.
     about
         Lines that tell a table of them what they are.
+    heading
+        The same for a picture, in parts.
     """
 
     x: Floats
@@ -44,6 +46,7 @@ class Curves:
     kind: Kind = "amplitude"
     scaling: tuple[str, ...] = ()
     about: tuple[str, ...] = ()
+    heading: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if self.y.shape != (len(self.names), self.x.size) or self.x.size == 0:

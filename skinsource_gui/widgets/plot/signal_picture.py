@@ -72,21 +72,26 @@ def _copy_of(plot: Plot) -> tuple[Plot, int]:
     for item in copy.scene().items():
         # As lines and letters, not as pictures of them.
         item.setCacheMode(item.CacheMode.NoCache)
-    n_lines = len(_legend_lines(copy))
+    n_lines = len(_heading_lines(copy)) + len(_legend_lines(copy))
     return copy, ceil(n_lines * _line_px(copy)) + UNIT_PX // 2
 
 
 def _paint(painter: QPainter, plot: Plot, legend_px: int) -> None:
-    _paint_legend(painter, plot)
+    _paint_head(painter, plot)
     painter.translate(0, legend_px)
     room = QRectF(plot.rect())
     plot.scene().render(painter, room, room)
 
 
-def _paint_legend(painter: QPainter, plot: Plot) -> None:
+def _paint_head(painter: QPainter, plot: Plot) -> None:
     line_px = _line_px(plot)
     painter.setFont(plot.words_font)
-    for row, line in enumerate(_legend_lines(plot)):
+    painter.setPen(QColor(LIGHT.text))
+    heading = _heading_lines(plot)
+    for row, words in enumerate(heading):
+        room = QRectF(UNIT_PX, row * line_px, plot.width(), line_px)
+        painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, words)
+    for row, line in enumerate(_legend_lines(plot), start=len(heading)):
         middle = (row + 0.5) * line_px
         for left, rank, text in line:
             painter.setPen(QPen(LIGHT.output_colour(rank), 2))
@@ -98,6 +103,19 @@ def _paint_legend(painter: QPainter, plot: Plot) -> None:
 
 def _line_px(plot: Plot) -> float:
     return QFontMetricsF(plot.words_font).height() + 2
+
+
+def _heading_lines(plot: Plot) -> list[str]:
+    """The heading in as many lines as its parts need."""
+    metrics = QFontMetricsF(plot.words_font)
+    lines: list[str] = []
+    for part in () if plot.curves is None else plot.curves.heading:
+        longer = f"{lines[-1]} · {part}" if lines else part
+        if lines and metrics.horizontalAdvance(longer) <= plot.width() - 2 * UNIT_PX:
+            lines[-1] = longer
+        else:
+            lines.append(part)
+    return lines
 
 
 def _legend_lines(plot: Plot) -> list[list[tuple[int, int, str]]]:

@@ -1,5 +1,7 @@
 """The menu of a plot, and what it gives away."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QRectF, Qt
@@ -90,6 +92,22 @@ def test_the_picture_on_the_clipboard_is_light_large_and_has_a_legend(signals):
     # The plot on the screen stays as it is.
     assert signals.plot.theme is DARK
     assert signals.plot.crosshair.index == 100
+
+
+def test_the_heading_of_a_picture_takes_as_many_lines_as_it_needs(signals, save_to):
+    parts = ("Synthetic 1 (175 mm)", "x, y, z, principal axis", "scaling: peak of each input")
+    signals.resize(300, signals.height())
+    texts, heights = [], []
+    for heading in ((), parts):
+        signals.show_curves(replace(waves(2), heading=heading), synthetic=False)
+        path = save_to("traces.svg")
+        choose(signals, "Save picture")
+        texts.append(path.read_text())
+        heights.append(QSvgRenderer(str(path)).defaultSize().height())
+    assert heights[1] > heights[0]
+    for part in parts:
+        assert part not in texts[0]
+        assert part in texts[1]
 
 
 def test_a_picture_is_saved_as_png(signals, save_to):

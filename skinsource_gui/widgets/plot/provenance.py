@@ -1,0 +1,33 @@
+"""What curves say of themselves in files and pictures: whose they are, and how they were made."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from skinsource.choice_words import LIMBS, SCALINGS, signal_words, word_of
+from skinsource.export.description import describe_levels, describe_played, describe_projection
+
+#: What a panel has to ask for to be able to say it.
+NEEDS = frozenset({"axes", "inputs", "limb", "limb_data", "method", "scaling", "span"})
+
+
+def lines_of(results: Mapping[str, Any]) -> tuple[str, ...]:
+    """Lines for the head of a table."""
+    note, inputs = results["limb_data"].note, results["inputs"]
+    return (
+        *describe_played(results["limb"], note, results["scaling"], inputs),
+        describe_projection(results["axes"], results["method"]),
+        describe_levels(results["span"]),
+    )
+
+
+def heading_of(results: Mapping[str, Any]) -> tuple[str, ...]:
+    """Parts of the heading of a picture."""
+    played = results["inputs"]
+    parts = (
+        word_of(LIMBS, results["limb"]).title,
+        signal_words(results["axes"], results["method"]),
+        f"scaling: {word_of(SCALINGS, results['scaling']).title.lower()}",
+        f"{len(played)} {'input' if len(played) == 1 else 'inputs'}",
+    )
+    note = results["limb_data"].note
+    return (*parts, note) if note else parts
