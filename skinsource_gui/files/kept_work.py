@@ -1,6 +1,7 @@
 """Copies of unsaved work, kept when the studio is told to end and cannot ask."""
 
 import os
+from contextlib import suppress
 from pathlib import Path
 
 from skinsource.design_file import SUFFIX, open_design, save_design
@@ -69,5 +70,6 @@ class KeptWork:
         document.title_changed.connect(forget_when_saved)
 
     def discard(self, path: Path) -> None:
-        """Delete the copy ``path``."""
-        path.unlink(missing_ok=True)
+        """Delete the copy ``path``; where that is not possible, it is offered again."""
+        with suppress(OSError):
+            path.unlink()

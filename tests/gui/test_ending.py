@@ -98,6 +98,16 @@ def test_kept_work_can_be_given_up(window, kept):
     assert window.document.design.inputs[0].amplitude == 1.0
 
 
+def test_a_copy_that_cannot_be_deleted_stays_and_nothing_fails(window, kept, monkeypatch):
+    def refuse(self, *_, **__):
+        raise PermissionError(13, "Permission denied", str(self))
+
+    monkeypatch.setattr(type(kept.newest()), "unlink", refuse)
+    offer_kept(window.document, kept, window.notice, window.reports.complain)
+    choose(window, "Discard it")
+    assert kept.newest() is not None
+
+
 def test_a_kept_copy_that_is_damaged_is_told(window, kept):
     kept.newest().write_bytes(b"damaged")
     offer_kept(window.document, kept, window.notice, window.reports.complain)
