@@ -37,6 +37,15 @@ def test_shift_click_selects_all_on_the_way_from_the_last_plain_click(qtbot):
     assert bench.view.selected_inputs == (3, 2, 1)
 
 
+def test_shift_click_selects_from_the_row_that_ctrl_click_added(qtbot):
+    bench = Bench(qtbot, design_of(*range(1, 7)))
+    press_row(bench, 0)
+    press_row(bench, 1, SHIFT)
+    press_row(bench, 3, CONTROL)
+    press_row(bench, 5, SHIFT)
+    assert bench.view.selected_inputs == (4, 5, 6)
+
+
 def test_a_click_on_one_of_several_selects_it_alone(bench):
     bench.key(KEY.Key_A, CONTROL)
     assert set(bench.view.selected_inputs) == {1, 2, 3}

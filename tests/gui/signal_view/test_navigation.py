@@ -27,6 +27,17 @@ def test_the_crosshair_reads_exact_samples_and_leaves_with_the_mouse(signals):
     assert signals.legend.text.readings == ()
 
 
+def test_the_crosshair_is_drawn_at_once_where_it_reads(signals):
+    signals.show_curves(waves(2), synthetic=False)
+    crosshair, line = signals.plot.crosshair, signals.plot.stack.rows[0].line
+    for index in (130, 400):
+        crosshair.put(index)
+        assert line.isVisible()
+        assert line.value() == crosshair.position
+    crosshair.put(None)
+    assert not line.isVisible()
+
+
 def test_the_crosshair_keeps_its_place_when_data_change(signals):
     signals.show_curves(waves(2), synthetic=False)
     signals.plot.crosshair.put(130)
