@@ -6,7 +6,15 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QAbstractSlider,
+    QAbstractSpinBox,
+    QApplication,
+    QComboBox,
+    QLineEdit,
+    QVBoxLayout,
+    QWidget,
+)
 
 from skinsource.fields import ChoiceSpec
 from skinsource_gui.panels.hand.site_marker import contrast
@@ -90,3 +98,11 @@ def test_a_name_ends_in_an_ellipsis_only_where_there_is_no_room(field, qtbot):
     field.setFixedWidth(field.sizeHint().width() + 40)
     roomy = field.grab(fitting.rect().adjusted(0, 0, -30, 0)).toImage()
     assert roomy == fitting.copy(fitting.rect().adjusted(0, 0, -30, 0))
+
+
+def test_the_wheel_alone_gives_the_focus_to_nothing_that_it_would_change(window):
+    """Qt gives the focus before it delivers the wheel, which sent events do not do."""
+    for one in window.findChildren(QWidget):
+        if isinstance(one, QComboBox | QAbstractSpinBox | QLineEdit | QAbstractSlider):
+            assert not one.focusPolicy() & Qt.FocusPolicy.WheelFocus & ~Qt.FocusPolicy.StrongFocus
+    assert window.findChildren(ChoiceField)

@@ -1,10 +1,12 @@
 import pytest
 from PySide6.QtCore import QMargins, QRect, QSize
-from PySide6.QtWidgets import QWidget
+from PySide6.QtGui import QFontMetrics
+from PySide6.QtWidgets import QToolButton, QWidget
 
 from skinsource.design import start_design
 from skinsource_gui.shell.screen_fit import ScreenFit, fitted
 from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.widgets.plot.legend_strip import LegendStrip
 
 FRAMES = [QMargins(1, 24, 1, 5), QMargins(8, 31, 8, 8), QMargins(0, 37, 0, 0)]
 #: Screens in logical pixels: 1366x768, 1080p at scale 1, 1.5 and 2.
@@ -76,6 +78,28 @@ def test_text_grows_everywhere_and_comes_back(window, settle, preferences):
     window.do("reset_text")
     settle()
     assert label.fontMetrics().height() == before
+
+
+def test_rows_and_plots_have_room_for_large_words(window, settle):
+    inputs = window.panel("inputs")
+    row = inputs._rows.rows[0]
+    buttons = [one for one in window.findChildren(QToolButton) if one.isVisible() and one.text()]
+    usual = row.height()
+    for _ in range(5):
+        window.do("enlarge_text")
+    settle()
+    line = row.fontMetrics().height()
+    assert row.height() >= 2 * line > usual
+    assert row._places.name.height() >= line
+    assert row._places.figure.top() >= row._places.name.bottom()
+    assert row.amplitude.height() >= line
+    for button in buttons:
+        assert button.height() >= button.fontMetrics().height() + 6, button.text()
+    for legend in window.findChildren(LegendStrip):
+        assert legend.height() >= QFontMetrics(legend.words_font).height() > 14
+    window.do("reset_text")
+    settle()
+    assert row.height() == usual
 
 
 def test_presenting_shows_frequency_and_amplitude_in_large_words(window, settle):

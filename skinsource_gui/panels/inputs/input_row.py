@@ -113,7 +113,15 @@ class InputRow(QWidget):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        places = self._places = row_places(self.width())
+        self._lay_out()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._lay_out()
+
+    def _lay_out(self) -> None:
+        places = self._places = row_places(self.width(), self.fontMetrics().height())
         self.setFixedHeight(places.row.height())
         self.preview.setGeometry(places.preview)
         self.amplitude.setGeometry(places.amplitude)

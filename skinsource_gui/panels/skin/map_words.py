@@ -68,10 +68,12 @@ def message_place(wanted: QRectF, room: QRectF, layout: MapLayout) -> QRectF:
 
 def _side_words(content: MapContent, room_px: float, metrics: QFontMetricsF) -> str:
     side = "" if content.limb_map is None else BACK_SIDE
-    if not content.outdated:
-        return side
-    both = f"{side} · {OUTDATED_MARK}" if side else OUTDATED_MARK
-    return both if metrics.horizontalAdvance(both) <= room_px else OUTDATED_MARK
+    if content.outdated:
+        phrasings = (f"{side} · {OUTDATED_MARK}", OUTDATED_MARK) if side else (OUTDATED_MARK,)
+    else:
+        phrasings = (side, side.partition(" ")[0])
+    fitting = (words for words in phrasings if metrics.horizontalAdvance(words) <= room_px)
+    return next(fitting, phrasings[-1])
 
 
 def _paint_synthetic_mark(painter: QPainter, area: QRectF, theme: Theme) -> float:

@@ -18,6 +18,11 @@ from skinsource_gui.widgets.fields.units import (
 )
 from skinsource_gui.widgets.tooltips import tooltip
 
+#: Before a number that has more digits than are shown, and in place of one that has no room.
+ROUNDED, NO_ROOM = "≈", "…"
+# So many digits are rounded to without a mark.
+_ENOUGH_DIGITS = 3
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ShownNumber:
@@ -50,16 +55,18 @@ class ShownNumber:
         return with_unit(self.long_text, self.spec.unit)
 
     def fitting_text(self, metrics: QFontMetrics, room_px: float) -> str:
-        """With as many digits as there is room for; the first is never out of sight.
+        """With as many digits as there is room for; ≈ marks one that was rounded to 1 or 2 digits.
 
-        A number whose first digits are out of sight is another number.
+        A number whose first digits are out of sight is another number: rather none is shown.
         """
         texts = [
             minus(number_text(self.value_si, self.spec.unit, digits))
             for digits in range(SHOWN_DIGITS, 0, -1)
         ]
+        enough = SHOWN_DIGITS - _ENOUGH_DIGITS + 1
+        texts[enough:] = [f"{ROUNDED}{text}" for text in texts[enough:] if text != texts[0]]
         fitting = (text for text in texts if metrics.horizontalAdvance(text) <= room_px)
-        return next(fitting, texts[-1])
+        return next(fitting, NO_ROOM)
 
     def parsed(self, text: str) -> float | None:
         """Value of a text, in SI units; None if it is not allowed."""

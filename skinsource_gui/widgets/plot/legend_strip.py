@@ -3,13 +3,14 @@
 from dataclasses import dataclass
 
 from PySide6.QtCore import QEvent, QPointF, QRect, QSize, Qt
-from PySide6.QtGui import QColor, QFontMetrics, QHelpEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QColor, QFont, QFontMetrics, QHelpEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
+from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, scaled, tabular
 from skinsource_gui.widgets.plot.curves import CurveName
 
 STRIP_HEIGHT_PX = 20
+_TEXT, _AROUND_PX = 0.9, 7
 _SWATCH_PX = 10
 _GAP_PX = 4
 
@@ -77,11 +78,7 @@ class LegendStrip(QWidget):
         super().__init__(parent)
         self.setObjectName("legend")
         self.setAccessibleName("Curves and readings")
-        self.setFixedHeight(STRIP_HEIGHT_PX)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        font = tabular(self.font())
-        font.setPointSizeF(font.pointSizeF() * 0.9)
-        self.setFont(font)
         self._theme = LIGHT
         self._text = LegendText()
 
@@ -102,8 +99,17 @@ class LegendStrip(QWidget):
             self.setAccessibleDescription(text.lines())
             self.update()
 
+    @property
+    def words_font(self) -> QFont:
+        """Of all words; it follows the font of the studio."""
+        return scaled(tabular(self.font()), _TEXT)
+
+    def sizeHint(self) -> QSize:
+        height = QFontMetrics(self.words_font).height() + _AROUND_PX
+        return QSize(120, max(height, STRIP_HEIGHT_PX))
+
     def minimumSizeHint(self) -> QSize:
-        return QSize(120, STRIP_HEIGHT_PX)
+        return self.sizeHint()
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
@@ -115,7 +121,8 @@ class LegendStrip(QWidget):
         if not self._text.names:
             return
         painter = QPainter(self)
-        metrics = QFontMetrics(self.font())
+        painter.setFont(self.words_font)
+        metrics = QFontMetrics(self.words_font)
         detail, fitting = self._fit(metrics)
         x = UNIT_PX // 2
         for rank in range(fitting):

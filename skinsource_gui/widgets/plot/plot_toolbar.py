@@ -26,7 +26,8 @@ class PlotToolbar(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setFixedHeight(TOOLBAR_HEIGHT_PX)
+        # As high as its words need, where they are large.
+        self.setMinimumHeight(TOOLBAR_HEIGHT_PX)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
