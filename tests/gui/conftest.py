@@ -28,6 +28,15 @@ def _garbage_is_collected_in_this_thread(qapp):
 
 
 @pytest.fixture(autouse=True)
+def _words_are_as_large_as_before(qapp):
+    """Put back the font of the application, which windows with larger text change."""
+    font = qapp.font()
+    yield
+    if qapp.font() != font:
+        qapp.setFont(font)
+
+
+@pytest.fixture(autouse=True)
 def _operators_of_maps_are_built_once(tmp_path_factory, monkeypatch):
     """Share them among the tests of a run: hundreds of windows show the same map."""
     folder = tmp_path_factory.getbasetemp() / "operators"
