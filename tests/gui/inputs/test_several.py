@@ -37,6 +37,13 @@ def test_shift_click_selects_all_on_the_way_from_the_last_plain_click(qtbot):
     assert bench.view.selected_inputs == (3, 2, 1)
 
 
+def test_an_arrow_pressed_on_a_button_of_a_row_takes_the_keyboard_to_the_list(bench):
+    bench.row(0).mute.setFocus()
+    bench.key(KEY.Key_Down)
+    assert bench.rows.hasFocus()
+    assert bench.view.selected_inputs == (2,)
+
+
 def test_shift_click_selects_from_the_row_that_ctrl_click_added(qtbot):
     bench = Bench(qtbot, design_of(*range(1, 7)))
     press_row(bench, 0)
