@@ -3,7 +3,9 @@ from PySide6.QtCore import QMargins, QRect, QSize
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QToolButton, QWidget
 
+from skinsource import edits
 from skinsource.design import start_design
+from skinsource_gui.panels.inspector.input_heading import InputHeading
 from skinsource_gui.shell.screen_fit import ScreenFit, fitted
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.widgets.plot.legend_strip import LegendStrip
@@ -85,6 +87,7 @@ def test_rows_and_plots_have_room_for_large_words(window, settle):
     row = inputs._rows.rows[0]
     buttons = [one for one in window.findChildren(QToolButton) if one.isVisible() and one.text()]
     usual = row.height()
+    window.document.apply(edits.move_inputs(window.document.design, window.document.view, (1,), 3))
     for _ in range(5):
         window.do("enlarge_text")
     settle()
@@ -93,6 +96,8 @@ def test_rows_and_plots_have_room_for_large_words(window, settle):
     assert row._places.name.height() >= line
     assert row._places.figure.top() >= row._places.name.bottom()
     assert row.amplitude.height() >= line
+    heading = window.panel("inspector").findChild(InputHeading)._words
+    assert heading.fontMetrics().horizontalAdvance(heading.text()) <= heading.width()
     for button in buttons:
         assert button.height() >= button.fontMetrics().height() + 6, button.text()
     for legend in window.findChildren(LegendStrip):

@@ -1,6 +1,6 @@
 """Which input is being edited."""
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QFont, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
@@ -50,7 +50,8 @@ class InputHeading(QWidget):
         self._swatch.show_input(shown.location, shown.colour, silent=silent)
         contact = f" ({place.kind})" if place.kind else ""
         self._words.setToolTip(f"Input place {place.number}: {place.name}{contact}")
-        self._state.setText("silent" if silent else "")
+        of_whom = "last silent" if len(together) > 1 else "silent"
+        self._state.setText(of_whom if silent else "")
         self._mute.setChecked(all(one.muted for one in together))
         self._solo.setChecked(all(one.solo for one in together))
         self._fit_words()
@@ -58,6 +59,13 @@ class InputHeading(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._fit_words()
+
+    def event(self, event: QEvent) -> bool:
+        handled = super().event(event)
+        if event.type() == QEvent.Type.LayoutRequest:
+            # Larger words, in the same room.
+            self._fit_words()
+        return handled
 
     def _fit_words(self) -> None:
         if self._place is None:

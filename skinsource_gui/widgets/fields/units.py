@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from skinsource.errors import InvalidInputError
 from skinsource.fields import NumberSpec
+from skinsource_gui.widgets.fields.level_text import minus
 
 #: Significant digits of a number that is shown, and of one that is being edited.
 SHOWN_DIGITS = 6
@@ -122,11 +123,11 @@ def range_text(spec: NumberSpec) -> str:
     low, high = math.isfinite(spec.minimum), math.isfinite(spec.maximum)
     if low and high:
         lowest = number_text(spec.minimum, spec.unit)
-        return f"{lowest} to {value_text(spec.maximum, spec.unit)}"
+        return minus(f"{lowest} to {value_text(spec.maximum, spec.unit)}")
     if low:
-        return f"{value_text(spec.minimum, spec.unit)} or more"
+        return minus(f"{value_text(spec.minimum, spec.unit)} or more")
     if high:
-        return f"{value_text(spec.maximum, spec.unit)} or less"
+        return minus(f"{value_text(spec.maximum, spec.unit)} or less")
     return f"any {kind}"
 
 
@@ -155,7 +156,7 @@ def parse_number(text: str, spec: NumberSpec) -> float:
     value = _at_bound(float(Fraction(match[1].replace(",", ".")) * factor), spec)
     if not spec.minimum <= value <= spec.maximum:
         side = "low" if value < spec.minimum else "high"
-        found = with_unit(match[1], spec.unit) if not match[2] else typed
+        found = minus(with_unit(match[1], spec.unit) if not match[2] else typed)
         raise InvalidInputError(f"{spec.label}: {found} is too {side}. {allowed}")
     if spec.whole and value != int(value):
         raise InvalidInputError(f"{spec.label}: {typed} is not a whole number. {allowed}")

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
 from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.widgets.inputs.input_words import LONG_S
 from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.plot.decimation import visible_points
 
@@ -31,8 +32,13 @@ def tick_step(span: float, most: int) -> float:
     return next(decade * factor for factor in (1, 2, 5, 10, 20) if decade * factor >= least)
 
 
+def axis_unit(span_s: float) -> tuple[str, float]:
+    """Unit of the axis of a waveform of this length, and how many of them are a second."""
+    return ("s", 1.0) if span_s >= LONG_S else ("ms", 1000.0)
+
+
 class WaveformPreview(QWidget):
-    """Samples of peak 1 over their time, optionally with an axis in milliseconds."""
+    """Samples of peak 1 over their time, optionally with an axis in milliseconds, or seconds."""
 
     def __init__(self, parent: QWidget | None = None, *, axis: bool = False) -> None:
         super().__init__(parent)
@@ -159,14 +165,15 @@ class WaveformPreview(QWidget):
         painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
 
     def _paint_axis(self, painter: QPainter, plot: QRectF) -> None:
-        span_ms = self._span_s() * 1000
-        step_ms = tick_step(span_ms, int(plot.width() / _TICK_SPACING_PX))
-        unit_px = self.fontMetrics().horizontalAdvance(" ms") + 2
-        for k in range(int(span_ms / step_ms * (1 + 1e-9)) + 1):
-            x = plot.left() + k * step_ms / span_ms * plot.width()
+        unit, per_s = axis_unit(self._span_s())
+        span = self._span_s() * per_s
+        step = tick_step(span, int(plot.width() / _TICK_SPACING_PX))
+        unit_px = self.fontMetrics().horizontalAdvance(f" {unit}") + 2
+        for k in range(int(span / step * (1 + 1e-9)) + 1):
+            x = plot.left() + k * step / span * plot.width()
             painter.setPen(QPen(QColor(self._theme.grid), 1))
             painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
-            label = f"{k * step_ms:g}"
+            label = f"{k * step:g}"
             width = self.fontMetrics().horizontalAdvance(label)
             left = min(max(x - width / 2, plot.left()), plot.right() - width)
             if left + width > plot.right() - unit_px:
@@ -175,4 +182,4 @@ class WaveformPreview(QWidget):
             painter.setPen(QColor(self._theme.dim))
             painter.drawText(QPointF(left, self.height() - 5), label)
         painter.setPen(QColor(self._theme.dim))
-        painter.drawText(QPointF(plot.right() - unit_px + 2, self.height() - 5), " ms")
+        painter.drawText(QPointF(plot.right() - unit_px + 2, self.height() - 5), f" {unit}")

@@ -1,8 +1,10 @@
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
 
-from skinsource.waveforms import Impulse, Noise
+from skinsource.waveforms import Impulse, Noise, Tone
 from skinsource_gui.theme import DARK
+from skinsource_gui.widgets.inputs.input_words import duration_text
+from skinsource_gui.widgets.inputs.waveform_preview import axis_unit
 from tests.gui.inputs.bench import Bench, design_of, waveforms_of
 
 
@@ -54,3 +56,12 @@ def test_the_panel_takes_over_a_theme_and_fits_its_smallest_dock(bench):
     assert bench.panel.grab().toImage() != light
     assert bench.panel.minimumSizeHint().width() <= 300
     assert bench.panel.minimumSizeHint().height() <= 150
+
+
+def test_long_waveforms_are_told_in_seconds():
+    assert duration_text(Tone(duration_s=0.2)) == "200 ms"
+    assert duration_text(Tone(duration_s=9.5)) == "9500 ms"
+    assert duration_text(Tone(duration_s=12.25)) == "12.25 s"
+    assert duration_text(Tone(duration_s=600.0)) == "600 s"
+    assert axis_unit(0.2) == ("ms", 1000.0)
+    assert axis_unit(600.0) == ("s", 1.0)

@@ -4,6 +4,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
 from skinsource.waveforms import Noise, Tap, Tone
+from skinsource_gui.panels.inspector.input_heading import InputHeading
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.inputs.letter_button import LetterButton
 from tests.gui.inspector.bench import Bench, design_of
@@ -86,3 +87,13 @@ def test_a_list_left_open_while_its_input_goes_edits_nothing(qtbot):
     bench.show(selected_inputs=())
     box.choose("Tap")
     assert (bench.edits, bench.refusals) == ([], [])
+
+
+def test_of_several_the_heading_says_which_one_is_silent(qtbot):
+    one, other = design_of(Tone(), Tone()).inputs
+    heading = InputHeading()
+    qtbot.addWidget(heading)
+    heading.show_input(one, silent=True, together=(other, one))
+    assert heading._state.text() == "last silent"
+    heading.show_input(one, silent=True, together=(one,))
+    assert heading._state.text() == "silent"
