@@ -17,8 +17,8 @@ from skinsource_gui.widgets.frame import Frame, fitted
 PALMAR_ROWS = ((61, 62), (63, 64), (66, 65))
 
 _MARGIN_PX = 10.0
-# Above a map that is fitted there is a line for words, in lines of text: none lies on the skin.
-_WORDS = 2.0
+#: Above a map that is fitted there is a line for words, in lines of text: none lies on the skin.
+WORDS_LINES = 2.0
 # Height of a line of text at which sizes are as written here, px.
 _USUAL_LINE_PX = 14.0
 
@@ -83,7 +83,7 @@ def fitted_beside_cards(bounds: QRectF, room: QRectF, metrics: QFontMetricsF) ->
 
 def _fits(bounds: QRectF, room: QRectF, metrics: QFontMetricsF) -> tuple[Frame, Frame]:
     """The frame beside a column of cards, and the one above a row of them."""
-    top = max(_MARGIN_PX, _WORDS * metrics.height())
+    top = max(_MARGIN_PX, WORDS_LINES * metrics.height())
     inner = room.adjusted(_MARGIN_PX, top, -_MARGIN_PX, -_MARGIN_PX)
     palm, triad = palmar_size(metrics), triad_size(metrics)
     width, height = max(palm.width(), triad.width()), max(palm.height(), triad.height())
@@ -107,7 +107,7 @@ def _cards(
     else:
         at = QPointF(corner.x() - triad.width() - edge, room.bottom() - triad.height() - edge)
     triad_card = QRectF(at, triad)
-    free = room.adjusted(edge, _WORDS * metrics.height(), 0, 0)
+    free = room.adjusted(edge, WORDS_LINES * metrics.height(), 0, 0)
     return palm_card, triad_card if free.contains(triad_card) else QRectF()
 
 

@@ -7,7 +7,7 @@ from itertools import product
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QFontMetricsF
 
-from skinsource_gui.panels.skin.map_layout import MapLayout
+from skinsource_gui.panels.skin.map_layout import WORDS_LINES, MapLayout
 
 # Directions in which a label may lie from its ring, the better ones first, and how far beyond
 # the nearest place, in heights of a label.
@@ -46,12 +46,14 @@ def output_labels(
     rings = [square(QPointF(*layout.points[number - 1]), radius) for number in wanted]
     gap = 1.5 * layout.unit
     placed: list[OutputLabel] = []
+    # Words stand above the map.
+    room = layout.room.adjusted(0, WORDS_LINES * metrics.height(), 0, 0)
     for number in wanted:
         taken = [label.area.adjusted(-gap, -gap, gap, gap) for label in placed]
         free = [
             label
             for label in _candidates(number, layout, radius, metrics)
-            if layout.room.contains(label.area) and not any(map(label.area.intersects, taken))
+            if room.contains(label.area) and not any(map(label.area.intersects, taken))
         ]
         if free:
             # The first of those that cover the fewest rings.

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QRectF, QSizeF, QTimer
-from PySide6.QtGui import QColor, QImage, QPainter
+from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QApplication
 
@@ -14,8 +14,10 @@ from skinsource_gui.files.pictures import save_drawing
 from skinsource_gui.panels.skin.colour_maps import colour_indices, colour_table
 from skinsource_gui.panels.skin.field_image import FieldImage
 from skinsource_gui.panels.skin.map_content import MapContent
+from skinsource_gui.panels.skin.map_painter import small_font
 from skinsource_gui.panels.skin.map_picture import Heading, heading_of, paint_picture
 from skinsource_gui.panels.skin.map_words import message_place, paint_words
+from skinsource_gui.panels.skin.output_labels import output_labels
 from skinsource_gui.panels.skin.panel import SILENT, SkinPanel
 from skinsource_gui.panels.skin.skin_map import SkinMap
 from skinsource_gui.theme import DARK, LIGHT
@@ -314,3 +316,14 @@ def test_a_message_hides_no_output_and_no_card(window):
         assert not place.intersects(layout.triad_card)
     # Nothing is free for one that is as large as the map.
     assert message_place(room, room, layout) == room
+
+
+def test_numbers_of_outputs_lie_beside_the_words_above_the_map(window):
+    view = window.panel.map
+    metrics = QFontMetricsF(small_font(view.font()))
+    words = QRectF(0, 0, 2000, 1.7 * metrics.height())
+    for size in ((266, 576), (420, 640), (900, 500)):
+        view.resize(*size)
+        labels = output_labels(range(1, 61), view.map_layout(), 4.5, metrics)
+        assert len(labels) > 10
+        assert not any(label.area.intersects(words) for label in labels)
