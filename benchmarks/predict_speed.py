@@ -57,6 +57,7 @@ def main() -> int:
             for _ in range(rounds):
                 plain_s, expected = timed(plain, limb, drives)
                 response._remembered.cache_clear()
+                response._known_gains.cache_clear()
                 first_s, _ = timed(ss.predict, limb, drives, places)
                 later_s, found = timed(ss.predict, limb, drives, places)
                 np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)

@@ -14,7 +14,7 @@ from skinsource.errors import InvalidInputError
 from skinsource.limb import Limb, check_input_location
 from skinsource.quoting import quoted
 from skinsource.rendering.drives import active_samples
-from skinsource.rendering.gains import is_positive, unit_gains
+from skinsource.rendering.gains import GainsOfDrives, is_positive, unit_gains
 from skinsource.rendering.maxima import Peak
 from skinsource.rendering.response_spectra import ResponseSpectra
 from skinsource.rendering.segments import Blocks, Played, length_at_once
@@ -121,7 +121,7 @@ def _at_once(
     played = [forward(drive.samples, n_fft) for drive in drives]
     gains = [drive.factor for drive in drives]
     if scaling == "upstream" and not alone:
-        gains = unit_gains(drives, played, responses)
+        gains = _known_gains().of(limb, [place for _, place, _ in heard], drives, played, responses)
     weights = [1.0] if alone else [g * a for g, (_, _, a) in zip(gains, heard, strict=True)]
     weighted = [one * weight for one, weight in zip(played, weights, strict=True)]
     total = sum_of_vibrations([response.values for response in responses], weighted)
@@ -143,6 +143,11 @@ def _at_once(
 @cache
 def _remembered() -> SpectraOfLimbs:
     return SpectraOfLimbs()
+
+
+@cache
+def _known_gains() -> GainsOfDrives:
+    return GainsOfDrives()
 
 
 def _checked_drives(drives: ArrayLike) -> Floats:

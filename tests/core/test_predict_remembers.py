@@ -18,8 +18,10 @@ PLACES = range(1, 21)
 @pytest.fixture(autouse=True)
 def nothing_remembered():
     response._remembered.cache_clear()
+    response._known_gains.cache_clear()
     yield
     response._remembered.cache_clear()
+    response._known_gains.cache_clear()
 
 
 @pytest.fixture
@@ -40,6 +42,29 @@ def test_the_second_prediction_transforms_no_response_and_gives_the_same_bits(
     assert first.forward_transforms == n_inputs * (216 + 1)
     assert second.forward_transforms == n_inputs
     assert found.tobytes() == expected.tobytes()
+
+
+def test_where_one_drive_of_several_changed_only_its_maximum_is_searched_for(limb):
+    ss.predict(limb, DRIVES, PLACES)
+    changed = DRIVES.copy()
+    changed[4, 100] += 0.5
+    with counting() as again:
+        ss.predict(limb, DRIVES, PLACES)
+    with counting() as step:
+        found = ss.predict(limb, changed, PLACES)
+    assert again.search_transforms == 0
+    assert 0 < step.search_transforms <= 216
+    response._known_gains.cache_clear()
+    assert found.tobytes() == ss.predict(limb, changed, PLACES).tobytes()
+
+
+def test_the_same_drive_elsewhere_or_on_another_limb_has_a_gain_of_its_own(limb):
+    drives = np.vstack((DRIVES[0], DRIVES[0]))
+    other = ss.load_limb("synthetic-2")
+    for one, places in ((limb, (7, 3)), (other, (7, 3)), (limb, (3, 7))):
+        found = ss.predict(one, drives, places)
+        response._known_gains.cache_clear()
+        assert found.tobytes() == ss.predict(one, drives, places).tobytes()
 
 
 def test_one_input_alone_is_transformed_back_once(limb):

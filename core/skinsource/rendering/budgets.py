@@ -25,3 +25,5 @@ TOTAL_BYTES = (
 #: What `skinsource.predict` remembers, beside all of that: twice what twenty places take for
 #: stimuli of one second.
 PREDICT_BYTES = 128 * _MIB
+#: Gains that it remembers.
+PREDICT_GAINS_BYTES = 1 * _MIB

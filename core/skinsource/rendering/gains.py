@@ -2,7 +2,9 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from hashlib import sha256
 from sys import getsizeof
+from threading import Lock
 from weakref import ref
 
 import numpy as np
@@ -12,7 +14,7 @@ from skinsource.chain import Drive
 from skinsource.job import Stop, never
 from skinsource.limb import Limb
 from skinsource.rendering.bounds import rounding_bound
-from skinsource.rendering.budgets import GAINS_BYTES
+from skinsource.rendering.budgets import GAINS_BYTES, PREDICT_GAINS_BYTES
 from skinsource.rendering.drives import Drives
 from skinsource.rendering.maxima import Peak, peaks_of
 from skinsource.rendering.memory import Memory
@@ -64,6 +66,48 @@ class Sounding:
     unit: UnitVoice
     drive: Drive
     response: ResponseSpectrum
+
+
+class GainsOfDrives:
+    """Gains of any samples at places of limbs, for scripts: in bounded memory, for all threads."""
+
+    def __init__(self) -> None:
+        self._known = Memory[float](PREDICT_GAINS_BYTES, getsizeof)
+        self._lock = Lock()
+
+    def of(
+        self,
+        limb: Limb,
+        places: Sequence[int],
+        drives: Sequence[Drive],
+        spectra: Sequence[Complexes],
+        responses: Sequence[ResponseSpectrum],
+    ) -> list[float]:
+        """Gain of each drive at its place; arguments as those of `unit_gains`."""
+        keys = [
+            (
+                ref(limb),
+                place,
+                response.n_fft,
+                drive.factor,
+                sha256(drive.samples.tobytes()).digest(),
+            )
+            for place, drive, response in zip(places, drives, responses, strict=True)
+        ]
+        with self._lock:
+            known = {key: gain for key in keys if (gain := self._known.find(key)) is not None}
+        missing = {key: k for k, key in enumerate(keys) if key not in known}
+        new = list(missing.values())
+        if new:
+            found = unit_gains(
+                [drives[k] for k in new], [spectra[k] for k in new], [responses[k] for k in new]
+            )
+            known |= zip(missing, found, strict=True)
+            with self._lock:
+                for key in missing:
+                    if self._known.find(key) is None:
+                        self._known.add(key, known[key])
+        return [known[key] for key in keys]
 
 
 class Gains:
