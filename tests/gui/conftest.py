@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
+from PySide6.QtGui import QCursor
 from PySide6.QtWidgets import QApplication
 
 from skinsource.catalogue import available_limbs
@@ -28,8 +29,9 @@ def _garbage_is_collected_in_this_thread(qapp):
 
 
 @pytest.fixture(autouse=True)
-def _words_are_as_large_as_before(qapp):
-    """Put back the font of the application, which windows with larger text change."""
+def _every_test_finds_the_same_desk(qapp):
+    """Put the pointer into a corner, and back the font that windows with larger text change."""
+    QCursor.setPos(0, 0)
     font = qapp.font()
     yield
     if qapp.font() != font:
