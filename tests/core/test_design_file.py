@@ -238,7 +238,7 @@ WRONG = {
     r"Tone\.frequency_hz is 0": ("waveform", {"kind": "Tone", "frequency_hz": 0.0}),
     r"Tone\.window is 'hann'": ("waveform", {"kind": "Tone", "window": "hann"}),
     r"Input\.location is 0": ("location", 0),
-    r"Input\.location is 'xxxx.{70,80}…, expected": ("location", "x" * 10**6),
+    r"Input\.location is 'nnnn.{70,80}…, expected": ("location", "n" * 10**6),
     r"Input\.muted is 1": ("muted", 1),
     r"Input\.colour is True": ("colour", True),
     r"Input\.amplitude is \[1.0, 2.0\]": ("amplitude", [1.0, 2.0]),
