@@ -1,0 +1,122 @@
+"""Levels over the loudest 100 ms: what of a tone they do not depend on, at every place and output.
+
+The limb passes frequencies on unequally: within 20 Hz of 100 Hz a far output may lose 25 dB. What
+the ramps of a tone spread beside its frequency can so be more, far away, than the tone itself.
+Ramps that stay as they are make a level that stays as it is. The ramps of a Tukey window are an
+eighth of the tone: with its length the stimulus itself changes, and far away so does the level.
+"""
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+import pytest
+
+from skinsource.limb import Limb
+from skinsource.projection import project_axes
+from skinsource.response import predict
+from skinsource.signals import sinusoid
+from skinsource.spectra import rms
+from skinsource.synthetic import load_synthetic_limb
+
+PROMISES = {
+    "i onset": (
+        "Loudest 100 ms of tones of 100, 250 and 600 Hz at every place, all outputs: "
+        "change with the onset, magnitude and z, dB",
+        1e-9,
+    ),
+    "i onset axis": ("The same along the main axis, down to 60 dB below the loudest: dB", 1e-6),
+    "i length": (
+        "The same tones with ramps of 25 ms, down to 60 dB below the loudest: "
+        "change from 0.2 to 3 s of length, magnitude and z, dB",
+        0.5,
+    ),
+    "i length axis": ("The same along the main axis, down to 40 dB below the loudest: dB", 0.5),
+    "i tapered": ("The same tones with a Tukey window, down to 5 dB below the loudest: dB", 0.5),
+    "i tapered far": ("The same down to 20 dB below the loudest: dB", 1.0),
+}
+FREQUENCIES_HZ = (100.0, 250.0, 600.0)
+LENGTHS_S = (0.2, 0.5, 3.0)
+PLACES = range(1, 21)
+RAMP_S = 0.025
+METHODS = {"magnitude": ("xyz", "mag"), "z": ("z", "mag"), "axis": ("xyz", "pca")}
+
+
+@pytest.fixture(scope="module")
+def limb() -> Limb:
+    return load_synthetic_limb(1)
+
+
+def tapered(frequency_hz: float, duration_s: float) -> np.ndarray:
+    return sinusoid(frequency_hz, duration_s, window_name="tukey")
+
+
+def ramped(frequency_hz: float, duration_s: float) -> np.ndarray:
+    tone = sinusoid(frequency_hz, duration_s)
+    from_start = (np.arange(tone.size) + 0.5) / 1300.0
+    nearest_end = np.minimum(from_start, from_start[::-1])
+    return tone * np.sin(0.5 * np.pi * np.minimum(nearest_end / RAMP_S, 1.0)) ** 2
+
+
+def levels_db(limb: Limb, place: int, drives: list[np.ndarray]) -> dict[str, np.ndarray]:
+    """Loudest levels by each method, (n_drives, n_outputs)."""
+    found = {how: np.empty((len(drives), limb.n_outputs)) for how in METHODS}
+    for k, drive in enumerate(drives):
+        moved = predict(limb, drive[None], [place], [1.0], "relative")
+        for how, (axes, method) in METHODS.items():
+            found[how][k] = 20.0 * np.log10(rms(project_axes(moved, axes, method), "loudest"))
+    return found
+
+
+def changes(levels: np.ndarray, down_to_db: float) -> float:
+    """Largest change of any output that is heard so well; of how many is for the caller to ask."""
+    heard = levels[-1] >= levels[-1].max() - down_to_db
+    return float(np.ptp(levels[:, heard], axis=0).max())
+
+
+def of_lengths(
+    limb: Limb, tone: Callable[[float, float], np.ndarray]
+) -> Iterator[dict[str, np.ndarray]]:
+    for frequency_hz in FREQUENCIES_HZ:
+        drives = [tone(frequency_hz, length_s) for length_s in LENGTHS_S]
+        for place in PLACES:
+            yield levels_db(limb, place, drives)
+
+
+def test_no_level_changes_with_the_onset(limb, noted):
+    for frequency_hz in FREQUENCIES_HZ:
+        tone = tapered(frequency_hz, 0.2)
+        later = [np.concatenate((np.zeros(n), tone)) for n in (0, 77, 1300)]
+        for place in PLACES:
+            found = levels_db(limb, place, later)
+            for how in ("magnitude", "z"):
+                noted("i onset", changes(found[how], np.inf))
+            noted("i onset axis", changes(found["axis"], 60.0))
+
+
+def test_no_level_changes_with_the_length_of_a_tone_whose_ramps_stay(limb, noted):
+    for found in of_lengths(limb, ramped):
+        for how in ("magnitude", "z"):
+            noted("i length", changes(found[how], 60.0))
+        noted("i length axis", changes(found["axis"], 40.0))
+
+
+def test_levels_change_little_with_the_length_of_a_tone_whose_ramps_grow(limb, noted):
+    for found in of_lengths(limb, tapered):
+        for levels in found.values():
+            noted("i tapered", changes(levels, 5.0))
+            noted("i tapered far", changes(levels, 20.0))
+
+
+def test_where_levels_change_most_the_limb_passes_on_what_lies_beside_the_tone(limb):
+    impulse = predict(limb, np.ones((1, 1)), [3], [1.0], "relative")[:, 2]
+    around_hz = np.array([80.0, 100.0, 120.0])
+    turns = np.outer(np.arange(impulse.shape[1]), around_hz) / 1300.0
+    power = np.abs(impulse @ np.exp(-2j * np.pi * turns)) ** 2
+    short, long = levels_db(limb, 3, [tapered(100.0, 0.2), tapered(100.0, 3.0)])["z"]
+    np.testing.assert_allclose(long, 10.0 * np.log10(0.5 * power[:, 1]), atol=0.1)
+    # How much louder 80 and 120 Hz are than the 100 Hz between them.
+    beside_db = 10.0 * np.log10(power[:, [0, 2]].mean(axis=1) / power[:, 1])
+    louder_db = short - long
+    assert louder_db[beside_db < 0.2].max() < 0.1
+    assert louder_db[beside_db > 10.0].min() > 0.7
+    assert np.corrcoef(louder_db, beside_db)[0, 1] > 0.9
