@@ -1,0 +1,29 @@
+"""Recipes of what is done to samples of a waveform.
+
+An effect is a frozen dataclass with fields from `skinsource.fields`, among them the switch `on`,
+and everything that `Effect` names; what keeps the time takes that from `KeepsTime`.  To add one:
+write a file beside these, and name its class in `EFFECTS`.
+"""
+
+from skinsource.effects.effect import ON, Effect, KeepsTime, own_duration_s
+from skinsource.effects.playing import played, played_s
+
+#: Every effect, in the order in which a user meets them.
+EFFECTS: tuple[type[Effect], ...] = ()
+
+
+def effect_kinds() -> tuple[type[Effect], ...]:
+    """Every effect that there is now; whoever needs them asks when he does."""
+    return EFFECTS
+
+
+__all__ = [
+    "EFFECTS",
+    "ON",
+    "Effect",
+    "KeepsTime",
+    "effect_kinds",
+    "own_duration_s",
+    "played",
+    "played_s",
+]
