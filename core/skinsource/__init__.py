@@ -24,6 +24,7 @@ from skinsource.errors import SkinSourceError
 from skinsource.evaluation import evaluate
 from skinsource.limb import Limb, LimbMap
 from skinsource.projection import project_axes
+from skinsource.resampling import resample
 from skinsource.response import predict
 from skinsource.signals import impulse, sinusoid, tap, white_noise, window
 from skinsource.spectra import magnitude_spectrum, peak_hold_spectrum, rms
@@ -51,6 +52,7 @@ __all__ = [
     "peak_hold_spectrum",
     "predict",
     "project_axes",
+    "resample",
     "rms",
     "save_design",
     "sinusoid",

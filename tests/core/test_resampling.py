@@ -1,0 +1,226 @@
+"""`ss.resample` against the band-limited signal itself, in high precision."""
+
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import skinsource as ss
+from skinsource import resampling
+
+PAIRS = [
+    *((1300, rate) for rate in (2000, 8000, 44_100, 48_000, 96_000, 192_000, 1301, 47_999)),
+    *((rate, 1300) for rate in (2000, 8000, 44_100, 48_000, 96_000, 192_000, 1301, 44_101)),
+    (44_100, 48_000),
+    (48_000, 44_100),
+    (1210, 1300),
+    (1300, 1210),
+]
+PHASE = 0.3
+# Away from the ends, where a tone that is cut off hard rings: for 46 ms; between rates close to
+# 1200 Hz, where the filter is steeper, ten times as long.
+MARGIN_S, STEEP_MARGIN_S = 0.06, 0.5
+
+
+def tone(frequency_hz, rate_hz, n):
+    return ss.sinusoid(frequency_hz, n / rate_hz, phase_rad=PHASE, sample_rate_hz=rate_hz)
+
+
+def converted_tone(frequency_hz, from_hz, to_hz):
+    """A tone at another rate: its instants in the middle, and its samples there."""
+    margin_s = STEEP_MARGIN_S if min(from_hz, to_hz) < 1300 else MARGIN_S
+    n = int((0.1 + 2.0 * margin_s) * from_hz)
+    found = ss.resample(tone(frequency_hz, from_hz, n), from_hz, to_hz)
+    start, end = int(margin_s * to_hz), int((0.1 + margin_s) * to_hz)
+    return np.arange(start, end), found[start:end]
+
+
+def exact(frequency_hz, rate_hz, places):
+    """The tone in 40 digits, rounded once."""
+    with mpmath.workdps(40):
+        turn = 2 * mpmath.pi * frequency_hz / rate_hz
+        return np.array([float(mpmath.sin(turn * int(k) + mpmath.mpf(PHASE))) for k in places])
+
+
+def decibels(ratio):
+    return 20.0 * np.log10(ratio)
+
+
+@pytest.mark.parametrize(("from_hz", "to_hz"), PAIRS)
+def test_tones_of_the_band_keep_size_and_phase(from_hz, to_hz):
+    for frequency in (25, 250, 500, 600):
+        places, found = converted_tone(frequency, from_hz, to_hz)
+        some = np.linspace(0, len(places) - 1, 60).astype(int)
+        expected = exact(frequency, to_hz, places[some])
+        error = found[some] - expected
+        assert decibels(np.sqrt(2.0 * np.mean(error**2))) < -130.0
+        # Least squares with a sine and a cosine: gain, and phase.
+        turn = 2.0 * np.pi * ((places * frequency) % to_hz) / to_hz + PHASE
+        basis = np.stack((np.sin(turn), np.cos(turn)), axis=1)
+        (in_phase, across), *_ = np.linalg.lstsq(basis, found, rcond=None)
+        assert abs(decibels(np.hypot(in_phase, across))) < 1e-5
+        assert abs(np.arctan2(across, in_phase)) < 1e-6
+
+
+@pytest.mark.parametrize("from_hz", [2000, 8000, 44_100, 48_000, 192_000, 44_101])
+def test_what_lies_above_the_band_does_not_fold_into_it(from_hz):
+    for frequency in (700, 900, 2500, 3900):
+        if frequency < from_hz / 2:
+            _, found = converted_tone(frequency, from_hz, 1300)
+            assert decibels(np.sqrt(2.0 * np.mean(found**2))) < -130.0
+
+
+def test_what_lies_in_the_transition_folds_only_above_the_band():
+    for frequency in (630, 660, 690):
+        found = ss.resample(tone(frequency, 48_000, 48_000), 48_000, 1300)[100:1200]
+        window = np.blackman(len(found))
+        spectrum = 2.0 * np.abs(np.fft.rfft(found * window, 13_000)) / window.sum()
+        at_hz = np.arange(len(spectrum)) * 0.1
+        assert spectrum[at_hz > 600].max() > 1e-4
+        assert decibels(spectrum[(at_hz >= 25) & (at_hz <= 595)].max()) < -80.0
+
+
+@pytest.mark.parametrize(("from_hz", "to_hz"), [(1300, 48_000), (48_000, 1300), (8000, 44_101)])
+def test_a_burst_is_the_burst_at_the_other_instants(from_hz, to_hz):
+    # A Gaussian of 20 ms at 250 Hz: what lies above 600 Hz is below 1e-300.
+    def burst(rate_hz, n):
+        time = np.arange(n) / rate_hz - 0.25
+        return np.exp(-0.5 * (time / 0.02) ** 2) * np.cos(2.0 * np.pi * 250.0 * time)
+
+    found = ss.resample(burst(from_hz, from_hz // 2), from_hz, to_hz)
+    assert np.abs(found - burst(to_hz, len(found))).max() < 1e-7
+    assert np.argmax(found) == to_hz // 4
+
+
+@pytest.mark.parametrize("rate_hz", [2000, 8000, 44_100, 48_000, 96_000, 192_000, 1777])
+def test_there_and_back_is_where_it_began(rate_hz):
+    rng = np.random.default_rng(5)
+    places = np.arange(2600)
+    signal = np.zeros(2600)
+    for frequency in rng.uniform(25.0, 600.0, 30):
+        signal += np.sin(2.0 * np.pi * frequency * places / 1300.0 + rng.uniform(0.0, 6.0))
+    signal *= np.exp(-0.5 * ((places - 1300) / 200.0) ** 2)
+    back = ss.resample(ss.resample(signal, 1300, rate_hz), rate_hz, 1300)
+    assert len(back) >= 2600
+    error = back[:2600] - signal
+    assert decibels(np.abs(error).max() / np.abs(signal).max()) < -115.0
+
+
+@given(
+    n=st.integers(0, 700),
+    from_hz=st.integers(1, 100_000),
+    to_hz=st.integers(1, 100_000),
+)
+@settings(max_examples=40, deadline=None)
+def test_the_length_is_that_of_the_time_rounded_up(n, from_hz, to_hz):
+    if n * to_hz > 1e6 * from_hz:
+        n = 1
+    found = ss.resample(np.ones(n), from_hz, to_hz)
+    assert len(found) == -(-n * to_hz // from_hz)
+    assert np.isfinite(found).all()
+
+
+@pytest.mark.parametrize("n", [1, 12, 13, 522])
+def test_short_signals_are_the_sum_of_the_kernels_of_their_samples(n):
+    rng = np.random.default_rng(n)
+    signal = rng.standard_normal(n)
+    whole = ss.resample(signal, 1300, 8000)
+    parts = sum(ss.resample(signal[k] * (np.arange(n) == k), 1300, 8000) for k in range(n))
+    np.testing.assert_allclose(whole, parts, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize(("from_hz", "to_hz"), [(1300, 48_000), (1300, 2600), (2600, 1300)])
+def test_a_single_sample_peaks_at_its_own_time(from_hz, to_hz):
+    n = 521
+    for place in (0, n - 1, 260):  # they lie on samples of all these rates
+        signal = np.zeros(n)
+        signal[place] = 1.0
+        found = ss.resample(signal, from_hz, to_hz)
+        assert np.argmax(found) == round(place * to_hz / from_hz)
+        assert found.max() == pytest.approx(min(1.0, to_hz / from_hz), rel=1e-4)
+        # Symmetric about that time, as far as both sides last.
+        at = np.argmax(found)
+        reach = min(at, len(found) - 1 - at, 50)
+        np.testing.assert_allclose(
+            found[at : at + reach + 1], found[at - reach : at + 1][::-1], rtol=0, atol=1e-12
+        )
+
+
+def test_a_step_settles_at_one():
+    found = ss.resample(np.ones(2600), 1300, 48_000)
+    assert np.abs(found[10_000:-10_000] - 1.0).max() < 1e-7
+
+
+def test_equal_rates_give_the_same_bits():
+    signal = np.random.default_rng(0).standard_normal((2, 3000))
+    found = ss.resample(signal, 48_000, 48_000)
+    np.testing.assert_array_equal(found, signal)
+    assert found is not signal
+
+
+@pytest.mark.parametrize(("from_hz", "to_hz"), [(1300, 48_000), (44_100, 1300), (48_000, 44_100)])
+def test_blocks_leave_no_seam(from_hz, to_hz, monkeypatch):
+    signal = np.random.default_rng(1).standard_normal(20_000)
+    whole = ss.resample(signal, from_hz, to_hz)
+    monkeypatch.setattr(resampling, "_BLOCK", 3000)
+    np.testing.assert_allclose(ss.resample(signal, from_hz, to_hz), whole, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize(("from_hz", "to_hz"), [(1300, 2001), (1999, 1300), (1210, 1300)])
+def test_weights_computed_one_by_one_are_those_of_the_filter(from_hz, to_hz, monkeypatch):
+    signal = np.random.default_rng(1).standard_normal((2, 3000))
+    whole = ss.resample(signal, from_hz, to_hz)
+    monkeypatch.setattr(resampling, "_LONGEST_FILTER", 0)
+    monkeypatch.setattr(resampling, "_BLOCK", 20_000)
+    np.testing.assert_allclose(ss.resample(signal, from_hz, to_hz), whole, rtol=0, atol=1e-12)
+
+
+def test_signals_side_by_side_are_converted_one_by_one():
+    signals = np.random.default_rng(2).standard_normal((2, 3, 400))
+    found = ss.resample(signals, 1300, 44_100)
+    assert found.shape == (2, 3, -(-400 * 44_100 // 1300))
+    np.testing.assert_allclose(found[1, 2], ss.resample(signals[1, 2], 1300, 44_100), atol=1e-14)
+
+
+def test_float32_counts_as_the_numbers_it_holds():
+    signal = np.random.default_rng(2).standard_normal(4000).astype(np.float32)
+    np.testing.assert_array_equal(
+        ss.resample(signal, 48_000, 1300), ss.resample(signal.astype(float), 48_000, 1300)
+    )
+
+
+def test_a_ratio_need_not_be_one_of_whole_hertz():
+    n, rate = 2000, 1333.5
+    signal = np.sin(2.0 * np.pi * 100.0 * np.arange(n) / rate)
+    found = resampling.by_ratio(signal, Fraction(13_000, 13_335), 1300)
+    time = np.arange(len(found)) / 1300.0
+    middle = (time > 0.5) & (time < 1.0)
+    assert np.abs(found - np.sin(2.0 * np.pi * 100.0 * time))[middle].max() < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("samples", "rates", "words"),
+    [
+        ([0.0, np.nan, 1.0], (1300, 48_000), r"nan at index \(1,\)"),
+        ([0.0, np.inf], (1300, 1300), "index"),
+        ([1.0], (1300.5, 48_000), "from_hz"),
+        ([1.0], (1300, 0), "to_hz"),
+        (1.0, (1300, 48_000), "single number"),
+        ([1j], (1300, 48_000), "complex"),
+        (np.ones(1000), (1, 10_000_000), "take a part"),
+    ],
+)
+def test_what_cannot_be_converted_is_refused(samples, rates, words):
+    with pytest.raises(ss.errors.InvalidInputError, match=words):
+        ss.resample(samples, *rates)
+
+
+def test_the_place_of_a_bad_sample_is_told_in_any_block(monkeypatch):
+    monkeypatch.setattr(resampling, "_BLOCK", 2000)
+    signals = np.zeros((2, 5000))
+    signals[1, 4321] = np.inf
+    with pytest.raises(ss.errors.InvalidInputError, match=r"index \(1, 4321\)"):
+        ss.resample(signals, 1300, 2600)
