@@ -8,6 +8,7 @@ from typing import Literal, get_args
 
 import numpy as np
 import scipy
+from numpy.typing import NDArray
 
 from skinsource.arguments import (
     finite_array,
@@ -20,21 +21,23 @@ from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
 from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.quoting import quoted
+from skinsource.sampling import shift_of, turns
 
 WindowName = Literal["none", "tukey", "hanning"]
 WINDOWS: tuple[WindowName, ...] = get_args(WindowName)
 
 #: Share of a Tukey window that is taper, as upstream.
 TUKEY_TAPER = 0.25
-#: Samples of the upstream tap.
+#: Samples of the upstream tap, at 1300 Hz.
 TAP_SAMPLES = 21
+#: Its length, in s, at any rate.
+TAP_S = TAP_SAMPLES / SAMPLE_RATE_HZ
 #: The measured band of the impulse responses.
 BAND_HZ = (25.0, 600.0)
 
 #: Samples of the longest signal that is made: a day at 1300 Hz takes 0.9 GB.
 MAX_SAMPLES = 120_000_000
 
-_PHASE_BLOCK = 256
 _LARGEST_SEED = 2**128 - 1
 
 
@@ -67,17 +70,39 @@ def window(name: WindowName, n: int) -> Floats:
     """
     one_of("window", name, WINDOWS)
     n = whole_number("n", n, 0, MAX_SAMPLES)
+    return window_at(name, np.arange(n), n)
+
+
+def window_at(name: WindowName, position: NDArray[np.floating | np.integer], n: int) -> Floats:
+    """A window of ``n`` samples at any place within it, of the shape of ``position``.
+
+    Parameters
+    ----------
+    name, n
+        As of `window`.
+    position
+        In samples, 0 up to ``n``, the end of the last one.
+    """
     if name == "hanning":
-        return 0.5 * (1.0 - np.cos(2.0 * np.pi * np.arange(1, n + 1) / (n + 1)))
-    samples = np.ones(n)
+        return 0.5 * (1.0 - np.cos(2.0 * np.pi * (position + 1) / (n + 1)))
+    samples = np.ones(position.shape)
     if name == "tukey" and n > 1:
         # The taper lies over the first and last eighth of the time from 0 to 1.
-        time = np.arange(n) / (n - 1)
-        from_end = np.minimum(time, 1.0 - time)
+        time = position / (n - 1)
+        from_end = np.maximum(np.minimum(time, 1.0 - time), 0.0)
         tapered = from_end < TUKEY_TAPER / 2.0
         phase = 2.0 * np.pi / TUKEY_TAPER * (from_end[tapered] - TUKEY_TAPER / 2.0)
         samples[tapered] = 0.5 * (1.0 + np.cos(phase))
     return samples
+
+
+def _window_between(name: WindowName, n: int, shift: float) -> Floats:
+    """A window that starts ``shift`` of a sample late; 0 before it."""
+    if not shift:
+        return window(name, n)
+    between = window_at(name, np.arange(n + 1) - shift, n)
+    between[0] = 0.0
+    return between
 
 
 def sinusoid(
@@ -87,11 +112,13 @@ def sinusoid(
     phase_rad: float = 0.0,
     window_name: WindowName = "none",
     sample_rate_hz: float = SAMPLE_RATE_HZ,
+    shift_s: float = 0.0,
 ) -> Floats:
     """A windowed sine burst of peak 1, (n,).
 
     The phase is reduced to one turn in exact arithmetic, so that the error does not grow with
-    time (below 1e-12 at one hour).
+    time (below 1e-12 at one hour).  With a shift, less than one sample, burst and window start
+    that much later, and take one sample more.
 
     Raises
     ------
@@ -107,26 +134,30 @@ def sinusoid(
             f"frequency_hz is {frequency:g}, expected 0 to {rate_hz / 2:g} Hz (half the sample "
             f"rate of {rate_hz:g} Hz); a higher tone would alias"
         )
-    n = sample_count(duration_s, sample_rate_hz)
-    # Turns per sample as a fraction of whole numbers; dividing those rounds once.
-    (hz, per_hz), (rate, per_rate) = (value.as_integer_ratio() for value in (frequency, rate_hz))
-    above, below = hz * per_rate, per_hz * rate
-    starts = [k * above % below / below for k in range(0, n, _PHASE_BLOCK)]
-    within = np.arange(_PHASE_BLOCK) * (above / below)
-    turns = np.add.outer(np.array(starts), within).ravel()[:n]
-    samples = np.sin(2.0 * np.pi * turns + phase)
-    if window_name != "none":
-        samples *= window(window_name, n)
+    shift = shift_of(shift_s, rate_hz)
+    n = sample_count(duration_s, rate_hz)
+    samples = np.sin(2.0 * np.pi * turns(frequency, n + (shift > 0.0), rate_hz, shift) + phase)
+    if window_name != "none" or shift:
+        samples *= _window_between(window_name, n, shift * rate_hz)
     return samples
 
 
-def tap(time_s: float = 0.0, *, sample_rate_hz: float = SAMPLE_RATE_HZ) -> Floats:
-    """The upstream tap: a 21-sample Hanning pulse that starts at ``time_s``, (n,).
+def tap(
+    time_s: float = 0.0, *, sample_rate_hz: float = SAMPLE_RATE_HZ, shift_s: float = 0.0
+) -> Floats:
+    """The upstream tap: a Hanning pulse of 16.2 ms that starts at ``time_s``, (n,).
 
-    Its peak comes ten samples after its start.  At 1300 Hz the pulse is 16.2 ms long.
+    At 1300 Hz it is 21 samples long, and its peak comes ten samples after its start.  At other
+    rates, and with a shift of less than one sample, the same pulse is sampled at other instants:
+    0.5 (1 - cos(2 pi (t + h) / (22 h))) for 0 <= t < 21 h, where h is 1/1300 s.
     """
+    shift = shift_of(shift_s, sample_rate_hz)
     silence = np.zeros(sample_count(time_s, sample_rate_hz))
-    return np.concatenate((silence, window("hanning", TAP_SAMPLES)))
+    n = sample_count(TAP_S, sample_rate_hz) + (shift > 0.0)
+    position = (np.arange(n) - shift * sample_rate_hz) * (SAMPLE_RATE_HZ / sample_rate_hz)
+    pulse = window_at("hanning", position, TAP_SAMPLES)
+    pulse[(position < 0.0) | (position >= TAP_SAMPLES)] = 0.0
+    return np.concatenate((silence, pulse))
 
 
 def impulse(
@@ -135,7 +166,10 @@ def impulse(
     *,
     sample_rate_hz: float = SAMPLE_RATE_HZ,
 ) -> Floats:
-    """A single sample of 1 at ``time_s``, (n,); the result ends there unless given a duration."""
+    """A single sample of 1 at ``time_s``, (n,); the result ends there unless given a duration.
+
+    It is one sample at any rate, so its energy depends on the rate: half the rate, twice the area.
+    """
     at = sample_count(time_s, sample_rate_hz)
     n = at + 1 if duration_s is None else sample_count(duration_s, sample_rate_hz)
     if at >= n:
@@ -154,11 +188,14 @@ def white_noise(
     band_hz: tuple[float, float] = BAND_HZ,
     window_name: WindowName = "none",
     sample_rate_hz: float = SAMPLE_RATE_HZ,
+    shift_s: float = 0.0,
 ) -> Floats:
     """Gaussian noise, flat within a band and nothing outside it, of peak 1, (n,).
 
     The same seed gives the same noise everywhere; it is not MATLAB's noise of that seed.  A
     window other than ``"none"`` widens the spectrum: some of the noise then lies outside the band.
+    With a shift, less than one sample, the same sum of waves is sampled that much earlier in its
+    own time, one sample more of it; between its samples it may go beyond 1.
 
     Raises
     ------
@@ -175,6 +212,7 @@ def white_noise(
         )
     low, high = band.tolist()
     seed = whole_number("seed", seed, 0, _LARGEST_SEED)
+    shift = shift_of(shift_s, rate_hz)
     n = sample_count(duration_s, sample_rate_hz)
     spectrum = scipy.fft.rfft(np.random.default_rng(seed).standard_normal(n)) if n else np.zeros(0)
     frequency_hz = np.arange(len(spectrum)) * rate_hz / max(n, 1)
@@ -187,4 +225,8 @@ def white_noise(
     samples = scipy.fft.irfft(spectrum, n) if n else np.zeros(0)
     samples *= window(window_name, n)
     peak = np.abs(samples).max(initial=0.0)
+    if n and shift:
+        # The waves go on for ever, and repeat after n samples.
+        samples = scipy.fft.irfft(spectrum * np.exp(-2j * np.pi * shift * frequency_hz), n)
+        samples = np.append(samples, samples[0]) * _window_between(window_name, n, shift * rate_hz)
     return samples / peak if peak > 0 else samples

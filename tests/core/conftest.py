@@ -187,7 +187,7 @@ class Sampled(Impulse):
         """Length."""
         return self.given.size / 1300
 
-    def samples(self, sample_rate_hz: float) -> np.ndarray:
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> np.ndarray:
         """Return what was given."""
         return self.given
 

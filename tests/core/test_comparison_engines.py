@@ -107,7 +107,7 @@ def test_each_run_draws_what_is_edited_and_nothing_else(changed, drawn, monkeypa
     scene = replace(scene_of("S7"), players=scene_of("S7").players[:6], changed=changed)
     asked = []
 
-    def samples(noise, sample_rate_hz):
+    def samples(noise, sample_rate_hz, shift_s=0.0):
         asked.append(noise.seed)
         return noise.drive
 

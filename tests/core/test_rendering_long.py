@@ -141,8 +141,8 @@ class Broken(Tone):
 
     __slots__ = ()
 
-    def samples(self, sample_rate_hz: float) -> np.ndarray:
-        found = Tone.samples(self, sample_rate_hz).copy()
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> np.ndarray:
+        found = Tone.samples(self, sample_rate_hz, shift_s).copy()
         found[17] = np.nan
         return found
 

@@ -47,7 +47,7 @@ class MadeUpNoise(Noise):
     edition: int
     drive: NDArray[np.float64] = field(compare=False, repr=False)
 
-    def samples(self, sample_rate_hz: float) -> NDArray[np.float64]:
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,)."""
         return self.drive
 

@@ -27,7 +27,7 @@ PHASE = NumberSpec(
 )
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Tone:
     """A sine burst.
 
@@ -50,7 +50,7 @@ class Tone:
     def __post_init__(self) -> None:
         fields.check(self)
 
-    def samples(self, sample_rate_hz: float) -> NDArray[np.float64]:
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of peak 1."""
         return sinusoid(
             self.frequency_hz,
@@ -58,4 +58,5 @@ class Tone:
             phase_rad=self.phase_rad,
             window_name=self.window,
             sample_rate_hz=sample_rate_hz,
+            shift_s=shift_s,
         )

@@ -34,7 +34,7 @@ class Sweep:
         0.5, NumberSpec(label="Duration", unit="s", minimum=0.1, maximum=9)
     )
 
-    def samples(self, sample_rate_hz):
+    def samples(self, sample_rate_hz, shift_s=0.0):
         time_s = np.arange(round(self.duration_s * sample_rate_hz)) / sample_rate_hz
         rise_hz_per_s = (self.high_hz - self.low_hz) / self.duration_s
         return np.sin(2 * np.pi * (self.low_hz + rise_hz_per_s * time_s / 2) * time_s)

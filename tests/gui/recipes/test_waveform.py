@@ -38,7 +38,7 @@ class Clicks:
     def __post_init__(self) -> None:
         fields.check(self)
 
-    def samples(self, sample_rate_hz: float) -> NDArray[np.float64]:
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of peak 1."""
         drive = np.zeros(round(self.duration_s * sample_rate_hz))
         drive[:: round(self.gap_s * sample_rate_hz)] = 1.0

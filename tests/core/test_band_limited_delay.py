@@ -1,0 +1,53 @@
+"""Delayed samples, against the formula that was sampled."""
+
+import math
+
+import numpy as np
+import pytest
+
+from skinsource.errors import InvalidInputError
+from skinsource.sampling import band_limited_delay
+
+RATE_HZ = 1300.0
+DELAYS = [1e-9, 0.1, 0.25, 0.5, 0.75, 0.999]
+
+
+def burst(frequency_hz: float, time_s: np.ndarray) -> np.ndarray:
+    """A tone within a Gaussian of 60 ms that is below 1e-14 at its ends, 0.5 s away."""
+    return np.exp(-((time_s / 0.06) ** 2) / 2) * np.cos(2 * np.pi * frequency_hz * time_s + 0.3)
+
+
+@pytest.mark.parametrize("delay", DELAYS)
+@pytest.mark.parametrize("frequency_hz", [0.0, 25.0, 250.0, 500.0, 590.0])
+def test_a_burst_is_delayed_as_its_formula_is(frequency_hz, delay):
+    time_s = np.arange(1301) / RATE_HZ - 0.5
+    delayed = band_limited_delay(burst(frequency_hz, time_s), delay)
+    assert delayed.shape == (1302,)
+    expected = burst(frequency_hz, (np.arange(1302) - delay) / RATE_HZ - 0.5)
+    np.testing.assert_allclose(delayed, expected, rtol=0, atol=1e-6)
+
+
+@pytest.mark.parametrize("delay", DELAYS)
+def test_one_sample_is_shared_by_two_in_the_proportion_of_the_delay(delay):
+    first, second = band_limited_delay(np.array([1.0]), delay)
+    assert second / (first + second) == pytest.approx(delay, rel=2e-3)
+    assert first == pytest.approx(math.sin(math.pi * delay) / (math.pi * delay), rel=2e-3)
+
+
+def test_no_delay_changes_nothing_and_nothing_stays_nothing():
+    samples = np.random.default_rng(3).standard_normal(40)
+    assert band_limited_delay(samples, 0.0) is samples
+    assert band_limited_delay(np.zeros(0), 0.5).size == 0
+    assert not band_limited_delay(np.zeros(5), 0.5).any()
+
+
+def test_two_delays_add_up_to_a_whole_sample():
+    samples = burst(300.0, np.arange(1301) / RATE_HZ - 0.5)
+    twice = band_limited_delay(band_limited_delay(samples, 0.3), 0.7)
+    np.testing.assert_allclose(twice[1:-1], samples, rtol=0, atol=2e-6)
+
+
+@pytest.mark.parametrize("delay", [-1e-12, 1.1, math.nan, math.inf, "0.5"])
+def test_a_delay_that_is_no_part_of_a_sample_is_refused(delay):
+    with pytest.raises(InvalidInputError, match="delay is"):
+        band_limited_delay(np.ones(3), delay)
