@@ -26,7 +26,6 @@ _MOUSE = (
 _KEYS = (
     ("Tab, Shift+Tab", "go from control to control through all panels, and back"),
     ("Left, Right", "choose another of some buttons of which one is on"),
-    ("Up, Down in a number", "change it; Ctrl fine, Shift coarse, Esc takes typing back"),
 )
 _ABOUT = f"""
 <h3>SkinSource studio {__version__}</h3>

@@ -1,10 +1,15 @@
-"""The keys of the widgets in the panels, in one table: the keys page is made from it.
+"""The keys of the widgets in the panels, in one table: widgets, tooltips and the keys page read it.
 
-What a widget does with its keys stands beside the widget; a test asks each widget which keys it
-takes, and compares.  The keys of actions stand in the table of actions.
+A widget asks `meant` what a press means at its place, and does it; where it is said which key does
+something, `key_text` is asked.  The keys of actions stand in the table of actions.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
+
+from PySide6.QtCore import QKeyCombination, Qt
+from PySide6.QtGui import QKeyEvent, QKeySequence
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -13,14 +18,17 @@ class KeyHint:
 
     Attributes
     ----------
+    name
+        What the widget calls it.
     words
-        What a reader calls them.
+        What a reader calls the keys.
     means
         What they do.
     keys
-        All of them, as Qt writes them.
+        All of them, as Qt writes them; the first is shown where there is room for one.
     """
 
+    name: str
     words: str
     means: str
     keys: tuple[str, ...]
@@ -28,84 +36,216 @@ class KeyHint:
 
 _ARROWS = ("Left", "Right", "Up", "Down")
 _ENTER = ("Return", "Enter", "Space")
+_REMOVE = KeyHint(
+    name="remove", words="Delete", means="remove the selected inputs", keys=("Del", "Backspace")
+)
+_ALL_INPUTS = KeyHint(
+    name="select_all", words="Ctrl+A", means="select all inputs", keys=("Ctrl+A",)
+)
+_ZOOM = (
+    # On many keyboards a plus is typed with Shift, or stands where Shift makes it of another sign.
+    KeyHint(name="zoom_in", words="+", means="zoom in", keys=("+", "=", "Shift++", "Shift+=")),
+    KeyHint(name="zoom_out", words="−", means="zoom out", keys=("-", "Shift+-")),
+)
+
+
+def _held(modifiers: tuple[str, ...], keys: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(f"{held}{key}" for held in modifiers for key in keys)
+
 
 #: By the place where they work: name of a widget, heading on the keys page, and its keys.
 WIDGET_KEYS: dict[str, tuple[str, tuple[KeyHint, ...]]] = {
     "hand": (
         "On the hand",
         (
-            KeyHint(words="Arrow keys", means="move the ring from place to place", keys=_ARROWS),
             KeyHint(
+                name="go", words="Arrow keys", means="move the ring to another place", keys=_ARROWS
+            ),
+            KeyHint(
+                name="jump",
                 words="1 to 20, Home, End",
                 means="move the ring to the place of that number, to the first, to the last",
                 keys=(*(str(digit) for digit in range(10)), "Home", "End"),
             ),
             KeyHint(
+                name="place",
                 words="Enter or Space",
                 means="place an input at the ring, or select the one that is there",
                 keys=_ENTER,
             ),
             KeyHint(
+                name="place_another",
                 words="Insert, +, or Shift or Ctrl and Enter",
-                means="one more input at the same place",
+                means="place one more input where there is one",
                 keys=(
-                    *("+", "Ins", "Shift++", "Shift+Ins"),
-                    *(f"{held}+{key}" for key in _ENTER for held in ("Shift", "Ctrl")),
-                    *(f"Ctrl+Shift+{key}" for key in _ENTER),
+                    *_held(("", "Shift+"), ("Ins", "+")),
+                    *_held(("Shift+", "Ctrl+", "Ctrl+Shift+"), _ENTER),
                 ),
             ),
             KeyHint(
+                name="move",
                 words="Shift and arrow keys",
                 means="move the selected inputs",
-                keys=tuple(f"Shift+{key}" for key in _ARROWS),
+                keys=_held(("Shift+",), _ARROWS),
             ),
-            KeyHint(words="Ctrl+A", means="select all inputs", keys=("Ctrl+A",)),
-            KeyHint(words="Delete", means="remove the selected inputs", keys=("Del", "Backspace")),
+            _ALL_INPUTS,
+            _REMOVE,
         ),
     ),
     "inputs": (
         "In the list of inputs",
         (
             KeyHint(
+                name="go",
                 words="Up, Down, Home, End",
                 means="go to another input; with Shift select those on the way",
-                keys=tuple(
-                    f"{held}{key}"
-                    for key in ("Up", "Down", "Home", "End")
-                    for held in ("", "Shift+")
-                ),
+                keys=_held(("", "Shift+"), ("Up", "Down", "Home", "End")),
             ),
-            KeyHint(words="Alt+Up, Alt+Down", means="reorder", keys=("Alt+Up", "Alt+Down")),
-            KeyHint(words="M, S", means="mute, solo", keys=("M", "S")),
-            KeyHint(words="Enter", means="type the amplitude", keys=("Return", "Enter", "F2")),
-            KeyHint(words="Ctrl+A", means="select all inputs", keys=("Ctrl+A",)),
-            KeyHint(words="Ctrl+D", means="duplicate the selected inputs", keys=("Ctrl+D",)),
-            KeyHint(words="Delete", means="remove the selected inputs", keys=("Del", "Backspace")),
+            KeyHint(
+                name="shift_up",
+                words="Alt+Up",
+                means="move the selected inputs up",
+                keys=("Alt+Up",),
+            ),
+            KeyHint(
+                name="shift_down",
+                words="Alt+Down",
+                means="move the selected inputs down",
+                keys=("Alt+Down",),
+            ),
+            KeyHint(name="mute", words="M", means="mute the selected inputs", keys=("M",)),
+            KeyHint(name="solo", words="S", means="make the selected inputs solo", keys=("S",)),
+            KeyHint(
+                name="type",
+                words="Enter",
+                means="type the amplitude",
+                keys=("Return", "Enter", "F2"),
+            ),
+            _ALL_INPUTS,
+            KeyHint(
+                name="duplicate",
+                words="Ctrl+D",
+                means="duplicate the selected inputs",
+                keys=("Ctrl+D",),
+            ),
+            _REMOVE,
         ),
     ),
     "skin": (
         "On the skin map",
         (
-            KeyHint(words="Arrow keys", means="move the ring from output to output", keys=_ARROWS),
             KeyHint(
+                name="go", words="Arrow keys", means="move the ring to another output", keys=_ARROWS
+            ),
+            KeyHint(
+                name="select",
                 words="Enter or Space",
-                means="select the output in the ring; with Shift add it, or take it away",
+                means="select the output in the ring",
                 keys=_ENTER,
             ),
-            KeyHint(words="Ctrl+A, Esc", means="select all outputs, none", keys=("Ctrl+A", "Esc")),
-            KeyHint(words="0, H", means="show hand and arm, the hand alone", keys=("0", "H")),
+            KeyHint(
+                name="toggle",
+                words="Shift or Ctrl and Enter",
+                means="add the output in the ring to the selected ones, or take it away",
+                keys=_held(("Shift+", "Ctrl+"), _ENTER),
+            ),
+            KeyHint(
+                name="select_all",
+                words="Ctrl+A",
+                means="select all outputs in sight",
+                keys=("Ctrl+A",),
+            ),
+            KeyHint(name="select_none", words="Esc", means="select no outputs", keys=("Esc",)),
+            *_ZOOM,
+            KeyHint(name="whole", words="0", means="show hand and arm", keys=("0", "Shift+0")),
+            KeyHint(name="hand", words="H", means="show the hand alone", keys=("H", "Shift+H")),
+        ),
+    ),
+    "colour_bar": (
+        "On the colour bar and its ends",
+        (
+            KeyHint(
+                name="step",
+                words="Arrow keys",
+                means="move by 1 dB; with Ctrl by 0.1 dB, with Shift by 5 dB",
+                keys=_held(("", "Ctrl+", "Shift+"), _ARROWS),
+            ),
+            KeyHint(
+                name="page",
+                words="Page Up, Page Down",
+                means="move by 10 dB; with Ctrl by 1 dB, with Shift by 50 dB",
+                keys=_held(("", "Ctrl+", "Shift+"), ("PgUp", "PgDown")),
+            ),
+        ),
+    ),
+    "number": (
+        "In a number",
+        (
+            KeyHint(
+                name="step",
+                words="Up, Down",
+                means="change it; with Ctrl finely, with Shift coarsely",
+                keys=_held(("", "Ctrl+", "Shift+"), ("Up", "Down")),
+            ),
+            KeyHint(
+                name="page",
+                words="Page Up, Page Down",
+                means="change it coarsely",
+                keys=("PgUp", "PgDown"),
+            ),
+            KeyHint(
+                name="type",
+                words="Enter, F2, or a digit",
+                means="type it, with or without its unit; Esc takes typing back",
+                keys=("Return", "Enter", "F2"),
+            ),
+            KeyHint(name="empty", words="Delete", means="type it anew", keys=("Del", "Backspace")),
         ),
     ),
     "plot": (
         "In a plot",
         (
             KeyHint(
-                words="Left, Right, Home, End",
-                means="move the crosshair; Esc takes it away",
-                keys=("Left", "Right", "Home", "End", "Esc"),
+                name="step",
+                words="Left, Right",
+                means="move the crosshair; with Shift by ten samples",
+                keys=_held(("", "Shift+"), ("Left", "Right")),
             ),
-            KeyHint(words="+ and −", means="zoom at the crosshair", keys=("+", "-", "=")),
-            KeyHint(words="0", means="show everything", keys=("0", "A")),
+            KeyHint(
+                name="jump",
+                words="Home, End",
+                means="move the crosshair to the first sample, to the last",
+                keys=_held(("", "Shift+"), ("Home", "End")),
+            ),
+            KeyHint(name="give_up", words="Esc", means="take the crosshair away", keys=("Esc",)),
+            *_ZOOM,
+            KeyHint(
+                name="whole",
+                words="A or 0",
+                means="show everything",
+                keys=("A", "0", "Shift+A", "Shift+0"),
+            ),
         ),
     ),
 }
+
+
+def meant(place: str, event: QKeyEvent) -> str:
+    """Name of what a press means at a place; "" where it means nothing there."""
+    held = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+    return _meanings(place).get(QKeyCombination(held, Qt.Key(event.key())).toCombined(), "")
+
+
+def key_text(place: str, name: str) -> str:
+    """The key that does something at a place, as the desktop writes it: ``"Ctrl+D"``; or ""."""
+    keys = next((hint.keys for hint in WIDGET_KEYS[place][1] if hint.name == name), ("",))
+    return QKeySequence(keys[0]).toString(QKeySequence.SequenceFormat.NativeText)
+
+
+@cache
+def _meanings(place: str) -> Mapping[int, str]:
+    return {
+        QKeySequence(key)[0].toCombined(): hint.name
+        for hint in WIDGET_KEYS[place][1]
+        for key in hint.keys
+    }

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.widgets.frame import Floats, Frame
@@ -18,11 +18,7 @@ _ZOOM_PER_KEY = 1.25
 _PAN_PER_NOTCH_PX = 48.0
 # Something brought into sight stays this far from the edge, px.
 _EDGE_PX = 20.0
-_KEY_FACTORS = {
-    Qt.Key.Key_Plus: _ZOOM_PER_KEY,
-    Qt.Key.Key_Equal: _ZOOM_PER_KEY,
-    Qt.Key.Key_Minus: 1 / _ZOOM_PER_KEY,
-}
+_KEY_FACTORS = {"zoom_in": _ZOOM_PER_KEY, "zoom_out": 1 / _ZOOM_PER_KEY}
 
 
 class PanZoom(QObject):
@@ -142,9 +138,9 @@ class PanZoom(QObject):
             self._grip = None
             self._widget.unsetCursor()
 
-    def press_key(self, event: QKeyEvent) -> bool:
-        """Zoom by a key, plus or minus; return whether it was one of these."""
-        factor = _KEY_FACTORS.get(Qt.Key(event.key()))
+    def step(self, wanted: str) -> bool:
+        """Zoom by a key, as the table of keys calls it; return whether it was one for this."""
+        factor = _KEY_FACTORS.get(wanted)
         if factor is not None:
             self.zoom(factor, self._room.center())
         return factor is not None

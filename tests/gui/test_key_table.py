@@ -1,15 +1,19 @@
 """The table of keys says what the widgets in the panels do with keys, no more and no less."""
 
+from functools import partial
+
 import pytest
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent, QKeySequence
-from PySide6.QtWidgets import QTextBrowser
+from PySide6.QtWidgets import QTextBrowser, QWidget
 
 from skinsource_gui.panels.hand.site_keys import SiteKeys
 from skinsource_gui.panels.inputs.list_keys import ListKeys
+from skinsource_gui.panels.skin.colour_strip import key_step_db
 from skinsource_gui.panels.skin.output_keys import OutputKeys
-from skinsource_gui.widgets.key_table import WIDGET_KEYS
-from skinsource_gui.widgets.plot.navigation import is_ours
+from skinsource_gui.widgets.fields.number_gestures import NumberGestures
+from skinsource_gui.widgets.fields.number_typing import begins_typing
+from skinsource_gui.widgets.key_table import WIDGET_KEYS, key_text, meant
 
 _Key, _Held = Qt.Key, Qt.KeyboardModifier
 SIGNS = [Qt.Key(ord(sign)) for sign in "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ+-= "]
@@ -34,7 +38,13 @@ def claims(place, parent):
     if place == "inputs":
         parent.kept = ListKeys(parent)
         return parent.kept.claims
-    return OutputKeys(parent).claims if place == "skin" else is_ours
+    if place == "skin":
+        return OutputKeys(parent).claims
+    if place == "number":
+        return lambda event: NumberGestures.knows(event) or begins_typing(event)
+    if place == "colour_bar":
+        return lambda event: bool(key_step_db(event))
+    return partial(meant, "plot")
 
 
 @pytest.mark.parametrize("place", WIDGET_KEYS)
@@ -47,13 +57,25 @@ def test_a_widget_takes_the_keys_that_the_table_lists(qapp, place):
         for key in (*SIGNS, *NAMED)
         if takes(QKeyEvent(QEvent.Type.KeyPress, key, held))
     }
-    listed = {key for hint in WIDGET_KEYS[place][1] for key in hint.keys}
-    assert listed <= taken
-    # Map and plots take a key with Shift or Alt for what it is without.
-    loose = place in ("skin", "plot")
-    assert {key for key in taken - listed if not loose or key.split("+", 1)[-1] not in listed} <= (
-        {"Shift++"} if loose else set()
-    )
+    assert taken == {key for hint in WIDGET_KEYS[place][1] for key in hint.keys}
+
+
+@pytest.mark.parametrize("place", WIDGET_KEYS)
+def test_a_key_means_one_thing_at_a_place(place):
+    keys = [key for hint in WIDGET_KEYS[place][1] for key in hint.keys]
+    assert len(keys) == len(set(keys))
+
+
+def test_the_number_pad_means_what_the_other_keys_mean(qapp):
+    held = _Held.KeypadModifier
+    assert meant("plot", QKeyEvent(QEvent.Type.KeyPress, _Key.Key_Plus, held)) == "zoom_in"
+    assert meant("plot", QKeyEvent(QEvent.Type.KeyPress, _Key.Key_B, held)) == ""
+
+
+def test_hints_name_the_keys_of_the_table(window):
+    hint = window.findChild(QWidget, "mute_button").toolTip()
+    assert hint.endswith(f"({key_text('inputs', 'mute')})")
+    assert key_text("inputs", "shift_up") in window.actions_by_name["shift_input_up"].toolTip()
 
 
 def test_the_keys_page_is_made_from_the_table(window):

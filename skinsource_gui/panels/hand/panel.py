@@ -17,6 +17,8 @@ from skinsource_gui.panels.hand.hand_diagram import HandDiagram
 from skinsource_gui.panels.hand.hand_drawing import palmar_drawing
 from skinsource_gui.panels.hand.hand_picture import Mark
 from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.widgets.inputs.inputs_menu import InputEdit, fill_inputs_menu
+from skinsource_gui.widgets.key_table import key_text
 
 
 class HandPanel(Panel):
@@ -112,26 +114,15 @@ class HandPanel(Panel):
         menu = QMenu(self)
         menu.setObjectName("hand_menu")
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        menu.addAction("Add input here\tIns", partial(self._add, site))
+        add = f"Add input here\t{key_text('hand', 'place_another')}"
+        menu.addAction(add, partial(self._add, site))
         menu.addSeparator()
         ids = () if index is None else self._together(index)
         chosen = [one for one in self._design.inputs if one.id in ids] if self._design else []
-        several = f" {len(chosen)} inputs" if len(chosen) > 1 else ""
-        for words, edit, on in (
-            (f"Remove{several}\tDel", edits.remove_inputs, None),
-            (f"Mute{several}", edits.toggle_mute, all(one.muted for one in chosen)),
-            (f"Solo{several}", edits.toggle_solo, all(one.solo for one in chosen)),
-        ):
-            action = menu.addAction(words)
-            action.setEnabled(bool(chosen))
-            action.setCheckable(on is not None)
-            action.setChecked(bool(chosen) and bool(on))
-            action.triggered.connect(partial(self._edit_chosen, edit, ids))
+        fill_inputs_menu(menu, chosen, partial(self._edit_chosen, ids), place="hand")
         menu.popup(at)
 
-    def _edit_chosen(
-        self, edit: Callable[..., Edit | Refusal], ids: tuple[int, ...], _checked: bool = False
-    ) -> None:
+    def _edit_chosen(self, ids: tuple[int, ...], edit: InputEdit) -> None:
         self._edit(edit, ids)
 
 

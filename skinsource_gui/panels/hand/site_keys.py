@@ -4,10 +4,12 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 
 from skinsource_gui.widgets.fields.gesture import new_gesture
+from skinsource_gui.widgets.key_table import meant
 
 #: Two digits typed within this time make one number, ms.
 TYPING_MS = 800
 
+_PLACE = "hand"
 _Key = Qt.Key
 _STEPS = {
     _Key.Key_Left: (-1, 0),
@@ -15,18 +17,7 @@ _STEPS = {
     _Key.Key_Up: (0, -1),
     _Key.Key_Down: (0, 1),
 }
-_ENDS = (_Key.Key_Home, _Key.Key_End)
-_ENTER = (_Key.Key_Return, _Key.Key_Enter, _Key.Key_Space)
-_ADD = (_Key.Key_Insert, _Key.Key_Plus)
-_REMOVE = (_Key.Key_Delete, _Key.Key_Backspace)
 _DIGITS = {_Key(_Key.Key_0 + digit): digit for digit in range(10)}
-_OTHERS = (*_STEPS, *_ENDS, *_ENTER, *_ADD, *_REMOVE, *_DIGITS)
-_MODIFIERS = (
-    Qt.KeyboardModifier.ShiftModifier
-    | Qt.KeyboardModifier.ControlModifier
-    | Qt.KeyboardModifier.AltModifier
-    | Qt.KeyboardModifier.MetaModifier
-)
 
 
 class SiteKeys(QObject):
@@ -62,37 +53,27 @@ class SiteKeys(QObject):
 
     def claims(self, event: QKeyEvent) -> bool:
         """Whether the diagram wants this key for itself, before any shortcut of the window."""
-        held = event.modifiers() & _MODIFIERS
-        key = _Key(event.key())
-        if key == _Key.Key_A:
-            return held == Qt.KeyboardModifier.ControlModifier
-        if key in _ENTER:
-            return not held & (Qt.KeyboardModifier.AltModifier | Qt.KeyboardModifier.MetaModifier)
-        if key in _ADD or key in _STEPS:
-            return held in (Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier)
-        return key in _OTHERS and held == Qt.KeyboardModifier.NoModifier
+        return bool(meant(_PLACE, event))
 
     def press(self, event: QKeyEvent) -> bool:
         """Tell by a signal what the key means; return whether it means anything here."""
-        if not self.claims(event):
-            return False
-        key, held = _Key(event.key()), event.modifiers() & _MODIFIERS
-        if key in _STEPS and held:
+        wanted, key = meant(_PLACE, event), _Key(event.key())
+        if wanted == "move":
             self._gesture = self._gesture or new_gesture()
             self.shifted.emit(*_STEPS[key], self._gesture)
-        elif key in _STEPS:
+        elif wanted == "go":
             self.stepped.emit(*_STEPS[key])
-        elif key in _ENDS:
-            self.jumped.emit(1 if key == _Key.Key_Home else self._n_sites)
-        elif key in _DIGITS:
+        elif wanted == "jump" and key in _DIGITS:
             self._type(_DIGITS[key])
-        elif key in _REMOVE:
+        elif wanted == "jump":
+            self.jumped.emit(1 if key == _Key.Key_Home else self._n_sites)
+        elif wanted == "remove":
             self.removed.emit()
-        elif key == _Key.Key_A:
+        elif wanted == "select_all":
             self.all_selected.emit()
-        else:
-            self.activated.emit(key in _ADD or bool(held))
-        return True
+        elif wanted:
+            self.activated.emit(wanted == "place_another")
+        return bool(wanted)
 
     def release(self, event: QKeyEvent) -> None:
         """Letting Shift go ends the gesture."""

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QApplication, QFrame, QScrollArea, QVBoxLayout, QWidget
 
 from skinsource_gui.panels.inputs.input_row import InputRow
@@ -105,6 +105,14 @@ class InputRows(QWidget):
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
             self.mouse.release()
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        # A menu key means the row that was selected last, and finds its menu beside it.
+        by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
+        row = self.last_row if by_key else self._row_at(event.pos().y())
+        if row is not None:
+            at = row.mapToGlobal(row.rect().center()) if by_key else event.globalPos()
+            self.mouse.menu_wanted.emit(row.id, at)
 
     def focusInEvent(self, event) -> None:
         super().focusInEvent(event)

@@ -6,6 +6,7 @@ from skinsource import edits
 from skinsource.design import Design
 from skinsource.view import View
 from skinsource_gui.widgets.inputs.field_changes import FieldChanges
+from skinsource_gui.widgets.inputs.inputs_menu import InputEdit
 
 
 class ListEdits(QObject):
@@ -39,7 +40,7 @@ class ListEdits(QObject):
 
     def change_amplitude(self, one: int, value: float, gesture: int | None) -> None:
         """Type or drag an amplitude."""
-        ids = self._together(one)
+        ids = self.together(one)
         changed = self._changes.change(
             self._design, self._view, ids, "amplitude", value, lead=one, gesture=gesture
         )
@@ -47,23 +48,27 @@ class ListEdits(QObject):
 
     def toggle_mute(self, one: int | None = None) -> None:
         """Mute all, or none if all are."""
-        self._tell(edits.toggle_mute(self._design, self._view, self._together(one)))
+        self._tell(edits.toggle_mute(self._design, self._view, self.together(one)))
 
     def toggle_solo(self, one: int | None = None) -> None:
         """Make all solo, or none if all are."""
-        self._tell(edits.toggle_solo(self._design, self._view, self._together(one)))
+        self._tell(edits.toggle_solo(self._design, self._view, self.together(one)))
 
     def remove(self, one: int | None = None) -> None:
         """Remove the selected inputs; the cross of a row removes that row alone."""
         ids = self._view.selected_inputs if one is None else (one,)
         self._tell(edits.remove_inputs(self._design, self._view, ids))
 
+    def edit(self, ids: tuple[int, ...], edit: InputEdit) -> None:
+        """Do to these inputs what was chosen."""
+        self._tell(edit(self._design, self._view, ids))
+
     def duplicate(self) -> None:
         """Duplicate the selected inputs."""
         ids = self._view.selected_inputs
         self._tell(edits.duplicate_inputs(self._design, self._view, ids))
 
-    def _together(self, one: int | None) -> tuple[int, ...]:
+    def together(self, one: int | None) -> tuple[int, ...]:
         """Whom a control of the row of ``one`` is about: all selected, if it is one of them."""
         selected = self._view.selected_inputs
         return selected if one is None or one in selected else (one,)

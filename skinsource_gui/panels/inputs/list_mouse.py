@@ -34,6 +34,8 @@ class ListMouse(QObject):
     held_over = Signal(object)
     #: The gap into which the selected ones are dropped.
     dropped = Signal(int)
+    #: Id of the input whose menu is wanted, and where on the screen.
+    menu_wanted = Signal(int, QPoint)
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)

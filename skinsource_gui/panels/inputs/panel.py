@@ -1,10 +1,11 @@
 """The inputs of the design, one row each."""
 
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel, QStackedLayout, QVBoxLayout, QWidget
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QLabel, QMenu, QStackedLayout, QVBoxLayout, QWidget
 
 from skinsource.design import Design, amplitude_unit, audible_inputs
 from skinsource.view import View
@@ -14,6 +15,7 @@ from skinsource_gui.panels.inputs.list_edits import ListEdits
 from skinsource_gui.panels.inputs.list_selection import ListSelection
 from skinsource_gui.panels.inputs.row_state import RowState
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.inputs.inputs_menu import ENTRIES, ORDER, fill_inputs_menu
 from skinsource_gui.widgets.lateness import Lateness
 
 
@@ -114,6 +116,7 @@ class InputsPanel(Panel):
         mouse.toggled.connect(selection.toggle)
         mouse.reached.connect(selection.select_through)
         mouse.dropped.connect(changes.put)
+        mouse.menu_wanted.connect(self._open_menu)
         keys.moved.connect(selection.go)
         keys.all_selected.connect(selection.select_all)
         keys.shifted.connect(changes.shift)
@@ -121,6 +124,17 @@ class InputsPanel(Panel):
         keys.solo_toggled.connect(changes.toggle_solo)
         keys.removed.connect(changes.remove)
         keys.duplicated.connect(changes.duplicate)
+
+    def _open_menu(self, one: int, at: QPoint) -> None:
+        self._selection.enter(one)
+        menu = QMenu(self)
+        menu.setObjectName("inputs_menu")
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        ids = self._edits.together(one)
+        chosen = [row.state.shown for row in self._rows.rows if row.id in ids]
+        act = partial(self._edits.edit, ids)
+        fill_inputs_menu(menu, chosen, act, place="inputs", entries=ENTRIES + ORDER)
+        menu.popup(at)
 
     def _show_foot(self, words: str) -> None:
         self._foot.setText(words)

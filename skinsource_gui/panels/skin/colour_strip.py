@@ -12,6 +12,7 @@ from skinsource_gui.panels.skin.level_range import SILENT_RANGE, Range, moved, w
 from skinsource_gui.panels.skin.map_painter import small_font
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.kept_picture import KeptPicture
+from skinsource_gui.widgets.key_table import meant
 
 _RAMP_LEFT, _RAMP_WIDTH = 10, 14
 _HANDLE_WIDTH, _HANDLE_HEIGHT = 26, 12
@@ -81,7 +82,7 @@ class RangeHandle(QWidget):
             self.released.emit()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        step = _key_step_db(event)
+        step = key_step_db(event)
         if step:
             self.stepped.emit(step)
         else:
@@ -195,7 +196,7 @@ class ColourStrip(QWidget):
         self.range_chosen.emit(None)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        step = _key_step_db(event)
+        step = key_step_db(event)
         if step:
             self.range_chosen.emit(moved(self._range, step))
         else:
@@ -254,9 +255,11 @@ def _axis_of(range_db: Range) -> Range:
     return low - beyond, high + beyond
 
 
-def _key_step_db(event: QKeyEvent) -> float:
+def key_step_db(event: QKeyEvent) -> float:
     """Step that a key asks for, dB; 0 for none."""
-    step = _KEY_STEPS_DB.get(Qt.Key(event.key()), 0.0)
+    if not meant("colour_bar", event):
+        return 0.0
+    step = _KEY_STEPS_DB[Qt.Key(event.key())]
     if event.modifiers() & Qt.KeyboardModifier.ControlModifier:
         return step / 10
     if event.modifiers() & Qt.KeyboardModifier.ShiftModifier:

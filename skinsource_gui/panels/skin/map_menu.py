@@ -8,6 +8,7 @@ from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtWidgets import QMenu
 
 from skinsource_gui.panels.skin.skin_map import HAND, SkinMap
+from skinsource_gui.widgets.key_table import key_text
 from skinsource_gui.widgets.pan_zoom import WHOLE
 
 
@@ -32,8 +33,8 @@ def open_map_menu(
     menu = QMenu(shown)
     menu.setObjectName("skin_menu")
     menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-    menu.addAction("Fit hand\tH", partial(shown.pan_zoom.show, HAND))
-    menu.addAction("Fit hand and arm\t0", partial(shown.pan_zoom.show, WHOLE))
+    for words, fit, key in (("Fit hand", HAND, "hand"), ("Fit hand and arm", WHOLE, "whole")):
+        menu.addAction(f"{words}\t{key_text('skin', key)}", partial(shown.pan_zoom.show, fit))
     menu.addSeparator()
     menu.addAction("Copy picture", partial(_copy, picture))
     menu.addAction("Save picture as…", save)

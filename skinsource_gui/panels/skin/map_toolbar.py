@@ -7,6 +7,7 @@ from skinsource_gui.panels.skin.map_icons import fit_icon, hand_icon, sensors_ic
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.skin_map import HAND
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.key_table import key_text
 from skinsource_gui.widgets.pan_zoom import WHOLE
 
 # As narrow as they are, all buttons fit into the narrowest panel.
@@ -31,8 +32,10 @@ class MapToolbar(QWidget):
             "map_sensors_only", "Sensors only", "Colours at the outputs alone"
         )
         self.sensors = self._button("map_sensors_shown", "", "Mark the outputs on the map")
-        self.all = self._button("map_fit_all", "", "Fit hand and arm (0, or double-click)", False)
-        self.hand = self._button("map_fit_hand", "", "Fit the hand (H)", False)
+        whole, hand = (key_text("skin", name) for name in ("whole", "hand"))
+        fit = f"Fit hand and arm ({whole}, or double-click)"
+        self.all = self._button("map_fit_all", "", fit, False)
+        self.hand = self._button("map_fit_hand", "", f"Fit the hand ({hand})", False)
         self.sensors.setAccessibleName("Sensors")
         self.all.setAccessibleName("Fit")
         self.hand.setAccessibleName("Hand")

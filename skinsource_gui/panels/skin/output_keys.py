@@ -1,7 +1,7 @@
 """What keys mean on the map."""
 
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QKeySequence
+from PySide6.QtGui import QKeyEvent
 
 from skinsource.arrays import Floats
 from skinsource_gui.panels.skin.output_picking import (
@@ -11,6 +11,7 @@ from skinsource_gui.panels.skin.output_picking import (
     output_beyond,
     toggled,
 )
+from skinsource_gui.widgets.key_table import meant
 
 #: Held, they add to the selection.
 ADDS = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier
@@ -20,8 +21,6 @@ _ARROWS = {
     Qt.Key.Key_Up: (0, -1),
     Qt.Key.Key_Down: (0, 1),
 }
-_SELECT_KEYS = (Qt.Key.Key_Space, Qt.Key.Key_Return, Qt.Key.Key_Enter)
-_OTHERS = (Qt.Key.Key_Escape, Qt.Key.Key_0, Qt.Key.Key_H)
 
 
 class OutputKeys(QObject):
@@ -44,13 +43,10 @@ class OutputKeys(QObject):
 
     def claims(self, event: QKeyEvent) -> bool:
         """Whether a shortcut of the window must not take this key."""
-        if _is_select_all(event):
-            return True
-        plain = not event.modifiers() & Qt.KeyboardModifier.ControlModifier
-        return plain and event.key() in (*_ARROWS, *_SELECT_KEYS, *_OTHERS)
+        return bool(meant("skin", event))
 
     def press(self, event: QKeyEvent, points: Floats, outputs: Outputs, middle: QPointF) -> bool:
-        """Act on a key; return whether it means anything.
+        """Act on a key; return whether it means anything to outputs.
 
         Parameters
         ----------
@@ -63,20 +59,18 @@ class OutputKeys(QObject):
         middle
             Of the map, where the cursor begins.
         """
-        key = event.key()
-        if key in _ARROWS:
-            before = self.cursor_output
-            start = self._start(points, outputs, middle)
-            self.cursor_output = (
-                start if before is None else output_beyond(points, start, *_ARROWS[Qt.Key(key)])
-            )
+        wanted = meant("skin", event)
+        if wanted == "go":
+            place = self._start(points, outputs, middle)
+            if self.cursor_output is not None:
+                place = output_beyond(points, place, *_ARROWS[Qt.Key(event.key())])
+            self.cursor_output = place
             self.moved.emit()
-        elif key in _SELECT_KEYS:
+        elif wanted in ("select", "toggle"):
             number = self._start(points, outputs, middle)
             self.cursor_output = number
-            adds = bool(event.modifiers() & ADDS)
-            self.meant.emit(toggled(outputs, number) if adds else (number,))
-        elif _is_select_all(event):
+            self.meant.emit(toggled(outputs, number) if wanted == "toggle" else (number,))
+        elif wanted == "select_all":
             self.meant.emit(dorsal_outputs(points))
         else:
             return False
@@ -87,9 +81,3 @@ class OutputKeys(QObject):
             return self.cursor_output
         here = [number for number in outputs if number <= len(points)]
         return here[0] if here else output_at(points, middle, float("inf")) or 1
-
-
-def _is_select_all(event: QKeyEvent) -> bool:
-    # With Shift it is a shortcut of the window, and means the opposite.
-    shift = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
-    return event.matches(QKeySequence.StandardKey.SelectAll) and not shift

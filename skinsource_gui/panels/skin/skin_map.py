@@ -31,6 +31,7 @@ from skinsource_gui.panels.skin.output_keys import ADDS, OutputKeys
 from skinsource_gui.panels.skin.output_mouse import REACH_PX, OutputMouse
 from skinsource_gui.panels.skin.output_picking import output_at
 from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.widgets.key_table import meant
 from skinsource_gui.widgets.pan_zoom import FREE, WHOLE, PanZoom
 from skinsource_gui.widgets.tooltips import tooltip
 
@@ -201,20 +202,20 @@ class SkinMap(QWidget):
         self.menu_requested.emit(middle if by_key else event.globalPos())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        layout, key = self._layout, event.key()
+        layout, wanted = self._layout, meant("skin", event)
         middle = QRectF(self.rect()).center()
         if layout is None:
             super().keyPressEvent(event)
-        elif key == Qt.Key.Key_Escape:
+        elif wanted == "select_none":
             if not self.mouse.give_up():
                 self._choose(())
             self.update()
-        elif key == Qt.Key.Key_0:
+        elif wanted == "whole":
             self.pan_zoom.show(WHOLE)
-        elif key == Qt.Key.Key_H:
+        elif wanted == "hand":
             self.pan_zoom.show(HAND)
         elif not (
-            self.pan_zoom.press_key(event)
+            self.pan_zoom.step(wanted)
             or self.keys.press(event, layout.points, self.content.outputs, middle)
         ):
             super().keyPressEvent(event)

@@ -7,6 +7,7 @@ from skinsource.design import Design, Input
 from skinsource.edits import Edit, Refusal
 from skinsource.view import View
 from skinsource_gui.shell.action_spec import ActionSpec, action
+from skinsource_gui.widgets.key_table import key_text
 
 
 def _has_inputs(design: Design, view: View) -> bool:
@@ -58,6 +59,10 @@ def _shift_down(design: Design, view: View) -> Edit | Refusal:
     return edits.shift_inputs(design, view, view.selected_inputs, down=True)
 
 
+def _key(name: str) -> str:
+    return key_text("inputs", name)
+
+
 EDIT: tuple[ActionSpec, ...] = (
     action("undo", "Edit", "Undo", "Take the last edit back", "Ctrl+Z", command="steps.undo"),
     action("redo", "Edit", "Redo", "Do it again", "Ctrl+Shift+Z", "Ctrl+Y", command="steps.redo"),
@@ -76,7 +81,7 @@ EDIT: tuple[ActionSpec, ...] = (
         "remove_input",
         "Edit",
         "Remove input",
-        "Remove the selected input (Delete, on the hand and in the list)",
+        f"Remove the selected input ({_key('remove')}, on the hand and in the list)",
         "Ctrl+Backspace",
         edit=_of_selected(edits.remove_inputs),
         enabled=_has_selected,
@@ -108,7 +113,7 @@ EDIT: tuple[ActionSpec, ...] = (
         "shift_input_up",
         "Edit",
         "Move input up in the list",
-        "List the selected inputs one place further up (Alt+Up, in the list)",
+        f"List the selected inputs one place further up ({_key('shift_up')}, in the list)",
         edit=_shift_up,
         enabled=_has_selected,
         keywords="reorder order sort before",
@@ -118,7 +123,7 @@ EDIT: tuple[ActionSpec, ...] = (
         "shift_input_down",
         "Edit",
         "Move input down in the list",
-        "List the selected inputs one place further down (Alt+Down, in the list)",
+        f"List the selected inputs one place further down ({_key('shift_down')}, in the list)",
         edit=_shift_down,
         enabled=_has_selected,
         keywords="reorder order sort after",
@@ -127,7 +132,8 @@ EDIT: tuple[ActionSpec, ...] = (
         "select_all_inputs",
         "Edit",
         "Select all inputs",
-        "Edit, mute, move or remove them together (Ctrl+A, on the hand and in the list)",
+        "Edit, mute, move or remove them together "
+        f"({_key('select_all')}, on the hand and in the list)",
         edit=edits.select_all_inputs,
         enabled=_has_inputs,
         keywords="several multiple everything",

@@ -7,10 +7,10 @@ from PySide6.QtWidgets import QLineEdit
 from skinsource.errors import InvalidInputError
 from skinsource_gui.widgets.fields.shown_number import ShownNumber
 from skinsource_gui.widgets.fields.units import parse_number
+from skinsource_gui.widgets.key_table import meant
 
 _STARTERS = frozenset("0123456789.,+-−")
 FINISHERS = frozenset({Qt.Key.Key_Return, Qt.Key.Key_Enter})
-_EMPTIERS = frozenset({Qt.Key.Key_Backspace, Qt.Key.Key_Delete})
 _OTHERS = (
     Qt.KeyboardModifier.ControlModifier
     | Qt.KeyboardModifier.AltModifier
@@ -20,15 +20,14 @@ _OTHERS = (
 
 def begins_typing(event: QKeyEvent) -> bool:
     """Whether a key opens the editor."""
-    known = event.key() in FINISHERS | _EMPTIERS or event.key() == Qt.Key.Key_F2
-    return not event.modifiers() & _OTHERS and (known or event.text() in _STARTERS)
+    typed = not event.modifiers() & _OTHERS and event.text() in _STARTERS
+    return typed or meant("number", event) in ("type", "empty")
 
 
 def first_text(event: QKeyEvent) -> str | None:
     """What stands in the editor that a key opened; None: the number itself."""
-    if event.key() in FINISHERS or event.key() == Qt.Key.Key_F2:
-        return None
-    return "" if event.key() in _EMPTIERS else event.text()
+    wanted = meant("number", event)
+    return None if wanted == "type" else "" if wanted == "empty" else event.text()
 
 
 class NumberTyping(QObject):

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.inputs.swatch import words_on
+from skinsource_gui.widgets.key_table import key_text
 
 BUTTON_PX = 22
 _ARROWS = frozenset({Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_Left, Qt.Key.Key_Right})
@@ -81,7 +82,7 @@ def mute_button(parent: QWidget | None = None) -> LetterButton:
     """Button that silences an input."""
     button = LetterButton("M", "Mute", "warning", parent)
     button.setObjectName("mute_button")
-    button.setToolTip("Mute: silence this input (M)")
+    button.setToolTip(f"Mute: silence this input ({key_text('inputs', 'mute')})")
     return button
 
 
@@ -89,7 +90,7 @@ def solo_button(parent: QWidget | None = None) -> LetterButton:
     """Button that silences all others."""
     button = LetterButton("S", "Solo", "accent", parent)
     button.setObjectName("solo_button")
-    button.setToolTip("Solo: only inputs with S are driven (S)")
+    button.setToolTip(f"Solo: only inputs with S are driven ({key_text('inputs', 'solo')})")
     return button
 
 
@@ -97,5 +98,5 @@ def remove_button(parent: QWidget | None = None) -> LetterButton:
     """Button that removes an input."""
     button = LetterButton("×", "Remove", parent=parent)
     button.setObjectName("remove_button")
-    button.setToolTip("Remove this input (Delete)")
+    button.setToolTip(f"Remove this input ({key_text('inputs', 'remove')})")
     return button

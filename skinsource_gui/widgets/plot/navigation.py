@@ -5,6 +5,7 @@ from typing import Protocol
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 
+from skinsource_gui.widgets.key_table import meant
 from skinsource_gui.widgets.plot.crosshair import Crosshair
 from skinsource_gui.widgets.plot.curves import Curves
 from skinsource_gui.widgets.plot.plot_layout import PlotLayout
@@ -17,13 +18,7 @@ _LEAP = 10
 # No closer than so many samples.
 _FEWEST_SAMPLES = 4
 _STEPS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
-_ZOOMS = {
-    Qt.Key.Key_Plus: _KEY_ZOOM,
-    Qt.Key.Key_Equal: _KEY_ZOOM,
-    Qt.Key.Key_Minus: 1 / _KEY_ZOOM,
-}
-_EVERYTHING = (Qt.Key.Key_0, Qt.Key.Key_A)
-_OTHER_KEYS = (*_EVERYTHING, Qt.Key.Key_Home, Qt.Key.Key_End, Qt.Key.Key_Escape)
+_ZOOMS = {"zoom_in": _KEY_ZOOM, "zoom_out": 1 / _KEY_ZOOM}
 
 
 class Navigable(Protocol):
@@ -42,8 +37,7 @@ class Navigation(QObject):
     """Turns gestures and keys into a crosshair, and into requests for a part of the x axis.
 
     Wheel: zoom at the pointer.  Drag: zoom to what is covered.  Middle button or Shift: pan.
-    Double click, A or 0: everything.  Left and right: crosshair (Shift: ten samples), Home and
-    End: first and last sample, + and -: zoom, Esc: no crosshair, or the drag given up.
+    Double click: everything.  Keys: as the table of keys says.
     """
 
     #: Part of the x axis the user wants to see, SI; None: everything.
@@ -85,18 +79,18 @@ class Navigation(QObject):
 
     def press(self, event: QKeyEvent) -> None:
         """Do what a key means, or leave it to others."""
-        plot, key = self._plot, event.key()
-        if plot.curves is None or not is_ours(event):
+        plot, key, wanted = self._plot, Qt.Key(event.key()), meant("plot", event)
+        if plot.curves is None or not wanted:
             event.ignore()
-        elif key == Qt.Key.Key_Escape:
+        elif wanted == "give_up":
             self._escape(event)
-        elif key in _EVERYTHING:
+        elif wanted == "whole":
             self.show_everything()
-        elif key in _ZOOMS:
+        elif wanted in _ZOOMS:
             anchor = plot.crosshair.position
             # Keys zoom at the crosshair if it is in sight.
-            self._zoom(sum(plot.window.shown) / 2 if anchor is None else anchor, _ZOOMS[key])
-        elif key in _STEPS:
+            self._zoom(sum(plot.window.shown) / 2 if anchor is None else anchor, _ZOOMS[wanted])
+        elif wanted == "step":
             leap = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
             self._step(plot.curves, _STEPS[key] * (_LEAP if leap else 1))
         else:
@@ -159,12 +153,3 @@ class Navigation(QObject):
             self._plot.crosshair.put(None)
         else:
             event.ignore()
-
-
-def is_ours(event: QKeyEvent) -> bool:
-    """Whether a plot understands this key."""
-    allowed = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
-    if event.modifiers() & ~allowed:
-        return False
-    key = event.key()
-    return key in _STEPS or key in _ZOOMS or key in _OTHER_KEYS

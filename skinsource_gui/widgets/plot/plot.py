@@ -19,11 +19,12 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
+from skinsource_gui.widgets.key_table import meant
 from skinsource_gui.widgets.plot.axis_spec import ValueUnit, XAxis, value_unit
 from skinsource_gui.widgets.plot.crosshair import Crosshair
 from skinsource_gui.widgets.plot.curve_points import curve_points
 from skinsource_gui.widgets.plot.curves import Curves
-from skinsource_gui.widgets.plot.navigation import Navigation, is_ours
+from skinsource_gui.widgets.plot.navigation import Navigation
 from skinsource_gui.widgets.plot.plot_layout import Content, PlotLayout, Words, laid_out
 from skinsource_gui.widgets.plot.ranges import HeldRange, Range
 from skinsource_gui.widgets.plot.stack import Stack
@@ -164,7 +165,7 @@ class Plot(pyqtgraph.GraphicsView):
     def event(self, event: QEvent) -> bool:
         # These keys are this plot's while it has the focus, whatever the window's actions are.
         is_shortcut = event.type() == QEvent.Type.ShortcutOverride
-        if is_shortcut and isinstance(event, QKeyEvent) and self.curves and is_ours(event):
+        if is_shortcut and isinstance(event, QKeyEvent) and self.curves and meant("plot", event):
             event.accept()
             return True
         return super().event(event)

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QMenu, QWidget
 
+from skinsource_gui.widgets.key_table import key_text
 from skinsource_gui.widgets.plot.signal_exports import SignalExports
 
 
@@ -16,7 +17,7 @@ def open_menu(
     menu.setObjectName("plot-menu")
     menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     # Keys are the plot's; here they are only read.
-    menu.addAction("View all\tA").triggered.connect(show_everything)
+    menu.addAction(f"View all\t{key_text('plot', 'whole')}").triggered.connect(show_everything)
     menu.addSeparator()
     menu.addAction("Copy picture").triggered.connect(exports.copy_picture)
     menu.addAction("Save picture as…").triggered.connect(exports.save_picture)
