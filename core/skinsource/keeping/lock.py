@@ -1,0 +1,129 @@
+"""A file beside an open file that says who has it.
+
+Locks of the operating system do not hold on every network folder, and tell nobody's name.
+"""
+
+import os
+import secrets
+import time
+from contextlib import suppress
+from pathlib import Path
+
+from skinsource.errors import StorageError
+from skinsource.files.reasons import advice_on_writing, named, reason_of
+from skinsource.keeping.owner import Owner, read_owner, still_runs, this_process, to_bytes
+
+# Whoever loses against a quicker one looks again; more than a few times is no accident.
+_TRIES = 10
+# Where files cannot be linked, one that is being written is empty for a moment.
+_WRITTEN_AFTER_S = 5.0
+_UNKNOWN = Owner(host="an unknown computer", user="somebody", pid=1, started_s=0.0)
+_DAMAGED = Owner(host="", user="", pid=0, started_s=0.0)
+
+
+class Lock:
+    """The lock on one file.
+
+    Parameters
+    ----------
+    file
+        What is open; the lock lies beside it.
+    """
+
+    def __init__(self, file: Path) -> None:
+        file = Path(os.path.realpath(file))
+        self.file = file
+        self.path = file.parent / f".{file.name}.lock"
+
+    def owner(self) -> Owner | None:
+        """Who has the file, as far as can be known; None: nobody that runs, or this process."""
+        found = self._found()
+        if found is None or found.is_same(this_process()) or _is_over(found):
+            return None
+        return found
+
+    def take(self, *, from_other: bool = False) -> Owner | None:
+        """Have the file; returns who has it already, or None once it is ours.
+
+        What an ended process of this computer left is taken over, and ``from_other`` what any
+        process has.
+
+        Raises
+        ------
+        StorageError
+            No lock can be written there.
+        """
+        for _ in range(_TRIES):
+            found = self._found()
+            if found is not None:
+                if found.is_same(this_process()):
+                    return None
+                if not from_other and not _is_over(found):
+                    return found
+                self._remove(found)
+            if self._create():
+                return None
+        return self._found() or _UNKNOWN
+
+    def release(self) -> None:
+        """Give the file up, if this process has it."""
+        found = read_owner(self.path)
+        if found is not None and found.is_same(this_process()):
+            with suppress(OSError):
+                self.path.unlink()
+
+    def _found(self) -> Owner | None:
+        found = read_owner(self.path)
+        if found is not None:
+            return found
+        try:
+            age_s = time.time() - self.path.stat().st_mtime
+        except (OSError, ValueError):
+            return None
+        # It names nobody: nobody ever finished writing it.
+        return _UNKNOWN if age_s < _WRITTEN_AFTER_S else _DAMAGED
+
+    def _create(self) -> bool:
+        """Write the lock unless there is one; whether it was written."""
+        beside = self.path.with_name(f"{self.path.name}.{secrets.token_hex(4)}.part")
+        try:
+            beside.write_bytes(to_bytes(this_process()))
+            try:
+                # With its content at once, or not at all.
+                os.link(beside, self.path)
+            except FileExistsError:
+                return False
+            except OSError:
+                return self._create_empty_first()
+            finally:
+                beside.unlink(missing_ok=True)
+        except (OSError, ValueError) as error:
+            raise StorageError(
+                f"{named(self.path)}: cannot be written ({reason_of(error)}). "
+                f"{advice_on_writing(error)}"
+            ) from error
+        return True
+
+    def _create_empty_first(self) -> bool:
+        try:
+            handle = os.open(self.path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
+        except FileExistsError:
+            return False
+        with os.fdopen(handle, "wb") as file:
+            file.write(to_bytes(this_process()))
+        return True
+
+    def _remove(self, judged: Owner) -> None:
+        """Take away the lock of ``judged``, and of nobody who was quicker."""
+        aside = self.path.with_name(f"{self.path.name}.{secrets.token_hex(4)}.part")
+        with suppress(OSError):
+            self.path.rename(aside)
+            now = read_owner(aside)
+            if now is not None and now != judged:
+                with suppress(OSError):
+                    os.link(aside, self.path)
+            aside.unlink()
+
+
+def _is_over(owner: Owner) -> bool:
+    return owner is _DAMAGED or still_runs(owner) is False

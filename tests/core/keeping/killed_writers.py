@@ -1,0 +1,74 @@
+"""Forks writers of copies and kills them at random moments; what each had done is printed.
+
+A writer edits without pause and keeps a copy as often as it is told.  It notes each edit in memory
+that it shares with the process that kills it, so that the note outlives it.
+"""
+
+import json
+import mmap
+import os
+import signal
+import struct
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+
+from skinsource.design import Design, Input
+from skinsource.design_file import DesignFile
+from skinsource.keeping.owner import this_process
+from skinsource.keeping.session import Session
+
+EDIT = struct.Struct("<qd")
+MOST_EDITS = 4000
+AT_A_TIME = 25
+
+
+def write_until_killed(folder, notes, interval_s):
+    session = Session(folder)
+    kept_s = time.monotonic()
+    for number in range(1, MOST_EDITS):
+        design = Design(limb="synthetic-1", inputs=(Input(location=7, amplitude=number / 8),))
+        now_s = time.monotonic()
+        EDIT.pack_into(notes, EDIT.size * number, number, now_s)
+        EDIT.pack_into(notes, 0, number, now_s)
+        if now_s - kept_s >= interval_s:
+            kept_s = now_s
+            session.keep(DesignFile(design=design), Path("/work/tap.skinsource"), b"picture")
+        time.sleep(0.004)
+    os._exit(1)
+
+
+def born(folder, interval_s):
+    notes = mmap.mmap(-1, EDIT.size * MOST_EDITS)
+    pid = os.fork()
+    if pid == 0:
+        try:
+            write_until_killed(folder, notes, interval_s)
+        finally:
+            os._exit(1)
+    return pid, notes
+
+
+def main(folder, kills, interval_s, seed):
+    told = []
+    chance = np.random.default_rng(seed)
+    while len(told) < kills:
+        count = min(AT_A_TIME, kills - len(told))
+        writers = [born(folder, interval_s) for _ in range(count)]
+        start_s = time.monotonic()
+        ends_s = sorted(start_s + chance.uniform(0.5, 5.0) * interval_s for _ in writers)
+        for (pid, notes), end_s in zip(writers, ends_s, strict=True):
+            time.sleep(max(end_s - time.monotonic(), 0.0))
+            os.kill(pid, signal.SIGKILL)
+            os.waitpid(pid, 0)
+            last, _ = EDIT.unpack_from(notes, 0)
+            times = [EDIT.unpack_from(notes, EDIT.size * k)[1] for k in range(1, last + 1)]
+            told.append({"pid": pid, "edits_s": times})
+    json.dump(told, sys.stdout)
+
+
+if __name__ == "__main__":
+    this_process()
+    main(Path(sys.argv[1]), int(sys.argv[2]), float(sys.argv[3]), int(sys.argv[4]))

@@ -1,0 +1,51 @@
+"""Copies rotate, and go when the work is saved."""
+
+import pytest
+
+from skinsource.design_file import open_design
+from skinsource.errors import StorageError
+from skinsource.keeping.session import MOST_COPIES, Session
+
+
+def amplitudes(session):
+    copies = sorted(session.folder.glob("*.skinsource"), key=lambda path: path.stat().st_mtime_ns)
+    return [open_design(path).design.inputs[0].amplitude for path in copies]
+
+
+def test_the_last_five_copies_are_kept_with_their_pictures(tmp_path, work):
+    session = Session(tmp_path)
+    for number in range(1, 9):
+        path = session.keep(work(number), tmp_path / "tap.skinsource", b"%d" % number)
+        assert open_design(path) == work(number)
+        assert path.with_suffix(".png").read_bytes() == b"%d" % number
+    assert amplitudes(session) == [4.0, 5.0, 6.0, 7.0, 8.0]
+    assert len(list(session.folder.glob("*.png"))) == MOST_COPIES
+
+
+def test_what_is_kept_already_is_not_written_again(tmp_path, work):
+    session = Session(tmp_path)
+    first = session.keep(work(1))
+    first.write_bytes(b"looked at")
+    assert session.keep(work(1)) == first
+    assert first.read_bytes() == b"looked at"
+    assert session.keep(work(2)) != first
+
+
+def test_saved_work_leaves_no_copy_and_later_work_is_kept_again(tmp_path, work):
+    session = Session(tmp_path)
+    session.keep(work(1))
+    session.forget()
+    assert list((tmp_path / "unsaved").iterdir()) == []
+    session.keep(work(1))
+    assert amplitudes(session) == [1.0]
+
+
+def test_a_name_that_is_too_long_for_a_copy_is_cut(tmp_path, work):
+    path = Session(tmp_path).keep(work(1), tmp_path / f"{'a' * 240}.skinsource")
+    assert path.name == f"{'a' * 60}.1.skinsource"
+
+
+def test_a_folder_that_cannot_be_written_is_told(tmp_path, work):
+    (tmp_path / "unsaved").write_text("a file stands there")
+    with pytest.raises(StorageError):
+        Session(tmp_path).keep(work(1))
