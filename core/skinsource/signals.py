@@ -96,7 +96,7 @@ def window_at(name: WindowName, position: NDArray[np.floating | np.integer], n: 
     return samples
 
 
-def _window_between(name: WindowName, n: int, shift: float) -> Floats:
+def window_between(name: WindowName, n: int, shift: float) -> Floats:
     """A window that starts ``shift`` of a sample late; 0 before it."""
     if not shift:
         return window(name, n)
@@ -138,7 +138,7 @@ def sinusoid(
     n = sample_count(duration_s, rate_hz)
     samples = np.sin(2.0 * np.pi * turns(frequency, n + (shift > 0.0), rate_hz, shift) + phase)
     if window_name != "none" or shift:
-        samples *= _window_between(window_name, n, shift * rate_hz)
+        samples *= window_between(window_name, n, shift * rate_hz)
     return samples
 
 
@@ -228,5 +228,5 @@ def white_noise(
     if n and shift:
         # The waves go on for ever, and repeat after n samples.
         samples = scipy.fft.irfft(spectrum * np.exp(-2j * np.pi * shift * frequency_hz), n)
-        samples = np.append(samples, samples[0]) * _window_between(window_name, n, shift * rate_hz)
+        samples = np.append(samples, samples[0]) * window_between(window_name, n, shift * rate_hz)
     return samples / peak if peak > 0 else samples

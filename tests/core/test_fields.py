@@ -72,6 +72,8 @@ def test_a_choice_that_is_not_offered_is_refused_with_those_that_are(shape):
 BESIDE = {
     ("Noise", "low_hz"): {"high_hz": 100_000.0, "duration_s": 600.0},
     ("Noise", "high_hz"): {"low_hz": 0.0, "duration_s": 600.0},
+    ("PulseTrain", "rate_hz"): {"pulse_s": 1e-6},
+    ("PulseTrain", "pulse_s"): {"rate_hz": 1.0},
 }
 
 

@@ -4,14 +4,35 @@ A waveform is a frozen dataclass with fields from `skinsource.fields`, and every
 `Waveform` names.  To add one: write a file beside these, and name its class in `KINDS`.
 """
 
+from skinsource.waveforms.amplitude_modulated import AmplitudeModulated
+from skinsource.waveforms.chirp import Chirp
+from skinsource.waveforms.damped_sine import DampedSine
+from skinsource.waveforms.frequency_modulated import FrequencyModulated
 from skinsource.waveforms.impulse import Impulse
 from skinsource.waveforms.noise import Noise
+from skinsource.waveforms.pulse_train import PulseTrain
+from skinsource.waveforms.saw import Saw
+from skinsource.waveforms.square import Square
 from skinsource.waveforms.tap import Tap
 from skinsource.waveforms.tone import Tone
+from skinsource.waveforms.triangle import Triangle
 from skinsource.waveforms.waveform import Waveform
 
 #: Every kind of waveform, in the order in which a user meets them.
-KINDS: tuple[type[Waveform], ...] = (Tone, Tap, Impulse, Noise)
+KINDS: tuple[type[Waveform], ...] = (
+    Tone,
+    Tap,
+    Impulse,
+    Noise,
+    Chirp,
+    DampedSine,
+    Square,
+    Saw,
+    Triangle,
+    PulseTrain,
+    AmplitudeModulated,
+    FrequencyModulated,
+)
 
 
 def kinds() -> tuple[type[Waveform], ...]:
@@ -19,4 +40,20 @@ def kinds() -> tuple[type[Waveform], ...]:
     return KINDS
 
 
-__all__ = ["KINDS", "Impulse", "Noise", "Tap", "Tone", "Waveform", "kinds"]
+__all__ = [
+    "KINDS",
+    "AmplitudeModulated",
+    "Chirp",
+    "DampedSine",
+    "FrequencyModulated",
+    "Impulse",
+    "Noise",
+    "PulseTrain",
+    "Saw",
+    "Square",
+    "Tap",
+    "Tone",
+    "Triangle",
+    "Waveform",
+    "kinds",
+]

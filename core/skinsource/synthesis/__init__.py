@@ -1,0 +1,1 @@
+"""How recipes are computed: sums of harmonics, phases of sweeps."""

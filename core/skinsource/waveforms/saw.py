@@ -1,0 +1,70 @@
+"""A sawtooth wave."""
+
+from dataclasses import dataclass
+from math import pi
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource import fields
+from skinsource.arrays import Complexes, Floats
+from skinsource.signals import WindowName
+from skinsource.synthesis.burst import burst, refuse_aliases
+from skinsource.synthesis.harmonics import sampled_series
+from skinsource.waveforms.common import DURATION, WINDOW
+from skinsource.waveforms.instants import count_of
+from skinsource.waveforms.square import FUNDAMENTAL
+from skinsource.waveforms.tone import PHASE
+
+
+@dataclass(frozen=True, slots=True)
+class Saw:
+    """A sawtooth wave without aliases: it rises from 0 to 1, falls to -1, and rises again.
+
+    Its Fourier series, the sum of (2 / pi h) (-1)^(h + 1) sin(2 pi h u) at the turn
+    u = frequency t + phase / 2 pi, up to half the sample rate; without that limit it is 2 u for
+    -1/2 < u < 1/2.  It starts as a sine does, without a click, and falls at half a period.  What
+    has peak 1 is the full series: cut off anywhere, it passes 1 by up to 18 % beside the fall
+    (Gibbs).  Its harmonics are the same at every rate.  The burst is cut out of it with hard ends,
+    or by the window.
+
+    Attributes
+    ----------
+    frequency_hz
+        1 Hz up to below half the sample rate.
+    duration_s
+        Length, 0.001 to 600 s.
+    phase_rad
+        Phase at onset; pi is the fall.
+    window
+        ``"none"``, ``"tukey"`` or ``"hanning"``.
+    """
+
+    title: ClassVar[str] = "Saw"
+
+    frequency_hz: float = fields.number(100.0, FUNDAMENTAL)
+    duration_s: float = fields.number(0.2, DURATION)
+    phase_rad: float = fields.number(0.0, PHASE)
+    window: WindowName = fields.choice("none", WINDOW)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
+        """Drive, (n_times,); 1 is the height of the saw without limit of its band."""
+        refuse_aliases("frequency_hz", self.frequency_hz, sample_rate_hz)
+        found = sampled_series(
+            _series,
+            self.frequency_hz,
+            self.phase_rad,
+            count_of(self.duration_s, sample_rate_hz, shift_s),
+            sample_rate_hz,
+            shift_s,
+        )
+        return burst(found, self.window, sample_rate_hz, shift_s)
+
+
+def _series(harmonics: Floats) -> Complexes:
+    odd = np.remainder(harmonics, 2.0) == 1.0
+    return -1j * np.where(odd, 2.0, -2.0) / (pi * harmonics)
