@@ -48,6 +48,9 @@ class Panel(QWidget):
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view; called at each change, before any results."""
 
+    def begin_anew(self) -> None:
+        """Let the next results be drawn as if there had been none before: nothing is held."""
+
     def show_results(self, results: Mapping[str, Any]) -> None:
         """Draw ``results``, which holds at least the quantities in ``needs``."""
 

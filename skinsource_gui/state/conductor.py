@@ -47,6 +47,9 @@ class Conductor(QObject):
         self._also = also
         self._asked: Request | None = None
         self._shown: dict[Panel, tuple[Any, ...]] = {}
+        # Panels whose next results have nothing to do with what they show.
+        self._anew: set[Panel] = set()
+        document.jumped.connect(self._begin_anew)
         document.changed.connect(self._follow)
         engine.finished.connect(self._deliver)
         for panel in panels:
@@ -61,6 +64,9 @@ class Conductor(QObject):
             panel.show_state(self._document.design, self._document.view)
         if self._ask(since_s):
             self._engine.wait(WAIT_FOR_RESULTS_S)
+
+    def _begin_anew(self) -> None:
+        self._anew.update(self._panels)
 
     def _ask(self, since_s: float | None = None) -> bool:
         """Ask for what is not known yet; whether there is any."""
@@ -98,6 +104,8 @@ class Conductor(QObject):
         for panel in visible:
             if panel.needs <= outcome.values.keys():
                 self._show(panel, outcome.values)
+                if outcome.request is self._asked:
+                    self._anew.discard(panel)
                 panel.show_stale(outcome.request is not self._asked)
         self.delivered.emit(outcome)
         self.stale.emit(outcome.request is not self._asked)
@@ -107,6 +115,8 @@ class Conductor(QObject):
         held = tuple(values[name] for name in sorted(panel.needs))
         before = self._shown.get(panel, ())
         if len(held) != len(before) or any(a is not b for a, b in zip(held, before, strict=True)):
+            if panel in self._anew:
+                panel.begin_anew()
             panel.show_results(values)
             self._shown[panel] = held
 

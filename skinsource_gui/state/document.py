@@ -24,6 +24,9 @@ class Document(QObject):
     """
 
     changed = Signal()
+    #: What comes does not go on from what was: a step was taken back or done again, or another file
+    #: is open.  Emitted before `changed`.
+    jumped = Signal()
     #: The path, or whether there is something unsaved, has changed.
     title_changed = Signal()
     #: Why an edit was not made, in one sentence.
@@ -88,6 +91,7 @@ class Document(QObject):
         self.undo_stack.clear()
         self._saved, self._path = design, path
         self._design, self._view = design, _existing(view, design)
+        self.jumped.emit()
         self.changed.emit()
         self._was_modified = self._lost = False
         self.title_changed.emit()
@@ -155,11 +159,14 @@ class _Swap(QUndoCommand):
         step = self._after
         # The first time, all of the view is new.
         view = step.seen_as(self._document.view) if self._done_before else step.view
+        if self._done_before:
+            self._document.jumped.emit()
         self._done_before = True
         self._document.show_step(step.design, view)
 
     def undo(self) -> None:
         step = self._before
+        self._document.jumped.emit()
         self._document.show_step(step.design, step.seen_as(self._document.view))
 
     def id(self) -> int:

@@ -173,3 +173,16 @@ def test_a_fault_of_the_studio_is_told_as_one(qtbot, stage):
 def test_a_look_elsewhere_reaches_the_panels(stage):
     stage.loud.view_changed.emit(View(outputs=(5,)))
     assert stage.document.view.outputs == (5,)
+
+
+def test_a_panel_begins_anew_once_before_the_results_of_an_undone_step(qtbot, stage):
+    begun = []
+    stage.loud.begin_anew = lambda: begun.append(len(stage.loud.results))
+    stage.amplitude(2.0)
+    assert begun == []
+    drawn = len(stage.loud.results)
+    stage.document.undo_stack.undo()
+    qtbot.waitUntil(lambda: not stage.engine.busy)
+    assert begun == [drawn]
+    stage.amplitude(3.0)
+    assert begun == [drawn]

@@ -48,7 +48,7 @@ ARGUMENTS = {
     "look_by_method": (st.sampled_from(["mag", "pca", "other"]),),
     "move_inputs": (ids, places),
     "mute_inputs": (ids, switches),
-    "place_input": (places,),
+    "place_input": (places, switches),
     "put_inputs_before": (ids, st.integers(-5, 9)),
     "remove_delay": (switches,),
     "remove_inputs": (ids,),

@@ -12,6 +12,7 @@ from skinsource.waveforms import Tone
 from skinsource_gui.panels.inputs.input_list import InputRows
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
+from skinsource_gui.widgets.plot.plot import Plot
 
 KEY, CONTROL = Qt.Key, Qt.KeyboardModifier.ControlModifier
 
@@ -116,3 +117,32 @@ def test_undo_while_a_number_is_dragged_takes_its_input_away_and_nothing_raises(
     QTest.mouseRelease(field, Qt.MouseButton.LeftButton, pos=start)
     assert window.document.design.inputs == ()
     assert window.document.undo_stack.count() == 1
+
+
+@pytest.mark.parametrize("panel", ["traces", "spectra"])
+def test_undo_and_redo_bring_back_the_axes_that_were_shown(window, settle, panel):
+    plot = window.panel(panel).findChild(Plot)
+
+    def louder(times):
+        design = window.document.design
+        amplitude = design.inputs[0].amplitude * times
+        window.document.edit("Louder", design.with_input(0, amplitude=amplitude))
+        settle()
+
+    settle()
+    first, before = window.document.design, plot.scale.values
+    louder(1.6)
+    grown = plot.scale.values
+    assert grown != before
+    window.document.undo_stack.undo()
+    settle()
+    assert plot.scale.values == before
+    window.document.undo_stack.redo()
+    settle()
+    assert plot.scale.values == grown
+    # While an edit goes on from what is shown, the axes stay as long as they fit.
+    louder(1 / 1.3)
+    assert plot.scale.values == grown
+    window.document.start_over(first, window.document.view, None)
+    settle()
+    assert plot.scale.values == before

@@ -24,8 +24,8 @@ from skinsource.waveforms import Waveform
 _TOO_MANY = Refusal(sentence=f"A design holds at most {MAX_INPUTS} inputs; remove one first.")
 
 
-def place_input(design: Design, view: View, location: int) -> Edit | Refusal:
-    """Add an input at a place and select it.
+def place_input(design: Design, view: View, location: int, besides: bool = False) -> Edit | Refusal:
+    """Add an input at a place and select it, or with ``besides`` add it to the selected ones.
 
     It plays what the selected input plays, as strongly, but noise of its own.
     """
@@ -43,7 +43,9 @@ def place_input(design: Design, view: View, location: int) -> Edit | Refusal:
     return Edit(
         label=f"Place input at {place_words(location)}",
         design=after,
-        view=replace(view, selected_inputs=after.ids[-1:]),
+        view=replace(
+            view, selected_inputs=(*(view.selected_inputs if besides else ()), after.ids[-1])
+        ),
     )
 
 

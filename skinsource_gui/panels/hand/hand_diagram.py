@@ -39,6 +39,8 @@ class HandDiagram(QWidget):
 
     #: Site of a new input.
     add_requested = Signal(int)
+    #: The same, where what is selected stays so besides.
+    add_besides_requested = Signal(int)
     #: Number of an input.
     select_requested = Signal(int)
     #: Number of an input that is to be added to the selected ones, or taken out.
@@ -60,6 +62,7 @@ class HandDiagram(QWidget):
         for source in (self._mouse, self._cursor):
             source.placed.connect(self.add_requested)
             source.selected.connect(self.select_requested)
+        self._mouse.placed_besides.connect(self.add_besides_requested)
         self._mouse.toggled.connect(self.toggle_requested)
         self._mouse.moved.connect(self.move_requested)
         self._cursor.shifted.connect(self.move_requested)

@@ -34,6 +34,7 @@ class HandPanel(Panel):
         self._theme = LIGHT
         self.diagram = HandDiagram(palmar_drawing(standard_hand()), self._theme, self)
         self.diagram.add_requested.connect(self._add)
+        self.diagram.add_besides_requested.connect(partial(self._add, besides=True))
         self.diagram.select_requested.connect(self._select)
         self.diagram.move_requested.connect(self._move)
         self.diagram.toggle_requested.connect(self._toggle)
@@ -86,8 +87,8 @@ class HandPanel(Panel):
     def _select_all(self) -> None:
         self._edit(edits.select_all_inputs)
 
-    def _add(self, site: int) -> None:
-        self._edit(edits.place_input, site)
+    def _add(self, site: int, besides: bool = False) -> None:
+        self._edit(edits.place_input, site, besides)
 
     def _move(self, index: int, site: int, gesture: int) -> None:
         self._edit(edits.move_inputs, self._together(index, alone=True), site, gesture=gesture)

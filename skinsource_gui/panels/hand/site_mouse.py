@@ -35,8 +35,9 @@ class _Press:
 class SiteMouse(QObject):
     """Turns presses, moves and releases on a hand into what they mean.
 
-    A press selects an input, or at release places one; with Ctrl or Shift it adds an input to the
-    selected ones or takes it out, with both it places one more on a site that has one.  Moving
+    A press selects an input, or at release places one; with Ctrl or Shift it adds an input, a new
+    one too, to the selected ones or takes it out, with both it places one more on a site that has
+    one.  Moving
     farther drags the input, live, in one gesture.  Dropped far from every site, or cancelled, it
     goes back where it came from.
 
@@ -52,6 +53,8 @@ class SiteMouse(QObject):
     pressed = Signal(int)
     #: Site of a new input.
     placed = Signal(int)
+    #: Site of a new input that is selected besides those that are.
+    placed_besides = Signal(int)
     #: Number of an input.
     selected = Signal(int)
     toggled = Signal(int)
@@ -82,7 +85,7 @@ class SiteMouse(QObject):
             at=event.position(),
             index=front,
             was_selected=front is not None and front == state.selected,
-            toggles=front is not None and held in _TOGGLE,
+            toggles=held in _TOGGLE,
             further=held == _FURTHER,
             target=site,
         )
@@ -160,7 +163,7 @@ class SiteMouse(QObject):
 
     def _click(self, press: _Press) -> None:
         if press.index is None or press.further:
-            self.placed.emit(press.site)
+            (self.placed_besides if press.toggles else self.placed).emit(press.site)
             return
         if press.toggles:
             self.toggled.emit(press.index)

@@ -3,10 +3,9 @@
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 from typing import Any
 
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from skinsource.decibels import decibels
 from skinsource.design import Design
@@ -15,15 +14,12 @@ from skinsource.panel_settings import settings_of, with_settings
 from skinsource.signals import BAND_HZ
 from skinsource.spectra import HOLD_WINDOW_S
 from skinsource.view import View
-from skinsource_gui.panel import Panel
 from skinsource_gui.panels.spectra.settings import SpectraSettings
-from skinsource_gui.theme import Theme
+from skinsource_gui.signal_panel import NO_OUTPUTS, SignalPanel
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
 from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_of
-from skinsource_gui.widgets.plot.signal_view import SignalView
 
-_NO_OUTPUTS = "Select outputs on the skin map"
 _LOWEST_HZ = 10.0
 _BAND = f"{BAND_HZ[0]:g} to {BAND_HZ[1]:g} Hz"
 _LINEAR_AXIS = XAxis(
@@ -55,19 +51,17 @@ _RECTIFIED = (
 )
 
 
-class SpectraPanel(Panel):
+class SpectraPanel(SignalPanel):
     """One curve of each selected output over frequency, overlaid or stacked."""
 
     title = "Spectra"
     name = "spectra"
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setMinimumSize(240, 140)
+        super().__init__("spectra-plot", "Spectra of the selected outputs", parent)
         self._view, self._settings = View(), SpectraSettings()
         self._axis, self._log_axis = _axes(SAMPLE_RATE_HZ)
         self._results: Mapping[str, Any] | None = None
-        self._plot = SignalView("spectra-plot", "Spectra of the selected outputs", self)
         self._log_frequency = self._plot.toolbar.add_switch(
             "log-frequency",
             "Log frequency",
@@ -81,14 +75,8 @@ class SpectraPanel(Panel):
             self._choose_log_magnitude,
         )
         self._log_magnitude.setAccessibleName("Log magnitude")
-        self.setFocusProxy(self._plot.plot)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self._plot)
         self._plot.toolbar.layout_chosen.connect(self._choose_layout)
         self._plot.zoom_requested.connect(self._zoom)
-        self._plot.exports.failed.connect(self.failed)
-        self._plot.exports.written.connect(self.written)
 
     @property
     def needs(self) -> frozenset[str]:
@@ -107,8 +95,8 @@ class SpectraPanel(Panel):
         )
         self._show_axis()
         if not view.outputs:
-            self._say(_NO_OUTPUTS)
-        elif self._plot.plot.message == _NO_OUTPUTS:
+            self._say(NO_OUTPUTS)
+        elif self._plot.plot.message == NO_OUTPUTS:
             self._plot.wait_for_curves()
         elif level_changed and self._results is not None:
             self._draw(self._results)
@@ -122,19 +110,10 @@ class SpectraPanel(Panel):
                 self._show_axis()
             self._draw(results)
         else:
-            self._say(_NO_OUTPUTS)
-
-    def show_stale(self, stale: bool) -> None:
-        self._plot.set_stale(stale)
+            self._say(NO_OUTPUTS)
 
     def show_problem(self, reason: str) -> None:
         self._say(reason)
-
-    def show_folder(self, folder: Path) -> None:
-        self._plot.exports.folder = folder
-
-    def show_theme(self, theme: Theme) -> None:
-        self._plot.set_theme(theme)
 
     def _show_axis(self) -> None:
         settings = self._settings

@@ -2,25 +2,21 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from skinsource import edits
 from skinsource.design import Design
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.quantities import PRE_TRIGGER_DELAY_S
 from skinsource.view import View
-from skinsource_gui.panel import Panel
 from skinsource_gui.panels.traces.settings import TracesSettings
-from skinsource_gui.theme import Theme
+from skinsource_gui.signal_panel import NO_OUTPUTS, SignalPanel
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
 from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_of
-from skinsource_gui.widgets.plot.signal_view import SignalView
 
-_NO_OUTPUTS = "Select outputs on the skin map"
 _DELAY = f"{PRE_TRIGGER_DELAY_S * 1e3:.0f} ms"
 _DELAYED_AXIS = XAxis(
     titles=(
@@ -44,18 +40,16 @@ _DELAY_REMOVED_AXIS = replace(
 )
 
 
-class TracesPanel(Panel):
+class TracesPanel(SignalPanel):
     """One curve of each selected output over time, overlaid or stacked."""
 
     title = "Traces"
     name = "traces"
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setMinimumSize(240, 140)
+        super().__init__("traces-plot", "Traces of the selected outputs", parent)
         self._design: Design | None = None
         self._view, self._settings = View(), TracesSettings()
-        self._plot = SignalView("traces-plot", "Traces of the selected outputs", self)
         self._delay = self._plot.toolbar.add_switch(
             "remove-delay",
             f"Remove {_DELAY} delay",
@@ -63,14 +57,8 @@ class TracesPanel(Panel):
             "measurement. Shift it away",
             self._remove_delay,
         )
-        self.setFocusProxy(self._plot.plot)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self._plot)
         self._plot.toolbar.layout_chosen.connect(self._choose_layout)
         self._plot.zoom_requested.connect(self._zoom)
-        self._plot.exports.failed.connect(self.failed)
-        self._plot.exports.written.connect(self.written)
         # Which delay the curves on screen have.
         self._drawn_removed = False
 
@@ -89,8 +77,8 @@ class TracesPanel(Panel):
         zoomed = view.time_range_s is not None
         self._plot.toolbar.show_state(layout=self._settings.layout, zoomed=zoomed)
         if not view.outputs:
-            self._plot.show_message(_NO_OUTPUTS)
-        elif self._plot.plot.message == _NO_OUTPUTS:
+            self._plot.show_message(NO_OUTPUTS)
+        elif self._plot.plot.message == NO_OUTPUTS:
             self._plot.wait_for_curves()
         if self._drawn_removed == view.delay_removed:
             self._apply_view()
@@ -99,7 +87,7 @@ class TracesPanel(Panel):
         self._drawn_removed = results["delay_removed"]
         self._apply_view()
         if not results["outputs"]:
-            self._plot.show_message(_NO_OUTPUTS)
+            self._plot.show_message(NO_OUTPUTS)
             return
         curves = Curves(
             x=results["response_time_s"],
@@ -113,18 +101,6 @@ class TracesPanel(Panel):
             synthetic=results["limb"].startswith("synthetic"),
             notes=_axis_notes(_heard(results.get("selected_without_main_axis", ()), results)),
         )
-
-    def show_stale(self, stale: bool) -> None:
-        self._plot.set_stale(stale)
-
-    def show_problem(self, reason: str) -> None:
-        self._plot.show_message(reason)
-
-    def show_folder(self, folder: Path) -> None:
-        self._plot.exports.folder = folder
-
-    def show_theme(self, theme: Theme) -> None:
-        self._plot.set_theme(theme)
 
     def _apply_view(self) -> None:
         view = self._view

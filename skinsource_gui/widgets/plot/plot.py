@@ -126,6 +126,10 @@ class Plot(pyqtgraph.GraphicsView):
             self._lay_out()
             self._colour()
 
+    def begin_anew(self) -> None:
+        """Decide the range of the next curves without a look at those before."""
+        self._held.let_go()
+
     def show_curves(self, curves: Curves) -> None:
         """Draw ``curves`` in place of those before; zoom and crosshair stay."""
         low, high = float(curves.y.min()), float(curves.y.max())

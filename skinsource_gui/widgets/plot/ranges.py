@@ -41,6 +41,10 @@ class HeldRange:
         self._kind = kind
         return self._range
 
+    def let_go(self) -> None:
+        """Decide the next range by its data alone."""
+        self._kind, self._range = None, (0.0, 1.0)
+
     def _still_fits(self, low: float, high: float, wanted: Range) -> bool:
         held_low, held_high = self._range
         if self._kind == "level":

@@ -92,9 +92,15 @@ def test_a_click_with_shift_or_control_adds_to_the_selected_ones_or_takes_out(st
 
 
 @pytest.mark.parametrize("modifier", [SHIFT, CONTROL])
-def test_on_an_empty_site_they_place_an_input_as_any_click(studio, modifier):
+def test_on_an_empty_site_they_place_an_input_and_select_it_besides_the_others(studio, modifier):
     studio.click(3, modifier)
     assert studio.sites == [3]
+    assert studio.view.selected_inputs == (1,)
+    studio.click(8, modifier)
+    assert studio.sites == [3, 8]
+    assert studio.view.selected_inputs == (1, 2)
+    studio.click(8, CONTROL | SHIFT)
+    assert studio.view.selected_inputs == (3,)
 
 
 def test_ctrl_a_selects_all_and_delete_removes_all_in_one_step(studio):

@@ -1,0 +1,48 @@
+"""What the panels with signals of the selected outputs share."""
+
+from pathlib import Path
+
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from skinsource_gui.panel import Panel
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.plot.signal_view import SignalView
+
+#: What such a panel says while no output is selected.
+NO_OUTPUTS = "Select outputs on the skin map"
+
+
+class SignalPanel(Panel):
+    """A panel that is filled by one `SignalView`.
+
+    Parameters
+    ----------
+    plot_name, accessible_name
+        `objectName` of the plot; what it shows, for those who do not see it.
+    """
+
+    def __init__(self, plot_name: str, accessible_name: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setMinimumSize(240, 140)
+        self._plot = SignalView(plot_name, accessible_name, self)
+        self.setFocusProxy(self._plot.plot)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self._plot)
+        self._plot.exports.failed.connect(self.failed)
+        self._plot.exports.written.connect(self.written)
+
+    def begin_anew(self) -> None:
+        self._plot.plot.begin_anew()
+
+    def show_stale(self, stale: bool) -> None:
+        self._plot.set_stale(stale)
+
+    def show_problem(self, reason: str) -> None:
+        self._plot.show_message(reason)
+
+    def show_folder(self, folder: Path) -> None:
+        self._plot.exports.folder = folder
+
+    def show_theme(self, theme: Theme) -> None:
+        self._plot.set_theme(theme)
