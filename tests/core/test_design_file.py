@@ -26,6 +26,7 @@ from skinsource.fields import (
     ChoiceSpec,
     ListSpec,
     NumberSpec,
+    OptionalSpec,
     PlainSpec,
     RangeSpec,
     RecipeSpec,
@@ -74,6 +75,13 @@ def ranges(spec: RangeSpec) -> st.SearchStrategy:
     return st.none() | st.tuples(end, end).filter(lambda ends: ends[0] < ends[1])
 
 
+def signals(spec: SamplesSpec) -> st.SearchStrategy:
+    held = st.lists(st.floats(allow_nan=False, allow_infinity=False), min_size=1, max_size=5)
+    rates = st.floats(1e-3, 1e9)
+    units = st.sampled_from(["", "m/s²"]) if spec.unit is None else st.just(spec.unit)
+    return st.builds(Samples, values=held, sample_rate_hz=rates, unit=units)
+
+
 PANELS = st.dictionaries(
     st.text("abc", min_size=1, max_size=4),
     st.dictionaries(
@@ -105,6 +113,8 @@ def values(spec: fields.Spec) -> st.SearchStrategy:
             ListSpec: lambda spec: st.lists(
                 values(spec.of), max_size=min(spec.most, 6), unique=spec.different
             ).map(tuple),
+            OptionalSpec: lambda spec: st.none() | values(spec.of),
+            SamplesSpec: signals,
             RecipeSpec: lambda spec: st.one_of([recipes(kind) for kind in spec.kinds()]),
         },
     )(spec)

@@ -1,8 +1,12 @@
 """From one kind of waveform to another."""
 
+from dataclasses import replace
 from typing import Any
 
-from skinsource.fields import ChoiceSpec, NumberSpec, specs_of
+from skinsource.errors import InvalidInputError
+from skinsource.fields import ChoiceSpec, NumberSpec, SamplesSpec, specs_of
+from skinsource.limb import SAMPLE_RATE_HZ
+from skinsource.samples import Samples
 from skinsource.waveforms import Waveform, kinds
 
 
@@ -23,13 +27,16 @@ def kind_name(waveform: Waveform) -> str:
 def as_kind(waveform: Waveform, kind: type[Waveform]) -> Waveform:
     """A waveform of another kind that shares what it can with ``waveform``.
 
-    A number that the other kind does not allow becomes the nearest one that it does.
+    A number that the other kind does not allow becomes the nearest one that it does.  A kind that
+    holds samples gets those that ``waveform`` plays.
     """
     if kind is type(waveform):
         return waveform
     present = specs_of(waveform)
     shared: dict[str, Any] = {}
     for field, spec in specs_of(kind).items():
+        if isinstance(spec, SamplesSpec):
+            shared |= _played(waveform, field, spec)
         if type(present.get(field)) is not type(spec):
             continue
         value = getattr(waveform, field)
@@ -38,6 +45,19 @@ def as_kind(waveform: Waveform, kind: type[Waveform]) -> Waveform:
         elif isinstance(spec, ChoiceSpec) and value in dict(spec.options):
             shared[field] = value
     return kind(**shared)
+
+
+def _played(waveform: Waveform, field: str, spec: SamplesSpec) -> dict[str, Samples]:
+    """What a waveform plays, as the samples of ``field``; nothing where it cannot be."""
+    own = getattr(waveform, field, None)
+    try:
+        if isinstance(own, Samples):
+            played = own if spec.unit is None else replace(own, unit=spec.unit)
+        else:
+            played = Samples(values=waveform.samples(SAMPLE_RATE_HZ), sample_rate_hz=SAMPLE_RATE_HZ)
+        return {field: spec.checked(played)}
+    except InvalidInputError:
+        return {}
 
 
 def nearest(value: float, spec: NumberSpec) -> float:

@@ -29,6 +29,8 @@ class NumberSpec(Spec):
         Whether only whole numbers are allowed.
     below_half_rate
         Whether it is a frequency that a limb can only play below half its sample rate.
+    felt
+        Whether it is a frequency of the motion itself, which is known in the measured band.
     """
 
     unit: str = ""
@@ -38,6 +40,7 @@ class NumberSpec(Spec):
     logarithmic: bool = False
     whole: bool = False
     below_half_rate: bool = False
+    felt: bool = False
 
     def at_rate(self, sample_rate_hz: float) -> "NumberSpec":
         """What is allowed on a limb of this rate: whole hertz below half of it, where that counts.

@@ -138,18 +138,18 @@ class SamplesSpec(Spec):
     Attributes
     ----------
     unit
-        The unit that they must have.
+        The unit that they must have; None: any.
     most
         How many there may be.
     """
 
-    unit: str = ""
+    unit: str | None = ""
     most: int = MAX_SAMPLES
 
     def checked(self, value: Any) -> Samples:
         """Return ``value`` itself."""
         if not isinstance(value, Samples) or value.values.size > self.most:
             raise Misfit(f"Samples, at most {self.most} of them")
-        if value.unit != self.unit:
+        if self.unit is not None and value.unit != self.unit:
             raise Misfit(f"Samples in {self.unit or 'no unit'}")
         return value

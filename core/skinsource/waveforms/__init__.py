@@ -7,10 +7,12 @@ A waveform is a frozen dataclass with fields from `skinsource.fields`, and every
 from skinsource.waveforms.amplitude_modulated import AmplitudeModulated
 from skinsource.waveforms.chirp import Chirp
 from skinsource.waveforms.damped_sine import DampedSine
+from skinsource.waveforms.drawn import Drawn
 from skinsource.waveforms.frequency_modulated import FrequencyModulated
 from skinsource.waveforms.impulse import Impulse
 from skinsource.waveforms.noise import Noise
 from skinsource.waveforms.pulse_train import PulseTrain
+from skinsource.waveforms.recording import Recording
 from skinsource.waveforms.saw import Saw
 from skinsource.waveforms.square import Square
 from skinsource.waveforms.tap import Tap
@@ -32,6 +34,8 @@ KINDS: tuple[type[Waveform], ...] = (
     PulseTrain,
     AmplitudeModulated,
     FrequencyModulated,
+    Drawn,
+    Recording,
 )
 
 
@@ -45,10 +49,12 @@ __all__ = [
     "AmplitudeModulated",
     "Chirp",
     "DampedSine",
+    "Drawn",
     "FrequencyModulated",
     "Impulse",
     "Noise",
     "PulseTrain",
+    "Recording",
     "Saw",
     "Square",
     "Tap",

@@ -21,6 +21,7 @@ LOW = NumberSpec(
     minimum=0.0,
     maximum=99_999.0,
     step=1.0,
+    felt=True,
     hint="Lowest frequency of the noise",
 )
 HIGH = replace(

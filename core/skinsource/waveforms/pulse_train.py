@@ -19,7 +19,7 @@ from skinsource.waveforms.instants import count_of
 from skinsource.waveforms.square import FUNDAMENTAL
 from skinsource.waveforms.tone import PHASE
 
-RATE = replace(FUNDAMENTAL, label="Rate", hint="Pulses per second")
+RATE = replace(FUNDAMENTAL, label="Rate", felt=False, hint="Pulses per second")
 PULSE = NumberSpec(
     label="Pulse",
     unit="s",

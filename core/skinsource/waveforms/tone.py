@@ -20,6 +20,7 @@ FREQUENCY = NumberSpec(
     step=0.02,
     logarithmic=True,
     below_half_rate=True,
+    felt=True,
     hint="{:g} to {:g} Hz is the measured band".format(*BAND_HZ),
 )
 PHASE = NumberSpec(

@@ -65,9 +65,8 @@ class NumberEditor(QObject):
 
     def advice(self) -> str:
         """Warn of frequencies that were not measured."""
-        in_hertz = self.field.spec.unit == "Hz"
         inside = BAND_HZ[0] <= self.field.value_si <= BAND_HZ[1]
-        return _OUTSIDE_BAND if in_hertz and not inside else ""
+        return _OUTSIDE_BAND if self.field.spec.felt and not inside else ""
 
 
 class _Plain(QObject):
