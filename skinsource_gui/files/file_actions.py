@@ -12,11 +12,14 @@ from skinsource.errors import SkinSourceError
 from skinsource.files import is_there, named
 from skinsource.view import View
 from skinsource_gui.files.file_on_disk import FileOnDisk
+from skinsource_gui.files.held_file import HeldFile, may_have_ended, who_has
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
 
 _FILTER = f"SkinSource designs (*{SUFFIX})"
 _Answer = QMessageBox.StandardButton
+_READ_ONLY = "It is read-only here: saving asks for another name."
+_MAYBE_ENDED = "Nobody can say here whether that has ended. Replace the file, and have it here?"
 _CHANGED = "was changed by another program, or in another window, since it was opened here"
 
 
@@ -29,6 +32,8 @@ class FileActions(QObject):
     #: A file was opened; the bytes are the window's arrangement that it holds.
     opened = Signal(bytes)
     recent_changed = Signal()
+    #: What follows might end the studio: unsaved work is to be kept now.
+    risk_ahead = Signal()
     #: The folder in which the next file is expected, `Path`.
     folder_changed = Signal(object)
 
@@ -43,6 +48,7 @@ class FileActions(QObject):
         self._document, self._preferences, self._window = document, preferences, window
         self._arrangement = arrangement
         self._on_disk, self._told = FileOnDisk(), "same"
+        self.held = HeldFile()
         window.installEventFilter(self)
 
     def new(self) -> None:
@@ -51,6 +57,7 @@ class FileActions(QObject):
             limb = self._document.design.limb
             self._document.start_over(Design(limb=limb), View(), None)
             self._note_file(None)
+            self.held.keep_only(None)
             self.done.emit("Started a new design")
 
     def ask_and_open(self) -> None:
@@ -62,6 +69,7 @@ class FileActions(QObject):
 
     def open(self, path: Path) -> None:
         """Open ``path``; on any fault say so and keep what is open."""
+        self.risk_ahead.emit()
         on_disk = FileOnDisk()
         on_disk.note(path)
         try:
@@ -74,19 +82,26 @@ class FileActions(QObject):
         # What cannot be opened is said before anything is asked.
         if not self.may_lose_changes():
             return
-        self._document.start_over(content.design, content.view, path)
+        other = self.held.take(path)
+        self.held.keep_only(path)
+        self._document.start_over(content.design, content.view, path, read_only=other is not None)
         self._on_disk, self._told = on_disk, "same"
         self._preferences.remember_file(path)
         self._note_folder(path)
         self.recent_changed.emit()
         self.opened.emit(content.layout)
-        self.done.emit(f"Opened {path.name}")
+        if other is None:
+            self.done.emit(f"Opened {path.name}")
+        else:
+            self.failed.emit(f"{who_has(path, other)}. {_READ_ONLY}")
 
     def save(self) -> bool:
         """Save where it was saved before, or ask; whether it is saved now."""
         if self._document.path is None:
             return self.ask_and_save()
         path = self._document.path
+        if self._document.read_only and self.held.take(path) is not None:
+            return self.ask_and_save()
         return self._may_overwrite(path) and self._save_to(path)
 
     def ask_and_save(self) -> bool:
@@ -177,12 +192,22 @@ class FileActions(QObject):
         return answer == _Answer.Yes
 
     def _save_to(self, path: Path) -> bool:
-        document = self._document
+        document, other = self._document, self.held.take(path)
+        if other is not None:
+            words = who_has(path, other)
+            if not may_have_ended(other):
+                self.failed.emit(f"{words}. Save the design under another name.")
+                return False
+            if not self._agreed("Replace the file?", f"{words}. {_MAYBE_ENDED}"):
+                return False
+            self.held.take(path, from_other=True)
         try:
             save_design(path, document.design, document.view, layout=self._arrangement())
         except SkinSourceError as error:
+            self.held.keep_only(None if document.read_only else document.path)
             self.failed.emit(str(error))
             return False
+        self.held.keep_only(path)
         self._document.mark_saved(path)
         self._note_file(path)
         self._preferences.remember_file(path)

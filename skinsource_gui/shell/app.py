@@ -12,8 +12,8 @@ from skinsource.catalogue import available_limbs, default_limb
 from skinsource.design import start_design
 from skinsource.files import make_folder
 from skinsource.files.assets import user_folder
-from skinsource_gui.files.kept_work import KeptWork
-from skinsource_gui.shell.ending import EndSignals, keep_unsaved, offer_kept
+from skinsource.keeping.crash_log import CrashLog
+from skinsource_gui.shell.ending import EndSignals
 from skinsource_gui.shell.garbage import take_over_collection
 from skinsource_gui.shell.screen_fit import ScreenFit
 from skinsource_gui.shell.window import MainWindow
@@ -49,18 +49,19 @@ def run(path: Path | None) -> int:
     """Open the studio and stay until it is closed."""
     application = make_application()
     make_folder(user_folder())
+    log = CrashLog(user_folder())
+    log.open()
     window = make_window(path, Preferences(settings_path()))
     ScreenFit(window).guess()
-    kept = KeptWork(user_folder())
     end_signals = EndSignals(window)
 
     def end() -> None:
-        keep_unsaved(window.document, kept)
+        if not window.keeping.end_unasked():
+            sys.stderr.write("skinsource-gui: unsaved work is lost: no copy could be written\n")
         window.close_unasked()
 
     end_signals.received.connect(end)
-    if path is None:
-        offer_kept(window.document, kept, window.notice, window.reports.complain)
+    window.keeping.offer(window.notice)
     window.show()
     settled = QTimer(window, singleShot=True, interval=_SETTLED_ANYWAY_MS)
     settled.timeout.connect(partial(take_over_collection, window))
@@ -72,4 +73,6 @@ def run(path: Path | None) -> int:
             settled.start(_SETTLED_MS)
 
     window.engine.finished.connect(settle_soon)
-    return application.exec()
+    result = application.exec()
+    log.close()
+    return result

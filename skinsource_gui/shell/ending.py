@@ -2,17 +2,8 @@
 
 import signal
 import socket
-import sys
-from collections.abc import Callable
-from functools import partial
-from pathlib import Path
 
 from PySide6.QtCore import QObject, QSocketNotifier, Signal
-
-from skinsource.errors import SkinSourceError
-from skinsource_gui.files.kept_work import KeptWork
-from skinsource_gui.shell.notice import Notice
-from skinsource_gui.state.document import Document
 
 _SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")
 
@@ -48,36 +39,3 @@ class EndSignals(QObject):
 
 def _leave_it_to_the_socket(_number: int, _frame: object) -> None:
     pass
-
-
-def keep_unsaved(document: Document, kept: KeptWork) -> None:
-    """Keep a copy of what ``document`` has not saved; where that fails, say so on stderr."""
-    if document.modified:
-        try:
-            kept.keep(document)
-        except SkinSourceError as error:
-            sys.stderr.write(f"skinsource-gui: unsaved work is lost: {error}\n")
-
-
-def offer_kept(
-    document: Document, kept: KeptWork, notice: Notice, complain: Callable[[str], None]
-) -> None:
-    """Offer the work that was kept when the studio was ended last, if there is any."""
-    path = kept.newest()
-    if path is None:
-        return
-    notice.say(
-        "The studio was ended before your work was saved. A copy was kept.",
-        "warning",
-        (
-            ("Open it", partial(_open, path, document, kept, complain)),
-            ("Discard it", partial(kept.discard, path)),
-        ),
-    )
-
-
-def _open(path: Path, document: Document, kept: KeptWork, complain: Callable[[str], None]) -> None:
-    try:
-        kept.open(path, document)
-    except SkinSourceError as error:
-        complain(str(error))

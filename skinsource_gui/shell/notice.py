@@ -3,7 +3,8 @@
 from collections.abc import Callable, Sequence
 from functools import partial
 
-from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt
+from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMainWindow, QPushButton, QToolButton, QWidget
 
 from skinsource_gui.theme import UNIT_PX, Theme
@@ -35,6 +36,9 @@ class Notice(QObject):
         self._words.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         # Who aims at what was here a moment ago shall hit it.
         self._words.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self._picture = QLabel(window)
+        self._picture.setObjectName("notice_picture")
+        self._picture.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.buttons = QWidget(window)
         self.buttons.setObjectName("notice_buttons")
         self._row = QHBoxLayout(self.buttons)
@@ -56,23 +60,35 @@ class Notice(QObject):
         """What it says; empty while hidden."""
         return self._words.text() if not self._words.isHidden() else ""
 
-    def say(self, text: str, kind: str = "info", choices: Sequence[Choice] = ()) -> None:
-        """Show ``text``; ``kind`` is ``"error"``, ``"warning"`` or ``"info"``."""
+    def say(
+        self,
+        text: str,
+        kind: str = "info",
+        choices: Sequence[Choice] = (),
+        picture: QPixmap | None = None,
+    ) -> None:
+        """Show ``text``; ``kind`` is ``"error"``, ``"warning"`` or ``"info"``.
+
+        A ``picture`` stands before the words.
+        """
         self._kind = kind
         self._offer(choices)
+        self._picture.setPixmap(picture or QPixmap())
+        self._picture.setHidden(picture is None or picture.isNull())
         self._words.setText(text)
         self._paint()
         for part in (self._words, self.buttons):
             part.show()
             part.raise_()
+        self._picture.raise_()
         self._place()
 
     def be_quiet(self) -> None:
         """Take away what it says."""
         if self.buttons.isAncestorOf(self._window.focusWidget()):
             self._window.setFocus()
-        self._words.hide()
-        self.buttons.hide()
+        for part in (self._words, self.buttons, self._picture):
+            part.hide()
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
@@ -105,8 +121,12 @@ class Notice(QObject):
     def _place(self) -> None:
         width, bottom = self._window.width(), self._window.statusBar().y()
         size = self.buttons.sizeHint()
-        self._words.setContentsMargins(UNIT_PX, UNIT_PX // 2, size.width() + 2 * UNIT_PX, 4)
-        height = max(self._words.heightForWidth(width), size.height() + UNIT_PX)
+        shown = QSize() if self._picture.isHidden() else self._picture.sizeHint()
+        left = shown.width() + 2 * UNIT_PX if shown.isValid() else UNIT_PX
+        self._words.setContentsMargins(left, UNIT_PX // 2, size.width() + 2 * UNIT_PX, 4)
+        least = max(size.height(), shown.height()) + UNIT_PX
+        height = max(self._words.heightForWidth(width), least)
+        self._picture.setGeometry(QRect(QPoint(UNIT_PX, bottom - height + UNIT_PX // 2), shown))
         self._words.setGeometry(0, bottom - height, width, height)
         top = bottom - height + (height - size.height()) // 2
         self.buttons.setGeometry(width - size.width() - UNIT_PX, top, size.width(), size.height())

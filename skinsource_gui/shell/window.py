@@ -23,6 +23,7 @@ from skinsource_gui.shell.dock_layout import DockLayout
 from skinsource_gui.shell.docks import dock_of, toggles
 from skinsource_gui.shell.focus_order import move_focus
 from skinsource_gui.shell.installations import Installations
+from skinsource_gui.shell.keeping import Keeping
 from skinsource_gui.shell.kind_choices import kind_choices
 from skinsource_gui.shell.menus import fill_menu_bar
 from skinsource_gui.shell.notice import Notice
@@ -136,6 +137,15 @@ class MainWindow(QMainWindow):
         self.exports = ExportActions(
             self.document, self.preferences, self.files, self.runner, self._drawer_of, self
         )
+        self.keeping = Keeping(
+            self.document,
+            self.engine,
+            self.runner,
+            self.files,
+            self.layout_of_docks,
+            self.preferences.autosave_s,
+            self,
+        )
         self.running_jobs = RunningJobs(self.runner, self)
         self.pages = Pages(
             self,
@@ -157,6 +167,7 @@ class MainWindow(QMainWindow):
         return {
             "files": self.files,
             "exports": self.exports,
+            "keeping": self.keeping,
             "jobs": self.running_jobs,
             "steps": self.document.undo_stack,
             "arrangements": self.arrangements,
@@ -190,6 +201,7 @@ class MainWindow(QMainWindow):
         self.files.done.connect(reports.report)
         self.files.opened.connect(self.layout_of_docks.put)
         self.exports.failed.connect(reports.complain)
+        self.keeping.connect_to(self.conductor, reports)
         for panel in self.panels:
             panel.action_wanted.connect(self.do)
             panel.failed.connect(reports.complain)
@@ -257,6 +269,7 @@ class MainWindow(QMainWindow):
         if not (self.files.may_lose_changes() and self.running_jobs.may_close()):
             event.ignore()
             return
+        self.keeping.end()
         self.layout_of_docks.close()
         self.engine.close()
         self.running_jobs.end()

@@ -26,5 +26,7 @@ class WindowFrame(QObject):
 
     def _show_title(self) -> None:
         path = self._document.path
-        self._window.setWindowTitle(f"{path.stem if path else 'Untitled'}[*] – SkinSource studio")
+        name = path.stem if path else "Untitled"
+        locked = " (read-only)" if self._document.read_only else ""
+        self._window.setWindowTitle(f"{name}[*]{locked} – SkinSource studio")
         self._window.setWindowModified(self._document.modified)

@@ -37,7 +37,7 @@ class Document(QObject):
         self._design = self._saved = design
         self._view = _existing(view or View(), design)
         self._path: Path | None = None
-        self._was_modified = self._lost = False
+        self._was_modified = self._lost = self._read_only = False
         self.undo_stack = QUndoStack(self)
         self.undo_stack.setUndoLimit(MOST_STEPS)
         self.undo_stack.cleanChanged.connect(self._tell_title)
@@ -56,6 +56,11 @@ class Document(QObject):
     def path(self) -> Path | None:
         """The file it was opened from or saved to."""
         return self._path
+
+    @property
+    def read_only(self) -> bool:
+        """Whether another studio has that file."""
+        return self._read_only
 
     @property
     def modified(self) -> bool:
@@ -86,9 +91,15 @@ class Document(QObject):
         """Replace the view."""
         self._show(self._design, view)
 
-    def start_over(self, design: Design, view: View, path: Path | None) -> None:
-        """Take over another design, with an empty history."""
+    def start_over(
+        self, design: Design, view: View, path: Path | None, *, read_only: bool = False
+    ) -> None:
+        """Take over another design, with an empty history.
+
+        A file that is ``read_only`` is another studio's: this one may not replace it.
+        """
         self.undo_stack.clear()
+        self._read_only = read_only
         self._saved, self._path = design, path
         self._design, self._view = design, _existing(view, design)
         self.jumped.emit()
@@ -98,7 +109,7 @@ class Document(QObject):
 
     def mark_saved(self, path: Path) -> None:
         """Note that ``path`` holds the present design."""
-        self._path, self._saved = path, self._design
+        self._path, self._saved, self._read_only = path, self._design, False
         self.undo_stack.setClean()
         self._was_modified = self._lost = False
         self.title_changed.emit()

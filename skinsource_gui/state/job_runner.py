@@ -44,6 +44,8 @@ class JobProgress:
 class JobRunner(QObject):
     """Carries out jobs in the order in which they came."""
 
+    #: A job begins once this returns.
+    starting = Signal()
     #: Another job is being carried out, or none, or more of them wait.
     changed = Signal()
     #: The job, and its `JobProgress`.
@@ -108,6 +110,7 @@ class JobRunner(QObject):
     def _start_next(self) -> None:
         self._running = self.current = self._waiting.popleft() if self._waiting else None
         if self._running is not None:
+            self.starting.emit()
             # An event of its own: the thread may still look at that of the job before.
             self._stop = Event()
             if self._worker is None:

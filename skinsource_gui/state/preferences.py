@@ -1,5 +1,7 @@
 """What the studio remembers between sessions: theme, window, recent files."""
 
+import os
+from contextlib import suppress
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QSettings
@@ -8,6 +10,10 @@ from skinsource.errors import SkinSourceError
 from skinsource.files import is_folder, is_there, make_folder, read_bytes, write_bytes
 from skinsource.files.assets import config_folder, user_folder
 
+#: Unsaved work is kept as often, unless something else is wanted.
+AUTOSAVE_S = 30.0
+
+_LEAST_AUTOSAVE_S, _MOST_AUTOSAVE_S = 0.05, 3600.0
 _RECENT_FILES = 10
 _NAME = "studio.ini"
 _MOST_BYTES = 2**20
@@ -51,6 +57,16 @@ class Preferences:
     @theme_name.setter
     def theme_name(self, name: str) -> None:
         self._settings.setValue("theme", name)
+
+    @property
+    def autosave_s(self) -> float:
+        """Longest time for which unsaved work is not kept; SKINSOURCE_AUTOSAVE_S overrides it."""
+        for value in (os.environ.get("SKINSOURCE_AUTOSAVE_S"), self._settings.value("autosave_s")):
+            with suppress(TypeError, ValueError):
+                seconds = float(value)
+                if _LEAST_AUTOSAVE_S <= seconds <= _MOST_AUTOSAVE_S:
+                    return seconds
+        return AUTOSAVE_S
 
     @property
     def text_scale(self) -> float:

@@ -1,120 +1,151 @@
+"""Studios that end without asking: told to by the system, or killed."""
+
 import os
 import signal
 import subprocess
 import sys
+from dataclasses import dataclass
+from pathlib import Path
 
+import numpy as np
 import pytest
-from PySide6.QtWidgets import QPushButton
 
 from skinsource.design_file import open_design
-from skinsource_gui.files.kept_work import KeptWork
-from skinsource_gui.shell.ending import offer_kept
+from skinsource.keeping import left_over
 
+# It edits every 10 ms, and says each time which edit was made and when.
 STUDIO = """
-import sys
+import sys, time
 from pathlib import Path
 from PySide6.QtCore import QTimer
 from skinsource_gui.shell import app
 
-made = []
+made, edits = [], 0
 def make_window(*words):
     made.append(make(*words))
+    made[0].conductor.delivered.connect(begin)
     return made[0]
 
 def edit():
+    global edits
+    edits += 1
     window = made[0]
+    design = window.document.design.with_input(0, amplitude=edits / 8)
+    window.document.edit("a", design)
+    print(edits, time.monotonic(), flush=True)
+
+def begin(_outcome):
+    made[0].conductor.delivered.disconnect(begin)
+    print("ready", made[0].notice.text, flush=True)
     if sys.argv[1] == "edited":
-        window.document.edit("a", window.document.design.with_input(0, amplitude=2.5))
-    print("ready", flush=True)
+        edit()
+    if sys.argv[1] == "works":
+        timer = QTimer(made[0], interval=10)
+        timer.timeout.connect(edit)
+        timer.start()
 
 make, app.make_window = app.make_window, make_window
-QTimer.singleShot(0, edit)
-sys.exit(app.run(None))
+sys.exit(app.run(Path(sys.argv[2]) if len(sys.argv) > 2 else None))
 """
+KILLS, INTERVAL_S, SEED = 5, 0.2, 8
 
 
-def run_until_ready(edited, folder):
+def run_until_ready(doing, folder, *file):
     studio = subprocess.Popen(
-        [sys.executable, "-c", STUDIO, edited],
+        [sys.executable, "-c", STUDIO, doing, *map(str, file)],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
-        env={**os.environ, "SKINSOURCE_DATA": str(folder)},
+        env={
+            **os.environ,
+            "SKINSOURCE_DATA": str(folder),
+            "SKINSOURCE_AUTOSAVE_S": str(INTERVAL_S),
+        },
     )
-    assert studio.stdout.readline() == "ready\n", studio.stderr.read()
-    return studio
+    said = studio.stdout.readline()
+    assert said.startswith("ready"), studio.stderr.read()
+    return studio, said.removeprefix("ready").strip()
+
+
+def kept_amplitude(left):
+    return open_design(left.copies[0]).design.inputs[0].amplitude
 
 
 @pytest.mark.parametrize("name", ["SIGTERM", "SIGHUP", "SIGINT"])
 def test_unsaved_work_is_kept_when_the_studio_is_told_to_end(tmp_path, name):
-    studio = run_until_ready("edited", tmp_path)
+    studio, _ = run_until_ready("edited", tmp_path)
+    assert studio.stdout.readline().startswith("1 ")
     studio.send_signal(getattr(signal, name))
     _, said = studio.communicate(timeout=60)
     assert studio.returncode == 0, said
     assert "Traceback" not in said
-    kept = KeptWork(tmp_path).newest()
-    assert open_design(kept).design.inputs[0].amplitude == 2.5
+    (left,) = left_over.find(tmp_path).left
+    assert kept_amplitude(left) == 1 / 8
 
 
 def test_where_all_is_saved_nothing_is_kept(tmp_path):
-    studio = run_until_ready("as it was", tmp_path)
+    studio, _ = run_until_ready("nothing", tmp_path)
     studio.terminate()
     _, said = studio.communicate(timeout=60)
     assert studio.returncode == 0, said
-    assert KeptWork(tmp_path).newest() is None
+    assert left_over.find(tmp_path) == left_over.Found()
+    assert list((tmp_path / "logs").iterdir()) == []
 
 
-@pytest.fixture
-def kept(window, tmp_path):
-    """Work that was kept, in a window that has begun anew."""
-    kept = KeptWork(tmp_path)
-    start = window.document.design
-    window.document.edit("a", start.with_input(0, amplitude=2.5))
-    kept.keep(window.document)
-    window.document.start_over(start, window.document.view, None)
-    return kept
+@dataclass
+class Edit:
+    number: int
+    at_s: float
 
 
-def choose(window, words):
-    buttons = window.notice.buttons.findChildren(QPushButton)
-    next(one for one in buttons if one.text() == words).click()
+@pytest.fixture(scope="module")
+def killed(tmp_path_factory):
+    """Kill studios at work one after another; give what each did and what it found and left."""
+    folder = tmp_path_factory.mktemp("killed")
+    chance = np.random.default_rng(SEED)
+    told = []
+    for _ in range(KILLS):
+        studio, notice = run_until_ready("works", folder)
+        edits = []
+        most = int(chance.integers(1, 60))
+        while len(edits) < most:
+            number, at_s = studio.stdout.readline().split()
+            edits.append(Edit(int(number), float(at_s)))
+        studio.kill()
+        rest, _ = studio.communicate()
+        for line in rest.splitlines(keepends=True):
+            if line.endswith("\n"):
+                number, at_s = line.split()
+                edits.append(Edit(int(number), float(at_s)))
+        found = left_over.find(folder)
+        mine = [one for one in found.left if f"-{studio.pid}-" in str(one.copies[0].parent)]
+        told.append((edits, notice, mine))
+    return folder, told
 
 
-def test_kept_work_is_offered_and_opened_as_not_saved(window, kept, tmp_path):
-    offer_kept(window.document, kept, window.notice, window.reports.complain)
-    assert "A copy was kept" in window.notice.text
-    choose(window, "Open it")
-    assert window.document.design.inputs[0].amplitude == 2.5
-    assert window.document.modified
-    assert kept.newest() is not None
-    window.document.mark_saved(tmp_path / "a.skinsource")
-    assert kept.newest() is None
+def test_a_killed_studio_loses_at_most_one_interval(killed):
+    _, told = killed
+    kept_any = 0
+    for edits, _, mine in told:
+        kept = round(8 * kept_amplitude(mine[0])) if mine else 0
+        kept_any += bool(mine)
+        times = [0.0] + [one.at_s for one in edits]
+        since_s = times[kept] if kept else times[1]
+        # The timer waits for its turn like everything else, and a copy takes a while to write.
+        longest_s = max(np.diff(times[1:]), default=0.0)
+        assert times[-1] - since_s <= 2 * INTERVAL_S + longest_s
+    assert kept_any >= KILLS // 2
 
 
-def test_kept_work_can_be_given_up(window, kept):
-    offer_kept(window.document, kept, window.notice, window.reports.complain)
-    choose(window, "Discard it")
-    assert kept.newest() is None
-    assert window.document.design.inputs[0].amplitude == 1.0
-
-
-def test_a_copy_that_cannot_be_deleted_stays_and_nothing_fails(window, kept, monkeypatch):
-    def refuse(self, *_, **__):
-        raise PermissionError(13, "Permission denied", str(self))
-
-    monkeypatch.setattr(type(kept.newest()), "unlink", refuse)
-    offer_kept(window.document, kept, window.notice, window.reports.complain)
-    choose(window, "Discard it")
-    assert kept.newest() is not None
-
-
-def test_a_kept_copy_that_is_damaged_is_told(window, kept):
-    kept.newest().write_bytes(b"damaged")
-    offer_kept(window.document, kept, window.notice, window.reports.complain)
-    choose(window, "Open it")
-    assert "untitled" in window.notice.text
-
-
-def test_without_kept_work_nothing_is_offered(window, tmp_path):
-    offer_kept(window.document, KeptWork(tmp_path), window.notice, window.reports.complain)
-    assert window.notice.text == ""
+def test_the_next_start_offers_what_killed_studios_left_with_pictures(killed):
+    folder, told = killed
+    notices = [notice for _, notice, _ in told]
+    assert notices[0] == ""
+    assert any("before your work on untitled was saved" in notice for notice in notices[1:])
+    assert any("Copies were kept of" in notice for notice in notices[1:])
+    found = left_over.find(folder)
+    assert found.set_aside == ()
+    pictures = [one.picture() for one in found.left]
+    assert sum(picture.startswith(b"\x89PNG") for picture in pictures) >= len(pictures) // 2
+    leftovers = [path.name for path in Path(folder).rglob("*.part")]
+    assert leftovers == []

@@ -31,7 +31,10 @@ class Lock:
     """
 
     def __init__(self, file: Path) -> None:
-        file = Path(os.path.realpath(file))
+        try:
+            file = Path(os.path.realpath(file))
+        except ValueError:  # no file can have this name
+            file = file.absolute()
         self.file = file
         self.path = file.parent / f".{file.name}.lock"
 

@@ -6,13 +6,13 @@ from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
-from skinsource_gui.panels.skin.colour_maps import colour_table
 from skinsource_gui.panels.skin.colour_scale import level_y, paint_colour_scale
 from skinsource_gui.panels.skin.level_range import SILENT_RANGE, Range, moved, with_high, with_low
 from skinsource_gui.panels.skin.map_painter import small_font
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.map.colour_maps import colour_table
 
 _RAMP_LEFT, _RAMP_WIDTH = 10, 14
 _HANDLE_WIDTH, _HANDLE_HEIGHT = 26, 12

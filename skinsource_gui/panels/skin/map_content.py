@@ -4,8 +4,8 @@ from dataclasses import dataclass, fields
 
 from skinsource.arrays import Floats
 from skinsource.limb import LimbMap
-from skinsource_gui.panels.skin.field_image import FieldImage
 from skinsource_gui.panels.skin.level_range import SILENT_RANGE, Range
+from skinsource_gui.widgets.map.field_image import FieldImage
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

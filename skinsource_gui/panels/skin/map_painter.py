@@ -17,7 +17,6 @@ from PySide6.QtGui import (
 
 from skinsource.choice_words import PALM_SIDE
 from skinsource.limb import VOLAR_OUTPUTS, LimbMap
-from skinsource_gui.panels.skin.colour_maps import is_light, level_colours
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import MapLayout
 from skinsource_gui.panels.skin.output_labels import output_labels, square
@@ -25,6 +24,7 @@ from skinsource_gui.panels.skin.output_picking import dorsal_outputs
 from skinsource_gui.panels.skin.triad import paint_triad
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.kept_picture import KeptPicture, PaintedAnew
+from skinsource_gui.widgets.map.colour_maps import is_light, level_colours
 
 _HINTS = QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
 

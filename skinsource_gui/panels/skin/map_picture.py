@@ -8,7 +8,6 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 from skinsource.choice_words import LIMBS, SCALINGS, level_words, signal_words, word_of
 from skinsource.design import Design
 from skinsource.view import View
-from skinsource_gui.panels.skin.colour_maps import colour_table
 from skinsource_gui.panels.skin.colour_scale import paint_colour_scale
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import (
@@ -21,6 +20,7 @@ from skinsource_gui.panels.skin.map_painter import MapPainter, small_font
 from skinsource_gui.panels.skin.map_words import paint_words
 from skinsource_gui.theme import Theme, tabular
 from skinsource_gui.widgets.kept_picture import PaintedAnew
+from skinsource_gui.widgets.map.colour_maps import colour_table
 
 # Lines of text in the height of the picture, and the limits of a line, px.
 _LINES = 48

@@ -18,7 +18,6 @@ from skinsource.surface import SurfaceOperator
 from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.skin.colour_bar import ColourBar
-from skinsource_gui.panels.skin.field_image import FieldImage
 from skinsource_gui.panels.skin.map_choices import MapChoices
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_menu import open_map_menu
@@ -29,6 +28,7 @@ from skinsource_gui.panels.skin.readout_lines import ReadoutLines
 from skinsource_gui.panels.skin.skin_map import SkinMap
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.lateness import Lateness
+from skinsource_gui.widgets.map.field_image import field_image
 
 #: Width and height of a picture for which none is asked, px.
 PICTURE_PX = (1200, 1800)
@@ -111,7 +111,7 @@ class SkinPanel(Panel):
         surface = results["surface"] if interpolated else None
         if surface is not None and surface is not self._surface:
             self._surface = surface
-            self._change(field=_field_image(surface, results["limb_data"]))
+            self._change(field=field_image(surface, results["limb_data"]))
         self._change(
             limb_map=results["limb_map"],
             levels_db=levels,
@@ -211,11 +211,6 @@ class SkinPanel(Panel):
         save = partial(self.action_wanted.emit, "export_picture")
         export = partial(self.action_wanted.emit, "export_levels")
         open_map_menu(self.map, at, partial(self.picture, *PICTURE_PX), save, export)
-
-
-def _field_image(surface: SurfaceOperator, limb: Limb) -> FieldImage:
-    px_per_mm = limb.map.hand_length_px / limb.hand_length_mm
-    return FieldImage(surface.mask, surface.x_mm, surface.y_mm, px_per_mm)
 
 
 def _note(surface: SurfaceOperator | None, limb: Limb | None) -> str:

@@ -15,7 +15,6 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from skinsource.choice_words import TRIAD_SENTENCE
-from skinsource_gui.panels.skin.colour_maps import colour_table
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import (
     MapLayout,
@@ -32,6 +31,7 @@ from skinsource_gui.panels.skin.output_mouse import REACH_PX, OutputMouse
 from skinsource_gui.panels.skin.output_picking import output_at
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.map.colour_maps import colour_table
 from skinsource_gui.widgets.pan_zoom import FREE, WHOLE, PanZoom
 from skinsource_gui.widgets.tooltips import tooltip
 

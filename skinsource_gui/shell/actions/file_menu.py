@@ -23,6 +23,14 @@ FILE: tuple[ActionSpec, ...] = (
         keywords="load read import",
     ),
     action(
+        "show_left_over",
+        "File",
+        "Unsaved work of earlier sessions…",
+        "What a studio kept that was ended before its work was saved",
+        command="keeping.show",
+        keywords="recover restore autosave crash lost backup",
+    ),
+    action(
         "save_design",
         "File",
         "Save",

@@ -11,8 +11,6 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource.limb import LimbMap
 from skinsource_gui.files.pictures import save_drawing
-from skinsource_gui.panels.skin.colour_maps import colour_indices, colour_table
-from skinsource_gui.panels.skin.field_image import FieldImage
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_painter import small_font
 from skinsource_gui.panels.skin.map_picture import Heading, heading_of, paint_picture
@@ -21,6 +19,8 @@ from skinsource_gui.panels.skin.output_labels import output_labels
 from skinsource_gui.panels.skin.panel import SILENT, SkinPanel
 from skinsource_gui.panels.skin.skin_map import SkinMap
 from skinsource_gui.theme import DARK, LIGHT
+from skinsource_gui.widgets.map.colour_maps import colour_indices, colour_table
+from skinsource_gui.widgets.map.field_image import FieldImage
 from tests.gui.skin.bench import (
     SEED,
     pixel,

@@ -6,7 +6,9 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QImage
 
 from skinsource.arrays import Floats
-from skinsource_gui.panels.skin.colour_maps import colour_indices
+from skinsource.limb import Limb
+from skinsource.surface import SurfaceOperator
+from skinsource_gui.widgets.map.colour_maps import colour_indices
 
 # The picture goes on this many pixels outside the mask, in the colours of the rim, so that
 # smooth scaling never meets an empty pixel inside the outline.
@@ -85,6 +87,12 @@ class FieldImage:
             return None
         level = float(levels_db[row, column])
         return level if np.isfinite(level) else None
+
+
+def field_image(surface: SurfaceOperator, limb: Limb) -> FieldImage:
+    """Pixels of the surface of ``limb``."""
+    px_per_mm = limb.map.hand_length_px / limb.hand_length_mm
+    return FieldImage(surface.mask, surface.x_mm, surface.y_mm, px_per_mm)
 
 
 def _inside_pixels(mask: NDArray[np.bool_]) -> NDArray[np.intp]:

@@ -1,0 +1,135 @@
+"""Keeps copies of unsaved work while one works."""
+
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtGui import QImage
+
+from skinsource.design import Design
+from skinsource.design_file import DesignFile
+from skinsource.errors import SkinSourceError
+from skinsource.keeping.session import Session
+from skinsource.view import View
+from skinsource_gui.files.work_picture import png_of
+from skinsource_gui.state.document import Document
+
+
+@dataclass(frozen=True, slots=True)
+class _Seen:
+    """What the document held at a time."""
+
+    design: Design
+    view: View
+    path: Path | None
+    modified: bool
+
+
+class Autosave(QObject):
+    """Writes a copy of unsaved work, in a thread of its own, at most one interval after an edit.
+
+    Work that is saved, or taken back, has no copies.
+
+    Parameters
+    ----------
+    document
+        The work.
+    folder
+        The user's data folder; the copies lie below it.
+    interval_s
+        The longest time that may be lost.
+    layout, picture
+        Give the window's arrangement, and a picture of a design.
+    parent
+        As in Qt.
+    """
+
+    #: Why no copy can be written, in a sentence; once, until one is written again.
+    failed = Signal(str)
+    _landed = Signal(object)  # the reason or None, from the worker thread
+
+    def __init__(
+        self,
+        document: Document,
+        folder: Path,
+        interval_s: float,
+        layout: Callable[[], bytes],
+        picture: Callable[[Design], QImage],
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._layout, self._picture = document, layout, picture
+        self._session = Session(folder)
+        self._seen = self._look()
+        self._worker: ThreadPoolExecutor | None = None
+        self._complained = self._ended = False
+        self._timer = QTimer(self, singleShot=True, interval=round(1000 * interval_s))
+        self._timer.timeout.connect(self._keep_soon)
+        self._landed.connect(self._report, Qt.ConnectionType.QueuedConnection)
+        document.changed.connect(self._follow)
+        document.title_changed.connect(self._follow)
+
+    def keep_now(self) -> bool:
+        """Write a copy of unsaved work before this returns: what follows may end the studio.
+
+        Returns whether nothing is unsaved that has no copy.
+        """
+        return not self._document.modified or self._keep(self._look()).result()
+
+    def end(self, *, forget: bool = True) -> None:
+        """Stop; ``forget`` the copies where the user has answered for what is not saved."""
+        if self._ended:
+            return
+        self._ended = True
+        self._timer.stop()
+        for signal in (self._document.changed, self._document.title_changed):
+            signal.disconnect(self._follow)
+        if self._worker is not None:
+            if forget:
+                self._worker.submit(self._session.forget)
+            self._worker.shutdown(wait=True)
+
+    def _look(self) -> _Seen:
+        document = self._document
+        return _Seen(document.design, document.view, document.path, document.modified)
+
+    def _follow(self) -> None:
+        before, self._seen = self._seen, self._look()
+        if not self._seen.modified:
+            self._timer.stop()
+            if self._worker is not None:
+                self._worker.submit(self._session.forget)
+            return
+        if before.modified and before.design.limb != self._seen.design.limb:
+            # Another limb is read and evaluated next.
+            self._keep(before).result()
+        if not self._timer.isActive():
+            self._timer.start()
+
+    def _keep_soon(self) -> None:
+        if self._document.modified:
+            self._keep(self._look())
+
+    def _keep(self, seen: _Seen) -> "Future[bool]":
+        if self._worker is None:
+            self._worker = ThreadPoolExecutor(1, thread_name_prefix="skinsource-autosave")
+        write = partial(self._write, seen, self._layout(), self._picture(seen.design))
+        return self._worker.submit(write)
+
+    def _write(self, seen: _Seen, layout: bytes, picture: QImage) -> bool:
+        try:
+            content = DesignFile(design=seen.design, view=seen.view, layout=layout)
+            self._session.keep(content, seen.path, png_of(picture))
+        except SkinSourceError as error:
+            self._landed.emit(str(error))
+            return False
+        self._landed.emit(None)
+        return True
+
+    def _report(self, reason: str | None) -> None:
+        if reason is not None and not self._complained:
+            self.failed.emit(f"No copy of unsaved work could be kept. {reason}")
+        self._complained = reason is not None

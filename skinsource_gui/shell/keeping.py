@@ -1,0 +1,155 @@
+"""What sees to it that no work is lost: copies of it, and what is offered after a crash."""
+
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QWidget
+
+from skinsource.errors import SkinSourceError
+from skinsource.files import named, read_bytes, write_bytes
+from skinsource.files.assets import user_folder
+from skinsource.keeping.crash_log import MOST_BYTES, crashed_logs, note_offered
+from skinsource.keeping.left_over import Found, LeftOver
+from skinsource_gui.files.autosave import Autosave
+from skinsource_gui.files.file_actions import FileActions
+from skinsource_gui.files.recovery import Recovery
+from skinsource_gui.files.work_picture import WorkPicture
+from skinsource_gui.shell.dock_layout import DockLayout
+from skinsource_gui.shell.left_over_page import LeftOverPage, picture_of
+from skinsource_gui.shell.notice import Choice, Notice
+from skinsource_gui.shell.reports import Reports
+from skinsource_gui.state.conductor import Conductor
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.engine import Engine, Outcome
+from skinsource_gui.state.job_runner import JobRunner
+
+_LOGS = "Logs (*.log)"
+
+
+class Keeping(QObject):
+    """Keeps copies of unsaved work, and offers those that earlier studios left.
+
+    Parameters
+    ----------
+    document, engine, runner
+        The work, who evaluates it, and what else is done.
+    files, layout
+        Before files are opened a copy is kept; and how the window is arranged.
+    interval_s
+        See `Autosave`.
+    window
+        The parent.
+    """
+
+    def __init__(
+        self,
+        document: Document,
+        engine: Engine,
+        runner: JobRunner,
+        files: FileActions,
+        layout: DockLayout,
+        interval_s: float,
+        window: QWidget,
+    ) -> None:
+        super().__init__(window)
+        self._files, self._window = files, window
+        self._folder = user_folder()
+        self._picture = WorkPicture()
+        self.autosave = Autosave(
+            document, self._folder, interval_s, layout.content, self._picture.image, self
+        )
+        self.recovery = Recovery(
+            document,
+            engine,
+            self._folder,
+            files.may_lose_changes,
+            self.autosave.keep_now,
+            self,
+        )
+        self.recovery.opened.connect(layout.put)
+        files.risk_ahead.connect(self.autosave.keep_now)
+        runner.starting.connect(self.autosave.keep_now)
+
+    def connect_to(self, conductor: Conductor, reports: Reports) -> None:
+        """Draw what is predicted, and say what happens."""
+        conductor.delivered.connect(self._note_results)
+        self.autosave.failed.connect(reports.complain)
+        self.recovery.failed.connect(reports.complain)
+        self.recovery.done.connect(reports.report)
+
+    def offer(self, notice: Notice) -> None:
+        """Offer what a studio left that did not end as it should, if there is anything."""
+        found, logs = self.recovery.look(), crashed_logs(self._folder)
+        sentences, choices = _offers(found)
+        picture = None
+        if len(found.left) == 1:
+            (left,) = found.left
+            picture = picture_of(left)
+            choices = [
+                ("Open it", partial(self.recovery.open, left)),
+                ("Discard it", partial(self.recovery.discard, left)),
+            ]
+        elif found.left:
+            choices = [("Show them…", self.show)]
+        if logs:
+            sentences.append("The studio crashed; a log says where.")
+            choices.append(("Save the log…", partial(self._save_log, logs[0])))
+            for log in logs:
+                note_offered(log)
+        if sentences:
+            notice.say(" ".join(sentences), "warning", choices, picture)
+
+    def show(self) -> None:
+        """Open the page on unsaved work of earlier studios."""
+        recovery = self.recovery
+        LeftOverPage(
+            lambda: recovery.look().left, recovery.open, recovery.discard, self._window
+        ).open()
+
+    def end(self) -> None:
+        """The window closes, and the user has answered for what is not saved."""
+        self.recovery.end()
+        self.autosave.end()
+        self._files.held.keep_only(None)
+
+    def end_unasked(self) -> bool:
+        """The window is told to close: keep what is unsaved for the next start."""
+        kept = self.autosave.keep_now()
+        self.recovery.end()
+        self.autosave.end(forget=False)
+        return kept
+
+    def _note_results(self, outcome: Outcome) -> None:
+        if outcome.values is not None:
+            self._picture.show_results(outcome.values)
+
+    def _save_log(self, log: Path) -> None:
+        path = self._files.ask_where("Save the log", Path.home() / log.name, _LOGS)
+        if path is None:
+            return
+        try:
+            write_bytes(path, read_bytes(log, most=2 * MOST_BYTES))
+        except SkinSourceError as error:
+            self._files.failed.emit(str(error))
+        else:
+            self._files.note_written(path)
+
+
+def _offers(found: Found) -> tuple[list[str], list[Choice]]:
+    sentences = [
+        f"{copy.name} stopped the studio when it was opened; it was set aside: {named(copy)}."
+        for copy in found.set_aside
+    ]
+    if len(found.left) == 1:
+        left: LeftOver = found.left[0]
+        sentences.append(
+            f"The studio ended before your work on {left.name} was saved. "
+            f"A copy was kept {left.age()}."
+        )
+    elif found.left:
+        sentences.append(
+            "The studio ended before your work was saved. Copies were kept of "
+            f"{len(found.left)} designs."
+        )
+    return sentences, []

@@ -1,0 +1,1 @@
+"""What maps of the skin are drawn with."""

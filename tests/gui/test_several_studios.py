@@ -1,0 +1,164 @@
+"""Two studios on one file: the second looks, and saves under another name."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtWidgets import QFileDialog, QMessageBox
+
+from skinsource.design import Design, Input
+from skinsource.design_file import open_design, save_design
+from skinsource.keeping import owner
+from skinsource.keeping.lock import Lock
+from skinsource.keeping.owner import read_owner, this_process, to_bytes
+from skinsource_gui.files import held_file
+
+OTHER = replace(this_process(), pid=4_000_000, user="ana")
+ELSEWHERE = replace(OTHER, host="lab-3")
+SAVED = Design(limb="synthetic-1", inputs=(Input(location=4),))
+
+
+@pytest.fixture
+def path(tmp_path):
+    path = tmp_path / "tap.skinsource"
+    save_design(path, SAVED)
+    return path
+
+
+@pytest.fixture
+def other_runs(monkeypatch):
+    """Let the other process run, as long as the value is true."""
+    state = {"runs": True}
+
+    def still_runs(found):
+        return {OTHER.pid: state["runs"]}.get(found.pid) if found.host == OTHER.host else None
+
+    monkeypatch.setattr(owner, "still_runs", still_runs)
+    monkeypatch.setattr("skinsource.keeping.lock.still_runs", still_runs)
+    monkeypatch.setattr(held_file, "still_runs", still_runs)
+    return state
+
+
+@pytest.fixture
+def answers(monkeypatch):
+    given = {"save": "", "agreed": QMessageBox.StandardButton.Cancel, "asked": []}
+
+    def question(_window, _title, words, *_):
+        given["asked"].append(words)
+        return given["agreed"]
+
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (given["save"], ""))
+    monkeypatch.setattr(QMessageBox, "question", question)
+    return given
+
+
+def place(window):
+    window.document.edit("Place", window.document.design.adding(Input(location=3)))
+
+
+def test_an_open_file_is_held_until_another_is_opened_or_the_window_closes(window, path, tmp_path):
+    second = tmp_path / "second.skinsource"
+    save_design(second, SAVED)
+    window.files.open(path)
+    assert read_owner(Lock(path).path) == this_process()
+    window.files.open(second)
+    assert not Lock(path).path.exists()
+    assert read_owner(Lock(second).path) == this_process()
+    window.close()
+    assert not Lock(second).path.exists()
+
+
+def test_a_link_to_the_open_file_is_the_open_file(window, path, tmp_path):
+    window.files.open(path)
+    (tmp_path / "link.skinsource").symlink_to(path)
+    window.files.open(tmp_path / "link.skinsource")
+    assert Lock(path).path.exists()
+    assert not window.document.read_only
+
+
+def test_the_second_studio_opens_it_read_only_and_says_who_has_it(
+    window, path, other_runs, answers, tmp_path
+):
+    Lock(path).path.write_bytes(to_bytes(OTHER))
+    window.files.open(path)
+    assert window.document.design == SAVED
+    assert window.document.read_only
+    assert "read-only" in window.windowTitle()
+    assert f"tap.skinsource is open in another studio (ana on {OTHER.host}" in window.notice.text
+    place(window)
+    answers["save"] = str(tmp_path / "mine.skinsource")
+    assert window.files.save()
+    assert open_design(path).design == SAVED
+    assert open_design(tmp_path / "mine.skinsource").design == window.document.design
+    assert not window.document.read_only
+    assert "read-only" not in window.windowTitle()
+    assert read_owner(Lock(path).path) == OTHER
+
+
+def test_saving_under_the_name_that_another_studio_has_is_refused(
+    window, path, other_runs, answers
+):
+    Lock(path).path.write_bytes(to_bytes(OTHER))
+    place(window)
+    answers["save"] = str(path)
+    assert not window.files.ask_and_save()
+    assert "Save the design under another name" in window.notice.text
+    assert open_design(path).design == SAVED
+    assert window.document.modified
+
+
+def test_once_the_other_studio_has_ended_the_file_is_ours(window, path, other_runs, answers):
+    Lock(path).path.write_bytes(to_bytes(OTHER))
+    window.files.open(path)
+    place(window)
+    other_runs["runs"] = False
+    assert window.files.save()
+    assert answers["asked"] == []
+    assert open_design(path).design == window.document.design
+    assert not window.document.read_only
+
+
+def test_what_the_other_studio_saved_is_not_replaced_unasked(window, path, other_runs, answers):
+    Lock(path).path.write_bytes(to_bytes(OTHER))
+    window.files.open(path)
+    place(window)
+    save_design(path, replace(SAVED, title="theirs"))
+    other_runs["runs"] = False
+    assert not window.files.save()
+    assert "was changed by another program" in answers["asked"][0]
+    assert open_design(path).design.title == "theirs"
+
+
+def test_a_studio_elsewhere_may_have_ended_and_only_the_user_knows(
+    window, path, other_runs, answers
+):
+    Lock(path).path.write_bytes(to_bytes(ELSEWHERE))
+    window.files.open(path)
+    place(window)
+    answers["save"] = str(path)
+    assert not window.files.save()
+    assert "ana on lab-3" in answers["asked"][0]
+    assert read_owner(Lock(path).path) == ELSEWHERE
+    answers["agreed"] = QMessageBox.StandardButton.Yes
+    assert window.files.save()
+    assert read_owner(Lock(path).path) == this_process()
+    assert open_design(path).design == window.document.design
+
+
+def test_a_file_that_cannot_be_saved_keeps_the_lock_of_the_one_that_is_open(
+    window, path, answers, tmp_path
+):
+    window.files.open(path)
+    place(window)
+    answers["save"] = str(tmp_path / "absent" / "a.skinsource")
+    assert not window.files.ask_and_save()
+    assert read_owner(Lock(path).path) == this_process()
+
+
+def test_where_no_lock_can_be_written_a_file_is_opened_all_the_same(window, path, monkeypatch):
+    def refuse(*_, **__):
+        raise held_file.StorageError("no")
+
+    monkeypatch.setattr(Lock, "take", refuse)
+    window.files.open(path)
+    assert window.document.design == SAVED
+    assert not window.document.read_only
