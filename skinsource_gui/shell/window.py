@@ -23,7 +23,7 @@ from skinsource_gui.shell.dock_layout import DockLayout
 from skinsource_gui.shell.docks import dock_of, toggles
 from skinsource_gui.shell.focus_order import move_focus
 from skinsource_gui.shell.installations import Installations
-from skinsource_gui.shell.keeping import Keeping
+from skinsource_gui.shell.keeping.keeping import Keeping
 from skinsource_gui.shell.kind_choices import kind_choices
 from skinsource_gui.shell.menus import fill_menu_bar
 from skinsource_gui.shell.notice import Notice

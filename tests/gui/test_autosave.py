@@ -11,7 +11,7 @@ from skinsource.job import Job
 from skinsource.keeping import left_over
 from skinsource.keeping.owner import this_process, to_bytes
 from skinsource.keeping.session import OWNER
-from skinsource_gui.shell.left_over_page import LeftOverPage
+from skinsource_gui.shell.keeping.left_over_page import LeftOverPage
 from skinsource_gui.state.preferences import AUTOSAVE_S, Preferences
 
 ENDED = to_bytes(replace(this_process(), started_s=1000.0))

@@ -1,0 +1,1 @@
+"""What sees to it that no work is lost."""
