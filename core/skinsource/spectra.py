@@ -13,6 +13,9 @@ from skinsource.errors import InvalidInputError
 from skinsource.job import Stop, never, stop_if
 from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.loudest_window import SPANS, Span, loudest_energy, window_samples
+from skinsource.quoting import quoted
+from skinsource.sampling import turns
+from skinsource.signals import BAND_HZ
 
 #: Length of the window of `peak_hold_spectrum`.
 HOLD_WINDOW_S = 0.25
@@ -140,6 +143,50 @@ def one_sided_magnitude(
     magnitude[..., 1 : (n_times + 1) // 2] *= 2.0
     frequency_hz = np.arange(n_times // 2 + 1, dtype=np.float64) * (sample_rate_hz / n_times)
     return frequency_hz, magnitude
+
+
+def share_outside_band(
+    samples: ArrayLike, sample_rate_hz: float, band: tuple[float, float] = BAND_HZ
+) -> float:
+    """Share of the energy of a signal outside a band, from 0 to 1; 0 of silence.
+
+    Of the spectrum of the samples at all frequencies, not only at multiples of 1 / duration: its
+    integral over the band is a sum of the autocorrelation r(l) over all lags l, times
+    (sin(2 pi high l / rate) - sin(2 pi low l / rate)) / (pi l).  No window nor padding enters.
+
+    Parameters
+    ----------
+    samples : (n_times,)
+        The signal; silent before and after.
+    sample_rate_hz
+        Its rate.  What lies above half of it cannot be seen in samples.
+    band
+        Low and high, in Hz.
+
+    Raises
+    ------
+    InvalidInputError
+        A sample is no finite number, the rate is none, or the band is not 0 <= low < high.
+    """
+    rate = positive_number("sample_rate_hz", sample_rate_hz)
+    edges_hz = finite_array("band", band, "two frequencies")
+    data = finite_array("samples", samples)
+    if data.ndim != 1:
+        raise InvalidInputError(f"samples have shape {data.shape}, expected one signal, (n_times,)")
+    if edges_hz.shape != (2,) or not 0.0 <= edges_hz[0] < edges_hz[1]:
+        raise InvalidInputError(f"band is {quoted(band)}, expected 0 <= low < high, in Hz")
+    if not data.any():
+        return 0.0
+    data, _ = _scaled(data)
+    low, high = np.minimum(edges_hz, rate / 2).tolist()
+    lag = np.arange(1, data.size)
+    n = scipy.fft.next_fast_len(2 * data.size, real=True)
+    spectrum = scipy.fft.rfft(data, n)
+    correlation = scipy.fft.irfft(spectrum.real**2 + spectrum.imag**2, n)[: data.size]
+    edges = np.sin(2.0 * np.pi * turns(high, data.size, rate)[1:])
+    edges -= np.sin(2.0 * np.pi * turns(low, data.size, rate)[1:])
+    inside = (high - low) / rate + correlation[1:] @ (edges / (np.pi * lag)) / correlation[0]
+    return min(max(1.0 - 2.0 * float(inside), 0.0), 1.0)
 
 
 def _scaled(data: Floats) -> tuple[Floats, Floats]:

@@ -28,6 +28,7 @@ from skinsource.fields import (
     NumberSpec,
     OptionalSpec,
     PlainSpec,
+    PointsSpec,
     RangeSpec,
     RecipeSpec,
     SamplesSpec,
@@ -111,10 +112,16 @@ def values(spec: fields.Spec) -> st.SearchStrategy:
             BytesSpec: lambda _: st.binary(max_size=300),
             PlainSpec: lambda _: PANELS,
             ListSpec: lambda spec: st.lists(
-                values(spec.of), max_size=min(spec.most, 6), unique=spec.different
+                values(spec.of),
+                min_size=spec.fewest,
+                max_size=min(spec.most, 6),
+                unique=spec.different,
             ).map(tuple),
             OptionalSpec: lambda spec: st.none() | values(spec.of),
             SamplesSpec: signals,
+            PointsSpec: lambda spec: st.lists(
+                st.tuples(*map(values, spec.columns)), min_size=spec.fewest, max_size=6
+            ).map(lambda points: tuple(sorted(points))),
             RecipeSpec: lambda spec: st.one_of([recipes(kind) for kind in spec.kinds()]),
         },
     )(spec)

@@ -17,6 +17,7 @@ from skinsource.fields import (
     NumberSpec,
     OptionalSpec,
     PlainSpec,
+    PointsSpec,
     RangeSpec,
     RecipeSpec,
     SamplesSpec,
@@ -73,6 +74,10 @@ class Everything:
         CurveSpec(label="Envelope", x=UNIT, y=NumberSpec(label="Gain")),
         default=((0.0, 1.0), (1.0, 0.0)),
     )
+    course: tuple[tuple[float, ...], ...] = fields.field(
+        PointsSpec(label="Course", columns=(UNIT, UNIT, WHOLE), most=3),
+        default=((0.0, 1.0, 1), (1.0, 0.0, 1)),
+    )
     outputs: tuple[int, ...] = fields.field(
         ListSpec(label="Outputs", of=WHOLE, most=3, different=True), default=()
     )
@@ -96,6 +101,7 @@ FULL = Everything(
     notes="eins\nzwei\t三",
     ends=(0.25, 1.0),
     envelope=((0.0, -1.0), (0.5, 1e300), (0.5, -0.0)),
+    course=((0.0, 0.5, 1), (0.5, 1.0, 2), (0.5, 0.25, 3)),
     outputs=(3, 1, 2),
     inner=Branch(name="all", parts=(Leaf(), Branch(name="", parts=(Leaf(size=1.0),)))),
     sound=SOUND,
@@ -133,6 +139,16 @@ WRONG = {
         ((0.5, 1.0), (0.0, 1.0)),
         ((0.0,), (1.0,)),
         ((0.0, np.inf),) * 2,
+    ],
+    "course": [
+        (),
+        ((0.0, 1.0, 1),),
+        ((0.0, 1.0, 1),) * 4,
+        ((0.0, 1.0), (1.0, 1.0)),
+        ((0.5, 1.0, 1), (0.0, 1.0, 1)),
+        ((0.0, 1.5, 1), (1.0, 1.0, 1)),
+        ((0.0, 1.0, 1.5), (1.0, 1.0, 1)),
+        [[0.0, 1.0, 1], [1.0, 1.0, 1]],
     ],
     "outputs": [(1, 1), (1, 2, 3, 4), (0,), [1], (1.5,), None],
     "inner": [None, {}, Everything, FULL, 3],

@@ -1,10 +1,11 @@
 """From one kind of waveform to another."""
 
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
 from skinsource.errors import InvalidInputError
-from skinsource.fields import ChoiceSpec, NumberSpec, SamplesSpec, specs_of
+from skinsource.fields import ChoiceSpec, NumberSpec, SamplesSpec, Spec, specs_of
 from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.samples import Samples
 from skinsource.waveforms import Waveform, kinds
@@ -33,18 +34,25 @@ def as_kind(waveform: Waveform, kind: type[Waveform]) -> Waveform:
     if kind is type(waveform):
         return waveform
     present = specs_of(waveform)
-    shared: dict[str, Any] = {}
+    found: Any = kind()
     for field, spec in specs_of(kind).items():
+        change: dict[str, Any] = {}
         if isinstance(spec, SamplesSpec):
-            shared |= _played(waveform, field, spec)
-        if type(present.get(field)) is not type(spec):
-            continue
-        value = getattr(waveform, field)
-        if isinstance(spec, NumberSpec):
-            shared[field] = nearest(value, spec)
-        elif isinstance(spec, ChoiceSpec) and value in dict(spec.options):
-            shared[field] = value
-    return kind(**shared)
+            change = _played(waveform, field, spec)
+        elif type(present.get(field)) is type(spec):
+            change = _shared(waveform, field, spec)
+        # What does not go together with the rest stays as it is in a new one.
+        with suppress(InvalidInputError):
+            found = replace(found, **change)
+    return found
+
+
+def _shared(waveform: Waveform, field: str, spec: Spec) -> dict[str, Any]:
+    """The value of a field of both kinds, as the new one allows it."""
+    value = getattr(waveform, field)
+    if isinstance(spec, NumberSpec):
+        return {field: nearest(value, spec)}
+    return {field: value} if isinstance(spec, ChoiceSpec) and value in dict(spec.options) else {}
 
 
 def _played(waveform: Waveform, field: str, spec: SamplesSpec) -> dict[str, Samples]:

@@ -13,7 +13,7 @@ differently asks `made_for` with a table by class.
 from typing import Any
 
 from skinsource.fields.choices_and_texts import BytesSpec, ChoiceSpec, SwitchSpec, TextSpec
-from skinsource.fields.numbers import CurveSpec, NumberSpec, Range, RangeSpec
+from skinsource.fields.numbers import CurveSpec, NumberSpec, PointsSpec, Range, RangeSpec
 from skinsource.fields.plain import PlainSpec
 from skinsource.fields.recipes import check, field, specs_of
 from skinsource.fields.spec import Address, Misfit, Spec, Tree, made_for
@@ -55,6 +55,7 @@ __all__ = [
     "NumberSpec",
     "OptionalSpec",
     "PlainSpec",
+    "PointsSpec",
     "Range",
     "RangeSpec",
     "RecipeSpec",

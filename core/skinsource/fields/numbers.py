@@ -162,6 +162,59 @@ class CurveSpec(Spec):
         return tuple(tuple(point) if isinstance(point, list) else point for point in tree)
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PointsSpec(Spec):
+    """Points of several numbers, the first of which never falls.
+
+    Attributes
+    ----------
+    columns
+        What the numbers of a point may be.
+    fewest, most
+        How many points there may be.
+    """
+
+    columns: tuple[NumberSpec, ...]
+    fewest: int = 2
+    most: int = 10_000
+
+    def checked(self, value: Any) -> tuple[tuple[float, ...], ...]:
+        """Return a tuple of points of plain numbers."""
+        names = ", ".join(f"{one.label.lower()} {one.expected}" for one in self.columns)
+        expected = f"{self.fewest} to {self.most} points ({names}), the first never falling"
+        if not isinstance(value, tuple) or not self.fewest <= len(value) <= self.most:
+            raise Misfit(expected)
+        if not all(isinstance(one, tuple) and len(one) == len(self.columns) for one in value):
+            raise Misfit(expected)
+        try:
+            points = tuple(
+                tuple(
+                    column.checked(number) for column, number in zip(self.columns, one, strict=True)
+                )
+                for one in value
+            )
+        except Misfit:
+            raise Misfit(expected) from None
+        if any(after[0] < before[0] for before, after in pairwise(points)):
+            raise Misfit(expected)
+        return points
+
+    def at_rate(self, sample_rate_hz: float) -> "PointsSpec":
+        """What is allowed on a limb of this rate, column by column."""
+        return replace(self, columns=tuple(one.at_rate(sample_rate_hz) for one in self.columns))
+
+    def encoded(self, value: tuple[tuple[float, ...], ...]) -> Tree:
+        """Return a list of lists of numbers."""
+        return [list(point) for point in value]
+
+    def decoded(self, tree: Tree, at: Address) -> Any:
+        """Return a tuple of tuples; of too long a list, unread."""
+        del at
+        if not isinstance(tree, list) or len(tree) > self.most:
+            return tree
+        return tuple(tuple(point) if isinstance(point, list) else point for point in tree)
+
+
 def _as_float(value: Any, expected: str) -> float:
     try:
         return float(value)

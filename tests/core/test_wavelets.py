@@ -1,0 +1,333 @@
+"""Wavelets, trains and glides: against 50 digits, what they promise, and what they refuse."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import skinsource as ss
+from skinsource import waveforms
+from skinsource.errors import InvalidInputError
+from skinsource.waveforms import (
+    CentredTap,
+    Chirp,
+    Chirplet,
+    Gabor,
+    Glide,
+    Morlet,
+    Ricker,
+    Tap,
+    Tone,
+    WaveletTrain,
+    frequency_sweep,
+)
+
+RATE_HZ = 1300.0
+FINE_HZ = 48000.0
+FIVE_HZ = (50.0, 84.1, 141.4, 237.8, 400.0)
+
+
+def tuples(value):
+    """Lists of json as fields hold them."""
+    return tuple(map(tuples, value)) if isinstance(value, list) else value
+
+
+def at_all_frequencies(samples: np.ndarray, rate_hz: float) -> tuple[np.ndarray, np.ndarray]:
+    """Frequencies in steps below 0.1 Hz, and the spectrum there."""
+    n = max(2**20, samples.size)
+    return np.fft.rfftfreq(n, 1 / rate_hz), np.abs(np.fft.rfft(samples, n))
+
+
+def test_each_is_its_formula_to_1e_12_at_any_time_rate_and_shift(references):
+    kinds = set()
+    with np.load(references / "wavelets.npz") as stored:
+        for number, case in enumerate(json.loads(str(stored["cases"]))):
+            recipe = getattr(waveforms, case["kind"])(*tuples(case["fields"]))
+            found = recipe.samples(case["rate_hz"], case["shift_s"])
+            places, expected = stored[f"places_{number}"], stored[f"values_{number}"]
+            assert found.size == places[-1] + 1, case
+            np.testing.assert_allclose(
+                found[places], expected, rtol=0, atol=1e-12, err_msg=str(case)[:200]
+            )
+            kinds.add(type(recipe))
+    assert kinds == {Gabor, Ricker, Morlet, Chirplet, CentredTap, Tap, WaveletTrain, Glide}
+
+
+@pytest.mark.parametrize("frequency_hz", [25.0, 100.0, 250.0, 600.0])
+def test_a_gabor_wavelet_lies_about_the_middle_of_its_samples(frequency_hz):
+    recipe = Gabor(frequency_hz)
+    sigma_s = 4 / (2 * math.pi * frequency_hz)
+    n = round(8 * sigma_s * RATE_HZ)
+    time_s = (np.arange(n) - (n - 1) / 2) / RATE_HZ
+    expected = np.exp(-(time_s**2) / (2 * sigma_s**2)) * np.cos(2 * np.pi * frequency_hz * time_s)
+    found = recipe.samples(RATE_HZ)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-13)
+    np.testing.assert_allclose(found, found[::-1], rtol=0, atol=1e-13)
+    assert recipe.duration_s == pytest.approx(8 * sigma_s, rel=1e-15)
+
+
+def test_a_gabor_wavelet_has_the_spectrum_of_a_gaussian():
+    frequency_hz, spectrum = at_all_frequencies(Gabor(200.0, 5.0).samples(FINE_HZ), FINE_HZ)
+    expected = np.exp(-(((frequency_hz - 200.0) / 40.0) ** 2) / 2)
+    # Of the cut at 4 sigma, 3e-4 of the peak, some ripple is left.
+    np.testing.assert_allclose(spectrum / spectrum.max(), expected, rtol=0, atol=3e-4)
+
+
+def test_a_ricker_wavelet_is_highest_at_its_frequency_and_half_as_high_where_it_says():
+    frequency_hz, spectrum = at_all_frequencies(Ricker(100.0).samples(FINE_HZ), FINE_HZ)
+    assert frequency_hz[spectrum.argmax()] == pytest.approx(100.0, abs=0.1)
+    half = frequency_hz[spectrum > spectrum.max() / 2]
+    assert half.min() == pytest.approx(48.0, abs=1.0)
+    assert half.max() == pytest.approx(164.0, abs=1.0)
+
+
+@pytest.mark.parametrize(
+    "recipe",
+    [
+        Ricker(100.0),
+        CentredTap(0.02),
+        *(Morlet(100.0, w0) for w0 in (1.0, 2.0, 3.0, 6.0, 20.0)),
+    ],
+    ids=repr,
+)
+def test_a_pulse_that_is_to_leave_no_velocity_leaves_none(recipe):
+    """As an acceleration of 1 m/s², at its end, in mm/s and mm."""
+    samples = recipe.samples(FINE_HZ)
+    velocity = np.cumsum(samples) / FINE_HZ * 1e3
+    # What is cut at 5 standard deviations, 4e-6 of the peak, has a mean of its own.
+    assert abs(velocity[-1]) < 3e-5 * np.abs(velocity).max()
+    displacement = np.cumsum(velocity) / FINE_HZ
+    assert abs(displacement[-1]) < 2e-2 * np.abs(displacement).max()
+
+
+def test_an_upstream_tap_leaves_a_velocity():
+    velocity = np.cumsum(Tap().samples(FINE_HZ)) / FINE_HZ * 1e3
+    assert velocity[-1] == pytest.approx(8.46, abs=0.01)
+
+
+def test_a_centred_tap_has_level_ends_and_is_highest_where_it_says():
+    samples = CentredTap(0.02).samples(FINE_HZ)
+    assert np.abs(samples[[0, -1]]).max() < 1e-4
+    assert samples.max() == pytest.approx(1.0, abs=1e-4)
+    assert samples.min() == pytest.approx(-0.5625, abs=1e-4)
+    frequency_hz, spectrum = at_all_frequencies(samples, FINE_HZ)
+    assert frequency_hz[spectrum.argmax()] == pytest.approx(75.0, rel=0.02)
+
+
+def test_a_morlet_wavelet_of_six_is_almost_a_gabor_wavelet_of_six_cycles():
+    for w0, rate_hz, least, most in [(6.0, RATE_HZ, 1e-9, 4e-8), (1.0, FINE_HZ, 0.4, 0.7)]:
+        found, gabor = Morlet(90.0, w0).samples(rate_hz), Gabor(90.0, w0).samples(rate_hz)
+        # It is cut later.
+        longer = (found.size - gabor.size) // 2
+        assert found.size == gabor.size + 2 * longer
+        middle = found[longer : longer + gabor.size]
+        assert least < np.abs(middle - gabor).max() < most
+
+
+@pytest.mark.parametrize("slope", [-2000.0, 0.0, 2000.0])
+def test_the_frequency_of_a_chirplet_rises_by_its_slope(slope):
+    sigma_s = 0.03
+    samples = Chirplet(200.0, slope, sigma_s).samples(FINE_HZ)
+    crossings = np.flatnonzero((samples[:-1] <= 0) & (samples[1:] > 0))
+    before, after = samples[crossings], samples[crossings + 1]
+    crossings = (crossings + before / (before - after)) / FINE_HZ
+    middle = (crossings[1:] + crossings[:-1]) / 2 - 4 * sigma_s
+    heard = np.abs(middle) < 1.5 * sigma_s
+    rise, at_middle = np.polyfit(middle[heard], 1 / np.diff(crossings)[heard], 1)
+    assert at_middle == pytest.approx(200.0, abs=0.5)
+    assert rise == pytest.approx(slope, abs=40.0)
+
+
+def test_a_chirplet_without_a_slope_is_a_gabor_wavelet():
+    cycles = 2 * math.pi * 100.0 * 0.01
+    np.testing.assert_allclose(
+        Chirplet(100.0, 0.0, 0.01).samples(RATE_HZ),
+        Gabor(100.0, cycles).samples(RATE_HZ),
+        rtol=0,
+        atol=1e-13,
+    )
+
+
+@pytest.mark.parametrize(
+    ("recipe", "what"),
+    [
+        (Gabor(650.0), "frequency_hz is 650"),
+        (Ricker(650.0), "frequency_hz is 650"),
+        (Morlet(700.0), "frequency_hz is 700"),
+        (Chirplet(650.0, 0.0, 0.01), "frequency_hz is 650"),
+        (Chirplet(600.0, 2500.0, 0.01), "reaches 650 Hz"),
+        (Chirplet(600.0, -2500.0, 0.01), "reaches 650 Hz"),
+        (WaveletTrain((100.0, 650.0)), "frequencies_hz is 650"),
+        (Glide(((0.0, 100.0, 1.0), (1.0, 650.0, 1.0))), "frequency_hz is 650"),
+    ],
+    ids=repr,
+)
+def test_what_reaches_half_the_rate_is_refused_and_nothing_below(recipe, what):
+    with pytest.raises(InvalidInputError, match=what):
+        recipe.samples(1300.0)
+    assert np.isfinite(recipe.samples(1500.0)).all()
+
+
+def test_a_tap_too_short_for_its_rate_is_refused():
+    assert CentredTap(0.004).samples(1300.0).size == 5
+    with pytest.raises(InvalidInputError, match=r"more than 0\.004 s at 1000 Hz"):
+        CentredTap(0.004).samples(1000.0)
+
+
+@pytest.mark.parametrize(
+    ("make", "what"),
+    [
+        (lambda: Gabor(0.1, 50.0), "Gabor lasts"),
+        (lambda: Morlet(0.1, 50.0), "Morlet lasts"),
+        (lambda: WaveletTrain(slot_s=60.0, frequencies_hz=(100.0,) * 11), "WaveletTrain lasts 660"),
+        (lambda: WaveletTrain((50.0, 60.0), gains_db=(0.0,)), r"has 1 gains, .* the 2 frequencies"),
+        (lambda: WaveletTrain(()), r"WaveletTrain\.frequencies_hz"),
+        (lambda: WaveletTrain((0.0,)), r"WaveletTrain\.frequencies_hz"),
+        (lambda: WaveletTrain(family="db4"), r"WaveletTrain\.family"),
+        (lambda: Gabor(math.nan), r"Gabor\.frequency_hz"),
+        (lambda: Gabor(100.0, 0.0), r"Gabor\.cycles"),
+        (lambda: Chirplet(sigma_s=0.0), r"Chirplet\.sigma_s"),
+        (lambda: Glide(()), r"Glide\.points"),
+        (lambda: Glide(((0.0, 50.0, 1.0), (0.0, 60.0, 1.0))), "end at 0 s"),
+        (lambda: Glide(((0.2, 50.0, 1.0), (0.1, 60.0, 1.0))), r"Glide\.points"),
+        (lambda: Glide(((0.0, 50.0, 1.5), (0.1, 60.0, 1.0))), r"Glide\.points"),
+    ],
+)
+def test_numbers_that_mean_nothing_are_refused_by_name(make, what):
+    with pytest.raises(InvalidInputError, match=what):
+        make()
+
+
+def test_a_train_starts_with_five_frequencies_in_slots_of_their_own():
+    recipe = WaveletTrain()
+    assert recipe.frequencies_hz == FIVE_HZ
+    assert recipe.duration_s == pytest.approx(0.6)
+    assert recipe.middles_s() == pytest.approx((0.06, 0.18, 0.30, 0.42, 0.54))
+    slots = recipe.samples(RATE_HZ).reshape(5, 156)
+    for frequency_hz, slot in zip(FIVE_HZ, slots, strict=True):
+        assert np.abs(slot).argmax() == 78
+        found_hz, spectrum = at_all_frequencies(slot, RATE_HZ)
+        assert found_hz[spectrum.argmax()] == pytest.approx(frequency_hz, rel=5e-3)
+
+
+@pytest.mark.parametrize("family", ["gabor", "ricker", "hann"])
+def test_wavelets_of_a_train_have_equal_energies_where_that_is_asked(family):
+    recipe = WaveletTrain(equalise="energy", family=family)
+    slots = recipe.samples(FINE_HZ).reshape(5, -1)
+    energies = (slots**2).sum(axis=1)
+    np.testing.assert_allclose(energies, energies[0], rtol=1e-5)
+    assert max(recipe.gains()) == 1.0
+    unequal = (WaveletTrain(family=family).samples(FINE_HZ).reshape(5, -1) ** 2).sum(axis=1)
+    np.testing.assert_allclose(unequal * FIVE_HZ, unequal[0] * 50.0, rtol=1e-5)
+
+
+def test_wavelets_longer_than_their_slot_overlap_and_none_is_cut():
+    """The whole is the sum of trains of one wavelet, each as long as itself."""
+    recipe = WaveletTrain((50.0, 80.0, 60.0), cycles=6.0, slot_s=0.02)
+    assert recipe.duration_s > 3 * 0.02
+    found = recipe.samples(FINE_HZ)
+    expected = np.zeros_like(found)
+    for frequency_hz, middle_s in zip(recipe.frequencies_hz, recipe.middles_s(), strict=True):
+        sigma_s = 6.0 / (2 * math.pi * frequency_hz)
+        time_s = np.arange(found.size) / FINE_HZ - middle_s
+        wavelet = np.exp(-0.5 * (time_s / sigma_s) ** 2) * np.cos(2 * np.pi * frequency_hz * time_s)
+        expected += np.where(np.abs(time_s) <= 4 * sigma_s, wavelet, 0.0)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)
+    assert np.diff(recipe.middles_s()) == pytest.approx([0.02, 0.02])
+    assert np.abs(found[[0, -1]]).max() < 1e-3
+
+
+def test_gains_of_a_train_are_those_of_its_wavelets():
+    plain = WaveletTrain().samples(RATE_HZ).reshape(5, 156)
+    gains_db = (0.0, -6.0, 3.0, -120.0, 40.0)
+    louder = WaveletTrain(gains_db=gains_db).samples(RATE_HZ).reshape(5, 156)
+    for one, other, gain_db in zip(plain, louder, gains_db, strict=True):
+        np.testing.assert_allclose(other, one * 10 ** (gain_db / 20), rtol=1e-12)
+
+
+def test_a_sweep_of_frequencies_has_equal_steps_or_factors_and_both_ends():
+    assert frequency_sweep(50.0, 400.0, 4) == (50.0, 100.0, 200.0, 400.0)
+    assert frequency_sweep(50.0, 400.0, 4, order="down") == (400.0, 200.0, 100.0, 50.0)
+    assert frequency_sweep(100.0, 300.0, 3, "linear") == (100.0, 200.0, 300.0)
+    assert frequency_sweep(70.0, 300.0, 1) == (70.0,)
+    assert np.round(frequency_sweep(50.0, 400.0, 5), 1).tolist() == list(FIVE_HZ)
+    WaveletTrain(frequency_sweep(25.0, 600.0, 1000), slot_s=0.01)
+
+
+@given(
+    st.floats(0.1, 1e4),
+    st.floats(1.0, 1e3),
+    st.integers(2, 60),
+    st.sampled_from(["linear", "logarithmic"]),
+)
+def test_a_sweep_never_turns_back(low_hz, factor, count, spacing):
+    found = frequency_sweep(low_hz, low_hz * factor, count, spacing)
+    assert (found[0], found[-1], len(found)) == (low_hz, low_hz * factor, count)
+    assert (np.diff(found) >= -1e-11 * low_hz * factor).all()
+    steps = np.diff(found) if spacing == "linear" else np.diff(np.log(found))
+    np.testing.assert_allclose(steps, steps.mean(), rtol=1e-6, atol=1e-10 * low_hz * factor)
+
+
+@pytest.mark.parametrize(
+    ("given", "what"),
+    [
+        ((400.0, 50.0, 5), "low_hz is 400"),
+        ((0.0, 50.0, 5), "low_hz is 0"),
+        ((50.0, math.nan, 5), "high_hz"),
+        ((50.0, 400.0, 0), "count is 0"),
+        ((50.0, 400.0, 5, "cubic"), "spacing"),
+        ((50.0, 400.0, 5, "linear", "sideways"), "order"),
+    ],
+)
+def test_a_sweep_that_is_none_is_refused(given, what):
+    with pytest.raises(InvalidInputError, match=what):
+        frequency_sweep(*given)
+
+
+@pytest.mark.parametrize("shift_s", [0.0, 3e-4])
+def test_a_glide_of_one_frequency_is_a_tone_and_of_two_a_chirp(shift_s):
+    level = Glide(((0.0, 123.4, 1.0), (0.4, 123.4, 1.0))).samples(RATE_HZ, shift_s)
+    tone = Tone(123.4, 0.0, 0.4, "none").samples(RATE_HZ, shift_s)
+    np.testing.assert_allclose(level, tone, rtol=0, atol=1e-12)
+    rising = Glide(((0.0, 30.0, 1.0), (0.4, 500.0, 1.0))).samples(RATE_HZ, shift_s)
+    chirp = Chirp(30.0, 500.0, 0.4).samples(RATE_HZ, shift_s)
+    np.testing.assert_allclose(rising, chirp, rtol=0, atol=1e-12)
+
+
+def test_points_within_a_straight_stretch_change_nothing():
+    ends = ((0.0, 30.0, 0.25), (0.5, 530.0, 0.75))
+    between = tuple((0.5 * k / 64, 30.0 + 500.0 * k / 64, 0.25 + 0.5 * k / 64) for k in range(65))
+    np.testing.assert_allclose(
+        Glide(between).samples(RATE_HZ, 1e-4),
+        Glide(ends).samples(RATE_HZ, 1e-4),
+        rtol=0,
+        atol=1e-12,
+    )
+
+
+def test_the_phase_of_a_glide_does_not_jump_where_its_frequency_does():
+    points = ((0.0, 80.0, 1.0), (0.1, 80.0, 1.0), (0.1, 200.0, 1.0), (0.2, 200.0, 1.0))
+    samples = Glide(points).samples(FINE_HZ)
+    assert np.abs(np.diff(samples)).max() < 2 * math.pi * 200.0 / FINE_HZ
+    np.testing.assert_allclose(
+        samples[4800:],
+        np.sin(2 * np.pi * (0.1 * 80.0 + np.arange(4800) / FINE_HZ * 200.0)),
+        rtol=0,
+        atol=1e-12,
+    )
+
+
+def test_a_glide_holds_the_values_of_its_first_point_before_it():
+    late = Glide(((0.1, 80.0, 0.5), (0.2, 200.0, 1.0))).samples(RATE_HZ)
+    full = Glide(((0.0, 80.0, 0.5), (0.1, 80.0, 0.5), (0.2, 200.0, 1.0))).samples(RATE_HZ)
+    np.testing.assert_array_equal(late, full)
+
+
+def test_every_kind_is_reached_by_its_name():
+    for kind in waveforms.KINDS:
+        assert getattr(ss.waveforms, kind.__name__) is kind
+    assert len(waveforms.COMMON) == 8
+    assert set(waveforms.COMMON).isdisjoint(waveforms.MORE)
