@@ -4,7 +4,8 @@ Each message says where, what was found, what was expected, and what to do next.
 
 SkinSourceError
 ├── InvalidInputError      a value handed to the library is impossible (also a `ValueError`)
-│   └── UnknownLimbError   no limb has this name
+│   ├── UnknownLimbError   no limb has this name
+│   └── FormulaError       a formula cannot be read, or its result is no number; knows the column
 ├── FileFormatError        a file does not hold what it should
 │   ├── DatasetError       … a file of the measured dataset, or the store made from it
 │   └── DesignFileError    … a `.skinsource` file
@@ -27,6 +28,20 @@ class InvalidInputError(SkinSourceError, ValueError):
 
 class UnknownLimbError(InvalidInputError):
     """No limb has the name that was asked for."""
+
+
+class FormulaError(InvalidInputError):
+    """A formula cannot be read, or what it gives cannot be played.
+
+    Attributes
+    ----------
+    column
+        Where in the text, from 1.
+    """
+
+    def __init__(self, message: str, column: int = 1) -> None:
+        super().__init__(message)
+        self.column = column
 
 
 class FileFormatError(SkinSourceError):

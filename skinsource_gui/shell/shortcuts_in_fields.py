@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
+from PySide6.QtWidgets import QApplication, QLineEdit, QPlainTextEdit, QWidget
 
 _Standard = QKeySequence.StandardKey
 #: What these keys do to a text while it is typed.
@@ -20,6 +20,7 @@ _WHILE_TYPING = (
 )
 #: What they do to a text that is only shown.
 _WHILE_RESTING = (_Standard.Copy, _Standard.Paste)
+_TEXTS = (QLineEdit, QPlainTextEdit)
 
 
 class ShortcutsInFields(QObject):
@@ -40,12 +41,12 @@ class ShortcutsInFields(QObject):
         super().__init__(window)
         self._window = window
         self._shortcuts = [key for action in actions for key in action.shortcuts()]
-        self._watched: QLineEdit | None = None
+        self._watched: QLineEdit | QPlainTextEdit | None = None
         # One line of text at a time: a filter on all widgets would see each event of the studio.
         QApplication.instance().focusChanged.connect(self._watch)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.ShortcutOverride and isinstance(watched, QLineEdit):
+        if event.type() == QEvent.Type.ShortcutOverride and isinstance(watched, _TEXTS):
             own = _WHILE_RESTING if watched.isReadOnly() else _WHILE_TYPING
             pressed = QKeySequence(event.keyCombination())
             if pressed in self._shortcuts and not any(event.matches(key) for key in own):
@@ -58,7 +59,7 @@ class ShortcutsInFields(QObject):
             self._watched.removeEventFilter(self)
             self._watched.destroyed.disconnect(self._forget)
             self._watched = None
-        if isinstance(new, QLineEdit) and self._window.isAncestorOf(new):
+        if isinstance(new, _TEXTS) and self._window.isAncestorOf(new):
             self._watched = new
             new.installEventFilter(self)
             new.destroyed.connect(self._forget)

@@ -2,6 +2,7 @@
 
 import base64
 import binascii
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -50,10 +51,14 @@ class TextSpec(Spec):
         How many characters there may be.
     one_line
         Whether they must stand in one line.
+    reader
+        Understands a text that is more than words, or raises `InvalidInputError`, whose ``column``,
+        if it has one, is where it stopped.  Such a text is edited live.
     """
 
     longest: int
     one_line: bool = False
+    reader: Callable[[str], object] | None = None
 
     def checked(self, value: Any) -> str:
         """Return a plain ``str``."""
@@ -68,6 +73,8 @@ class TextSpec(Spec):
             value.encode()
         except UnicodeEncodeError:  # half of a pair: no file can hold it
             raise Misfit(expected) from None
+        if self.reader is not None:
+            self.reader(value)
         return str(value)
 
 

@@ -10,6 +10,7 @@ from skinsource.waveforms.chirp import Chirp
 from skinsource.waveforms.chirplet import Chirplet
 from skinsource.waveforms.damped_sine import DampedSine
 from skinsource.waveforms.drawn import Drawn
+from skinsource.waveforms.formula import Formula
 from skinsource.waveforms.frequency_modulated import FrequencyModulated
 from skinsource.waveforms.frequency_sweep import frequency_sweep
 from skinsource.waveforms.gabor import Gabor
@@ -52,6 +53,7 @@ MORE: tuple[type[Waveform], ...] = (
     PulseTrain,
     AmplitudeModulated,
     FrequencyModulated,
+    Formula,
     Drawn,
     Recording,
 )
@@ -74,6 +76,7 @@ __all__ = [
     "Chirplet",
     "DampedSine",
     "Drawn",
+    "Formula",
     "FrequencyModulated",
     "Gabor",
     "Glide",

@@ -1,5 +1,6 @@
 """What edits a field of a recipe: one editor for each kind of specification."""
 
+from collections.abc import Callable
 from typing import Any, Protocol
 
 from PySide6.QtCore import QObject, Signal
@@ -10,6 +11,7 @@ from skinsource.quoting import printable
 from skinsource.signals import BAND_HZ
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.fields.live_text import LiveText
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.tooltips import tooltip
 
@@ -42,6 +44,9 @@ class Editor(Protocol):
     def advice(self) -> str:
         """What one should know about the present value, or ""."""
 
+    def refuse(self, reason: str) -> None:
+        """Show where in what is entered the reason lies for which it was refused."""
+
     def cancel(self) -> None:
         """Forget what is being entered."""
 
@@ -63,6 +68,9 @@ class NumberEditor(QObject):
         self.set_value, self.set_spec = self.field.set_value, self.field.set_spec
         self.cancel, self.show_theme = self.field.cancel_editing, self.field.show_theme
 
+    def refuse(self, reason: str) -> None:
+        """The number is not shown any longer."""
+
     def advice(self) -> str:
         """Warn of frequencies that were not measured."""
         inside = BAND_HZ[0] <= self.field.value_si <= BAND_HZ[1]
@@ -81,6 +89,9 @@ class _Plain(QObject):
     def advice(self) -> str:
         """Every value is as good as any other."""
         return ""
+
+    def refuse(self, reason: str) -> None:
+        """It is not shown any longer."""
 
     def cancel(self) -> None:
         """There is nothing half entered."""
@@ -141,6 +152,28 @@ class TextEditor(_Plain):
             self.edited.emit(self._shown, None)
 
 
+class LiveTextEditor(QObject):
+    """Writes a text that means something; told while it is typed."""
+
+    edited = Signal(object, object)
+    problem_changed = Signal(str)
+
+    def __init__(self, spec: TextSpec, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.field = LiveText(spec, parent)
+        self.field.edited.connect(self.edited.emit)
+        self.field.problem_changed.connect(self.problem_changed)
+        self.set_value, self.refuse = self.field.set_value, self.field.refuse
+        self.cancel, self.show_theme = self.field.cancel, self.field.show_theme
+
+    def set_spec(self, spec: TextSpec) -> None:
+        """Nothing about it changes with the design."""
+
+    def advice(self) -> str:
+        """What can be read needs no remark."""
+        return ""
+
+
 class ShownOnly(_Plain):
     """Says what a field holds that cannot be edited here."""
 
@@ -155,12 +188,17 @@ class ShownOnly(_Plain):
         self.field.setText(printable(value) if value not in (None, ()) else "none")
 
 
+def text_editor(spec: TextSpec, parent: QWidget) -> Editor:
+    """Make the editor of words, or of a text that is read while it is typed."""
+    return (TextEditor if spec.reader is None else LiveTextEditor)(spec, parent)
+
+
 #: Which editor is made for which kind of specification.
-EDITORS: dict[type[Spec], type[Editor]] = {
+EDITORS: dict[type[Spec], Callable[[Any, QWidget], Editor]] = {
     NumberSpec: NumberEditor,
     ChoiceSpec: ChoiceEditor,
     SwitchSpec: SwitchEditor,
-    TextSpec: TextEditor,
+    TextSpec: text_editor,
     # Curves, samples, …: what has no editor of its own is shown.
     Spec: ShownOnly,
 }

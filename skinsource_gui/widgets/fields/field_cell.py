@@ -99,6 +99,7 @@ class FieldCell(LabelledCell):
 
     def show_reason(self, reason: str) -> None:
         """Say in red why the last edit was refused."""
+        self._editor.refuse(reason)
         self._set_note(reason, warns=False)
 
     def show_theme(self, theme: Theme) -> None:

@@ -1,0 +1,220 @@
+"""From a text to a program, without recursion: operators wait on a stack."""
+
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from functools import lru_cache
+
+import numpy as np
+
+from skinsource.errors import FormulaError
+from skinsource.formula.band_noise import LARGEST_SEED
+from skinsource.formula.functions import COMPARISONS, FUNCTIONS, NAMES, Function
+from skinsource.formula.mistake import mistake
+from skinsource.formula.program import Program, Step
+from skinsource.formula.tokens import Token, tokens
+from skinsource.quoting import quoted
+
+#: Characters of a formula.
+LONGEST = 1000
+#: Nodes of the tree.
+MAX_STEPS = 500
+#: Brackets and operators that wait for their right side.
+MAX_DEPTH = 60
+
+_BINDS = {"+": 2, "-": 2, "*": 3, "/": 3, "negative": 4, "^": 5} | dict.fromkeys(COMPARISONS, 1)
+_VALUE = "a number, a name, or ("
+_OPERATOR = "an operator"
+
+
+@lru_cache(maxsize=256)
+def read(text: str) -> Program:
+    """Return what a text says.
+
+    Raises
+    ------
+    FormulaError
+        It says nothing, or is too long; the error knows the column.
+    """
+    if not isinstance(text, str):
+        raise FormulaError(f"a formula is {quoted(text)}, expected a text")
+    if len(text) > LONGEST:
+        raise mistake(text, LONGEST + 1, f"{len(text)} characters", f"at most {LONGEST}")
+    if not text.strip():
+        raise mistake(text, 1, "nothing", "a formula such as sin(2*pi*100*t)")
+    reader = _Reader(text)
+    for token in tokens(text):
+        reader.take(token)
+    return Program(text, tuple(reader.steps))
+
+
+@dataclass(slots=True)
+class _Waiting:
+    """An operator that waits for its right side, or an open bracket.
+
+    ``call`` is the function whose bracket it is; ``commas`` how many were found so far, and
+    ``begun`` how many steps there were when it opened.
+    """
+
+    name: str
+    column: int
+    call: Function | None = None
+    commas: int = 0
+    begun: int = 0
+
+
+@dataclass(slots=True)
+class _Reader:
+    """Takes token after token; `steps` is complete after the last one."""
+
+    text: str
+    steps: list[Step] = field(default_factory=list)
+    _stack: list[_Waiting] = field(default_factory=list)
+    _wants_value: bool = True
+    _called: Token | None = None
+
+    def take(self, token: Token) -> None:
+        """Take the next token."""
+        if self._called is not None:
+            self._open_call(token)
+        elif self._wants_value:
+            self._take_value(token)
+        else:
+            self._take_operator(token)
+
+    def _take_value(self, token: Token) -> None:
+        if token.kind == "number":
+            number = float(token.text)
+            if not np.isfinite(number):
+                raise mistake(self.text, token.column, token.text, "a number below 1.8e308")
+            self._emit(Step("number", token.text, token.column, number=number))
+        elif token.kind == "name":
+            self._take_name(token)
+        elif token.kind == "(":
+            self._wait(_Waiting("(", token.column, begun=len(self.steps)))
+        elif token.kind == "operator" and token.text in "+-":
+            if token.text == "-":
+                self._wait(_Waiting("negative", token.column))
+        elif token.kind == ")" and self._stack and self._is_empty_call(self._stack[-1]):
+            self._close(token)
+        else:
+            raise mistake(self.text, token.column, token.shown, _VALUE)
+
+    def _take_name(self, token: Token) -> None:
+        if token.text in FUNCTIONS:
+            self._called = token
+        elif token.text in NAMES:
+            self._emit(Step("name", token.text, token.column))
+        else:
+            known = (*NAMES, *FUNCTIONS)
+            near = get_close_matches(token.text[:20].lower(), known, 1, 0.6)
+            expected = near[0] if near else f"one of {', '.join(known)}"
+            raise mistake(self.text, token.column, token.text, expected)
+
+    def _open_call(self, token: Token) -> None:
+        called, self._called = self._called, None
+        assert called is not None
+        if token.kind != "(":
+            usage = FUNCTIONS[called.text].usage
+            raise mistake(self.text, token.column, token.shown, f"( as in {usage}")
+        call = FUNCTIONS[called.text]
+        self._wait(_Waiting(called.text, called.column, call, begun=len(self.steps)))
+
+    def _take_operator(self, token: Token) -> None:
+        if token.kind == "operator":
+            self._finish(_BINDS[token.text], token)
+            self._wait(_Waiting(token.text, token.column))
+            self._wants_value = True
+        elif token.kind == ")":
+            self._close(token)
+        elif token.kind == ",":
+            self._take_comma(token)
+        elif token.kind == "end":
+            self._finish(0, token)
+            if self._stack:
+                opened = self._stack[-1].column
+                expected = f") for the bracket of column {self._bracket_column(opened)}"
+                raise mistake(self.text, token.column, "the end", expected)
+        else:
+            expected = f"{_OPERATOR}, such as *"
+            raise mistake(self.text, token.column, token.shown, expected)
+
+    def _take_comma(self, token: Token) -> None:
+        self._finish(0, token)
+        if not self._stack or self._stack[-1].call is None:
+            expected = f"{_OPERATOR}; numbers have a point, as in 0.5"
+            raise mistake(self.text, token.column, ",", expected)
+        opened = self._stack[-1]
+        opened.commas += 1
+        if opened.call is not None and opened.commas >= max(opened.call.most, 1):
+            self._refuse_count(opened, f"more than {opened.call.most}")
+        self._wants_value = True
+
+    def _close(self, token: Token) -> None:
+        empty = self._wants_value
+        self._finish(0, token)
+        if not self._stack:
+            raise mistake(self.text, token.column, ")", f"{_OPERATOR}: no bracket is open")
+        opened = self._stack.pop()
+        self._wants_value = False
+        if opened.call is None:
+            return
+        count = 0 if empty else opened.commas + 1
+        if not opened.call.fewest <= count <= opened.call.most:
+            self._refuse_count(opened, str(count))
+        if opened.call.seeded:
+            self._check_seed(opened)
+        self._emit(Step("function", opened.name, opened.column, takes=count))
+
+    def _refuse_count(self, opened: _Waiting, count: str) -> None:
+        assert opened.call is not None
+        few, most = opened.call.fewest, opened.call.most
+        many = str(few) if few == most else f"{few} to {most}"
+        found = f"{opened.name} of {count} value{'' if count == '1' else 's'}"
+        raise mistake(self.text, opened.column, found, f"{many}, as in {opened.call.usage}")
+
+    def _check_seed(self, opened: _Waiting) -> None:
+        given = self.steps[opened.begun :]
+        number = given[0].number
+        whole = len(given) == 1 and given[0].kind == "number" and number == int(number)
+        if not whole or number > LARGEST_SEED:
+            column = given[0].column
+            found = given[0].name if len(given) == 1 else "a computed seed"
+            expected = f"a whole number from 0 to {LARGEST_SEED}, as in noise(1)"
+            raise mistake(self.text, column, found, expected)
+
+    def _finish(self, binding: int, token: Token) -> None:
+        """Emit the operators that bind what stands before ``token`` more strongly than it does."""
+        while self._stack and self._stack[-1].name in _BINDS:
+            waiting = self._stack[-1]
+            strength = _BINDS[waiting.name]
+            if strength < binding or (strength == binding and token.text == "^"):
+                return
+            if strength == binding == _BINDS["<"]:
+                expected = "one comparison; write (a < b) * (b < c) for both"
+                raise mistake(self.text, token.column, token.text, expected)
+            self._stack.pop()
+            takes = 1 if waiting.name == "negative" else 2
+            self._emit(Step("operator", waiting.name, waiting.column, takes=takes))
+
+    def _wait(self, waiting: _Waiting) -> None:
+        if len(self._stack) >= MAX_DEPTH:
+            found = "-" if waiting.name == "negative" else waiting.name
+            expected = f"at most {MAX_DEPTH} brackets and operators within each other"
+            raise mistake(self.text, waiting.column, found, expected)
+        self._stack.append(waiting)
+
+    def _emit(self, step: Step) -> None:
+        if len(self.steps) >= MAX_STEPS:
+            expected = f"at most {MAX_STEPS} numbers, names and operators"
+            raise mistake(self.text, step.column, "one more", expected)
+        self.steps.append(step)
+        self._wants_value = False
+
+    def _is_empty_call(self, waiting: _Waiting) -> bool:
+        return (
+            waiting.call is not None and waiting.commas == 0 and waiting.begun == len(self.steps)
+        )
+
+    def _bracket_column(self, column: int) -> int:
+        """Where the bracket itself stands of what was opened at ``column``."""
+        return self.text.index("(", column - 1) + 1

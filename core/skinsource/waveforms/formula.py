@@ -1,0 +1,65 @@
+"""A signal that a text describes."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from skinsource import fields, formula
+from skinsource.arrays import Floats
+from skinsource.fields import TextSpec
+from skinsource.limb import SAMPLE_RATE_HZ
+from skinsource.waveforms.common import DURATION
+from skinsource.waveforms.instants import count_of
+
+TEXT = TextSpec(
+    label="Formula",
+    longest=formula.LONGEST,
+    one_line=True,
+    reader=formula.read,
+    hint="Of t in s, such as sin(2*pi*100*t) * hann(). Functions: "
+    + ", ".join(function.usage for function in formula.FUNCTIONS.values()),
+)
+# So much is tried when it is made; the rest when it is played.
+_TRIED_S = 10.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Formula:
+    """What a text says, for a duration; see `skinsource.formula` for the language.
+
+    It plays as written: its peak is what the formula gives, neither scaled nor limited.
+    It is a function of time alone, sampled at any rate; what it holds above half the rate
+    folds down, as it does with any formula that is sampled.
+
+    Attributes
+    ----------
+    text
+        The formula, at most 1000 characters: numbers, ``t``, ``pi``, ``duration``, operators,
+        comparisons, functions.
+    duration_s
+        Length.
+    """
+
+    title: ClassVar[str] = "Formula"
+
+    text: str = fields.text("sin(2*pi*100*t) * hann()", TEXT)
+    duration_s: float = fields.number(0.2, DURATION)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+        count = count_of(min(self.duration_s, _TRIED_S), SAMPLE_RATE_HZ, 0.0)
+        self._played(count, SAMPLE_RATE_HZ, 0.0)
+
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
+        """Drive, (n_times,), as written.
+
+        Raises
+        ------
+        FormulaError
+            A result is no finite number.
+        """
+        count = count_of(self.duration_s, sample_rate_hz, shift_s)
+        return self._played(count, sample_rate_hz, shift_s)
+
+    def _played(self, count: int, sample_rate_hz: float, shift_s: float) -> Floats:
+        program = formula.read(self.text)
+        return formula.played(program, count, sample_rate_hz, shift_s, self.duration_s)

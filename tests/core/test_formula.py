@@ -1,0 +1,229 @@
+"""What a formula means, against 40 digits and against itself."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+import scipy
+from hypothesis import given
+from hypothesis import strategies as st
+
+import skinsource as ss
+from skinsource import formula
+from skinsource.errors import FormulaError, InvalidInputError
+from skinsource.formula.band_noise import band_noise
+from skinsource.formula.exact import Grid
+from skinsource.waveforms import Formula, Tone
+
+REFERENCES = Path(__file__).parents[1] / "references" / "formulas.json"
+ROWS = json.loads(REFERENCES.read_text(encoding="utf-8"))
+
+
+def played(text, count=1, duration_s=1.0, rate_hz=1300.0):
+    return formula.played(formula.read(text), count, rate_hz, 0.0, duration_s)
+
+
+def value_of(text):
+    return float(played(text)[0])
+
+
+def grid(first, count, rate_hz, shift_s=0.0):
+    return Grid(first=first, count=count, rate_hz=rate_hz, shift_s=shift_s, duration_s=1e4)
+
+
+@pytest.mark.parametrize("row", ROWS, ids=[row["text"] for row in ROWS])
+def test_formulas_are_what_40_digits_say_up_to_an_hour(row):
+    program, numbers = formula.read(row["text"]), row["numbers"]
+    expected = np.array([float.fromhex(one) for one in row["values"]])
+    at = (row["sample_rate_hz"], row["shift_s"], row["duration_s"])
+    found = formula.played(program, numbers[-1] + 1, *at)[numbers]
+    assert np.abs(found - expected).max() <= 1e-12 * max(1.0, np.abs(expected).max())
+    assert len(numbers) >= 60
+    assert np.ptp(expected) > 0.1
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        *[("1+2*3", 7), ("(1+2)*3", 9), ("10-4-3", 3), ("24/4/3", 2), ("2*3/4*2", 3)],
+        *[("2^3^2", 512), ("-2^2", -4), ("2^-1", 0.5), ("2^-1^2", 0.5), ("(-2)^2", 4)],
+        *[("--3", 3), ("-+-3", 3), ("2--3", 5), ("2*-3+1", -5), ("-2*-3", 6), ("-3-2", -5)],
+        *[("1 < 2", 1), ("2 <= 2", 1), ("2 > 2", 0), ("1 >= 2", 0), ("1 == 1", 1), ("1 != 1", 0)],
+        *[("1 + 1 < 3 - 2", 0), ("-1 < 0", 1), ("(1 < 2) + (2 < 3)", 2), ("2*(1<2)", 2)],
+        *[(".5 + 1. + 1e-1 + 2E+1", 21.6), ("  7\t", 7), ("mod(-1, 3)", 2), ("mod(7, -3)", -2)],
+        *[("min(3, 1, 2)", 1), ("max(3, 1, 2)", 3), ("clip(5, 0, 2)", 2), ("clip(-5, 0, 2)", 0)],
+        *[("sign(-3) + sign(0)", -1), ("floor(-1.5)", -2), ("ceil(-1.5)", -1), ("round(2.6)", 3)],
+        *[("2·3 × 4 − 1", 23), ("cos(π)", -1), ("1 ≤ 2", 1), ("duration", 1), ("sqrt(9)", 3)],
+    ],
+)
+def test_operators_bind_as_in_mathematics(text, expected):
+    assert value_of(text) == pytest.approx(expected, rel=1e-15)
+
+
+@given(st.lists(st.sampled_from(["+", "-", "*"]), min_size=1, max_size=12), st.data())
+def test_long_rows_are_what_python_makes_of_them(operators, data):
+    numbers = data.draw(
+        st.lists(st.integers(0, 9), min_size=len(operators) + 1, max_size=len(operators) + 1)
+    )
+    text = str(numbers[0])
+    for operator, number in zip(operators, numbers[1:], strict=True):
+        text += f" {operator} {number}"
+    # By products first, then from left to right.
+    sums, signs = [numbers[0]], [1]
+    for operator, number in zip(operators, numbers[1:], strict=True):
+        if operator == "*":
+            sums[-1] *= number
+        else:
+            sums.append(number)
+            signs.append(1 if operator == "+" else -1)
+    assert value_of(text) == sum(one * sign for one, sign in zip(sums, signs, strict=True))
+
+
+@pytest.mark.parametrize("rate_hz", [1300.0, 44100.0])
+@pytest.mark.parametrize("shift", [0.0, 0.37])
+def test_a_sine_of_a_formula_is_the_tone(rate_hz, shift):
+    text = "sin(2*pi*250.1*t + 0.25)"
+    found = Formula(text=text, duration_s=3.0).samples(rate_hz, shift / rate_hz)
+    t = np.arange(found.size) / rate_hz - shift / rate_hz
+    expected = np.where(t >= 0, np.sin(2 * np.pi * 250.1 * t + 0.25), 0.0)
+    assert np.abs(found - expected).max() < 1e-11
+    if not shift:
+        tone = Tone(frequency_hz=250.1, phase_rad=0.25, duration_s=3.0, window="none")
+        assert np.abs(found - tone.samples(rate_hz)).max() < 1e-13
+
+
+def test_a_formula_plays_as_written_from_its_start_to_its_end():
+    recipe = Formula(text="3*(t >= 0)", duration_s=0.01)
+    assert recipe.samples(1300.0).tolist() == [3.0] * 13
+    shifted = recipe.samples(1300.0, 0.5 / 1300.0)
+    assert shifted.tolist() == [0.0, *[3.0] * 13]
+    assert Formula(text="1", duration_s=0.001).samples(48000.0).tolist() == [1.0] * 48
+    assert ss.waveforms.Formula().duration_s == 0.2
+
+
+def test_what_lies_beyond_its_time_is_never_computed():
+    late = Formula(text="sqrt(t) + sqrt(duration - t)", duration_s=0.01)
+    assert np.isfinite(late.samples(1300.0, 0.3 / 1300.0)).all()
+
+
+def test_a_long_formula_is_played_in_pieces_that_fit_together():
+    count = 2**16 + 500
+    found = played("sin(2*pi*97*t) + noise(4) + t", count, 60.0)
+    t = np.arange(count) / 1300.0
+    whole = band_noise(4, grid(0, count, 1300.0))
+    assert found == pytest.approx(np.sin(2 * np.pi * 97 * t) + whole + t, abs=1e-10)
+
+
+def test_noise_is_one_function_of_time_at_every_rate_and_shift():
+    at_1300, at_48k = band_noise(3, grid(0, 3900, 1300.0)), band_noise(3, grid(0, 144000, 48000.0))
+    assert np.abs(at_1300[::13] - at_48k[::480]).max() < 1e-10
+    shifted = band_noise(3, grid(0, 3901, 1300.0, 0.5 / 1300))
+    assert np.abs(shifted[1:] - band_noise(3, grid(0, 7800, 2600.0))[1::2]).max() < 1e-10
+    assert np.abs(band_noise(3, grid(2000, 50, 1300.0)) - at_1300[2000:2050]).max() < 1e-12
+    odd = band_noise(3, grid(0, 4001, 1333.25))
+    assert odd[4000] == pytest.approx(band_noise(3, grid(0, 4, 1333.25 / 4000))[1], abs=1e-10)
+
+
+def test_noise_is_gaussian_of_its_band_and_the_seed_decides():
+    one, other = (band_noise(seed, grid(0, 260_000, 2600.0)) for seed in (1, 2))
+    assert one.std() == pytest.approx(1 / 3, rel=0.01)
+    assert scipy.stats.kurtosis(one) == pytest.approx(0.0, abs=0.05)
+    assert abs(np.corrcoef(one, other)[0, 1]) < 0.02
+    window = np.sin(np.pi * np.arange(one.size) / one.size) ** 4
+    energy = np.abs(np.fft.rfft(one * window)) ** 2
+    frequency_hz = np.fft.rfftfreq(one.size, 1 / 2600.0)
+    outside = (frequency_hz < 25) | (frequency_hz > 600)
+    assert 0 < energy[outside].sum() < 1e-8 * energy.sum()
+    halves = [energy[(frequency_hz > a) & (frequency_hz < a + 100)].sum() for a in (50, 250, 450)]
+    assert max(halves) < 1.2 * min(halves)
+    # A slow rate leaves out what it cannot carry.
+    slow = np.abs(np.fft.rfft(band_noise(1, grid(0, 100_000, 1000.0)))) ** 2
+    assert slow[np.fft.rfftfreq(100_000, 1 / 1000.0) > 499.9].sum() < 1e-3 * slow.sum()
+
+
+@pytest.mark.parametrize(
+    ("text", "column", "words"),
+    [
+        ("", 1, "found nothing, expected a formula such as"),
+        ("   ", 1, "found nothing"),
+        ("2t", 2, "found t, expected an operator, such as *"),
+        ("2(t)", 2, "found (, expected an operator"),
+        ("sin(", 5, "found the end, expected a number"),
+        ("sin(2*t", 8, "expected ) for the bracket of column 4"),
+        ("1 + sin (t", 11, "expected ) for the bracket of column 9"),
+        ("t)", 2, "no bracket is open"),
+        ("(t,2)", 3, "expected an operator; numbers have a point"),
+        ("0,5*t", 2, "numbers have a point"),
+        ("1+", 3, "found the end"),
+        ("*t", 1, "found *"),
+        ("1 + * 2", 5, "found *"),
+        ("()", 2, "found )"),
+        ("sin()", 1, "found sin of 0 values, expected 1, as in sin(x)"),
+        ("3*sin(1, t)", 3, "found sin of more than 1"),
+        ("clip(t, 1)", 1, "found clip of 2 values, expected 3, as in clip(x, low, high)"),
+        ("hann(t)", 1, "found hann of 1 value, expected 0"),
+        ("min(1,,2)", 7, "found ,"),
+        ("min(1,2,)", 9, "found )"),
+        ("t + sine(3)", 5, "found sine, expected sin"),
+        ("Hann()", 1, "found Hann, expected hann"),
+        ("qqqq", 1, "expected one of t, pi, duration, sin"),
+        ("2 + hann", 9, "found the end, expected ( as in hann()"),
+        ("t < 1 < 2", 7, "write (a < b) * (b < c)"),
+        ("t = 1", 3, "found =, expected == for a comparison"),
+        ("t**2", 2, "found **, expected ^ for a power"),
+        ("t.real", 2, "found ."),
+        ("t[0]", 2, "found ["),
+        ("'a'", 1, "found '"),
+        ("1 ? 2", 3, "found ?"),
+        ("1e999", 1, "a number below 1.8e308"),
+        ("noise(t)", 7, "found t, expected a whole number from 0"),
+        ("noise(1+1)", 7, "found a computed seed"),
+        ("noise(0.5)", 7, "found 0.5"),
+        ("noise(2147483648)", 7, "found 2147483648"),
+        ("(" * 5000, 1001, "found 5000 characters, expected at most 1000"),
+        ("(" * 900, 61, "at most 60 brackets"),
+        ("-" * 900 + "t", 61, "found -, expected at most 60"),
+        ("t" + "+t" * 300, 501, "expected at most 500 numbers"),
+        ("9**9**9**9", 2, "expected ^"),
+        ("9^9^9^9", 4, "^ is infinite at 0 s"),
+        ("1/t", 2, "/ is infinite at 0 s"),
+        ("sqrt(0.05 - t)", 1, "sqrt is no number at 0.0507692 s"),
+        ("2*log(0*t)", 3, "log is infinite"),
+        ("1 + mod(1, 0)", 5, "mod is no number"),
+        ("__import__('os')", 1, "found __import__"),
+        ("(lambda: 1)()", 2, "found lambda"),
+    ],
+)
+def test_a_mistake_is_refused_with_its_column(text, column, words):
+    with pytest.raises(FormulaError) as found:
+        Formula(text=text)
+    assert found.value.column == column
+    assert words in str(found.value)
+    assert f", column {column}: " in str(found.value) or text == ""
+    assert formula.column_of(str(found.value)) == column
+    assert len(str(found.value)) < 400
+
+
+def test_a_long_text_is_quoted_around_the_mistake():
+    with pytest.raises(FormulaError, match=r'formula "…1\+1\+1.*\? \+ 2\+2.*…", column 203'):
+        formula.read("1+" * 100 + "1 ? " + "+ 2" + "+2" * 100)
+
+
+def test_what_is_not_finite_late_is_refused_when_it_is_played():
+    recipe = Formula(text="sqrt(15 - t)", duration_s=20.0)
+    with pytest.raises(FormulaError, match=r"sqrt is no number at 15\.0008 s"):
+        recipe.samples(1300.0)
+
+
+@pytest.mark.parametrize("text", [None, 3, b"t", ["t"]])
+def test_what_is_no_text_is_refused(text):
+    with pytest.raises(InvalidInputError):
+        Formula(text=text)
+
+
+def test_numbers_that_overflow_on_the_way_do_no_harm():
+    assert value_of("1/exp(1000)") == 0.0
+    assert value_of("exp(-exp(1000))") == 0.0
+    assert value_of("1e308*10 > 1") == 1.0
+    assert value_of("sin(1e308*pi*2)") == pytest.approx(0.0, abs=1e-12)
