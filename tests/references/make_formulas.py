@@ -45,19 +45,25 @@ FORMULAS: tuple[tuple[str, float, float, float, Meaning], ...] = (
         3600.0,
         lambda t, _: mp.sin(2 * mp.pi * N(250.1) * t),
     ),
-    ("cos(2*pi*600*t + 0.3)", 1300.0, 0.0004, 600.0, lambda t, _: mp.cos(mp.pi * 1200 * t + N(0.3))),
+    (
+        "cos(2*pi*600*t + 0.3)",
+        1300.0,
+        0.0004,
+        600.0,
+        lambda t, _: mp.cos(mp.pi * 1200 * t + N(0.3)),
+    ),
     (
         "sin(500*t - 2)^3",
         48000.0,
         0.00001,
-        600.0,
+        40.0,
         lambda t, _: mp.sin(500 * t - 2) ** 3,
     ),
     (
         "sin(2*pi*100*t + 2*sin(2*pi*7*t))",
         44100.0,
         0.0,
-        600.0,
+        40.0,
         lambda t, _: mp.sin(200 * mp.pi * t + 2 * mp.sin(14 * mp.pi * t)),
     ),
     ("chirp(25, 600)", 1300.0, 0.0003, 600.0, lambda t, d: chirp(t, d, 25, 600)),
@@ -101,16 +107,16 @@ FORMULAS: tuple[tuple[str, float, float, float, Meaning], ...] = (
         1300.0,
         0.0,
         0.3,
-        lambda t, _: max(mpf(-1), min(N(0.5), 3 * mp.sin(80 * t))) + min(t, N(0.1)) + max(t, N(0.2)),
+        lambda t, _: (
+            max(mpf(-1), min(N(0.5), 3 * mp.sin(80 * t))) + min(t, N(0.1)) + max(t, N(0.2))
+        ),
     ),
     (
         "log(1+t) + abs(sin(40*t)) + sign(t-0.1) + tanh(3*t)",
         1300.0,
         0.0,
         0.3,
-        lambda t, _: (
-            mp.log(1 + t) + abs(mp.sin(40 * t)) + mp.sign(t - N(0.1)) + mp.tanh(3 * t)
-        ),
+        lambda t, _: mp.log(1 + t) + abs(mp.sin(40 * t)) + mp.sign(t - N(0.1)) + mp.tanh(3 * t),
     ),
     (
         "floor(9.5*t) + ceil(9.5*t)*10 + round(9.5*t)*100",
@@ -151,7 +157,6 @@ def main() -> None:
     """Write the file beside this script."""
     path = Path(__file__).with_name("formulas.json")
     path.write_text(json.dumps(formulas(), indent=1) + "\n", encoding="utf-8")
-    print(path)
 
 
 if __name__ == "__main__":

@@ -105,8 +105,8 @@ def cycles(phase: Polynomial, period: Fraction, grid: Grid) -> Floats:
     below = lcm(*(each.denominator for each in in_k))
     c, b, a = (each.numerator * (below // each.denominator) for each in in_k)
     middles = range(grid.first + _BLOCK // 2, grid.first + grid.count + _BLOCK // 2, _BLOCK)
-    starts = np.array([_reduced((a * k + b) * k + c, below) for k in middles])
-    slopes = np.array([_reduced(2 * a * k + b, below) for k in middles])
+    starts = np.array([_reduced((a * k + b) * k + c, below) for k in middles], np.float64)
+    slopes = np.array([_reduced(2 * a * k + b, below) for k in middles], np.float64)
     m = np.arange(_BLOCK) - _BLOCK // 2
     found = starts[:, None] + slopes[:, None] * m
     if a:

@@ -6,7 +6,7 @@ from functools import reduce
 
 import numpy as np
 
-from skinsource.arrays import Floats
+from skinsource.arrays import Booleans, Floats
 from skinsource.formula.band_noise import band_noise
 from skinsource.formula.exact import PI, Grid
 from skinsource.formula.value import Value
@@ -90,7 +90,7 @@ def _pulse(grid: Grid, values: tuple[Value, ...]) -> Value:
     return Value(_or_nan((since >= 0) & (since < length), start, length))
 
 
-def _or_nan(yes: Floats, *values: Floats) -> Floats:
+def _or_nan(yes: Booleans, *values: Floats) -> Floats:
     """1 or 0; what is not a number stays so."""
     known = reduce(np.logical_and, (~np.isnan(value) for value in values))
     return np.where(known, yes.astype(float), np.nan)
@@ -197,7 +197,7 @@ NAMES = {
     "pi": "3.14159…",
     "duration": "duration of the formula, in s",
 }
-_COMPARISONS: dict[str, Callable[[Floats, Floats], Floats]] = {
+_COMPARISONS: dict[str, Callable[[Floats, Floats], Booleans]] = {
     "<": np.less,
     "<=": np.less_equal,
     ">": np.greater,
@@ -229,5 +229,3 @@ def named(name: str, grid: Grid) -> Value:
     if name == "t":
         return Value.time(grid)
     return Value.pi() if name == "pi" else Value.of(grid.duration_s)
-
-

@@ -70,12 +70,12 @@ class _Reader:
     steps: list[Step] = field(default_factory=list)
     _stack: list[_Waiting] = field(default_factory=list)
     _wants_value: bool = True
-    _called: Token | None = None
+    _called: tuple[Token, Function] | None = None
 
     def take(self, token: Token) -> None:
         """Take the next token."""
         if self._called is not None:
-            self._open_call(token)
+            self._open_call(token, *self._called)
         elif self._wants_value:
             self._take_value(token)
         else:
@@ -101,22 +101,19 @@ class _Reader:
 
     def _take_name(self, token: Token) -> None:
         if token.text in FUNCTIONS:
-            self._called = token
+            self._called = (token, FUNCTIONS[token.text])
         elif token.text in NAMES:
             self._emit(Step("name", token.text, token.column))
         else:
             known = (*NAMES, *FUNCTIONS)
-            near = get_close_matches(token.text[:20].lower(), known, 1, 0.6)
+            near = get_close_matches(token.text[:20].lower(), known, 1, 0.75)
             expected = near[0] if near else f"one of {', '.join(known)}"
             raise mistake(self.text, token.column, token.text, expected)
 
-    def _open_call(self, token: Token) -> None:
-        called, self._called = self._called, None
-        assert called is not None
+    def _open_call(self, token: Token, called: Token, call: Function) -> None:
         if token.kind != "(":
-            usage = FUNCTIONS[called.text].usage
-            raise mistake(self.text, token.column, token.shown, f"( as in {usage}")
-        call = FUNCTIONS[called.text]
+            raise mistake(self.text, token.column, token.shown, f"( as in {call.usage}")
+        self._called = None
         self._wait(_Waiting(called.text, called.column, call, begun=len(self.steps)))
 
     def _take_operator(self, token: Token) -> None:
@@ -140,13 +137,13 @@ class _Reader:
 
     def _take_comma(self, token: Token) -> None:
         self._finish(0, token)
-        if not self._stack or self._stack[-1].call is None:
+        opened = self._stack[-1] if self._stack else None
+        if opened is None or opened.call is None:
             expected = f"{_OPERATOR}; numbers have a point, as in 0.5"
             raise mistake(self.text, token.column, ",", expected)
-        opened = self._stack[-1]
         opened.commas += 1
-        if opened.call is not None and opened.commas >= max(opened.call.most, 1):
-            self._refuse_count(opened, f"more than {opened.call.most}")
+        if opened.commas >= max(opened.call.most, 1):
+            raise self._wrong_count(opened, opened.call, f"more than {opened.call.most}")
         self._wants_value = True
 
     def _close(self, token: Token) -> None:
@@ -160,17 +157,16 @@ class _Reader:
             return
         count = 0 if empty else opened.commas + 1
         if not opened.call.fewest <= count <= opened.call.most:
-            self._refuse_count(opened, str(count))
+            raise self._wrong_count(opened, opened.call, str(count))
         if opened.call.seeded:
             self._check_seed(opened)
         self._emit(Step("function", opened.name, opened.column, takes=count))
 
-    def _refuse_count(self, opened: _Waiting, count: str) -> None:
-        assert opened.call is not None
-        few, most = opened.call.fewest, opened.call.most
+    def _wrong_count(self, opened: _Waiting, call: Function, count: str) -> FormulaError:
+        few, most = call.fewest, call.most
         many = str(few) if few == most else f"{few} to {most}"
         found = f"{opened.name} of {count} value{'' if count == '1' else 's'}"
-        raise mistake(self.text, opened.column, found, f"{many}, as in {opened.call.usage}")
+        return mistake(self.text, opened.column, found, f"{many}, as in {call.usage}")
 
     def _check_seed(self, opened: _Waiting) -> None:
         given = self.steps[opened.begun :]
@@ -211,9 +207,7 @@ class _Reader:
         self._wants_value = False
 
     def _is_empty_call(self, waiting: _Waiting) -> bool:
-        return (
-            waiting.call is not None and waiting.commas == 0 and waiting.begun == len(self.steps)
-        )
+        return waiting.call is not None and waiting.commas == 0 and waiting.begun == len(self.steps)
 
     def _bracket_column(self, column: int) -> int:
         """Where the bracket itself stands of what was opened at ``column``."""

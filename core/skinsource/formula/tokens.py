@@ -56,7 +56,9 @@ def tokens(text: str) -> Iterator[Token]:
             continue
         found = _WORD.match(text, place)
         if found is None:
-            raise mistake(text, place + 1, text[place], "a number, a name, an operator or a bracket")
+            raise mistake(
+                text, place + 1, text[place], "a number, a name, an operator or a bracket"
+            )
         word = found.group()
         if word in _INSTEAD:
             raise mistake(text, place + 1, word, _INSTEAD[word])

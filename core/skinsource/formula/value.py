@@ -34,12 +34,12 @@ class Value:
     def of(number: float) -> "Value":
         """A constant."""
         exact = Polynomial((Fraction(number),)) if isfinite(number) else None
-        return Value(np.float64(number), exact)
+        return Value(np.asarray(number, np.float64), exact)
 
     @staticmethod
     def pi() -> "Value":
         """The number pi, exact."""
-        return Value(np.float64(np.pi), Polynomial((PI,)))
+        return Value(np.asarray(np.pi), Polynomial((PI,)))
 
     @staticmethod
     def time(grid: Grid) -> "Value":
@@ -55,7 +55,7 @@ class Value:
         return Value(at) if exact is None else Value(at, exact, _summed(ours[1], theirs[1]))
 
     def __neg__(self) -> "Value":
-        return self._scaled(Fraction(-1), np.float64(-1.0), -self.at)
+        return self._scaled(Fraction(-1), np.asarray(-1.0), -self.at)
 
     def __sub__(self, other: "Value") -> "Value":
         return Value(self.at - other.at, *_exact_parts(self + -other))

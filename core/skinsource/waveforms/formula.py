@@ -22,7 +22,7 @@ TEXT = TextSpec(
 _TRIED_S = 10.0
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Formula:
     """What a text says, for a duration; see `skinsource.formula` for the language.
 

@@ -62,6 +62,8 @@ class LiveText(QPlainTextEdit):
         self.setFont(font)
         self.document().setDocumentMargin(_EDGE_PX)
         self.textChanged.connect(self._read)
+        # Lines are laid out after the text changed.
+        self.document().documentLayout().documentSizeChanged.connect(lambda _: self._fit())
 
     def text(self) -> str:
         """What stands there."""
