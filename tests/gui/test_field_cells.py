@@ -10,7 +10,7 @@ from skinsource.fields import ChoiceSpec, NumberSpec, PlainSpec, SwitchSpec, Tex
 from skinsource.waveforms import Formula
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 
-FREQUENCY = NumberSpec(label="Frequency", unit="Hz", minimum=1.0, maximum=649.0)
+FREQUENCY = NumberSpec(label="Frequency", unit="Hz", minimum=1.0, maximum=649.0, felt=True)
 
 
 @pytest.fixture

@@ -106,7 +106,7 @@ class _Reader:
             self._emit(Step("name", token.text, token.column))
         else:
             known = (*NAMES, *FUNCTIONS)
-            near = get_close_matches(token.text[:20].lower(), known, 1, 0.75)
+            near = get_close_matches(token.text[:20].lower(), known, 1, 0.65)
             expected = near[0] if near else f"one of {', '.join(known)}"
             raise mistake(self.text, token.column, token.text, expected)
 
