@@ -7,11 +7,13 @@ import numpy as np
 
 from skinsource.arrays import Floats
 from skinsource_gui.widgets.plot.ranges import Kind, Range
-from skinsource_gui.widgets.plot.ticks import Tick, linear_ticks, log_ticks, number_text
+from skinsource_gui.widgets.plot.ticks import Tick, log_ticks, number_text, readable_ticks
 
 _READING_DIGITS = 4
 # Room for a label on the x axis and the gap beside it.
 _TICK_PX = 60.0
+# The same where there would not be two labels otherwise.
+_CLOSE_TICK_PX = 36.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -61,7 +63,7 @@ class XAxis:
         """Ticks between two positions that are ``width_px`` apart; their values are positions."""
         most = max(width_px / _TICK_PX, 2)
         if not self.log:
-            return linear_ticks(low, high, most, self.factor)
+            return readable_ticks(low, high, most, width_px / _CLOSE_TICK_PX, self.factor)
         return tuple(
             Tick(value=self.position(tick.value), label=tick.label)
             for tick in log_ticks(self.value(low), self.value(high), most)

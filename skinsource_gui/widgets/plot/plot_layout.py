@@ -8,7 +8,7 @@ from PySide6.QtGui import QFontMetricsF
 
 from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.plot.axis_spec import ValueUnit
-from skinsource_gui.widgets.plot.ticks import Tick, linear_ticks
+from skinsource_gui.widgets.plot.ticks import Tick, linear_ticks, readable_ticks
 from skinsource_gui.widgets.plot.value_scale import ValueScale
 
 # The left margin grows at once, and shrinks only by more than this.
@@ -184,9 +184,11 @@ def fitting(texts: tuple[str, ...], metrics: QFontMetricsF, room_px: float) -> s
 
 def _y_ticks(content: Content, row_px: float, line_px: float) -> tuple[Tick, ...]:
     low, high = content.scale.values
-    airy = linear_ticks(low, high, row_px / (_AIRY * line_px), content.unit.factor)
     if content.n_rows == 1:
-        return _in_row(content.scale, airy)
+        most, closest = row_px / (_AIRY * line_px), row_px / (_DENSE * line_px)
+        ticks = readable_ticks(low, high, most, closest, content.unit.factor)
+        return _in_row(content.scale, ticks)
+    airy = linear_ticks(low, high, row_px / (_AIRY * line_px), content.unit.factor)
     dense = linear_ticks(low, high, row_px / (_DENSE * line_px), content.unit.factor)
     for ticks in (airy, dense):
         # Labels of neighbouring rows must not touch.

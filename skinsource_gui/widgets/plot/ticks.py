@@ -32,6 +32,27 @@ def linear_ticks(low: float, high: float, most: float, factor: float = 1.0) -> t
     )
 
 
+def readable_ticks(
+    low: float, high: float, airy: float, dense: float, factor: float = 1.0
+) -> tuple[Tick, ...]:
+    """Two ticks at least: one alone says nothing of what a height or a width means.
+
+    Where there are not two among at most about ``airy`` round numbers they stand closer, up to
+    ``dense`` of them; where even these leave but one, both ends are labelled.
+    """
+    for most in (airy, dense):
+        ticks = linear_ticks(low, high, most, factor)
+        if len(ticks) > 1:
+            return ticks
+    length = (high - low) * factor
+    if not (isfinite(length) and length > 0):
+        return ()
+    decimals = max(0, 2 - floor(log10(length) + 1e-9))
+    return tuple(
+        Tick(value=value, label=number_text(value * factor, decimals)) for value in (low, high)
+    )
+
+
 def log_ticks(low: float, high: float, most: float) -> tuple[Tick, ...]:
     """Grid lines at 1 to 9 times each power of ten, with labels where they find room."""
     decades = log10(high / low)

@@ -161,3 +161,22 @@ def test_curves_keep_their_colours_when_each_gets_a_row_of_its_own(signals):
         signals.set_view(TIME, None, stacked=stacked)
         colours = [curve.opts["pen"].color() for curve in drawn(signals)]
         assert colours == [LIGHT.output_colour(rank) for rank in range(5)]
+
+
+@pytest.mark.parametrize("size", [(160, 90), (240, 110), (300, 140), (420, 150)])
+@pytest.mark.parametrize("zoom", [None, (0.051, 0.1266), (0.21, 0.2801)])
+def test_both_axes_have_two_labels_at_least_however_small_the_plot(signals, size, zoom):
+    plot = signals.plot
+    plot.resize(*size)
+    for amplitude in (0.09, 0.11, 0.3, 0.47, 0.63, 7.7):
+        plot.begin_anew()
+        plot.show_curves(waves(amplitude=amplitude))
+        plot.set_view(TIME, zoom, stacked=False)
+        line = plot.stack.rows[0].axis
+        metrics = QFontMetricsF(plot.words_font)
+        heights = sorted(at for at, text in line.ticks() if text)
+        assert len(heights) >= 2
+        assert min(np.diff(heights)) >= 0.95 * metrics.height()
+        x_axis = plot.stack.x_axis
+        _, _, labels = x_axis.generateDrawSpecs(None)
+        assert len(labels) >= 2
