@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 from PySide6.QtCore import QByteArray, QObject
+from PySide6.QtGui import QGuiApplication, QScreen
 from PySide6.QtWidgets import QDockWidget, QMainWindow
 
 from skinsource_gui.shell.arrangements import Arrangements, ArrangementSpec
@@ -35,25 +36,42 @@ class DockLayout(QObject):
         arrangements.chosen.connect(self._note_arrangement)
 
     def content(self) -> bytes:
-        """What `put` takes back."""
+        """What `show_panels` takes back."""
         return self._window.saveState().data()
 
-    def put(self, content: bytes) -> None:
-        """Put the docks where they stood, if anything is said about it."""
-        if content:
-            self._window.restoreState(QByteArray(content))
+    def show_panels(self, content: bytes) -> None:
+        """Show and hide the panels that were shown and hidden, if anything is said about it.
+
+        Where they stand and how large they are stays: that belongs to this window and its screen,
+        not to the one in which a file was saved.
+        """
+        before = self._window.saveState()
+        if not content or not self._window.restoreState(QByteArray(content)):
+            return
+        hidden = {dock: dock.isHidden() for dock in self._docks.values()}
+        self._window.restoreState(before)
+        for dock, hide in hidden.items():
+            if dock.isHidden() != hide:
+                dock.setHidden(hide)
 
     def restore(self) -> None:
-        """Bring back the last session."""
-        self._window.restoreGeometry(self._preferences.geometry)
+        """Bring back the last session; its sizes only where its screen is there."""
+        screen, layout = self._preferences.screen, self._preferences.layout
+        fits = not screen or screen in map(screen_words, QGuiApplication.screens())
+        if fits:
+            self._window.restoreGeometry(self._preferences.geometry)
         # With the arrangement come its large words; where its docks were moved, they stand there.
         self._arrangements.show(self._preferences.arrangement)
-        self.put(self._preferences.layout.data())
+        if fits and not layout.isEmpty():
+            self._window.restoreState(layout)
+        elif not fits:
+            self.show_panels(layout.data())
 
     def close(self) -> None:
         """Remember this session for the next one; the window closes."""
         self._preferences.geometry = self._window.saveGeometry()
         self._preferences.layout = self._window.saveState()
+        self._preferences.screen = screen_words(self._window.screen())
         self._preferences.flush()
         for dock in self._docks.values():
             # A panel in a window of its own does not close with this one on every desktop.
@@ -62,3 +80,9 @@ class DockLayout(QObject):
 
     def _note_arrangement(self, spec: ArrangementSpec) -> None:
         self._preferences.arrangement = spec.name
+
+
+def screen_words(screen: QScreen) -> str:
+    """What sizes of windows depend on: the room on a screen and its scale."""
+    room = screen.availableGeometry()
+    return f"{room.width()} x {room.height()} at {screen.devicePixelRatio():g}"

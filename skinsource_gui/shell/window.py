@@ -199,7 +199,7 @@ class MainWindow(QMainWindow):
         self.setup_bar.edited.connect(document.apply)
         self.files.failed.connect(reports.complain)
         self.files.done.connect(reports.report)
-        self.files.opened.connect(self.layout_of_docks.put)
+        self.files.opened.connect(self.layout_of_docks.show_panels)
         self.exports.failed.connect(reports.complain)
         self.keeping.connect_to(self.conductor, reports)
         for panel in self.panels:

@@ -90,6 +90,15 @@ class Preferences:
         self._settings.setValue("geometry", geometry)
 
     @property
+    def screen(self) -> str:
+        """The screen that place, size and arrangement belong to; empty at first."""
+        return str(self._settings.value("screen", ""))
+
+    @screen.setter
+    def screen(self, words: str) -> None:
+        self._settings.setValue("screen", words)
+
+    @property
     def layout(self) -> QByteArray:
         """Arrangement of the docks; empty at first."""
         return self._bytes("layout")

@@ -1,0 +1,81 @@
+"""Where docks stand: between sessions, on other screens, and when a file is opened."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication
+
+from skinsource.catalogue import available_limbs
+from skinsource.design import start_design
+from skinsource.design_file import save_design
+from skinsource.view import View
+from skinsource_gui.shell.window import MainWindow
+
+# The screen of the tests is 800 x 800.
+SIZE = (780, 660)
+
+
+def sizes(window):
+    QApplication.processEvents()
+    return {name: dock.size() for name, dock in window.docks.items() if dock.isVisible()}
+
+
+@pytest.fixture
+def session(qtbot, preferences):
+    """Open a window as the last session left it."""
+
+    def begin():
+        window = MainWindow(
+            start_design("synthetic-1"), preferences=preferences, available_limbs=available_limbs()
+        )
+        qtbot.addWidget(window, before_close_func=lambda one: one.runner.close())
+        window.show()
+        qtbot.waitExposed(window)
+        qtbot.waitUntil(lambda: not window.engine.busy)
+        return window
+
+    return begin
+
+
+def test_opening_a_file_moves_no_splitter_and_shows_its_panels(window, settle, tmp_path):
+    settle()
+    path = tmp_path / "elsewhere.skinsource"
+    window.resizeDocks([window.docks["skin"]], [620], Qt.Orientation.Horizontal)
+    save_design(path, window.document.design, View(), layout=window.layout_of_docks.content())
+    window.do("arrange_design")
+    before = sizes(window)
+    window.files.open(path)
+    settle()
+    assert sizes(window) == before
+    window.docks["spectra"].hide()
+    save_design(path, window.document.design, View(), layout=window.layout_of_docks.content())
+    window.do("arrange_design")
+    window.files.open(path)
+    assert window.docks["spectra"].isHidden()
+    # What a file says of the arrangement may be damaged, or of another studio.
+    before = sizes(window)
+    window.layout_of_docks.show_panels(b"nonsense")
+    assert sizes(window) == before
+
+
+def test_a_session_goes_on_where_it_was_left_on_the_same_screen(session, preferences):
+    window = session()
+    window.resize(*SIZE)
+    window.docks["spectra"].hide()
+    window.close()
+    assert preferences.screen == "800 x 800 at 1"
+    again = session()
+    assert (again.width(), again.height()) == SIZE
+    assert again.docks["spectra"].isHidden()
+
+
+def test_sizes_of_another_screen_are_not_brought_back_but_hidden_panels_are(session, preferences):
+    first = session()
+    usual = first.size()
+    first.resize(*SIZE)
+    first.docks["spectra"].hide()
+    first.close()
+    preferences.screen = "1920 x 1080 at 2"
+    again = session()
+    assert again.size() == usual
+    assert again.docks["spectra"].isHidden()
+    assert again.docks["traces"].isVisible()
