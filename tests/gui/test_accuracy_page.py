@@ -23,7 +23,7 @@ from skinsource.commands.command_line import _parser
 from skinsource.job import Job
 from skinsource.method_comparison.table import read_table
 from skinsource.rendering.check import TraceError
-from skinsource_gui.accuracy_page import bench_job
+from skinsource_gui.accuracy_page import accuracy_figures, bench_job
 from skinsource_gui.accuracy_page.picture_view import PictureView
 
 CHILD = """
@@ -140,8 +140,10 @@ def test_present_figures_stand_beside_the_promised(window, page, qtbot):
     error = find(page, QLabel, "now_error")
     qtbot.waitUntil(lambda: error.text().startswith("≈ "), timeout=5000)
     assert "at most" in error.text()
-    assert find(page, QLabel, "now_median").text().endswith("ms (1 edit)")
-    assert find(page, QLabel, "now_most").text().endswith("ms (1 edit)")
+    for name in ("now_median", "now_most"):
+        words, _, reason = find(page, QLabel, name).text().partition(" – ")
+        assert words.endswith("ms (1 edit)")
+        assert reason.startswith("above the promise") == bool(reason)
     assert "computing" in find(page, QLabel, "now_last").text()
     assert "of 216 channels" in find(page, QLabel, "now_scope").text()
     promised = [one.text() for one in page.findChildren(QLabel)]
@@ -153,6 +155,22 @@ def test_an_error_above_the_promise_is_amber_on_the_page(window, page):
     window.status_line.show_error(TraceError(estimate=1e-9, bound=1e-8))
     window.status_line.changed.emit()
     assert window.theme.warning in find(page, QLabel, "now_error").styleSheet()
+    assert "above the promise" in find(page, QLabel, "now_error").text()
+
+
+def test_a_figure_above_its_promise_says_what_the_promise_is_for(window, page, monkeypatch):
+    def shown(memory, seconds, error):
+        monkeypatch.setattr(accuracy_figures, "resident_bytes", lambda: memory)
+        monkeypatch.setattr(window.status_line, "last_times", lambda: (None, seconds))
+        window.status_line.show_error(TraceError(estimate=error, bound=1e-12))
+        window.status_line.changed.emit()
+        names = ("memory", "median", "most", "error")
+        return [find(page, QLabel, f"now_{name}").text() for name in names]
+
+    kept = shown(349_000_000, [0.008, 0.008], 1e-14)
+    assert not any("above" in text for text in kept)
+    assert kept[3] == "≈ 1e-14 estimated; by theory at most 1e-12"
+    assert all(" – above" in text for text in shown(351_000_000, [0.017, 0.017], 2e-14))
 
 
 def test_a_run_shows_table_plot_and_verdict(page, qtbot):
