@@ -73,7 +73,7 @@ class NumberTyping(QObject):
     def result(self, number: ShownNumber) -> float | None:
         """Value of what is typed; None, with the reason told, if it is not allowed."""
         try:
-            return parse_number(self._line.text(), number.spec)
+            return parse_number(self._line.text(), number.spec, number.value_si)
         except InvalidInputError as error:
             self._say(str(error))
             return None

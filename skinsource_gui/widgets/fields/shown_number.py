@@ -42,7 +42,7 @@ class ShownNumber:
     @property
     def symbol(self) -> str:
         """Unit in which it is shown."""
-        return display_unit(self.spec.unit).symbol
+        return display_unit(self.spec.unit, self.value_si).symbol
 
     @property
     def long_text(self) -> str:
@@ -52,7 +52,7 @@ class ShownNumber:
     @property
     def copied_text(self) -> str:
         """As it goes to the clipboard, with its unit."""
-        return with_unit(self.long_text, self.spec.unit)
+        return with_unit(self.long_text, display_unit(self.spec.unit, self.value_si))
 
     def fitting_text(self, metrics: QFontMetrics, room_px: float) -> str:
         """With as many digits as there is room for; ≈ marks one that was rounded to 1 or 2 digits.
@@ -71,7 +71,7 @@ class ShownNumber:
     def parsed(self, text: str) -> float | None:
         """Value of a text, in SI units; None if it is not allowed."""
         try:
-            return parse_number(text, self.spec)
+            return parse_number(text, self.spec, self.value_si)
         except InvalidInputError:
             return None
 

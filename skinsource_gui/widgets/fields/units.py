@@ -13,6 +13,9 @@ from skinsource_gui.widgets.fields.level_text import minus
 SHOWN_DIGITS = 6
 EDITED_DIGITS = 12
 
+#: From this length on times are said in seconds.
+LONG_S = 1.0
+
 _NUMBER = re.compile(r"([+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d{1,2})?)\s*(.*)", re.DOTALL)
 # A bound that was shown in a rounded form can be typed.
 _BOUND_TOLERANCE = 1e-12
@@ -84,8 +87,20 @@ _DISPLAY_UNITS = {
 }
 
 
-def display_unit(unit: str) -> DisplayUnit:
-    """How values of the SI unit ``unit`` are shown; unknown units are shown as they are."""
+# Long times read better in whole seconds.
+_LONG_TIMES = DisplayUnit(
+    symbol="s",
+    spellings=(("ms", _MILLI), *(pair for pair in _DISPLAY_UNITS["s"].spellings if pair[0] != "s")),
+)
+
+
+def display_unit(unit: str, value_si: float = 0.0) -> DisplayUnit:
+    """How a value of the SI unit ``unit`` is shown; one of an unknown unit is shown as it is.
+
+    Times are shown in milliseconds, and from one second on in seconds.
+    """
+    if unit == "s" and abs(value_si) >= LONG_S:
+        return _LONG_TIMES
     return _DISPLAY_UNITS.get(unit) or DisplayUnit(symbol=unit)
 
 
@@ -94,7 +109,7 @@ def number_text(value_si: float, unit: str, digits: int = SHOWN_DIGITS) -> str:
 
     Digits left of the point are never rounded away.
     """
-    shown = display_unit(unit).shown(value_si)
+    shown = display_unit(unit, value_si).shown(value_si)
     if shown == 0:
         return "0"
     magnitude = math.floor(math.log10(abs(shown)))
@@ -106,15 +121,15 @@ def number_text(value_si: float, unit: str, digits: int = SHOWN_DIGITS) -> str:
     return "0" if text == "-0" else text
 
 
-def with_unit(number: str, unit: str) -> str:
+def with_unit(number: str, unit: DisplayUnit) -> str:
     """``number`` followed by the symbol of its unit, with the space that belongs there."""
-    symbol = display_unit(unit).symbol
+    symbol = unit.symbol
     return f"{number}{symbol}" if symbol in ("", "°") else f"{number} {symbol}"
 
 
 def value_text(value_si: float, unit: str, digits: int = SHOWN_DIGITS) -> str:
     """Number and unit to show for a value: ``"200 ms"``."""
-    return with_unit(number_text(value_si, unit, digits), unit)
+    return with_unit(number_text(value_si, unit, digits), display_unit(unit, value_si))
 
 
 def range_text(spec: NumberSpec) -> str:
@@ -122,7 +137,9 @@ def range_text(spec: NumberSpec) -> str:
     kind = "whole number" if spec.whole else "number"
     low, high = math.isfinite(spec.minimum), math.isfinite(spec.maximum)
     if low and high:
-        lowest = number_text(spec.minimum, spec.unit)
+        units = [display_unit(spec.unit, end).symbol for end in (spec.minimum, spec.maximum)]
+        said_once = units[0] == units[1] or spec.minimum == 0
+        lowest = (number_text if said_once else value_text)(spec.minimum, spec.unit)
         return minus(f"{lowest} to {value_text(spec.maximum, spec.unit)}")
     if low:
         return minus(f"{value_text(spec.minimum, spec.unit)} or more")
@@ -131,8 +148,10 @@ def range_text(spec: NumberSpec) -> str:
     return f"any {kind}"
 
 
-def parse_number(text: str, spec: NumberSpec) -> float:
+def parse_number(text: str, spec: NumberSpec, beside_si: float = 0.0) -> float:
     """Value in SI units of what a user typed: ``"250"``, ``"0,2 s"``, ``"200 ms"``.
+
+    A number alone is in the unit in which ``beside_si`` is shown, the value that it replaces.
 
     Raises
     ------
@@ -140,7 +159,7 @@ def parse_number(text: str, spec: NumberSpec) -> float:
         It is not a number, has a unit of something else, or is not allowed by ``spec``; the
         message names what is.
     """
-    unit = display_unit(spec.unit)
+    unit = display_unit(spec.unit, beside_si)
     allowed = f"Allowed: {'whole numbers ' if spec.whole else ''}{range_text(spec)}."
     typed = text.strip().replace("−", "-")
     if not typed:
@@ -156,7 +175,7 @@ def parse_number(text: str, spec: NumberSpec) -> float:
     value = _at_bound(float(Fraction(match[1].replace(",", ".")) * factor), spec)
     if not spec.minimum <= value <= spec.maximum:
         side = "low" if value < spec.minimum else "high"
-        found = minus(with_unit(match[1], spec.unit) if not match[2] else typed)
+        found = minus(with_unit(match[1], unit) if not match[2] else typed)
         raise InvalidInputError(f"{spec.label}: {found} is too {side}. {allowed}")
     if spec.whole and value != int(value):
         raise InvalidInputError(f"{spec.label}: {typed} is not a whole number. {allowed}")

@@ -3,11 +3,9 @@
 from skinsource.fields import NumberSpec, specs_of
 from skinsource.signals import sample_count
 from skinsource.waveforms import Waveform
-from skinsource_gui.widgets.fields.units import value_text
+from skinsource_gui.widgets.fields.units import LONG_S, value_text
 
 DURATION_FIELD = "duration_s"
-#: From here on, words and axes of waveforms have seconds in place of milliseconds.
-LONG_S = 10.0
 
 
 def figure_text(waveform: Waveform) -> str:
@@ -25,9 +23,8 @@ def duration_text(waveform: Waveform) -> str:
     """Length of a waveform: ``"200 ms"``, ``"600 s"``."""
     if sample_count(waveform.duration_s) == 1:
         return "one sample"
-    if waveform.duration_s >= LONG_S:
-        return f"{waveform.duration_s:.4g} s"
-    return value_text(waveform.duration_s, "s", digits=3)
+    digits = 4 if waveform.duration_s >= LONG_S else 3
+    return value_text(waveform.duration_s, "s", digits)
 
 
 def fixed_length_text(waveform: Waveform) -> str:

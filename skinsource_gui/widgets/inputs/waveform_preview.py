@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
 from skinsource_gui.theme import LIGHT, Theme, tabular
-from skinsource_gui.widgets.inputs.input_words import LONG_S
+from skinsource_gui.widgets.fields.units import LONG_S
 from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.plot.decimation import visible_points
 

@@ -60,8 +60,9 @@ def test_the_panel_takes_over_a_theme_and_fits_its_smallest_dock(bench):
 
 def test_long_waveforms_are_told_in_seconds():
     assert duration_text(Tone(duration_s=0.2)) == "200 ms"
-    assert duration_text(Tone(duration_s=9.5)) == "9500 ms"
+    assert duration_text(Tone(duration_s=0.95)) == "950 ms"
+    assert duration_text(Tone(duration_s=9.5)) == "9.5 s"
     assert duration_text(Tone(duration_s=12.25)) == "12.25 s"
     assert duration_text(Tone(duration_s=600.0)) == "600 s"
-    assert axis_unit(0.2) == ("ms", 1000.0)
-    assert axis_unit(600.0) == ("s", 1.0)
+    assert axis_unit(0.95) == ("ms", 1000.0)
+    assert axis_unit(1.0) == ("s", 1.0)

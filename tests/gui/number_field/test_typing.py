@@ -59,7 +59,7 @@ def test_other_units_are_understood(text, spec, value):
         ("1.000,5", FREQUENCY, "is not one of its units"),
         ("nan", FREQUENCY, "is not a number"),
         ("700", FREQUENCY, "Frequency: 700 Hz is too high. Allowed: 1 to 649 Hz."),
-        ("0", DURATION, "Duration: 0 ms is too low. Allowed: 1 to 600000 ms."),
+        ("0", DURATION, "Duration: 0 ms is too low. Allowed: 1 ms to 600 s."),
         ("20 ms", FREQUENCY, "“ms” is not one of its units. Units: Hz, kHz."),
         ("1.5", SEED, "is not a whole number. Allowed: whole numbers 0 to 2147483647."),
         ("1e99", FREQUENCY, "too high"),
@@ -76,7 +76,10 @@ def test_what_is_not_allowed_is_refused_with_what_is(text, spec, words):
     [
         (0.2, "s", "200 ms"),
         (21 / 1300, "s", "16.1538 ms"),
-        (600.0, "s", "600000 ms"),
+        (600.0, "s", "600 s"),
+        (0.999, "s", "999 ms"),
+        (1.0, "s", "1 s"),
+        (-2.5, "s", "-2.5 s"),
         (math.pi / 2, "rad", "90°"),
         (100.0, "Hz", "100 Hz"),
         (-0.25, "m/s²", "-0.25 m/s²"),
@@ -91,7 +94,7 @@ def test_values_are_shown_with_sensible_digits(value, unit, text):
 def test_any_shown_number_is_read_back_to_the_value_it_shows():
     for milliseconds in range(1, 2000):
         value = milliseconds / 1000
-        assert parse_number(number_text(value, "s"), DURATION) == value
+        assert parse_number(number_text(value, "s"), DURATION, value) == value
 
 
 def test_enter_commits_what_was_typed_as_a_step_of_its_own(bench):
@@ -214,3 +217,21 @@ def test_a_number_with_too_little_room_is_never_shown_as_another_one(bench, valu
         assert metrics.horizontalAdvance(text) <= 60
         read = float(text.removeprefix("≈").replace("−", "-"))
         assert read == pytest.approx(value, rel=0.3 if text.startswith("≈") else 0.005)
+
+
+def test_a_long_time_is_shown_typed_and_copied_in_seconds(bench):
+    one = bench(DURATION, 0.2)
+    for typed, meant in (
+        ("2.5 s", 2.5),
+        ("3", 3.0),
+        ("800 ms", 0.8),
+        ("900", 0.9),
+        ("12.5s", 12.5),
+    ):
+        one.type(typed)
+        assert one.edits[-1] == (meant, None)
+    assert one.field.text() == "12.5"
+    QTest.keyClick(one.field, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    assert QApplication.clipboard().text() == "12.5 s"
+    one.type("601")
+    assert one.field.problem == "Duration: 601 s is too high. Allowed: 1 ms to 600 s."
