@@ -36,8 +36,13 @@ class DockLayout(QObject):
         arrangements.chosen.connect(self._note_arrangement)
 
     def content(self) -> bytes:
-        """What `show_panels` takes back."""
+        """What `put` and `show_panels` take back."""
         return self._window.saveState().data()
+
+    def put(self, content: bytes) -> None:
+        """Put the docks where they stood in this very window, if anything is said about it."""
+        if content:
+            self._window.restoreState(QByteArray(content))
 
     def show_panels(self, content: bytes) -> None:
         """Show and hide the panels that were shown and hidden, if anything is said about it.
@@ -62,10 +67,7 @@ class DockLayout(QObject):
             self._window.restoreGeometry(self._preferences.geometry)
         # With the arrangement come its large words; where its docks were moved, they stand there.
         self._arrangements.show(self._preferences.arrangement)
-        if fits and not layout.isEmpty():
-            self._window.restoreState(layout)
-        elif not fits:
-            self.show_panels(layout.data())
+        (self.put if fits else self.show_panels)(layout.data())
 
     def close(self) -> None:
         """Remember this session for the next one; the window closes."""
