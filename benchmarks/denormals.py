@@ -17,7 +17,7 @@ from time import perf_counter
 
 import numpy as np
 
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.limb import Limb, LimbMap
 from skinsource.quantities import new_graph, sources
 from skinsource.response import predict
@@ -85,7 +85,7 @@ def by_predict(limb: Limb, drives: np.ndarray, amplitude: float) -> Callable[[],
 def by_engine(limb: Limb, drives: np.ndarray, amplitude: float) -> Callable[[], object]:
     """Levels of all outputs and six traces, with nothing remembered."""
     inputs = tuple(
-        Input(location=place, waveform=Sampled(row), amplitude=amplitude)
+        track(location=place, waveform=Sampled(row), amplitude=amplitude)
         for place, row in zip(PLACES, drives, strict=True)
     )
     design = Design(limb="synthetic-1", inputs=inputs, scaling="relative")

@@ -21,7 +21,7 @@ from scipy.signal import fftconvolve
 
 from skinsource.allocation import keep_freed_memory
 from skinsource.catalogue import default_limb, load_limb
-from skinsource.design import Design, Input
+from skinsource.design import Design, Input, track
 from skinsource.quantities import new_graph, sources
 from skinsource.response import predict
 from skinsource.view import View
@@ -53,7 +53,7 @@ def twenty_inputs() -> tuple[Input, ...]:
         lambda k: Tap(),
     )
     return tuple(
-        Input(
+        track(
             location=k + 1,
             waveform=kinds[k % 4](k),
             amplitude=0.5 + 0.1 * k,
@@ -68,19 +68,20 @@ def edits() -> dict[str, Edit]:
     """Each edit of the table, as a function of the round."""
 
     def waveform(one: Input, k: int) -> Input:
-        if isinstance(one.waveform, Noise):
-            return replace(one, waveform=replace(one.waveform, seed=1000 + k + one.location))
-        if isinstance(one.waveform, Tone):
-            return replace(
-                one, waveform=replace(one.waveform, frequency_hz=60.0 + k + one.location)
-            )
-        return replace(one, waveform=Noise(seed=2000 + k + one.location, duration_s=0.05))
+        [clip] = one.clips
+        if isinstance(clip.waveform, Noise):
+            new = replace(clip.waveform, seed=1000 + k + one.location)
+        elif isinstance(clip.waveform, Tone):
+            new = replace(clip.waveform, frequency_hz=60.0 + k + one.location)
+        else:
+            new = Noise(seed=2000 + k + one.location, duration_s=0.05)
+        return replace(one, clips=(replace(clip, waveform=new),))
 
     return {
         "amplitude of one input": lambda d, v, k: (d.with_input(4, amplitude=1.0 + 0.01 * k), v),
-        "onset of one input": lambda d, v, k: (d.with_input(4, onset_s=(1 + k % 50) / 1300.0), v),
+        "onset of one input": lambda d, v, k: (d.with_clip(5, onset_s=(1 + k % 50) / 1300.0), v),
         "waveform of one input": lambda d, v, k: (
-            d.with_input(4, waveform=Tone(frequency_hz=100.0 + k, duration_s=1.0)),
+            d.with_clip(5, waveform=Tone(frequency_hz=100.0 + k, duration_s=1.0)),
             v,
         ),
         "all 20 waveforms": lambda d, v, k: (
@@ -97,11 +98,11 @@ def plainly(design: Design, view: View) -> None:
     """Compute everything anew."""
     limb = load_limb(design.limb) if plainly.limb is None else plainly.limb
     total = 0.0
-    n_times = 1300 + max(round(one.onset_s * 1300) for one in design.inputs)
+    n_times = 1300 + max(round(one.clips[0].onset_s * 1300) for one in design.inputs)
     for one in design.inputs:
         drive = np.zeros(n_times)
-        samples = one.waveform.samples(1300.0)
-        start = round(one.onset_s * 1300)
+        samples = one.clips[0].waveform.samples(1300.0)
+        start = round(one.clips[0].onset_s * 1300)
         drive[start : start + samples.size] = samples[: n_times - start]
         response = plainly.responses[one.location]
         field = fftconvolve(response, drive[:, None, None], axes=0)

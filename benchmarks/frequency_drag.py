@@ -30,7 +30,7 @@ from PySide6.QtWidgets import QApplication
 from yardstick import Beside, computing_and_painting, judge
 
 from skinsource.catalogue import available_limbs, default_limb
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.view import View
 from skinsource.waveforms import Tone
 from skinsource_gui.shell.app import make_application
@@ -163,7 +163,7 @@ def drag_freely(window: WatchedWindow, drag: Drag) -> tuple[float, list[float], 
 def measure(options: argparse.Namespace, seconds: float) -> bool:
     """Print the figures for inputs of ``seconds``; whether all promises are kept."""
     inputs = tuple(
-        Input(
+        track(
             location=1 + (4 + k) % 20,
             waveform=Tone(frequency_hz=80.0 + 5 * k, duration_s=seconds),
             colour=k,

@@ -32,7 +32,7 @@ from growth_plot import EDITS, Point, write
 
 from skinsource.allocation import keep_freed_memory
 from skinsource.catalogue import default_limb, load_limb
-from skinsource.design import Design, Input
+from skinsource.design import Design, Input, track
 from skinsource.graph import Graph
 from skinsource.limb import Limb
 from skinsource.quantities import new_graph, sources
@@ -61,7 +61,7 @@ def some_inputs(count: int, length_s: float) -> tuple[Input, ...]:
         return Tone(frequency_hz=40.0 + 25.0 * k, duration_s=length_s)
 
     return tuple(
-        Input(location=k + 1, waveform=waveform(k), amplitude=0.5 + 0.1 * k, colour=k)
+        track(location=k + 1, waveform=waveform(k), amplitude=0.5 + 0.1 * k, colour=k)
         for k in range(count)
     )
 
@@ -69,8 +69,9 @@ def some_inputs(count: int, length_s: float) -> tuple[Input, ...]:
 def edited(design: Design, edit: str, k: int) -> Design:
     """The design after the k-th edit."""
     if edit == "one waveform":
-        waveform = replace(design.inputs[SELECTED].waveform, frequency_hz=100.0 + k)
-        return design.with_input(SELECTED, waveform=waveform)
+        [clip] = design.inputs[SELECTED].clips
+        waveform = replace(clip.waveform, frequency_hz=100.0 + k)
+        return design.with_clip(clip.id, waveform=waveform)
     if edit == "one amplitude":
         return design.with_input(SELECTED, amplitude=1.0 + 0.01 * k)
     return design

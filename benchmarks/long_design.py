@@ -16,7 +16,7 @@ import json
 import platform
 import subprocess
 import sys
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from itertools import pairwise
 from pathlib import Path
 from time import perf_counter
@@ -27,7 +27,7 @@ from resident import resident_mb
 
 from skinsource.allocation import keep_freed_memory
 from skinsource.catalogue import default_limb
-from skinsource.design import Design, Input
+from skinsource.design import Design, Input, track
 from skinsource.errors import Stopped
 from skinsource.graph import Graph
 from skinsource.quantities import new_graph, sources
@@ -53,12 +53,12 @@ def long_design(duration_s: float) -> Design:
     """Sixteen inputs as long as the design, and taps all along it."""
 
     def sounding(k: int) -> Input:
-        one = Input(location=k + 1, amplitude=0.5 + 0.1 * k, colour=k)
+        how = {"amplitude": 0.5 + 0.1 * k, "colour": k}
         if k % 5 == 4:
-            return replace(one, waveform=Tap(), onset_s=(k + 1) / 20 * duration_s - 0.1)
+            return track(k + 1, Tap(), **how, onset_s=(k + 1) / 20 * duration_s - 0.1)
         if k % 2:
-            return replace(one, waveform=Noise(seed=k, duration_s=duration_s))
-        return replace(one, waveform=Tone(frequency_hz=40.0 + 25.0 * k, duration_s=duration_s))
+            return track(k + 1, Noise(seed=k, duration_s=duration_s), **how)
+        return track(k + 1, Tone(frequency_hz=40.0 + 25.0 * k, duration_s=duration_s), **how)
 
     return Design(limb=default_limb(), inputs=tuple(map(sounding, range(20))))
 
@@ -66,7 +66,7 @@ def long_design(duration_s: float) -> Design:
 def idle_graph() -> Graph:
     """A graph after a small evaluation, so that everything is imported and the limb is open."""
     keep_freed_memory()  # as the studio does at its start
-    small = Design(limb=default_limb(), inputs=(Input(location=1, waveform=Tone()),))
+    small = Design(limb=default_limb(), inputs=(track(location=1, waveform=Tone()),))
     graph = new_graph()
     graph.evaluate((*SHOWN, *STUDIO), sources(small, VIEW))
     return graph
@@ -92,7 +92,7 @@ def measure(wanted: tuple[str, ...], duration_s: float) -> dict[str, float]:
     """Seconds, and MB above idle at the peak and at the end, of one evaluation."""
     graph = idle_graph()
     design = long_design(duration_s)
-    played = (round(one.waveform.duration_s * 1300) for one in design.inputs)
+    played = (round(one.clips[0].waveform.duration_s * 1300) for one in design.inputs)
     played_mb = 8 * sum(played) / 1e6
     idle_mb = resident_mb()
     begin = perf_counter()

@@ -29,7 +29,7 @@ from random_edits import RandomEdits
 from resident import held_mb, resident_mb
 
 from skinsource.catalogue import available_limbs, default_limb
-from skinsource.design import Design, Input, start_design
+from skinsource.design import Design, start_design, track
 from skinsource.quantities import new_graph, sources
 from skinsource.view import View
 from skinsource.waveforms import Tone
@@ -132,7 +132,7 @@ def full_design() -> Design:
     return Design(
         limb=default_limb(),
         inputs=tuple(
-            Input(location=place, waveform=Tone(frequency_hz=20.0 * place, duration_s=4.0))
+            track(location=place, waveform=Tone(frequency_hz=20.0 * place, duration_s=4.0))
             for place in range(1, 21)
         ),
     )

@@ -14,7 +14,7 @@ os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 from PySide6.QtWidgets import QApplication
 
 from skinsource.catalogue import available_limbs, default_limb
-from skinsource.design import Design, Input, start_design
+from skinsource.design import Design, start_design, track
 from skinsource.view import View
 from skinsource.waveforms import Noise, Tap, Tone
 from skinsource_gui.shell.app import make_application
@@ -31,10 +31,10 @@ def scenes() -> dict[str, tuple[Design, View, str]]:
     several = Design(
         limb=limb,
         inputs=(
-            Input(location=7, waveform=Tone(frequency_hz=100.0)),
-            Input(location=3, waveform=Noise(seed=3), amplitude=0.5, colour=1, onset_s=0.05),
-            Input(location=18, waveform=Tap(), amplitude=-2.0, colour=2, onset_s=0.1),
-            Input(location=12, waveform=Tone(frequency_hz=640.0), colour=3, muted=True),
+            track(location=7, waveform=Tone(frequency_hz=100.0)),
+            track(location=3, waveform=Noise(seed=3), amplitude=0.5, colour=1, onset_s=0.05),
+            track(location=18, waveform=Tap(), amplitude=-2.0, colour=2, onset_s=0.1),
+            track(location=12, waveform=Tone(frequency_hz=640.0), colour=3, muted=True),
         ),
     )
     six = View(outputs=(29, 30, 33, 35, 38, 61), axes="z", selected_inputs=(2,))

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from skinsource.catalogue import available_limbs
-from skinsource.design import Design, Input
+from skinsource.design import Design, Input, track
 from skinsource.limb import N_INPUTS, N_OUTPUTS
 from skinsource.panel_settings import with_settings
 from skinsource.projection import AXES, METHODS
@@ -66,13 +66,14 @@ class RandomEdits:
         self._change("Change amplitude", amplitude=float(self._random.uniform(-2, 2)))
 
     def _change_onset(self) -> None:
-        self._change("Change onset", onset_s=float(self._random.uniform(0, 0.3)))
+        self._change_clip("Change onset", onset_s=float(self._random.uniform(0, 0.3)))
 
     def _change_frequency(self) -> None:
         one = self._one()
-        if one is not None and isinstance(one.waveform, Tone):
+        waveform = None if one is None else one.clips[0].waveform
+        if isinstance(waveform, Tone):
             frequency_hz = float(self._random.uniform(25, 600))
-            self._change("Change", waveform=replace(one.waveform, frequency_hz=frequency_hz))
+            self._change_clip("Change", waveform=replace(waveform, frequency_hz=frequency_hz))
 
     def _change_waveform(self) -> None:
         duration_s = float(self._random.choice(_DURATIONS_S))
@@ -82,7 +83,7 @@ class RandomEdits:
             Tap(),
             Impulse(),
         )
-        self._change("Change waveform", waveform=made[self._random.integers(len(made))])
+        self._change_clip("Change waveform", waveform=made[self._random.integers(len(made))])
 
     def _move_input(self) -> None:
         self._change("Move", location=self._place())
@@ -90,7 +91,7 @@ class RandomEdits:
     def _add_input(self) -> None:
         design = self._document.design
         if len(design.inputs) < _MOST_INPUTS:
-            self._edit("Add", design.adding(Input(location=self._place())))
+            self._edit("Add", design.adding(track(location=self._place())))
 
     def _remove_input(self) -> None:
         selected = self._document.view.selected_input
@@ -153,6 +154,11 @@ class RandomEdits:
         if selected is not None:
             design = self._document.design
             self._edit(label, design.with_input(design.index_of(selected), **changes))
+
+    def _change_clip(self, label: str, **changes: object) -> None:
+        one = self._one()
+        if one is not None:
+            self._edit(label, self._document.design.with_clip(one.clips[0].id, **changes))
 
     def _edit(self, label: str, design: Design) -> None:
         self._document.edit(label, design)

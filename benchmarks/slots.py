@@ -14,7 +14,7 @@ from dataclasses import replace
 from time import perf_counter
 
 from skinsource.allocation import keep_freed_memory
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.graph import Graph
 from skinsource.quantities import graphs_that_share, sources
 from skinsource.view import View
@@ -37,7 +37,7 @@ EDITS: dict[str, Edit] = {
 def twenty_inputs(limb: str, first_hz: float) -> Design:
     """A tone of 1 s at each place."""
     tones = (Tone(frequency_hz=first_hz + 7 * place, duration_s=1.0) for place in range(20))
-    inputs = tuple(Input(location=k, waveform=tone) for k, tone in enumerate(tones, start=1))
+    inputs = tuple(track(location=k, waveform=tone) for k, tone in enumerate(tones, start=1))
     return Design(limb=limb, inputs=inputs)
 
 

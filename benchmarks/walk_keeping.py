@@ -8,6 +8,7 @@ from driver import CONTROL, SHIFT, Driver
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDialog, QMessageBox
 
+from skinsource.design import track
 from skinsource.waveforms import Tone
 from skinsource_gui.shell.palette import Palette
 
@@ -67,9 +68,9 @@ def export_field(you: Driver, folder: Path) -> None:
         rate_hz = float(archive["sample_rate_hz"])
     you.expect(field.shape[:2] == (72, 3), f"it holds 72 outputs on 3 axes, not {field.shape}")
     you.expect(bool(np.isfinite(field).all() and field.any()), "it holds finite numbers")
-    longest_s = max(one.onset_s for one in document.design.inputs)
+    longest_s = max(one.onset_s for one in document.design.clips)
     you.expect(field.shape[2] > longest_s * rate_hz, "it reaches to the end of the design")
-    long = replace(document.design.inputs[0], waveform=Tone(duration_s=300.0))
+    long = track(document.design.inputs[0].location, Tone(duration_s=300.0))
     document.edit("Add a long input", document.design.adding(long))
     you.settle()
     with you.answering(folder / "long.npz"):

@@ -5,8 +5,8 @@ import numpy as np
 import skinsource as ss
 
 limb = ss.available_limbs()[0]  # measured-1 where the dataset is installed
-tap = ss.Input(location=13, waveform=ss.waveforms.Tap(), amplitude=0.1)
-tone = ss.Input(location=7, waveform=ss.waveforms.Tone(frequency_hz=100.0))
+tap = ss.track(location=13, waveform=ss.waveforms.Tap(), amplitude=0.1)
+tone = ss.track(location=7, waveform=ss.waveforms.Tone(frequency_hz=100.0))
 # Equal drives: amplitudes are of the actuator, not of the skin.
 design = ss.Design(limb=limb, inputs=(tap, tone), scaling="relative")
 
@@ -14,7 +14,7 @@ frequencies_hz = np.arange(50.0, 401.0, 50.0)
 levels_db = []
 for frequency_hz in frequencies_hz:
     # Only what follows from the changed input is computed again.
-    step = design.with_input(1, waveform=ss.waveforms.Tone(frequency_hz=float(frequency_hz)))
+    step = design.with_clip(2, waveform=ss.waveforms.Tone(frequency_hz=float(frequency_hz)))
     found = ss.evaluate(step, "output_levels_db", view=ss.View(span="loudest"))
     levels_db.append(found["output_levels_db"][29 - 1])
 

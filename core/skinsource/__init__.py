@@ -9,16 +9,17 @@
 
 Or with a design, as the studio has it and saves it:
 
->>> one = ss.Input(location=7, waveform=ss.waveforms.Tone(frequency_hz=100.0))
+>>> one = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
 >>> design = ss.Design(limb="synthetic-1", inputs=(one,))
 >>> ss.evaluate(design, "output_levels_db")["output_levels_db"].shape
 (72,)
 """
 
-from skinsource import edits, waveforms
+from skinsource import edits, effects, waveforms
 from skinsource.catalogue import available_limbs, load_limb
+from skinsource.clips import Clip, Marker
 from skinsource.decibels import decibels
-from skinsource.design import Design, Input
+from skinsource.design import Design, Input, track
 from skinsource.design_file import open_design, save_design
 from skinsource.errors import SkinSourceError
 from skinsource.evaluation import evaluate
@@ -33,10 +34,12 @@ from skinsource.version import __version__
 from skinsource.view import View
 
 __all__ = [
+    "Clip",
     "Design",
     "Input",
     "Limb",
     "LimbMap",
+    "Marker",
     "SkinSourceError",
     "SurfaceOperator",
     "View",
@@ -44,6 +47,7 @@ __all__ = [
     "available_limbs",
     "decibels",
     "edits",
+    "effects",
     "evaluate",
     "impulse",
     "load_limb",
@@ -58,6 +62,7 @@ __all__ = [
     "sinusoid",
     "surface_operator",
     "tap",
+    "track",
     "waveforms",
     "white_noise",
     "window",

@@ -4,15 +4,31 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from skinsource import choice_words, fields
+from skinsource.clips import Clip, Marker, numbered
+from skinsource.clips.clip import ID
+from skinsource.clips.marker import LATEST_S
 from skinsource.errors import InvalidInputError
-from skinsource.fields import ChoiceSpec, ListSpec, NumberSpec, RecipeSpec, SwitchSpec, TextSpec
+from skinsource.fields import (
+    ChoiceSpec,
+    CurveSpec,
+    ListSpec,
+    NumberSpec,
+    Range,
+    RangeSpec,
+    RecipeSpec,
+    SwitchSpec,
+    TextSpec,
+)
 from skinsource.limb import MOST_PLACES
 from skinsource.quoting import quoted
 from skinsource.scaling.response_scaling import Scaling
-from skinsource.waveforms import Tone, Waveform, kinds
+from skinsource.waveforms import Tone, Waveform
 
 #: More inputs than places are allowed; a hundred of them are a mistake.
 MAX_INPUTS = 100
+#: Clips of one track.
+MAX_CLIPS = 1000
+MAX_MARKERS = 1000
 
 AMPLITUDE = NumberSpec(
     label="Amplitude",
@@ -21,10 +37,6 @@ AMPLITUDE = NumberSpec(
     step=0.05,
     hint="A negative amplitude turns the polarity",
 )
-ONSET = NumberSpec(
-    label="Onset", unit="s", minimum=0.0, maximum=600.0, step=0.005, hint="When the input starts"
-)
-
 
 TITLE = TextSpec(label="Title", longest=200, one_line=True)
 AUTHOR = TextSpec(label="Author", longest=200, one_line=True)
@@ -33,17 +45,28 @@ LICENCE = TextSpec(label="Licence", longest=2_000)
 
 # Which places there are is a matter of the limb, which says so when it is asked for one.
 PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_PLACES, whole=True)
-WAVEFORM = RecipeSpec(label="Waveform", kinds=kinds)
+CLIPS = ListSpec(label="Clips", of=RecipeSpec(label="Clip", kinds=lambda: (Clip,)), most=MAX_CLIPS)
+GAIN_CURVE = CurveSpec(
+    label="Gain curve",
+    hint="What all clips of the track are multiplied with, over the time of the design",
+    x=NumberSpec(label="Time", unit="s", minimum=0.0, maximum=LATEST_S),
+    y=NumberSpec(label="Gain", minimum=0.0, maximum=1000.0),
+    fewest=0,
+    most=1000,
+)
 MUTED = SwitchSpec(label="Mute", hint="A muted input is silent")
 SOLO = SwitchSpec(label="Solo", hint="Where any input is solo, only solo inputs are heard")
 _MOST = 2**31 - 1
 COLOUR = NumberSpec(label="Colour", minimum=0, maximum=_MOST, whole=True)
-ID = NumberSpec(label="Id", minimum=0, maximum=_MOST, whole=True)
 
 LIMB = TextSpec(label="Limb", longest=200, one_line=True)
 INPUTS = ListSpec(
     label="Inputs", of=RecipeSpec(label="Input", kinds=lambda: (Input,)), most=MAX_INPUTS
 )
+MARKERS = ListSpec(
+    label="Markers", of=RecipeSpec(label="Marker", kinds=lambda: (Marker,)), most=MAX_MARKERS
+)
+LOOP = RangeSpec(label="Loop", unit="s", minimum=0.0, maximum=LATEST_S)
 SCALING = ChoiceSpec(
     label="Scaling", options=tuple((word.name, word.title) for word in choice_words.SCALINGS)
 )
@@ -51,18 +74,22 @@ SCALING = ChoiceSpec(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Input:
-    """A waveform placed at an input location.
+    """A track: clips placed at an input location.
+
+    It plays the sum of its clips that are not muted, each from its onset, times the gain curve.
+    For a single clip there is `track`.
 
     Attributes
     ----------
     location
         Input place, from 1; the limb says which places it has, see `Limb.n_inputs`.
-    waveform
-        What it plays.
+    clips
+        What it plays, in any order; none: it is silent.
     amplitude
         Factor; its unit follows from the design's scaling, see `amplitude_unit`.
-    onset_s
-        When it starts.
+    gain_curve
+        Breakpoints, s and factor, straight between them and level before the first and after the
+        last; none: nothing is changed.
     muted, solo
         A muted input is silent.  Where any input is solo, only solo inputs are heard.
     colour
@@ -73,9 +100,9 @@ class Input:
     """
 
     location: int = fields.field(PLACE)
-    waveform: Waveform = fields.field(WAVEFORM, Tone())
+    clips: tuple[Clip, ...] = fields.field(CLIPS, ())
     amplitude: float = fields.number(1.0, AMPLITUDE)
-    onset_s: float = fields.number(0.0, ONSET)
+    gain_curve: tuple[tuple[float, float], ...] = fields.field(GAIN_CURVE, ())
     muted: bool = fields.switch(False, MUTED)
     solo: bool = fields.switch(False, SOLO)
     colour: int = fields.number(0, COLOUR)
@@ -94,9 +121,13 @@ class Design:
     limb
         Name of the limb, see `skinsource.load_limb`; it need not be available here.
     inputs
-        In the order in which they are listed.  Those without an id get one.
+        In the order in which they are listed.  Those without an id get one, and so do their clips.
     scaling
         ``"upstream"``, ``"relative"`` or ``"probe"``, see `skinsource.predict`.
+    markers
+        Names for times.
+    loop_s
+        Begin and end of what is played again and again; None: nothing is.
     title, author, notes, licence
         Words about the design; nothing is computed from them.
     """
@@ -104,6 +135,8 @@ class Design:
     limb: str = fields.field(LIMB)
     inputs: tuple[Input, ...] = fields.field(INPUTS, ())
     scaling: Scaling = fields.choice("upstream", SCALING)
+    markers: tuple[Marker, ...] = fields.field(MARKERS, ())
+    loop_s: Range | None = fields.interval(None, LOOP)
     title: str = fields.text("", TITLE)
     author: str = fields.text("", AUTHOR)
     notes: str = fields.text("", NOTES)
@@ -130,17 +163,43 @@ class Design:
         known = ", ".join(map(str, self.ids)) or "none"
         raise InvalidInputError(f"no input has the id {quoted(id)}; there are {known}")
 
+    @property
+    def clips(self) -> tuple[Clip, ...]:
+        """The clips of all inputs, track by track."""
+        return tuple(clip for one in self.inputs for clip in one.clips)
+
+    def clip(self, id: int) -> Clip:
+        """The clip with this id."""
+        for one in self.clips:
+            if one.id == id:
+                return one
+        raise InvalidInputError(f"no clip has the id {quoted(id)}; there are {len(self.clips)}")
+
+    def track_of(self, clip_id: int) -> Input:
+        """The input that the clip with this id is on."""
+        wanted = self.clip(clip_id)
+        return next(one for one in self.inputs if any(clip is wanted for clip in one.clips))
+
     def with_input(self, index: int, **changes: Any) -> "Design":
         """Return a copy in which input ``index`` has ``changes`` applied."""
         inputs = list(self.inputs)
         inputs[index] = replace(inputs[index], **changes)
         return replace(self, inputs=tuple(inputs))
 
+    def with_clip(self, id: int, **changes: Any) -> "Design":
+        """Return a copy in which the clip with this id has ``changes`` applied."""
+        changed = replace(self.clip(id), **changes)
+        track = self.track_of(id)
+        clips = tuple(changed if one.id == id else one for one in track.clips)
+        return self.with_input(self.index_of(track.id), clips=clips)
+
     def adding(self, new: Input) -> "Design":
-        """Return a copy with one more input, with an id and a colour of its own."""
+        """Return a copy with one more input, with ids and a colour of its own."""
         taken = {present.colour for present in self.inputs}
         colour = next(k for k in range(MAX_INPUTS + 1) if k not in taken)
-        return replace(self, inputs=(*self.inputs, replace(new, colour=colour, id=0)))
+        clips = tuple(replace(one, id=0) for one in new.clips)
+        added = replace(new, colour=colour, id=0, clips=clips)
+        return replace(self, inputs=(*self.inputs, added))
 
     def without_input(self, index: int) -> "Design":
         """Return a copy without input ``index``."""
@@ -149,16 +208,52 @@ class Design:
         return replace(self, inputs=tuple(inputs))
 
 
+def track(
+    location: int, waveform: Waveform | None = None, *, onset_s: float = 0.0, **changes: Any
+) -> Input:
+    """Return an input that plays one waveform.
+
+    Parameters
+    ----------
+    location
+        Input place, from 1.
+    waveform
+        What it plays; a `Tone` where none is given.
+    onset_s
+        When it starts.
+    changes
+        Other fields of `Input`: ``amplitude=0.5``.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> one = ss.track(7, ss.waveforms.Tone(frequency_hz=250.0), amplitude=0.5)
+    >>> one.clips[0].waveform.frequency_hz
+    250.0
+    """
+    clip = Clip(waveform=Tone() if waveform is None else waveform, onset_s=onset_s)
+    return Input(location=location, clips=(clip,), **changes)
+
+
 def _with_ids(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
-    """Return ``inputs`` with the smallest free ids where there were none; refuse doubles."""
-    given = [one.id for one in inputs if one.id]
-    if len(set(given)) < len(given):
-        raise InvalidInputError(f"ids of the inputs are {given}, expected different ones")
-    if len(given) == len(inputs):
+    """Return ``inputs`` and their clips with ids where there were none; refuse doubles."""
+    own = [one.id for one in inputs]
+    ids = numbered(own, "inputs")
+    of_clips = [clip.id for one in inputs for clip in one.clips]
+    clip_ids = iter(numbered(of_clips, "clips"))
+    if all(own) and all(of_clips):
         return inputs
-    taken = set(given)
-    free = (number for number in range(1, 2 * MAX_INPUTS + 1) if number not in taken)
-    return tuple(one if one.id else replace(one, id=next(free)) for one in inputs)
+    found = []
+    for one, id in zip(inputs, ids, strict=True):
+        clips = tuple(_with_id(clip, next(clip_ids)) for clip in one.clips)
+        same = one.id == id and all(a is b for a, b in zip(clips, one.clips, strict=True))
+        found.append(one if same else replace(one, id=id, clips=clips))
+    return tuple(found)
+
+
+def _with_id(clip: Clip, id: int) -> Clip:
+    # What has an id keeps its identity.
+    return clip if clip.id == id else replace(clip, id=id)
 
 
 def audible_indices(inputs: tuple[Input, ...]) -> tuple[int, ...]:
@@ -181,4 +276,4 @@ def amplitude_unit(scaling: Scaling) -> str:
 
 def start_design(limb: str) -> Design:
     """Design of the first window: a 100 Hz tone on the pad of digit II (input 7)."""
-    return Design(limb=limb, inputs=(Input(location=7, waveform=Tone(frequency_hz=100.0)),))
+    return Design(limb=limb, inputs=(track(7, Tone(frequency_hz=100.0)),))

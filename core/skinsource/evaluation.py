@@ -106,7 +106,7 @@ def evaluate(design: Design, *quantities: str, view: View | None = None) -> dict
         ``"output_rms"`` (72,), m/s²; ``"selected_traces"`` (n_selected, n_times), m/s²;
         ``"selected_spectra"``: frequencies (n_bins,), Hz, and magnitudes (n_selected, n_bins);
         ``"response_time_s"`` (n_times,); ``"input_waveforms"``, one array per input, muted ones
-        too, from its own onset, before amplitude; ``"surface_levels_db"`` (rows, columns).
+        too, from its first clip on, before amplitude; ``"surface_levels_db"`` (rows, columns).
     view
         Axes, method, span and selected outputs; ``View()`` where none is given.
 
@@ -124,7 +124,7 @@ def evaluate(design: Design, *quantities: str, view: View | None = None) -> dict
     Examples
     --------
     >>> import skinsource as ss
-    >>> tone = ss.Input(location=7, waveform=ss.waveforms.Tone(frequency_hz=100.0))
+    >>> tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
     >>> design = ss.Design(limb="synthetic-1", inputs=(tone,))
     >>> levels = ss.evaluate(design, "output_levels_db")["output_levels_db"]
     >>> levels.shape

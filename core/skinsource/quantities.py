@@ -11,31 +11,45 @@ from typing import Any
 import numpy as np
 
 from skinsource.arrays import Floats
-from skinsource.chain import Chain
 from skinsource.design import Design, Input, audible_indices
 from skinsource.graph import Graph
+from skinsource.job import Stop
 from skinsource.limb import PRE_TRIGGER_DELAY_S, Limb, LimbMap
 from skinsource.rendering import level_rules, trace_rules, vibration_rules, voice_rules
+from skinsource.rendering.remembered import Remembered
 from skinsource.shared import Shared
 from skinsource.surface import SurfaceOperator
 from skinsource.view import View
 from skinsource.voices import Voice
 
 
-def voices(inputs: tuple[Input, ...]) -> tuple[Voice, ...]:
+def voices(
+    remembered: Remembered, inputs: tuple[Input, ...], sample_rate_hz: float
+) -> tuple[Voice, ...]:
     """What sounds where, from when, how strong, through what chain: one for each input."""
     heard = set(audible_indices(inputs))
-    return tuple(
-        Voice(
-            id=one.id,
-            location=one.location,
-            onset_s=one.onset_s,
-            amplitude=one.amplitude,
-            heard=index in heard,
-            chain=Chain(one.waveform),
+    found = []
+    for index, one in enumerate(inputs):
+        start, chain = remembered.chains.of(one.id, one.clips, one.gain_curve, sample_rate_hz)
+        found.append(
+            Voice(
+                id=one.id,
+                location=one.location,
+                start=start,
+                amplitude=one.amplitude,
+                heard=index in heard,
+                chain=chain,
+            )
         )
-        for index, one in enumerate(inputs)
-    )
+    return tuple(found)
+
+
+def clip_waveforms(
+    remembered: Remembered, inputs: tuple[Input, ...], sample_rate_hz: float, stop: Stop
+) -> tuple[tuple[Floats, ...], ...]:
+    """What each clip of each input plays, muted or not, after its effects and before its gain."""
+    tracks = tuple(one.clips for one in inputs)
+    return remembered.clip_waveforms.of(tracks, sample_rate_hz, stop)
 
 
 def limb_map(limb_data: Limb) -> LimbMap:
@@ -62,6 +76,7 @@ def response_time_s(response_samples: int, sample_rate_hz: float, delay_removed:
 #: All rules but those of `skinsource.shared.Shared`.
 RULES: tuple[Callable[..., Any], ...] = (
     voices,
+    clip_waveforms,
     limb_map,
     sample_rate_hz,
     surface_levels_db,

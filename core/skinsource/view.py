@@ -43,6 +43,13 @@ SELECTED_INPUTS = ListSpec(
     of=NumberSpec(label="Id of an input", minimum=1, maximum=2**31 - 1, whole=True),
     different=True,
 )
+SELECTED_CLIPS = ListSpec(
+    label="Selected clips",
+    of=NumberSpec(label="Id of a clip", minimum=1, maximum=2**31 - 1, whole=True),
+    most=100_000,
+    different=True,
+)
+PLAYHEAD = NumberSpec(label="Playhead", unit="s", minimum=0.0, maximum=1e6)
 DELAY_REMOVED = SwitchSpec(label="Remove pre-trigger delay")
 TIME_RANGE = RangeSpec(label="Zoom of time axes", unit="s")
 PANELS = PlainSpec(label="Settings of panels")
@@ -64,6 +71,11 @@ class View:
     selected_inputs
         Ids of the selected inputs; the one that was selected last stands last.  An id that no
         input of the design has selects nothing.
+    selected_clips
+        Ids of the selected clips, the last one last.  Where none of a selected input is, the first
+        one that it lists stands for it.
+    playhead_s
+        Where the playhead stands.
     delay_removed
         Whether time axes are shifted by the pre-trigger delay of the responses.
     time_range_s
@@ -77,6 +89,8 @@ class View:
     span: Span = fields.choice("record", SPAN)
     outputs: tuple[int, ...] = fields.field(OUTPUTS, (29, 52))
     selected_inputs: tuple[int, ...] = fields.field(SELECTED_INPUTS, (1,))
+    selected_clips: tuple[int, ...] = fields.field(SELECTED_CLIPS, ())
+    playhead_s: float = fields.number(0.0, PLAYHEAD)
     delay_removed: bool = fields.switch(False, DELAY_REMOVED)
     time_range_s: Range | None = fields.interval(None, TIME_RANGE)
     panels: PanelFields = fields.field(PANELS, ())
@@ -95,6 +109,11 @@ class View:
     def selected_input(self) -> int | None:
         """Id of the input that was selected last, or None."""
         return self.selected_inputs[-1] if self.selected_inputs else None
+
+    @property
+    def selected_clip(self) -> int | None:
+        """Id of the clip that was selected last, or None."""
+        return self.selected_clips[-1] if self.selected_clips else None
 
 
 def _is_table(pairs: Any) -> bool:

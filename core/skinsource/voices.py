@@ -15,8 +15,8 @@ class Voice:
         Tells voices apart.
     location
         Input place, 1, 2, 3, …
-    onset_s
-        When it starts.
+    start
+        Sample at which it starts.
     amplitude
         Factor; what 1 means is a matter of scaling.
     heard
@@ -27,20 +27,20 @@ class Voice:
 
     id: int
     location: int
-    onset_s: float
+    start: int
     amplitude: float
     heard: bool
     chain: Chain
 
     @property
     def unit(self) -> "UnitVoice":
-        """The same without amplitude and onset."""
+        """The same without amplitude and start."""
         return UnitVoice(self.chain, self.location)
 
 
 @dataclass(frozen=True, slots=True)
 class UnitVoice:
-    """A voice at amplitude 1 and onset 0: what it plays, and where."""
+    """A voice at amplitude 1 and start 0: what it plays, and where."""
 
     chain: Chain
     location: int

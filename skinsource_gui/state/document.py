@@ -20,7 +20,7 @@ class Document(QObject):
     """Holds one immutable design and one immutable view.
 
     Edits swap both at once.  A step of the history brings back the design, the selected outputs and
-    the selected inputs; what else the view holds is only looked at, and never undone.
+    the selected inputs and clips; what else the view holds is only looked at, and never undone.
     """
 
     changed = Signal()
@@ -147,8 +147,13 @@ class _Step:
         return self.design == other.design and self.view.outputs == other.view.outputs
 
     def seen_as(self, view: View) -> View:
-        """Return ``view`` with the inputs and outputs that were selected then."""
-        return replace(view, outputs=self.view.outputs, selected_inputs=self.view.selected_inputs)
+        """Return ``view`` with the inputs, clips and outputs that were selected then."""
+        return replace(
+            view,
+            outputs=self.view.outputs,
+            selected_inputs=self.view.selected_inputs,
+            selected_clips=self.view.selected_clips,
+        )
 
 
 class _Swap(QUndoCommand):
@@ -193,6 +198,10 @@ class _Swap(QUndoCommand):
 
 
 def _existing(view: View, design: Design) -> View:
-    """Return ``view`` with those selected inputs that exist."""
+    """Return ``view`` with those selected inputs and clips that exist."""
     chosen = tuple(one for one in view.selected_inputs if one in design.ids)
-    return view if chosen == view.selected_inputs else replace(view, selected_inputs=chosen)
+    clip_ids = {one.id for one in design.clips} if view.selected_clips else set()
+    clips = tuple(one for one in view.selected_clips if one in clip_ids)
+    if (chosen, clips) == (view.selected_inputs, view.selected_clips):
+        return view
+    return replace(view, selected_inputs=chosen, selected_clips=clips)

@@ -19,7 +19,7 @@ import numpy as np
 import pytest
 import scipy
 
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.limb import Limb, LimbMap
 from skinsource.quantities import new_graph, sources
 from skinsource.response import predict
@@ -239,7 +239,7 @@ class Scene:
     ) -> dict:
         """`axis_traces`, (n_outputs, n_axes, n_times), and `output_rms`, (72,), of the engine."""
         inputs = tuple(
-            Input(location=place, waveform=Sampled(drive), amplitude=a, onset_s=k / 1300)
+            track(location=place, waveform=Sampled(drive), amplitude=a, onset_s=k / 1300)
             for drive, place, a, k in zip(
                 self.drives, self.places, self.factors(), self.starts(), strict=True
             )

@@ -2,6 +2,7 @@ from dataclasses import FrozenInstanceError, replace
 
 import pytest
 
+from skinsource.clips import Clip, Marker
 from skinsource.design import (
     MAX_INPUTS,
     Design,
@@ -9,12 +10,13 @@ from skinsource.design import (
     amplitude_unit,
     audible_inputs,
     start_design,
+    track,
 )
 from skinsource.errors import InvalidInputError
 from skinsource.scaling.response_scaling import SCALINGS
 from skinsource.waveforms import Noise, Tap, Tone
 
-THREE = Design(limb="synthetic-1", inputs=tuple(Input(location=k, colour=k) for k in (1, 2, 3)))
+THREE = Design(limb="synthetic-1", inputs=tuple(track(location=k, colour=k) for k in (1, 2, 3)))
 
 
 def places(design: Design) -> list[int]:
@@ -22,8 +24,9 @@ def places(design: Design) -> list[int]:
 
 
 def test_a_change_of_one_input_leaves_the_others_the_very_same():
-    changed = THREE.with_input(1, amplitude=-2, waveform=Tap())
-    assert changed.inputs[1] == Input(location=2, colour=2, id=2, amplitude=-2.0, waveform=Tap())
+    changed = THREE.with_input(1, amplitude=-2).with_clip(2, waveform=Tap())
+    clip = Clip(waveform=Tap(), id=2)
+    assert changed.inputs[1] == Input(location=2, colour=2, id=2, amplitude=-2.0, clips=(clip,))
     assert changed.inputs[0] is THREE.inputs[0]
     assert changed.inputs[2] is THREE.inputs[2]
     assert THREE.inputs[1].amplitude == 1.0
@@ -49,15 +52,15 @@ def test_removing_an_input_keeps_the_order_and_the_colours_of_the_rest():
 
 
 def test_a_new_input_goes_to_the_end_in_the_first_colour_that_is_free():
-    design = THREE.adding(Input(location=9, colour=1)).adding(Input(location=9))
+    design = THREE.adding(track(location=9, colour=1)).adding(track(location=9))
     assert places(design) == [1, 2, 3, 9, 9]
     assert [one.colour for one in design.inputs] == [1, 2, 3, 0, 4]
 
 
 def test_a_hundred_inputs_are_allowed_and_no_more():
-    full = Design(limb="synthetic-1", inputs=(Input(location=1),) * MAX_INPUTS)
+    full = Design(limb="synthetic-1", inputs=(track(location=1),) * MAX_INPUTS)
     with pytest.raises(InvalidInputError, match="expected a tuple of 0 to 100 parts"):
-        full.adding(Input(location=2))
+        full.adding(track(location=2))
 
 
 def test_values_cannot_be_changed_in_place():
@@ -68,10 +71,10 @@ def test_values_cannot_be_changed_in_place():
 
 
 def test_equal_designs_are_equal_and_can_be_keys():
-    again = Design(limb="synthetic-1", inputs=tuple(Input(location=k, colour=k) for k in (1, 2, 3)))
+    again = Design(limb="synthetic-1", inputs=tuple(track(location=k, colour=k) for k in (1, 2, 3)))
     assert again == THREE
     assert hash(again) == hash(THREE)
-    assert Input(location=1, waveform=Tone()) != Input(location=1, waveform=Noise())
+    assert track(location=1, waveform=Tone()) != track(location=1, waveform=Noise())
 
 
 @pytest.mark.parametrize(
@@ -102,7 +105,7 @@ def test_the_first_window_plays_a_tone_on_the_pad_of_digit_ii():
     design = start_design("synthetic-3")
     assert design.limb == "synthetic-3"
     assert places(design) == [7]
-    assert design.inputs[0].waveform == Tone(frequency_hz=100.0)
+    assert design.inputs[0].clips[0].waveform == Tone(frequency_hz=100.0)
 
 
 @pytest.mark.parametrize(
@@ -115,16 +118,19 @@ def test_the_first_window_plays_a_tone_on_the_pad_of_digit_ii():
         {"amplitude": float("nan")},
         {"amplitude": 1000.5},
         {"amplitude": "1"},
-        {"onset_s": -0.001},
-        {"onset_s": 601.0},
+        {"clips": None},
+        {"clips": Clip()},
+        {"clips": [Clip()]},
+        {"clips": (Tone(),)},
+        {"clips": (Clip(),) * 1001},
+        {"gain_curve": ((0.1, 1.0), (0.0, 1.0))},
+        {"gain_curve": ((0.1, -1.0),)},
+        {"gain_curve": None},
         {"muted": 1},
         {"solo": None},
         {"colour": -1},
         {"colour": 0.5},
         {"colour": 2**31},
-        {"waveform": None},
-        {"waveform": "Tone"},
-        {"waveform": Tone},
     ],
 )
 def test_an_impossible_input_is_refused_by_name(wrong):
@@ -140,8 +146,12 @@ def test_an_impossible_input_is_refused_by_name(wrong):
         {"limb": None},
         {"scaling": "Upstream"},
         {"scaling": None},
-        {"inputs": [Input(location=1)]},
+        {"inputs": [track(location=1)]},
         {"inputs": ("tone",)},
+        {"markers": ("here",)},
+        {"markers": (Marker(time_s=0.0),) * 1001},
+        {"loop_s": (0.2, 0.1)},
+        {"loop_s": (-0.1, 0.1)},
         {"inputs": None},
     ],
 )
@@ -152,10 +162,10 @@ def test_an_impossible_design_is_refused_by_name(wrong):
 
 
 def test_inputs_without_an_id_get_the_smallest_that_is_free():
-    given = (Input(location=1, id=2), Input(location=2), Input(location=3), Input(location=4, id=9))
+    given = (track(location=1, id=2), track(location=2), track(location=3), track(location=4, id=9))
     design = Design(limb="any", inputs=given)
     assert design.ids == (2, 1, 3, 9)
-    assert design.adding(Input(location=5, id=9)).ids == (2, 1, 3, 9, 4)
+    assert design.adding(track(location=5, id=9)).ids == (2, 1, 3, 9, 4)
 
 
 def test_an_input_is_found_by_its_id_wherever_it_stands():
@@ -169,14 +179,14 @@ def test_an_input_is_found_by_its_id_wherever_it_stands():
 
 def test_two_inputs_of_one_id_are_refused():
     with pytest.raises(InvalidInputError, match="expected different ones"):
-        Design(limb="any", inputs=(Input(location=1, id=4), Input(location=2, id=4)))
+        Design(limb="any", inputs=(track(location=1, id=4), track(location=2, id=4)))
 
 
 @pytest.mark.parametrize("name", ["id", "colour"])
 @pytest.mark.parametrize("value", [-1, 1.5, "1", None, True, 2**31])
 def test_ids_and_colours_are_whole_numbers(name, value):
     with pytest.raises(InvalidInputError, match=f"{name} is"):
-        Input(location=1, **{name: value})
+        track(location=1, **{name: value})
 
 
 @pytest.mark.parametrize("name", ["title", "author", "notes", "licence"])

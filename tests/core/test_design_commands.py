@@ -18,8 +18,8 @@ from skinsource.export.png import write_png
 @pytest.fixture
 def saved(tmp_path):
     """Save a design; give its path."""
-    tone = ss.Input(location=7, waveform=ss.waveforms.Tone(frequency_hz=100.0), amplitude=0.5)
-    tap = ss.Input(location=13, waveform=ss.waveforms.Tap(), muted=True)
+    tone = ss.track(location=7, waveform=ss.waveforms.Tone(frequency_hz=100.0), amplitude=0.5)
+    tap = ss.track(location=13, waveform=ss.waveforms.Tap(), muted=True)
     design = ss.Design(
         limb="synthetic-1", inputs=(tone, tap), title="A \x1b[2J title", notes="one\ntwo"
     )
@@ -55,8 +55,9 @@ def test_show_says_what_is_in_a_design_and_its_levels(saved, capsys):
     assert "limb      Synthetic 1 (175 mm)" in out
     assert "SYNTHETIC" in out
     assert "inputs    2, 1 of them heard" in out
-    assert "place 7, Digit II, pad: Tone(frequency_hz=100.0" in out
-    assert "from 0 s, muted" in out
+    assert "place 7, Digit II, pad: amplitude" in out
+    assert "from 0 s: Tone(frequency_hz=100.0" in out
+    assert ", muted\n" in out
     content = ss.open_design(saved)
     levels = ss.evaluate(content.design, "output_levels_db")["output_levels_db"]
     rows = [line.split() for line in out.splitlines()[-72:]]

@@ -17,13 +17,15 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from skinsource import codec, design_file, fields
+from skinsource.clips import Clip, Marker
 from skinsource.codec import image
-from skinsource.design import MAX_INPUTS, Design, Input
+from skinsource.design import MAX_INPUTS, Design, Input, track
 from skinsource.design_file import DesignFile, open_design, save_design
 from skinsource.errors import DesignFileError, InvalidInputError, StorageError
 from skinsource.fields import (
     BytesSpec,
     ChoiceSpec,
+    CurveSpec,
     ListSpec,
     NumberSpec,
     OptionalSpec,
@@ -44,9 +46,9 @@ from skinsource.waveforms import KINDS, Noise, Tap, Tone
 DESIGN = Design(
     limb="measured-1",
     inputs=(
-        Input(location=7, waveform=Tone(frequency_hz=123.456), amplitude=-0.1, solo=True, id=5),
-        Input(location=20, waveform=Noise(seed=9, window="hanning"), onset_s=0.1, colour=3),
-        Input(location=1, waveform=Tap(), muted=True, colour=1),
+        track(location=7, waveform=Tone(frequency_hz=123.456), amplitude=-0.1, solo=True, id=5),
+        track(location=20, waveform=Noise(seed=9, window="hanning"), onset_s=0.1, colour=3),
+        track(location=1, waveform=Tap(), muted=True, colour=1),
     ),
     scaling="relative",
     title="Größe → 触覚",
@@ -85,6 +87,11 @@ def signals(spec: SamplesSpec) -> st.SearchStrategy:
     return st.builds(Samples, values=held, sample_rate_hz=rates, unit=units)
 
 
+def curves(spec: CurveSpec) -> st.SearchStrategy:
+    points = st.tuples(numbers(spec.x), numbers(spec.y))
+    return st.lists(points, max_size=5).map(lambda found: tuple(sorted(found)))
+
+
 PANELS = st.dictionaries(
     st.text("abc", min_size=1, max_size=4),
     st.dictionaries(
@@ -101,6 +108,17 @@ PANELS = st.dictionaries(
 ).map(lambda panels: tuple(sorted(panels.items())))
 
 
+def any_of(spec: RecipeSpec) -> st.SearchStrategy:
+    kinds = spec.kinds()
+    return st.one_of([recipes(kind) for kind in kinds]) if kinds else st.nothing()
+
+
+def most(spec: ListSpec) -> int:
+    """Parts of the longest list that is tried; none of kinds of which there are none."""
+    empty = isinstance(spec.of, RecipeSpec) and not spec.of.kinds()
+    return 0 if empty else min(spec.most, 6)
+
+
 def values(spec: fields.Spec) -> st.SearchStrategy:
     """Any value that fits."""
     return fields.made_for(
@@ -111,12 +129,13 @@ def values(spec: fields.Spec) -> st.SearchStrategy:
             SwitchSpec: lambda _: st.booleans(),
             TextSpec: texts,
             RangeSpec: ranges,
+            CurveSpec: curves,
             BytesSpec: lambda _: st.binary(max_size=300),
             PlainSpec: lambda _: PANELS,
             ListSpec: lambda spec: st.lists(
                 values(spec.of),
                 min_size=spec.fewest,
-                max_size=min(spec.most, 6),
+                max_size=most(spec),
                 unique=spec.different,
             ).map(tuple),
             OptionalSpec: lambda spec: st.none() | values(spec.of),
@@ -124,7 +143,7 @@ def values(spec: fields.Spec) -> st.SearchStrategy:
             PointsSpec: lambda spec: st.lists(
                 st.tuples(*map(values, spec.columns)), min_size=spec.fewest, max_size=6
             ).map(lambda points: tuple(sorted(points))),
-            RecipeSpec: lambda spec: st.one_of([recipes(kind) for kind in spec.kinds()]),
+            RecipeSpec: any_of,
         },
     )(spec)
 
@@ -132,11 +151,18 @@ def values(spec: fields.Spec) -> st.SearchStrategy:
 def recipes(kind: type) -> st.SearchStrategy:
     if kind is Design:
         own = {name: values(spec) for name, spec in specs_of(Design).items() if name != "inputs"}
-        inputs = st.lists(recipes(Input), max_size=6, unique_by=lambda one: one.id).map(tuple)
+        inputs = st.lists(recipes(Input), max_size=6, unique_by=lambda one: one.id).map(alone)
         limbs = st.sampled_from(LIMB_NAMES)
         return st.builds(Design, **{**own, "inputs": inputs, "limb": limbs})
     parts = {name: values(spec) for name, spec in specs_of(kind).items()}
     return st.fixed_dictionaries(parts).map(lambda given: made(kind, given))
+
+
+def alone(inputs: list[Input]) -> tuple[Input, ...]:
+    """The inputs, with clips that no other one has."""
+    return tuple(
+        replace(one, clips=tuple(replace(clip, id=0) for clip in one.clips)) for one in inputs
+    )
 
 
 def made(kind: type, given: dict):
@@ -180,13 +206,13 @@ def test_a_file_holds_design_view_and_arrangement(saved):
 
 
 def test_every_field_of_what_is_saved_describes_itself():
-    for kind in (DesignFile, Design, Input, View, *KINDS):
+    for kind in (DesignFile, Design, Input, Clip, Marker, View, *KINDS):
         names = [field.name for field in dataclasses.fields(kind) if field.init]
         assert list(specs_of(kind)) == names, kind
 
 
 def test_a_design_of_as_many_inputs_as_there_may_be_comes_back(tmp_path):
-    inputs = tuple(Input(location=1 + k % 20, colour=k) for k in range(MAX_INPUTS))
+    inputs = tuple(track(location=1 + k % 20, colour=k) for k in range(MAX_INPUTS))
     design = Design(limb="synthetic-2", inputs=inputs)
     save_design(tmp_path / "large", design, layout=bytes(10**6))
     assert open_design(tmp_path / "large").design == design
@@ -199,7 +225,7 @@ def test_more_arrangement_than_fits_is_refused_before_anything_is_written(tmp_pa
 
 
 def test_every_flipped_bit_is_refused(tmp_path):
-    save_design(tmp_path / "small", Design(limb="synthetic-1", inputs=(Input(location=1),)))
+    save_design(tmp_path / "small", Design(limb="synthetic-1", inputs=(track(location=1),)))
     stored = (tmp_path / "small").read_bytes()
     for bit in range(8 * len(stored)):
         damaged = bytearray(stored)
@@ -211,7 +237,7 @@ def test_every_flipped_bit_is_refused(tmp_path):
 
 def test_any_other_damage_to_a_larger_file_is_refused(tmp_path):
     random = np.random.default_rng(4)
-    inputs = tuple(Input(location=1 + k % 20, waveform=KINDS[k % 4]()) for k in range(100))
+    inputs = tuple(track(location=1 + k % 20, waveform=KINDS[k % 4]()) for k in range(100))
     path = tmp_path / "large"
     save_design(path, Design(limb="synthetic-1", inputs=inputs), layout=random.bytes(5000))
     stored = path.read_bytes()
@@ -237,15 +263,22 @@ def rewritten(path: Path, change) -> None:
     path.write_bytes(image.to_image(tree, design_file.VERSION))
 
 
+def clip_of(tree: dict, index: int) -> dict:
+    """Tree of the clip of one of the inputs."""
+    return tree["design"]["inputs"][index]["clips"][0]
+
+
 OTHERS = {
     "design holds gain": lambda tree: tree["design"].update(gain=1.0),
     "view holds zoom": lambda tree: tree["view"].update(zoom=2.0),
-    "the content holds clips": lambda tree: tree.update(clips=[]),
-    "waveform holds harmonics": lambda tree: tree["design"]["inputs"][0]["waveform"].update(
-        harmonics=3
-    ),
-    "inputs/1/waveform is of kind 'Siren'": lambda tree: tree["design"]["inputs"][1].update(
+    "the content holds scenes": lambda tree: tree.update(scenes=[]),
+    "waveform holds harmonics": lambda tree: clip_of(tree, 0)["waveform"].update(harmonics=3),
+    "inputs/1/clips/0 holds colour": lambda tree: clip_of(tree, 1).update(colour=3),
+    "clips/0/waveform is of kind 'Siren'": lambda tree: clip_of(tree, 1).update(
         waveform={"kind": "Siren"}
+    ),
+    "clips/0/effects/0 is of kind 'Echo'": lambda tree: clip_of(tree, 1).update(
+        effects=[{"kind": "Echo"}]
     ),
     "inputs/2 is of kind 'Track'": lambda tree: tree["design"]["inputs"][2].update(kind="Track"),
 }
@@ -262,9 +295,19 @@ def test_what_a_newer_studio_wrote_is_refused_and_said(saved, message):
     assert saved.read_bytes() == before
 
 
+def clips(**fields: Any) -> list[dict]:
+    """Tree of the clips of an input: one, with these fields."""
+    return [{"kind": "Clip", **fields}]
+
+
 WRONG = {
-    r"Tone\.frequency_hz is 0": ("waveform", {"kind": "Tone", "frequency_hz": 0.0}),
-    r"Tone\.window is 'hann'": ("waveform", {"kind": "Tone", "window": "hann"}),
+    r"Tone\.frequency_hz is 0": ("clips", clips(waveform={"kind": "Tone", "frequency_hz": 0.0})),
+    r"Tone\.window is 'hann'": ("clips", clips(waveform={"kind": "Tone", "window": "hann"})),
+    r"Clip\.onset_s is -0.1": ("clips", clips(onset_s=-0.1)),
+    r"Clip\.gain is '1'": ("clips", clips(gain="1")),
+    r"Input\.clips is 'all'": ("clips", "all"),
+    r"Input\.gain_curve is .*, expected": ("gain_curve", [[1.0, 0.5], [0.5, 1.0]]),
+    r"ids of the clips": ("clips", 2 * clips(id=9)),
     r"Input\.location is 0": ("location", 0),
     r"Input\.location is 'nnnn.{70,80}…, expected": ("location", "n" * 10**6),
     r"Input\.muted is 1": ("muted", 1),
@@ -290,10 +333,10 @@ def test_what_every_version_writes_may_not_be_missing(saved):
         open_design(saved)
 
 
-def test_a_file_of_version_3_is_refused_as_newer(saved):
-    stored = saved.read_bytes().replace(b"version 2", b"version 3", 1)
+def test_a_file_of_version_4_is_refused_as_newer(saved):
+    stored = saved.read_bytes().replace(b"version 3", b"version 4", 1)
     saved.write_bytes(stored)
-    with pytest.raises(DesignFileError, match=r"version 3 .* Open it with a newer SkinSource"):
+    with pytest.raises(DesignFileError, match=r"version 4 .* Open it with a newer SkinSource"):
         open_design(saved)
 
 
@@ -351,7 +394,7 @@ def test_an_image_that_cannot_be_made_keeps_the_last_file(saved, monkeypatch):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WiderView(View):
-    playhead_s: float = fields.number(0.5, NumberSpec(label="Playhead", unit="s", minimum=0.0))
+    speed: float = fields.number(0.5, NumberSpec(label="Speed", minimum=0.0))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -374,16 +417,16 @@ def tomorrow(monkeypatch) -> dict[str, Any]:
 
 def test_a_new_field_needs_no_other_file_touched(saved, tomorrow):
     older = open_design(saved)
-    assert older.view.playhead_s == 0.5
+    assert older.view.speed == 0.5
     assert older.view.outputs == VIEW.outputs
     assert [one.label for one in older.design.inputs] == ["", "", ""]
     assert older.design.inputs[0].amplitude == -0.1
     sound = Samples(values=np.arange(9.0), sample_rate_hz=1300.0)
     marked = [replace(one, label="left", recorded=sound) for one in older.design.inputs]
     design = replace(older.design, inputs=tuple(marked))
-    save_design(saved, design, replace(older.view, playhead_s=2.25))
+    save_design(saved, design, replace(older.view, speed=2.25))
     found = open_design(saved)
-    assert found.view.playhead_s == 2.25
+    assert found.view.speed == 2.25
     assert found.design == design
     assert found.design.inputs[0].recorded == sound
 
@@ -399,7 +442,7 @@ def test_the_studio_of_today_refuses_what_the_one_of_tomorrow_wrote(saved, tomor
 def test_a_studio_that_knows_version_1_only_learns_that_it_is_too_old(saved):
     with h5py.File(saved) as file:
         assert file.attrs["format"] == b"skinsource design"
-        assert file.attrs["version"] == 2
+        assert file.attrs["version"] == 3
 
 
 def test_a_hostile_file_with_a_right_checksum_costs_nothing(saved):
@@ -410,7 +453,7 @@ def test_a_hostile_file_with_a_right_checksum_costs_nothing(saved):
         )
         file.create_group("samples")
     stored = memory.getvalue()[512:]
-    words = f"SkinSource design, version 2\nSHA-256 {sha256(stored).hexdigest()}\n"
+    words = f"SkinSource design, version 3\nSHA-256 {sha256(stored).hexdigest()}\n"
     saved.write_bytes(words.encode().ljust(512, b"\n") + stored)
     with pytest.raises(DesignFileError, match="not larger than the file"):
         open_design(saved)
@@ -429,7 +472,7 @@ class OfItsOwn(Tone):
 
 
 def test_a_waveform_that_nothing_could_read_is_computed_but_not_saved(tmp_path):
-    design = Design(limb="synthetic-1", inputs=(Input(location=7, waveform=OfItsOwn()),))
+    design = Design(limb="synthetic-1", inputs=(track(location=7, waveform=OfItsOwn()),))
     path = tmp_path / "own.skinsource"
     with pytest.raises(InvalidInputError, match="OfItsOwn cannot be written"):
         save_design(path, design)

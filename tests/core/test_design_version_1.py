@@ -12,10 +12,11 @@ import numpy as np
 import pytest
 
 from skinsource import waveforms
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.design_file import open_design, save_design
 from skinsource.errors import DesignFileError
 from skinsource.quantities import new_graph, sources
+from skinsource.signals import sample_count
 from skinsource.view import View
 
 FOLDER = Path(__file__).parents[1] / "references" / "designs-v1"
@@ -48,9 +49,10 @@ def expected_design(about: dict[str, Any]) -> Design:
     inputs = []
     for known in about["inputs"]:
         own = {name: value(one) for name, one in known.items() if name not in ("kind", "waveform")}
+        onset_s = sample_count(own.pop("onset_s")) / 1300.0
         recipe = {name: value(one) for name, one in known["waveform"].items() if name != "kind"}
         kind = getattr(waveforms, known["waveform"]["kind"])
-        inputs.append(Input(waveform=kind(**recipe), **own))
+        inputs.append(track(waveform=kind(**recipe), onset_s=onset_s, **own))
     return Design(limb=about["limb"], inputs=tuple(inputs), scaling=about["scaling"])
 
 
@@ -112,6 +114,8 @@ def test_the_fixtures_hold_every_field_of_version_1():
             assert len({json.dumps(view[field]) for view in views}) > 1, field
     assert {field.name for field in fields(View)} - set(views[0]) == {
         "selected_inputs",
+        "selected_clips",
+        "playhead_s",
         "span",
         "panels",
     }

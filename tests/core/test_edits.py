@@ -5,7 +5,8 @@ from dataclasses import replace
 import pytest
 
 from skinsource import edits
-from skinsource.design import MAX_INPUTS, Design, Input
+from skinsource.clips import Clip
+from skinsource.design import MAX_INPUTS, Design, Input, track
 from skinsource.edits import Edit, Refusal
 from skinsource.fields import specs_of
 from skinsource.view import View
@@ -14,13 +15,13 @@ from skinsource.waveforms import Noise, Tap, Tone
 THREE = Design(
     limb="synthetic-1",
     inputs=(
-        Input(location=7, waveform=Tone(frequency_hz=100.0), amplitude=1.0),
-        Input(location=2, waveform=Noise(seed=4), amplitude=0.5, onset_s=0.1, colour=1),
-        Input(location=15, waveform=Tap(), amplitude=-2.0, colour=2),
+        track(location=7, waveform=Tone(frequency_hz=100.0), amplitude=1.0),
+        track(location=2, waveform=Noise(seed=4), amplitude=0.5, onset_s=0.1, colour=1),
+        track(location=15, waveform=Tap(), amplitude=-2.0, colour=2),
     ),
 )
 LAST = View(selected_inputs=(1, 3))
-FULL = Design(limb="any", inputs=(Input(location=1),) * MAX_INPUTS)
+FULL = Design(limb="any", inputs=(track(location=1),) * MAX_INPUTS)
 
 
 def places(outcome: Edit) -> list[int]:
@@ -31,8 +32,9 @@ def test_a_new_input_is_selected_and_plays_what_the_selected_one_plays():
     outcome = edits.place_input(THREE, LAST, 9)
     assert outcome.label == "Place input at 9 (IV pad)"
     assert outcome.design.inputs[:3] == THREE.inputs
+    clip = Clip(waveform=Tap(), id=4)
     assert outcome.design.inputs[3] == Input(
-        location=9, waveform=Tap(), amplitude=-2.0, colour=3, id=4
+        location=9, clips=(clip,), amplitude=-2.0, colour=3, id=4
     )
     assert outcome.view.selected_inputs == (4,)
 
@@ -43,7 +45,7 @@ def test_noise_placed_anew_is_another_noise():
     for place in (5, 6, 8):
         outcome = edits.place_input(design, view, place)
         design, view = outcome.design, outcome.view
-    seeds = [one.waveform.seed for one in design.inputs if isinstance(one.waveform, Noise)]
+    seeds = [one.waveform.seed for one in design.clips if isinstance(one.waveform, Noise)]
     assert seeds == [4, 0, 1, 2]
 
 
@@ -51,7 +53,9 @@ def test_a_duplicate_is_the_same_but_for_id_and_colour():
     outcome = edits.duplicate_inputs(THREE, LAST, (2, 1))
     copies = outcome.design.inputs[3:]
     for copy, original in zip(copies, THREE.inputs[:2], strict=True):
-        assert replace(copy, id=original.id, colour=original.colour) == original
+        clips = tuple(replace(one, id=original.clips[0].id) for one in copy.clips)
+        assert replace(copy, id=original.id, colour=original.colour, clips=clips) == original
+    assert [one.id for one in outcome.design.clips] == [1, 2, 3, 4, 5]
     assert outcome.view.selected_inputs == (4, 5)
     assert outcome.label == "Duplicate 2 inputs"
 
@@ -99,8 +103,8 @@ def test_several_inputs_are_muted_at_once_and_heard_again_only_together():
 
 def test_a_typed_value_sets_all_that_have_such_a_field():
     outcome = edits.change_field(THREE, LAST, (1, 2, 3), "duration_s", 0.5)
-    assert outcome.design.inputs[0].waveform.duration_s == 0.5
-    assert outcome.design.inputs[1].waveform.duration_s == 0.5
+    assert outcome.design.inputs[0].clips[0].waveform.duration_s == 0.5
+    assert outcome.design.inputs[1].clips[0].waveform.duration_s == 0.5
     assert outcome.design.inputs[2] == THREE.inputs[2]
     assert outcome.label == "Change duration of 2 inputs"
 
@@ -113,16 +117,19 @@ def test_a_dragged_value_moves_all_by_the_same_step_and_back():
 
 
 def test_a_dragged_frequency_moves_all_by_the_same_factor():
-    two = THREE.with_input(1, waveform=Tone(frequency_hz=30.0))
+    two = THREE.with_clip(2, waveform=Tone(frequency_hz=30.0))
     view = View(selected_inputs=(2, 1))
     outcome = edits.drag_field(two, view, (1, 2), "frequency_hz", 110.0, lead=1, start=two)
-    assert [one.waveform.frequency_hz for one in outcome.design.inputs[:2]] == [110.0, 33.0]
+    assert [one.waveform.frequency_hz for one in outcome.design.clips[:2]] == [
+        110.0,
+        33.0,
+    ]
 
 
 def test_a_dragged_value_stays_within_what_is_allowed_and_comes_back_from_there():
     view = View(selected_inputs=(2, 1))
     far = edits.drag_field(THREE, view, (1, 2), "onset_s", 599.95, lead=1, start=THREE)
-    assert [one.onset_s for one in far.design.inputs] == [599.95, 600.0, 0.0]
+    assert [one.clips[0].onset_s for one in far.design.inputs] == [599.95, 600.0, 0.0]
     back = edits.drag_field(far.design, view, (1, 2), "onset_s", 0.0, lead=1, start=THREE)
     assert back.design == THREE
 
@@ -131,13 +138,13 @@ def test_a_choice_sets_all():
     outcome = edits.drag_field(
         THREE, View(selected_inputs=(1,)), (1, 2), "window", "none", lead=1, start=THREE
     )
-    assert [one.waveform.window for one in outcome.design.inputs[:2]] == ["none", "none"]
+    assert [one.clips[0].waveform.window for one in outcome.design.inputs[:2]] == ["none", "none"]
 
 
 def test_another_kind_keeps_what_both_share():
     outcome = edits.change_kind(THREE, LAST, (1, 2), "Tone")
     assert outcome.design.inputs[0] is THREE.inputs[0]
-    assert outcome.design.inputs[1].waveform == Tone(duration_s=0.2, window="tukey")
+    assert outcome.design.inputs[1].clips[0].waveform == Tone(duration_s=0.2, window="tukey")
 
 
 @pytest.mark.parametrize(
@@ -226,4 +233,10 @@ def test_what_cannot_be_done_is_refused_with_one_sentence(outcome):
 def test_only_what_a_user_may_set_can_be_set_by_name():
     for one in THREE.inputs:
         settable = edits.fields_of(one)
-        assert settable.keys() == {"amplitude", "onset_s", *specs_of(one.waveform)}
+        assert settable.keys() == {
+            "amplitude",
+            "gain",
+            "label",
+            "onset_s",
+            *specs_of(one.clips[0].waveform),
+        }

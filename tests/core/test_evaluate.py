@@ -18,14 +18,15 @@ QUANTITIES = ("output_levels_db", "selected_traces")
 
 def scene(n_inputs: int = 5, limb: str = "synthetic-1", first_hz: float = 80.0) -> ss.Design:
     inputs = tuple(
-        ss.Input(location=k + 1, waveform=Tone(frequency_hz=first_hz + 17.0 * k))
+        ss.track(location=k + 1, waveform=Tone(frequency_hz=first_hz + 17.0 * k))
         for k in range(n_inputs)
     )
     return ss.Design(limb=limb, inputs=inputs)
 
 
 def with_frequency(design: ss.Design, index: int, frequency_hz: float) -> ss.Design:
-    return design.with_input(index, waveform=Tone(frequency_hz=frequency_hz))
+    clip = design.inputs[index].clips[0]
+    return design.with_clip(clip.id, waveform=Tone(frequency_hz=frequency_hz))
 
 
 def directly(design: ss.Design, view: ss.View = VIEW) -> dict:
@@ -152,7 +153,7 @@ def test_edits_can_be_used_in_scripts():
 def test_the_waveforms_of_muted_inputs_are_there_from_their_own_onset():
     design = ss.Design(
         limb="synthetic-1",
-        inputs=(ss.Input(location=1, waveform=Tap(), onset_s=0.3, amplitude=5.0, muted=True),),
+        inputs=(ss.track(location=1, waveform=Tap(), onset_s=0.3, amplitude=5.0, muted=True),),
     )
     (drawn,) = ss.evaluate(design, "input_waveforms")["input_waveforms"]
     assert drawn.max() == 1.0

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from skinsource import shared
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.errors import StorageError
 from skinsource.export import export_field, export_levels, export_traces
 from skinsource.limb import VOLAR_OUTPUTS, Limb, LimbMap
@@ -19,8 +19,8 @@ from skinsource.view import View
 from skinsource.waveforms import Noise, Tap
 
 INPUTS = (
-    Input(location=7, waveform=Noise(seed=3, duration_s=0.1), amplitude=0.1),
-    Input(location=13, waveform=Tap(), amplitude=-1 / 3, muted=True),
+    track(location=7, waveform=Noise(seed=3, duration_s=0.1), amplitude=0.1),
+    track(location=13, waveform=Tap(), amplitude=-1 / 3, muted=True),
 )
 VIEW = View(axes="xz", method="soc", outputs=(72, 1, 30))
 
@@ -65,7 +65,7 @@ def read(path: Path) -> tuple[list[str], list[str], np.ndarray]:
 
 
 def signal(limb) -> np.ndarray:
-    drive = INPUTS[0].waveform.samples(1300.0)
+    drive = INPUTS[0].clips[0].waveform.samples(1300.0)
     return project_axes(predict(limb, [drive], [7], [0.1]), "xz", "soc")
 
 
@@ -201,7 +201,7 @@ def test_a_failing_export_leaves_the_old_table(tmp_path):
 
 @pytest.mark.parametrize("place", [7, 2])
 def test_the_table_of_levels_names_the_loudest_output_that_was_checked(tmp_path, place):
-    path, one = tmp_path / "levels.csv", Input(location=place, waveform=Tap())
+    path, one = tmp_path / "levels.csv", track(location=place, waveform=Tap())
     export_levels(path, Design(limb="synthetic-1", inputs=(one,)), VIEW)
     about, _, numbers = read(path)
     loudest = numbers[np.argmax(numbers[:, 1]), 0]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from skinsource.catalogue import load_limb
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.errors import StorageError
 from skinsource.export import export_field
 from skinsource.quantities import new_graph, sources
@@ -19,16 +19,16 @@ from skinsource.waveforms import Noise, Tap, Tone
 SHORT = Design(
     limb="synthetic-1",
     inputs=(
-        Input(location=7, waveform=Noise(seed=3, duration_s=0.1), amplitude=0.1),
-        Input(location=13, waveform=Tap(), amplitude=-1 / 3, muted=True),
+        track(location=7, waveform=Noise(seed=3, duration_s=0.1), amplitude=0.1),
+        track(location=13, waveform=Tap(), amplitude=-1 / 3, muted=True),
     ),
 )
 # Two taps with sixteen seconds of silence between them.
 LONG = Design(
     limb="synthetic-1",
     inputs=(
-        Input(location=7, waveform=Tap(), amplitude=0.1),
-        Input(location=13, waveform=Tap(), amplitude=-2.0, onset_s=16.0),
+        track(location=7, waveform=Tap(), amplitude=0.1),
+        track(location=13, waveform=Tap(), amplitude=-2.0, onset_s=16.0),
     ),
 )
 
@@ -41,7 +41,7 @@ def read(path: Path) -> dict[str, np.ndarray]:
 def test_the_field_of_a_short_design_is_what_the_library_predicts(tmp_path):
     export_field(tmp_path / "field.npz", SHORT, View(axes="z", outputs=()))
     found = read(tmp_path / "field.npz")
-    drive = SHORT.inputs[0].waveform.samples(1300.0)
+    drive = SHORT.inputs[0].clips[0].waveform.samples(1300.0)
     expected = predict(load_limb("synthetic-1"), [drive], [7], [0.1])
     assert found["acceleration_m_per_s2"].dtype == np.float64
     assert found["sample_rate_hz"] == 1300.0
@@ -85,7 +85,7 @@ def test_memory_does_not_grow_with_the_field(tmp_path):
     peaks_bytes, sizes_bytes = [], []
     for duration_s in (20.0, 20.0, 60.0):
         tone = Tone(frequency_hz=80.0, duration_s=duration_s)
-        design = Design(limb="synthetic-1", inputs=(Input(location=7, waveform=tone),))
+        design = Design(limb="synthetic-1", inputs=(track(location=7, waveform=tone),))
         tracemalloc.start()
         try:
             export_field(tmp_path / "field.npz", design, View())

@@ -10,7 +10,7 @@ import scipy
 
 from skinsource import __version__
 from skinsource.catalogue import load_limb
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.errors import TooInaccurateError
 from skinsource.export import export_field, export_levels, export_traces
 from skinsource.rendering import trace_rules
@@ -28,9 +28,9 @@ def design(duration_s: float, **more) -> Design:
     return Design(
         limb="synthetic-2",
         inputs=(
-            Input(location=7, waveform=Noise(seed=3, duration_s=duration_s), amplitude=0.1),
-            Input(location=13, waveform=Tap(), amplitude=-2.0, onset_s=0.25 * duration_s),
-            Input(location=2, waveform=Tone(), muted=True),
+            track(location=7, waveform=Noise(seed=3, duration_s=duration_s), amplitude=0.1),
+            track(location=13, waveform=Tap(), amplitude=-2.0, onset_s=0.25 * duration_s),
+            track(location=2, waveform=Tone(), muted=True),
         ),
         **more,
     )

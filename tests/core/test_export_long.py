@@ -6,7 +6,7 @@ from itertools import count
 import numpy as np
 import pytest
 
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.errors import Stopped, StorageError
 from skinsource.export import export_field, export_levels, export_traces, exported_design
 from skinsource.quantities import new_graph, sources
@@ -16,8 +16,8 @@ from skinsource.waveforms import Noise, Tap
 DESIGN = Design(
     limb="synthetic-1",
     inputs=(
-        Input(location=7, waveform=Noise(seed=3, duration_s=8.0), amplitude=0.1),
-        Input(location=13, waveform=Tap(), amplitude=-2.0, onset_s=16.0),
+        track(location=7, waveform=Noise(seed=3, duration_s=8.0), amplitude=0.1),
+        track(location=13, waveform=Tap(), amplitude=-2.0, onset_s=16.0),
     ),
 )
 VIEW = View(outputs=(29, 1, 72), axes="xz", method="pca")

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.errors import Stopped
 from skinsource.limb import Limb
 from skinsource.projection import AXES, METHODS, project_axes
@@ -20,18 +20,18 @@ SHORT = Design(
     limb="synthetic-1",
     scaling="relative",
     inputs=(
-        Input(location=7, waveform=Tone(frequency_hz=100.0), onset_s=0.2),
-        Input(location=3, waveform=Noise(seed=2), amplitude=-0.5),
-        Input(location=16, waveform=Tap(), amplitude=2.0, onset_s=1.5),
+        track(location=7, waveform=Tone(frequency_hz=100.0), onset_s=0.2),
+        track(location=3, waveform=Noise(seed=2), amplitude=-0.5),
+        track(location=16, waveform=Tap(), amplitude=2.0, onset_s=1.5),
     ),
 )
 LONG = Design(
     limb="synthetic-1",
     scaling="relative",
     inputs=(
-        Input(location=7, waveform=Tone(frequency_hz=90.0, duration_s=0.3), onset_s=0.1),
-        Input(location=4, waveform=Noise(seed=2, duration_s=0.2), amplitude=3.0, onset_s=17.0),
-        Input(location=4, waveform=Tap(), onset_s=3.0),
+        track(location=7, waveform=Tone(frequency_hz=90.0, duration_s=0.3), onset_s=0.1),
+        track(location=4, waveform=Noise(seed=2, duration_s=0.2), amplitude=3.0, onset_s=17.0),
+        track(location=4, waveform=Tap(), onset_s=3.0),
     ),
 )
 
@@ -48,8 +48,8 @@ def shown(design: Design, view: View, *wanted: str, span: str = "loudest", graph
 
 
 def acceleration(limb: Limb, design: Design) -> np.ndarray:
-    starts = [round(one.onset_s * 1300) for one in design.inputs]
-    played = [one.waveform.samples(1300.0) for one in design.inputs]
+    starts = [round(one.clips[0].onset_s * 1300) for one in design.inputs]
+    played = [one.clips[0].waveform.samples(1300.0) for one in design.inputs]
     n_times = max(start + one.size for start, one in zip(starts, played, strict=True))
     drives = np.zeros((len(played), n_times))
     for row, start, one in zip(drives, starts, played, strict=True):
@@ -74,9 +74,9 @@ def test_loudest_levels_are_those_of_the_projected_signals(limb, design, selecte
 
 def test_a_loud_burst_leaves_the_level_of_what_is_loud_elsewhere_alone(limb):
     # The burst of a strong tap far away is followed by silence, then by a quiet tone elsewhere.
-    quiet = Input(location=16, waveform=Tone(frequency_hz=200.0, duration_s=0.5))
-    loud = Input(location=3, waveform=Tap(), amplitude=1000.0)
-    both = replace(SHORT, inputs=(loud, replace(quiet, onset_s=2.0)))
+    quiet = track(16, Tone(frequency_hz=200.0, duration_s=0.5), onset_s=2.0)
+    loud = track(location=3, waveform=Tap(), amplitude=1000.0)
+    both = replace(SHORT, inputs=(loud, quiet))
     field = acceleration(limb, both)
     for axes, method in (("z", "soc"), ("xyz", "pca"), ("xyz", "mag")):
         (found,) = shown(both, View(axes=axes, method=method), "output_rms")
@@ -89,7 +89,7 @@ def test_a_loud_burst_leaves_the_level_of_what_is_loud_elsewhere_alone(limb):
 def test_the_loudest_level_does_not_change_when_the_onset_moves(method, waveform):
     graph, found = new_graph(), []
     for onset_s in (0.0, 0.05, 1.0, 9.0, 14.0):
-        design = replace(SHORT, inputs=(Input(location=7, waveform=waveform, onset_s=onset_s),))
+        design = replace(SHORT, inputs=(track(location=7, waveform=waveform, onset_s=onset_s),))
         found += shown(design, View(method=method), "output_levels_db", graph=graph)
     # A main axis is that of data centred over the record, so that silence moves it a little.
     limit = 0.01 if method == "pca" else 1e-9
@@ -103,7 +103,7 @@ def test_the_loudest_level_of_a_tone_hardly_changes_with_its_length(frequency_hz
     graph, found = new_graph(), []
     for duration_s in (0.2, 0.3, 0.5, 1.0, 3.0):
         tone = Tone(frequency_hz=frequency_hz, duration_s=duration_s, window=window)
-        design = replace(SHORT, scaling=scaling, inputs=(Input(location=7, waveform=tone),))
+        design = replace(SHORT, scaling=scaling, inputs=(track(location=7, waveform=tone),))
         found += shown(design, View(), "output_levels_db", graph=graph)
     levels = np.array(found)
     heard = levels[-1] > levels[-1].max() - 20.0
@@ -111,7 +111,7 @@ def test_the_loudest_level_of_a_tone_hardly_changes_with_its_length(frequency_hz
 
 
 def test_the_level_of_the_whole_record_changes_with_the_onset():
-    later = SHORT.with_input(0, onset_s=9.0)
+    later = SHORT.with_clip(1, onset_s=9.0)
     before, after = (
         shown(design, View(), "output_levels_db", span="record")[0] for design in (SHORT, later)
     )
@@ -163,7 +163,7 @@ def test_it_stops_when_it_is_asked_to_and_is_right_afterwards(design):
 
 
 def test_silence_has_the_lowest_level_by_either_span():
-    for inputs in ((), (Input(location=7, amplitude=0.0),), (Input(location=7, muted=True),)):
+    for inputs in ((), (track(location=7, amplitude=0.0),), (track(location=7, muted=True),)):
         for method in METHODS:
             silent = replace(SHORT, inputs=inputs)
             (levels,) = shown(silent, View(method=method), "output_levels_db")

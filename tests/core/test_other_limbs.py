@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from skinsource import edits
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.design_file import open_design, save_design
 from skinsource.errors import InvalidInputError
 from skinsource.evaluation import evaluate
@@ -25,12 +25,12 @@ OUTPUTS = (10, 2, 5)
 SHORT = Design(
     limb="made-up",
     inputs=(
-        Input(location=7, waveform=Tone(frequency_hz=600.0, duration_s=0.3)),
-        Input(location=3, waveform=Noise(seed=2), amplitude=-0.5, onset_s=0.05),
-        Input(location=7, waveform=Tap(), amplitude=2.0, onset_s=0.1),
+        track(location=7, waveform=Tone(frequency_hz=600.0, duration_s=0.3)),
+        track(location=3, waveform=Noise(seed=2), amplitude=-0.5, onset_s=0.05),
+        track(location=7, waveform=Tap(), amplitude=2.0, onset_s=0.1),
     ),
 )
-LONG = SHORT.with_input(1, onset_s=30.0)
+LONG = SHORT.with_clip(2, onset_s=30.0)
 WANTED = (
     "input_waveforms",
     "limb_map",
@@ -67,9 +67,7 @@ def made_up_limb(n_taps: int = N_TAPS) -> Limb:
 
 def plainly(limb: Limb, design: Design) -> np.ndarray:
     """Acceleration, (10, 3, n_times), by direct convolution, channel by channel."""
-    played = [
-        (round(one.onset_s * RATE_HZ), one.waveform.samples(RATE_HZ)) for one in design.inputs
-    ]
+    played = [(round(one.onset_s * RATE_HZ), one.waveform.samples(RATE_HZ)) for one in design.clips]
     n_times = max(start + samples.size for start, samples in played) + limb.n_taps - 1
     total = np.zeros((N_OUTPUTS, 3, n_times))
     for one, (start, samples) in zip(design.inputs, played, strict=True):
@@ -166,18 +164,18 @@ def test_tones_above_half_the_rate_of_the_limb_are_refused():
 def test_values_leave_to_the_limb_what_it_has():
     rate = made_up_limb()
     rate.sample_rate_hz = 10_000.0
-    high = SHORT.with_input(0, waveform=Tone(frequency_hz=4000.0))
+    high = SHORT.with_clip(1, waveform=Tone(frequency_hz=4000.0))
     found = shown(rate, high, View(outputs=OUTPUTS), "record")
     assert np.isfinite(found["output_levels_db"]).all()
-    low = SHORT.with_input(0, waveform=Tone(frequency_hz=0.01))
+    low = SHORT.with_clip(1, waveform=Tone(frequency_hz=0.01))
     assert np.isfinite(
         shown(made_up_limb(), low, View(outputs=OUTPUTS), "record")["output_rms"]
     ).all()
-    assert Design(limb="foot-1", inputs=(Input(location=9000),)).inputs[0].location == 9000
+    assert Design(limb="foot-1", inputs=(track(location=9000),)).inputs[0].location == 9000
 
 
 def test_a_design_for_a_limb_that_is_not_here_is_read_and_refused_where_it_is_computed(tmp_path):
-    design = Design(limb="foot-1", inputs=(Input(location=25),))
+    design = Design(limb="foot-1", inputs=(track(location=25),))
     save_design(tmp_path / "foot.skinsource", design)
     content = open_design(tmp_path / "foot.skinsource")
     assert content.design == design

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from skinsource.catalogue import load_limb
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.projection import AXES, METHODS, project_axes
 from skinsource.quantities import new_graph, sources
 from skinsource.response import predict
@@ -129,9 +129,9 @@ def test_odd_and_even_lengths_are_both_among_the_cases(measured):
 @pytest.mark.parametrize("method", METHODS)
 def test_a_design_gives_the_levels_that_upstream_gives_for_all_n_plus_521_samples(measured, method):
     inputs = (
-        Input(location=8, waveform=Tone(frequency_hz=200.0, duration_s=0.05)),
-        Input(location=13, waveform=Tap(), amplitude=-0.5, onset_s=0.005),
-        Input(location=3, waveform=Noise(), muted=True),
+        track(location=8, waveform=Tone(frequency_hz=200.0, duration_s=0.05)),
+        track(location=13, waveform=Tap(), amplitude=-0.5, onset_s=0.005),
+        track(location=3, waveform=Noise(), muted=True),
     )
     design, view = Design(limb="measured-3", inputs=inputs), View(method=method)
     levels = new_graph().evaluate(["output_rms"], sources(design, view))["output_rms"]

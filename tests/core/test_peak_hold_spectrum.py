@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.errors import InvalidInputError, Stopped
 from skinsource.quantities import new_graph, sources
 from skinsource.view import View
@@ -88,7 +88,7 @@ def test_a_long_tone_of_1_m_per_s2_reads_1_m_per_s2_at_its_loudest_output(freque
     waveform = Tone(frequency_hz=frequency_hz, duration_s=3.0)
     design = Design(
         limb="synthetic-1",
-        inputs=(Input(location=7, waveform=waveform, onset_s=onset_s),),
+        inputs=(track(location=7, waveform=waveform, onset_s=onset_s),),
         scaling="upstream",
     )
     peaks = {}

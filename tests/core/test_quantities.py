@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from skinsource.decibels import decibels
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.limb import Limb
 from skinsource.projection import AXES, METHODS, project_axes
 from skinsource.quantities import RULES, new_graph, sources
@@ -22,10 +22,10 @@ from skinsource.waveforms import Impulse, Noise, Tap, Tone
 FOUR = Design(
     limb="synthetic-1",
     inputs=(
-        Input(location=7, waveform=Tone(frequency_hz=100.0)),
-        Input(location=8, waveform=Noise(seed=2), amplitude=-0.5),
-        Input(location=7, waveform=Tap(), amplitude=2.0, onset_s=0.05),
-        Input(location=16, waveform=Impulse(), amplitude=0.25, onset_s=0.1),
+        track(location=7, waveform=Tone(frequency_hz=100.0)),
+        track(location=8, waveform=Noise(seed=2), amplitude=-0.5),
+        track(location=7, waveform=Tap(), amplitude=2.0, onset_s=0.05),
+        track(location=16, waveform=Impulse(), amplitude=0.25, onset_s=0.1),
     ),
 )
 
@@ -55,7 +55,7 @@ def studio(limb_of) -> Studio:
 def predicted(studio: Studio, design: Design, heard: list[int]) -> np.ndarray:
     """Prediction from drives that are laid out by hand at 1300 Hz."""
     starts = {0: 0, 1: 0, 2: 65, 3: 130}
-    played = {k: design.inputs[k].waveform.samples(1300.0) for k in heard}
+    played = {k: design.inputs[k].clips[0].waveform.samples(1300.0) for k in heard}
     n_times = max(starts[k] + samples.size for k, samples in played.items())
     drives = np.zeros((len(heard), n_times))
     for row, (k, samples) in zip(drives, played.items(), strict=True):
@@ -71,7 +71,7 @@ def test_traces_are_those_of_the_prediction_through_all_edits(studio, scaling):
     edits = [
         (design, [0, 1, 2, 3]),
         (design.with_input(1, amplitude=0.0), [0, 1, 2, 3]),
-        (design.with_input(0, waveform=Tone(frequency_hz=222.0)), [0, 1, 2, 3]),
+        (design.with_clip(1, waveform=Tone(frequency_hz=222.0)), [0, 1, 2, 3]),
         (design.with_input(2, muted=True), [0, 1, 3]),
         (design.with_input(3, solo=True).with_input(1, solo=True), [1, 3]),
         (design, [0, 1, 2, 3]),
@@ -130,7 +130,7 @@ def test_what_each_input_plays_is_there_even_when_it_is_muted(studio):
     np.testing.assert_array_equal(played[0], sinusoid(100.0, 0.2, window_name="tukey"))
 
 
-@pytest.mark.parametrize("inputs", [(), (Input(location=7, muted=True),)])
+@pytest.mark.parametrize("inputs", [(), (track(location=7, muted=True),)])
 def test_where_nothing_is_heard_everything_is_silent_and_nothing_fails(studio, inputs):
     design = Design(limb="synthetic-1", inputs=inputs)
     for method in METHODS:

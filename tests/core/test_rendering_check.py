@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from skinsource.chain import drive_of
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.quantities import new_graph, sources
 from skinsource.rendering.check import Heard, trace_error_of
 from skinsource.rendering.response_spectra import ResponseSpectrum
@@ -18,9 +18,9 @@ from skinsource.waveforms import Noise, Tap, Tone
 DESIGN = Design(
     limb="synthetic-1",
     inputs=(
-        Input(location=7, waveform=Tone(), onset_s=0.1),
-        Input(location=3, waveform=Noise(seed=2), amplitude=-0.5, colour=1),
-        Input(location=18, waveform=Tap(), amplitude=3.0, colour=2),
+        track(location=7, waveform=Tone(), onset_s=0.1),
+        track(location=3, waveform=Noise(seed=2), amplitude=-0.5, colour=1),
+        track(location=18, waveform=Tap(), amplitude=3.0, colour=2),
     ),
 )
 VIEW = View(outputs=(29, 52, 61), axes="xyz")

@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.chain import Chain
-from skinsource.design import Design, Input
+from skinsource.chain import Chain, Part
+from skinsource.design import Design, track
 from skinsource.errors import InvalidInputError, Stopped
 from skinsource.loudest_window import SPANS
 from skinsource.projection import AXES, METHODS
@@ -22,9 +22,9 @@ from skinsource.waveforms import Noise, Tap, Tone
 LONG = Design(
     limb="synthetic-1",
     inputs=(
-        Input(location=7, waveform=Tone(frequency_hz=100.0, duration_s=14.0)),
-        Input(location=3, waveform=Noise(seed=2, duration_s=2.0), onset_s=6.0, amplitude=-0.5),
-        Input(location=3, waveform=Tap(), onset_s=1.0),
+        track(location=7, waveform=Tone(frequency_hz=100.0, duration_s=14.0)),
+        track(location=3, waveform=Noise(seed=2, duration_s=2.0), onset_s=6.0, amplitude=-0.5),
+        track(location=3, waveform=Tap(), onset_s=1.0),
     ),
 )
 VIEW = View(axes="xyz", method="pca", outputs=(29, 52), selected_inputs=(2,))
@@ -35,7 +35,7 @@ ALL = ("output_rms", "selected_traces", "selected_spectra", "axis_spectra")
 def convolved() -> np.ndarray:
     """Projected signals (72 outputs, n_times) of the long scene, by convolution with numpy."""
     limb = load_synthetic_limb(1)
-    played = [(round(one.onset_s * 1300), one.waveform.samples(1300.0)) for one in LONG.inputs]
+    played = [(round(one.onset_s * 1300), one.waveform.samples(1300.0)) for one in LONG.clips]
     n_times = max(start + samples.size for start, samples in played) + 521
     total = np.zeros((72, 3, n_times))
     for one, (start, samples) in zip(LONG.inputs, played, strict=True):
@@ -118,8 +118,8 @@ def test_no_more_than_some_blocks_lie_between_two_chances_to_stop():
 
 
 def test_a_drive_that_is_in_use_is_not_drawn_again_however_small_the_memory():
-    drives = Drives(budget_bytes=0)
-    one = UnitVoice(Chain(Noise(seed=5)), location=1)
+    drives = Drives(budget_bytes=0, clips_bytes=0)
+    one = UnitVoice(Chain((Part(Noise(seed=5)),)), location=1)
     first = drives.drawn(one, 1300.0)
     assert drives.drawn(one, 1300.0) is first
     samples = first.samples.copy()
@@ -129,10 +129,12 @@ def test_a_drive_that_is_in_use_is_not_drawn_again_however_small_the_memory():
 
 
 def test_each_long_waveform_is_drawn_once_whatever_is_asked_first(monkeypatch):
-    monkeypatch.setattr("skinsource.rendering.remembered.Drives", lambda: Drives(budget_bytes=0))
+    monkeypatch.setattr(
+        "skinsource.rendering.remembered.Drives", lambda: Drives(budget_bytes=0, clips_bytes=0)
+    )
     graph = new_graph()
     graph.evaluate((*ALL, "input_waveforms", "trace_error"), sources(LONG, VIEW))
-    drawn = sum(one.waveform.samples(1300.0).size for one in LONG.inputs)
+    drawn = sum(one.clips[0].waveform.samples(1300.0).size for one in LONG.inputs)
     assert graph.work.samples_drawn == drawn
 
 
@@ -149,7 +151,7 @@ class Broken(Tone):
 
 @pytest.mark.parametrize("duration_s", [0.5, 14.0])
 def test_a_bad_sample_is_refused_by_the_place_of_its_input_and_its_number(duration_s):
-    bad = Input(location=12, waveform=Broken(duration_s=duration_s))
+    bad = track(location=12, waveform=Broken(duration_s=duration_s))
     with pytest.raises(InvalidInputError, match=f"place 12, {Broken.title}: sample 17 is nan"):
         new_graph().evaluate(ALL, sources(LONG.adding(bad), VIEW))
 
@@ -173,7 +175,7 @@ PANELS_NEED = (
 @pytest.mark.parametrize("span", SPANS)
 @pytest.mark.parametrize("duration_s", [3.0, 11.0, 12.0, 20.0, 30.0, 60.0])
 def test_however_long_the_scene_no_output_need_be_selected(duration_s, span):
-    design = LONG.with_input(0, waveform=Tone(frequency_hz=100.0, duration_s=duration_s))
+    design = LONG.with_clip(1, waveform=Tone(frequency_hz=100.0, duration_s=duration_s))
     design = replace(design, inputs=design.inputs[::2])
     graph = new_graph()
     for axes in AXES:

@@ -6,7 +6,7 @@ import tracemalloc
 
 import pytest
 
-from skinsource.chain import Chain
+from skinsource.chain import Chain, Part
 from skinsource.limb import N_AXES, N_OUTPUTS
 from skinsource.rendering import budgets
 from skinsource.rendering.memory import ENTRY_BYTES, Memory
@@ -30,6 +30,7 @@ def test_every_memory_of_an_engine_is_held_to_its_budget():
         remembered.responses._budget_bytes,
         drives._drawn._budget_bytes,
         drives._spectra._budget_bytes,
+        drives.clips._known._budget_bytes,
         remembered.exact_spectra._known._budget_bytes,
         remembered.gains._known._budget_bytes,
         shared._surfaces._budget_bytes,
@@ -64,7 +65,7 @@ def test_many_small_values_do_not_exceed_the_budget_by_their_keys():
         memory = Memory[float](budget_bytes=10**6, size_of=sys.getsizeof)
         for k in range(5000):
             tone = Tone(frequency_hz=100 + k / 100, duration_s=0.1)
-            memory.add((UnitVoice(Chain(tone), 7), 1920), k / 7)
+            memory.add((UnitVoice(Chain((Part(tone),)), 7), 1920), k / 7)
         taken, _ = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()

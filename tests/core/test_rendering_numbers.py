@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from skinsource.chain import drive_of
-from skinsource.design import Design, Input, audible_inputs
+from skinsource.design import Design, audible_inputs, track
 from skinsource.limb import Limb
 from skinsource.projection import AXES, METHODS, project_axes
 from skinsource.quantities import new_graph, sources
@@ -22,10 +22,10 @@ RATE_HZ = 1300.0
 DESIGN = Design(
     limb="synthetic-1",
     inputs=(
-        Input(location=7, waveform=Tone(frequency_hz=100.0)),
-        Input(location=3, waveform=Noise(seed=2), amplitude=-0.5, onset_s=0.05, colour=1),
-        Input(location=7, waveform=Tap(), amplitude=2.0, onset_s=0.1, colour=2),
-        Input(location=16, waveform=Impulse(), amplitude=0.25, onset_s=0.3, colour=3),
+        track(location=7, waveform=Tone(frequency_hz=100.0)),
+        track(location=3, waveform=Noise(seed=2), amplitude=-0.5, onset_s=0.05, colour=1),
+        track(location=7, waveform=Tap(), amplitude=2.0, onset_s=0.1, colour=2),
+        track(location=16, waveform=Impulse(), amplitude=0.25, onset_s=0.3, colour=3),
     ),
 )
 ALL = ("output_rms", "selected_traces", "selected_spectra")
@@ -40,7 +40,11 @@ def limb() -> Limb:
 def plainly(limb: Limb, design: Design) -> np.ndarray:
     """Field (72, 3, n_times) by direct convolution, channel by channel."""
     heard = audible_inputs(design.inputs)
-    played = [(round(one.onset_s * RATE_HZ), one.waveform.samples(RATE_HZ)) for one in heard]
+    played = [
+        (round(clip.onset_s * RATE_HZ), clip.waveform.samples(RATE_HZ))
+        for one in heard
+        for clip in one.clips
+    ]
     n_times = max(start + samples.size for start, samples in played) + 521
     total = np.zeros((72, 3, n_times))
     for one, (start, samples) in zip(heard, played, strict=True):
@@ -95,9 +99,8 @@ def test_results_do_not_depend_on_what_was_asked_before():
         design = design.with_input(
             index,
             amplitude=float(rng.uniform(-2, 2)),
-            onset_s=float(rng.integers(0, 200)) / RATE_HZ,
             muted=bool(rng.integers(4) == 0),
-        )
+        ).with_clip(index + 1, onset_s=float(rng.integers(0, 200)) / RATE_HZ)
         view = replace(
             view,
             selected_inputs=(1 + int(rng.integers(4)),),
@@ -115,8 +118,8 @@ def test_two_inputs_that_cancel_keep_their_digits(limb):
         limb="synthetic-1",
         scaling="relative",
         inputs=(
-            Input(location=7, waveform=tone),
-            Input(location=7, waveform=tone, amplitude=-(1 - 1e-6), colour=1),
+            track(location=7, waveform=tone),
+            track(location=7, waveform=tone, amplitude=-(1 - 1e-6), colour=1),
         ),
     )
     alone = shown(replace(design, inputs=design.inputs[:1]), View(selected_inputs=()))
@@ -128,8 +131,8 @@ def test_nothing_is_felt_before_a_drive_nor_522_samples_after_it():
     design = Design(
         limb="synthetic-1",
         inputs=(
-            Input(location=7, waveform=Tone(duration_s=0.1), onset_s=0.5),
-            Input(location=8, waveform=Tone(duration_s=0.1), onset_s=1.5, colour=1),
+            track(location=7, waveform=Tone(duration_s=0.1), onset_s=0.5),
+            track(location=8, waveform=Tone(duration_s=0.1), onset_s=1.5, colour=1),
         ),
     )
     traces = shown(design, View(outputs=OUTPUTS, selected_inputs=(1,)))["selected_traces"]
@@ -189,8 +192,8 @@ def test_a_long_scene_is_streamed_to_the_same_numbers(limb, scaling):
         limb="synthetic-1",
         scaling=scaling,
         inputs=(
-            Input(location=7, waveform=Tone(frequency_hz=90.0, duration_s=0.3)),
-            Input(location=4, waveform=Noise(seed=2, duration_s=3.0), onset_s=13.0, colour=1),
+            track(location=7, waveform=Tone(frequency_hz=90.0, duration_s=0.3)),
+            track(location=4, waveform=Noise(seed=2, duration_s=3.0), onset_s=13.0, colour=1),
         ),
     )
     field = plainly(limb, design)
@@ -224,7 +227,7 @@ def test_outputs_that_move_alike_in_all_directions_are_named(limb_of):
     turning[:, 0], turning[:, 1] = np.cos(turns), np.sin(turns)
     turning[9, 1] *= 0.5
     limb = limb_of(lambda _: turning.copy())
-    design = Design(limb="synthetic-1", inputs=(Input(location=7, waveform=Impulse()),))
+    design = Design(limb="synthetic-1", inputs=(track(location=7, waveform=Impulse()),))
     for method, expected in (("pca", (1, 29)), ("rms", ())):
         view = View(axes="xyz", method=method, outputs=(1, 10, 29))
         given = sources(design, view) | {"limb_data": limb}
@@ -235,7 +238,7 @@ def test_outputs_that_move_alike_in_all_directions_are_named(limb_of):
 @pytest.mark.parametrize("onset_s", [0.0, 0.1])
 @pytest.mark.parametrize("axes", ["xyz", "z"])
 def test_no_selected_outputs_give_empty_traces_and_spectra_also_after_some(onset_s, axes):
-    design = DESIGN.with_input(0, onset_s=onset_s)
+    design = DESIGN.with_clip(1, onset_s=onset_s)
     graph = new_graph()
     wanted = ("axis_traces", "axis_spectra", "selected_traces", "selected_spectra")
     for outputs in ((), OUTPUTS, ()):

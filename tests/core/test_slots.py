@@ -6,7 +6,7 @@ from weakref import ref
 
 import pytest
 
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.quantities import graphs_that_share, new_graph, sources
 from skinsource.rendering.budgets import SURFACES_BYTES
 from skinsource.shared import Shared
@@ -25,13 +25,13 @@ SHOWN = (
 ONE = Design(
     limb="synthetic-1",
     inputs=(
-        Input(location=7, waveform=Tone(frequency_hz=100.0)),
-        Input(location=3, waveform=Noise(seed=2), amplitude=-0.5),
+        track(location=7, waveform=Tone(frequency_hz=100.0)),
+        track(location=3, waveform=Noise(seed=2), amplitude=-0.5),
     ),
 )
 OTHER = Design(
     limb="synthetic-2",
-    inputs=(Input(location=9, waveform=Tap()), Input(location=3, waveform=Tone(duration_s=0.4))),
+    inputs=(track(location=9, waveform=Tap()), track(location=3, waveform=Tone(duration_s=0.4))),
 )
 SAME_LIMB = replace(OTHER, limb="synthetic-1")
 
@@ -39,11 +39,11 @@ SAME_LIMB = replace(OTHER, limb="synthetic-1")
 def edits(design: Design, count: int) -> list[Design]:
     """Edits of every kind, in turn."""
     changes = (
-        lambda k: {"amplitude": 1.0 + k / 7},
-        lambda k: {"onset_s": k / 130},
-        lambda k: {"waveform": Noise(seed=100 + k)},
+        lambda k: design.with_input(0, amplitude=1.0 + k / 7),
+        lambda k: design.with_clip(1, onset_s=k / 130),
+        lambda k: design.with_clip(1, waveform=Noise(seed=100 + k)),
     )
-    return [design.with_input(0, **changes[k % len(changes)](k)) for k in range(count)]
+    return [changes[k % len(changes)](k) for k in range(count)]
 
 
 def costs(graph, designs: list[Design]) -> list[dict]:

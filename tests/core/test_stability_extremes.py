@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.design import Input
+from skinsource.design import track
 from skinsource.errors import InvalidInputError
 from skinsource.rendering.segments import BLOCK_FFT
 from skinsource.rendering.transforms import transform_length
@@ -153,8 +153,8 @@ def test_a_tap_that_is_no_usable_number_is_refused_at_the_door(
 def test_amplitudes_and_onsets_that_are_no_numbers_are_refused(scene, limb, noted, value):
     shown = scene(limb=limb, drives=(noise(9, 1),), places=(4,), amplitudes=(value,))
     noted("a5 number", refused(shown.predicted, "amplitudes", str(value)))
-    noted("a5 number", refused(lambda: Input(location=4, amplitude=value), "amplitude"))
-    noted("a5 number", refused(lambda: Input(location=4, onset_s=value), "onset_s"))
+    noted("a5 number", refused(lambda: track(location=4, amplitude=value), "amplitude"))
+    noted("a5 number", refused(lambda: track(location=4, onset_s=value), "onset_s"))
 
 
 @pytest.mark.parametrize("n_times", LENGTHS)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from skinsource.decibels import FLOOR_DB, decibels
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.errors import InvalidInputError
 from skinsource.quantities import new_graph, sources
 from skinsource.surface import surface_operator
@@ -98,7 +98,7 @@ def test_what_has_no_level_is_refused_by_index(noted, value):
             noted("g bad", 1)
 
 
-@pytest.mark.parametrize("inputs", [(), (Input(location=7, muted=True),)])
+@pytest.mark.parametrize("inputs", [(), (track(location=7, muted=True),)])
 def test_a_silent_design_has_levels_and_a_map_at_the_floor(noted, inputs):
     design = Design(limb="synthetic-1", inputs=inputs)
     wanted = {"output_levels_db", "surface_levels_db"}

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from skinsource import waveforms
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.design_file import open_design, save_design
 from skinsource.edits.kinds import as_kind
 from skinsource.errors import InvalidInputError
@@ -126,7 +126,7 @@ def test_it_is_kept_in_files_once(tmp_path):
 
 
 def _input(waveform):
-    return Input(location=7, waveform=waveform)
+    return track(location=7, waveform=waveform)
 
 
 @pytest.mark.parametrize("kind", BOTH)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PySide6.QtWidgets import QWidget
 
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.errors import InvalidInputError
 from skinsource.graph import Graph
 from skinsource.view import View
@@ -62,7 +62,7 @@ class Recorder(Panel):
 def stage(qtbot):
     window = QWidget()
     qtbot.addWidget(window)
-    document = Document(Design(limb="synthetic-1", inputs=(Input(location=7),)))
+    document = Document(Design(limb="synthetic-1", inputs=(track(location=7),)))
     gate = Event()
     gate.set()
 

@@ -2,17 +2,17 @@ from dataclasses import replace
 
 import pytest
 
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.edits import Edit, Refusal
 from skinsource.view import View
 from skinsource.waveforms import Tone
 from skinsource_gui.state.document import Document
 
-ONE_TONE = Design(limb="synthetic-1", inputs=(Input(location=7, waveform=Tone()),))
+ONE_TONE = Design(limb="synthetic-1", inputs=(track(location=7, waveform=Tone()),))
 
 
 def with_frequency(document: Document, frequency_hz: float) -> Design:
-    return document.design.with_input(0, waveform=Tone(frequency_hz=frequency_hz))
+    return document.design.with_clip(1, waveform=Tone(frequency_hz=frequency_hz))
 
 
 @pytest.fixture
@@ -23,12 +23,12 @@ def document(qapp):
 def test_one_drag_is_one_undo_step(document):
     for frequency_hz in range(101, 121):
         document.edit("Change frequency", with_frequency(document, frequency_hz), gesture=1)
-    assert document.design.inputs[0].waveform.frequency_hz == 120.0
+    assert document.design.inputs[0].clips[0].waveform.frequency_hz == 120.0
     assert document.undo_stack.count() == 1
     document.undo_stack.undo()
     assert document.design is ONE_TONE
     document.undo_stack.redo()
-    assert document.design.inputs[0].waveform.frequency_hz == 120.0
+    assert document.design.inputs[0].clips[0].waveform.frequency_hz == 120.0
 
 
 def test_two_drags_are_two_steps(document):
@@ -64,7 +64,7 @@ def test_looking_at_something_else_is_not_undone_and_not_unsaved(document):
 
 
 def test_the_selected_inputs_always_exist(document):
-    document.edit("add", document.design.adding(Input(location=3)))
+    document.edit("add", document.design.adding(track(location=3)))
     document.look(View(selected_inputs=(2,)))
     document.undo_stack.undo()
     assert document.view.selected_input == 1
@@ -90,8 +90,8 @@ def test_another_design_starts_with_an_empty_history(document):
 
 
 def test_undo_and_redo_bring_back_the_selection_that_belonged_to_the_edit(document):
-    document.edit("add", document.design.adding(Input(location=3)))
-    document.edit("add", document.design.adding(Input(location=9)))
+    document.edit("add", document.design.adding(track(location=3)))
+    document.edit("add", document.design.adding(track(location=9)))
     document.look(View(selected_inputs=(3,)))
     document.edit("delete", document.design.without_input(2))
     assert document.view.selected_input == 2
@@ -103,7 +103,7 @@ def test_undo_and_redo_bring_back_the_selection_that_belonged_to_the_edit(docume
 
 
 def test_undo_leaves_what_is_only_looked_at(document):
-    document.edit("add", document.design.adding(Input(location=3)))
+    document.edit("add", document.design.adding(track(location=3)))
     panels = (("skin", (("map_style", "sensors"),)),)
     document.look(replace(document.view, axes="z", time_range_s=(0.0, 0.1), panels=panels))
     document.undo_stack.undo()
@@ -155,14 +155,14 @@ def test_a_refusal_is_told_and_changes_nothing(document):
 def test_design_and_view_change_together_and_are_told_once(document):
     told = []
     document.changed.connect(lambda: told.append((document.design, document.view)))
-    design = document.design.adding(Input(location=3))
+    design = document.design.adding(track(location=3))
     view = View(axes="z", selected_inputs=(2,))
     document.apply(Edit(label="Place", design=design, view=view))
     assert told == [(design, view)]
 
 
 def test_undo_of_a_limb_keeps_the_selection(document):
-    document.edit("add", document.design.adding(Input(location=3)))
+    document.edit("add", document.design.adding(track(location=3)))
     document.look(View(selected_inputs=(2,)))
     document.edit("limb", replace(document.design, limb="synthetic-3"))
     document.undo_stack.undo()

@@ -4,7 +4,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from skinsource import edits
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.limb import LIMB_NAMES
 from skinsource.view import View
 from skinsource.waveforms import Noise, Tap, Tone
@@ -13,9 +13,9 @@ from skinsource_gui.state.document import Document
 START = Design(
     limb="synthetic-1",
     inputs=(
-        Input(location=7, waveform=Tone()),
-        Input(location=2, waveform=Noise(), colour=1),
-        Input(location=2, waveform=Tap(), colour=2),
+        track(location=7, waveform=Tone()),
+        track(location=2, waveform=Noise(), colour=1),
+        track(location=2, waveform=Tap(), colour=2),
     ),
 )
 ids = st.lists(st.integers(-1, 8), max_size=4).map(tuple)

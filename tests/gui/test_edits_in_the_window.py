@@ -6,7 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from skinsource import edits
-from skinsource.design import MAX_INPUTS, Design, Input
+from skinsource.design import MAX_INPUTS, Design, track
 from skinsource.view import View
 from skinsource.waveforms import Tone
 from skinsource_gui.panels.inputs.input_list import InputRows
@@ -57,7 +57,7 @@ def test_escape_on_the_map_is_taken_back_by_ctrl_z_and_no_input_goes(window, set
 
 
 def test_a_full_design_refuses_ctrl_d_with_a_sentence(make_window):
-    inputs = tuple(Input(location=1, colour=k) for k in range(MAX_INPUTS))
+    inputs = tuple(track(location=1, colour=k) for k in range(MAX_INPUTS))
     window = make_window(Design(limb="synthetic-1", inputs=inputs))
     window.do("duplicate_input")
     QApplication.processEvents()
@@ -72,7 +72,7 @@ def in_sight(window, id):
 
 
 def test_the_list_follows_what_is_selected_on_the_hand_and_duplicated_anywhere(make_window, qtbot):
-    inputs = tuple(Input(location=1 + k % 20, colour=k) for k in range(20))
+    inputs = tuple(track(location=1 + k % 20, colour=k) for k in range(20))
     window = make_window(Design(limb="synthetic-1", inputs=inputs))
     window.panel("hand").diagram.select_requested.emit(17)
     assert window.document.view.selected_inputs == (18,)
@@ -85,7 +85,7 @@ def test_the_list_follows_what_is_selected_on_the_hand_and_duplicated_anywhere(m
 
 
 def test_more_than_three_rows_are_seen_on_a_small_screen(make_window, qtbot):
-    inputs = tuple(Input(location=1 + k % 20, colour=k) for k in range(20))
+    inputs = tuple(track(location=1 + k % 20, colour=k) for k in range(20))
     window = make_window(Design(limb="synthetic-1", inputs=inputs))
     qtbot.waitUntil(lambda: in_sight(window, 1))
     assert sum(in_sight(window, k + 1) for k in range(20)) >= 3
@@ -93,7 +93,7 @@ def test_more_than_three_rows_are_seen_on_a_small_screen(make_window, qtbot):
 
 def test_the_preview_of_another_input_is_shown_without_a_new_evaluation(make_window):
     tones = (Tone(duration_s=0.2), Tone(duration_s=0.4))
-    inputs = tuple(Input(location=7 + k, waveform=tone, colour=k) for k, tone in enumerate(tones))
+    inputs = tuple(track(location=7 + k, waveform=tone, colour=k) for k, tone in enumerate(tones))
     window = make_window(Design(limb="synthetic-1", inputs=inputs))
     preview = window.panel("inspector").findChild(WaveformPreview, "waveform_preview")
     for chosen, duration_s in ((2, 0.4), (1, 0.2)):

@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.design_file import open_design, save_design
 from skinsource.view import View
 from skinsource.waveforms import Tone
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 
-STRANGE = Design(limb="foot-1", inputs=(Input(location=25, waveform=Tone(frequency_hz=2000.0)),))
+STRANGE = Design(limb="foot-1", inputs=(track(location=25, waveform=Tone(frequency_hz=2000.0)),))
 
 
 @pytest.fixture
@@ -43,7 +43,7 @@ def test_a_design_for_a_limb_that_is_not_here_opens_and_is_kept(window, opened, 
 
 
 def test_another_limb_can_be_chosen_instead(window, opened, qtbot):
-    opened(replace(STRANGE, inputs=(Input(location=7),)))
+    opened(replace(STRANGE, inputs=(track(location=7),)))
     window.findChild(ChoiceField, "limb").choose("synthetic-2")
     qtbot.waitUntil(lambda: message(window) == "" and not window.engine.busy, timeout=30_000)
     assert window.document.design.limb == "synthetic-2"
@@ -53,9 +53,9 @@ def test_another_limb_can_be_chosen_instead(window, opened, qtbot):
 @pytest.mark.parametrize(
     ("one", "outputs", "words"),
     [
-        (Input(location=25), (29,), "input location 25 does not exist"),
-        (Input(location=7), (29, 80), "has the outputs 1 to 72; selected are also"),
-        (Input(location=7, waveform=Tone(frequency_hz=650.0)), (29,), "half the sample rate"),
+        (track(location=25), (29,), "input location 25 does not exist"),
+        (track(location=7), (29, 80), "has the outputs 1 to 72; selected are also"),
+        (track(location=7, waveform=Tone(frequency_hz=650.0)), (29,), "half the sample rate"),
     ],
     ids=["place", "output", "frequency"],
 )

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
     QPushButton,
 )
 
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.errors import Stopped
 from skinsource.job import Job
 from skinsource.rendering import trace_rules
@@ -29,8 +29,8 @@ YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
 LONG = Design(
     limb="synthetic-1",
     inputs=(
-        Input(location=7, waveform=Tone(duration_s=300.0)),
-        Input(location=3, waveform=Noise(duration_s=300.0), colour=1),
+        track(location=7, waveform=Tone(duration_s=300.0)),
+        track(location=3, waveform=Noise(duration_s=300.0), colour=1),
     ),
 )
 
@@ -131,7 +131,7 @@ def test_the_design_of_the_moment_is_exported_while_editing_goes_on(
     answers["save"] = str(tmp_path / "field.npz")
     window.do("export_field")
     assert gate.started.wait(5)
-    window.document.edit("Place", window.document.design.adding(Input(location=3)))
+    window.document.edit("Place", window.document.design.adding(track(location=3)))
     qtbot.waitUntil(lambda: not window.engine.busy)
     assert window.runner.busy
     gate.set()

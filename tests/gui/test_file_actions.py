@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QMessageBox
 
-from skinsource.design import Input
+from skinsource.design import track
 from skinsource.design_file import open_design, save_design
 from skinsource_gui.files import export_actions
 from skinsource_gui.files.picture_options import PictureDialog, PictureOptions
@@ -41,7 +41,7 @@ def answers(monkeypatch):
 
 
 def place(window, location=3):
-    window.document.edit("Place", window.document.design.adding(Input(location=location)))
+    window.document.edit("Place", window.document.design.adding(track(location=location)))
 
 
 def test_a_saved_design_comes_back_with_its_view_and_arrangement(window, settle, answers, tmp_path):

@@ -9,12 +9,12 @@ from PySide6.QtCore import QEvent, QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.design_file import open_design, save_design
 from skinsource_gui.state.preferences import Preferences
 
 YES, CANCEL = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
-OTHER = Design(limb="synthetic-2", inputs=(Input(location=13),))
+OTHER = Design(limb="synthetic-2", inputs=(track(location=13),))
 
 
 @pytest.fixture
@@ -38,14 +38,14 @@ def asked(monkeypatch):
 def opened(window, asked, tmp_path) -> Path:
     """A file that the window has open, with an edit that is not saved yet."""
     path = tmp_path / "shared.skinsource"
-    save_design(path, Design(limb="synthetic-1", inputs=(Input(location=4),)))
+    save_design(path, Design(limb="synthetic-1", inputs=(track(location=4),)))
     window.files.open(path)
     place(window)
     return path
 
 
 def place(window, location=3):
-    window.document.edit("Place", window.document.design.adding(Input(location=location)))
+    window.document.edit("Place", window.document.design.adding(track(location=location)))
 
 
 def activate(window):

@@ -6,7 +6,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog
 
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.errors import Stopped
 from skinsource.view import View
 from skinsource.waveforms import Tone
@@ -121,7 +121,7 @@ def test_a_notice_comes_first(at_work):
 
 
 def test_the_row_that_is_selected_has_the_stops(make_window, qtbot):
-    inputs = tuple(Input(location=k, waveform=Tone()) for k in (3, 7, 9))
+    inputs = tuple(track(location=k, waveform=Tone()) for k in (3, 7, 9))
     window = make_window(Design(limb="synthetic-1", inputs=inputs), View(selected_inputs=(2,)))
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
@@ -139,7 +139,7 @@ def test_tab_ends_typing_and_goes_on(at_work):
     field.setFocus()
     QTest.keyClicks(field, "300")
     assert press(at_work, KEY.Key_Tab).objectName() == "window_field"
-    assert at_work.document.design.inputs[0].waveform.duration_s == 0.3
+    assert at_work.document.design.inputs[0].clips[0].waveform.duration_s == 0.3
 
 
 def test_arrows_choose_among_buttons_that_exclude_each_other(at_work):

@@ -119,7 +119,7 @@ def test_presenting_shows_frequency_and_amplitude_in_large_words(window, settle)
     fields["frequency_hz"].edited.emit(250.0, None)
     fields["amplitude"].edited.emit(0.5, None)
     one = window.document.design.inputs[0]
-    assert (one.waveform.frequency_hz, one.amplitude) == (250.0, 0.5)
+    assert (one.clips[0].waveform.frequency_hz, one.amplitude) == (250.0, 0.5)
     window.do("arrange_design")
     settle()
     assert window.panel("hand").fontMetrics().height() == small

@@ -8,7 +8,8 @@ from PySide6.QtCore import QEvent, QPoint
 from PySide6.QtGui import QHelpEvent
 from PySide6.QtWidgets import QApplication, QLabel, QToolTip
 
-from skinsource.design import Input
+from skinsource.clips import Clip
+from skinsource.design import track
 from skinsource.rendering.check import TraceError
 from skinsource.rendering.segments import BLOCK_FFT
 from skinsource.view import View
@@ -51,7 +52,7 @@ def scope(**changes):
 
 
 def test_inputs_channels_and_method_are_told(window, qtbot):
-    inputs = (Input(location=3, muted=True), Input(location=4, colour=1))
+    inputs = (track(location=3, muted=True), track(location=4, colour=1))
     window.document.edit("a", replace(window.document.design, inputs=inputs))
     window.document.look(View(outputs=(29, 30, 52), axes="xz"))
     qtbot.waitUntil(lambda: work_words(window) == "1 of 2 inputs felt · up to date")
@@ -91,7 +92,7 @@ def test_a_hidden_map_is_not_spoken_of(window, qtbot):
 
 
 def test_a_long_scene_is_told_to_be_computed_block_by_block(window, qtbot):
-    edit(window, waveform=Tone(duration_s=14.0))
+    edit(window, clips=(Clip(waveform=Tone(duration_s=14.0)),))
     qtbot.waitUntil(lambda: f"float64, overlap-save {BLOCK_FFT}" in details(window))
     qtbot.waitUntil(lambda: work_words(window).endswith("long scene, summed piece by piece"))
 

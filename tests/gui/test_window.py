@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QComboBox, QWidget
 
 from skinsource.catalogue import load_limb
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.edits import Edit
 from skinsource.panel_settings import with_settings
 from skinsource.projection import project_axes
@@ -39,11 +39,11 @@ def test_dragging_a_frequency_reaches_the_screen_and_is_one_undo_step(window, se
     before = window.document.design
     for frequency_hz in np.linspace(100, 200, 20):
         tone = Tone(frequency_hz=float(frequency_hz))
-        design = window.document.design.with_input(0, waveform=tone)
+        design = window.document.design.with_clip(1, waveform=tone)
         edit = Edit(label="Change frequency", design=design, view=window.document.view)
         window.panel("inspector").edited.emit(edit, 5)
     settle()
-    assert delivered[-1].request.given["inputs"][0].waveform.frequency_hz == 200.0
+    assert delivered[-1].request.given["inputs"][0].clips[0].waveform.frequency_hz == 200.0
     assert window.document.undo_stack.count() == 1
     assert window.actions_by_name["undo"].text() == "Undo change frequency"
     window.do("undo")
@@ -128,11 +128,11 @@ def test_closing_during_an_evaluation_ends_cleanly(make_window):
     window = make_window(
         Design(
             limb="synthetic-1",
-            inputs=tuple(Input(location=k, waveform=Tone(duration_s=2.0)) for k in range(1, 9)),
+            inputs=tuple(track(location=k, waveform=Tone(duration_s=2.0)) for k in range(1, 9)),
         ),
         View(outputs=(1, 2, 3)),
     )
-    window.document.edit("a", window.document.design.with_input(0, onset_s=0.1))
+    window.document.edit("a", window.document.design.with_clip(1, onset_s=0.1))
     assert window.engine.busy
     window.document.undo_stack.setClean()
     window.close()  # the fixture sees that no thread is left

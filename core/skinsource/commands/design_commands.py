@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.choice_words import LIMBS, SCALINGS, level_words, signal_words, word_of
+from skinsource.clips import Clip
 from skinsource.design import Design, Input, amplitude_unit, audible_inputs
 from skinsource.design_file import open_design
 from skinsource.evaluation import evaluate
@@ -91,18 +92,26 @@ def _about_inputs(design: Design) -> list[str]:
     heard = len(audible_inputs(design.inputs))
     return [
         f"inputs    {len(design.inputs)}, {heard} of them heard",
-        *(_about_input(one, unit) for one in design.inputs),
+        *(line for one in design.inputs for line in _about_input(one, unit)),
     ]
 
 
-def _about_input(one: Input, unit: str) -> str:
+def _about_input(one: Input, unit: str) -> list[str]:
     marks = "".join(
         f", {word}" for word, is_so in (("muted", one.muted), ("solo", one.solo)) if is_so
     )
-    return (
-        f"  {one.id:3}  place {one.location}, {input_words(one.location).name}: {one.waveform}, "
-        f"amplitude {one.amplitude:g} {unit}, from {one.onset_s:g} s{marks}"
-    )
+    curve = f", gain curve of {len(one.gain_curve)} points" if one.gain_curve else ""
+    return [
+        f"  {one.id:3}  place {one.location}, {input_words(one.location).name}: "
+        f"amplitude {one.amplitude:g} {unit}{curve}{marks}",
+        *(f"       from {clip.onset_s:g} s: {_about_clip(clip)}" for clip in one.clips),
+    ]
+
+
+def _about_clip(clip: Clip) -> str:
+    gain = "" if clip.gain == 1.0 else f", gain {clip.gain:g}"
+    effects = "".join(f", {one}" for one in clip.effects if one.on)
+    return f"{clip.waveform}{gain}{effects}{', muted' if clip.muted else ''}"
 
 
 def _levels(design: Design, view: View) -> list[str]:

@@ -5,8 +5,8 @@ HDF5 file (see `skinsource.codec.image`), so that a new field of any recipe need
 A checksum over all of it is verified first; only then does a field that is missing mean that an
 older studio wrote the file, and takes its default.  What a newer studio wrote is refused: nothing
 is guessed, nothing is dropped.  A limb that is not available here is no reason to refuse a file:
-the design is kept, and another limb can be chosen.  Files of version 1 are read too
-(`design_file.version_1`).
+the design is kept, and another limb can be chosen.  Files of versions 1 and 2 are
+read too (`design_file.version_1`, `design_file.version_2`).
 """
 
 import os
@@ -16,7 +16,7 @@ from pathlib import Path
 from skinsource import codec, fields
 from skinsource.codec import image
 from skinsource.design import Design
-from skinsource.design_file import version_1
+from skinsource.design_file import version_1, version_2
 from skinsource.errors import DesignFileError, FileFormatError, InvalidInputError
 from skinsource.fields import Address, BytesSpec, RecipeSpec
 from skinsource.files import named, read_bytes, write_bytes
@@ -24,8 +24,8 @@ from skinsource.quoting import sentence
 from skinsource.view import View
 
 SUFFIX = ".skinsource"
-#: Version of the files that are written; those of version 1 are read too.
-VERSION = 2
+#: Version of the files that are written; those of versions 1 and 2 are read too.
+VERSION = 3
 
 #: The window's arrangement takes some thousand bytes.
 _MAX_LAYOUT_BYTES = 2**20
@@ -95,7 +95,11 @@ def open_design(path: str | os.PathLike[str]) -> DesignFile:
 
 
 def _content(stored: bytes) -> DesignFile:
-    if image.version_of(stored) is not None:
+    version = image.version_of(stored)
+    if version == version_2.VERSION:
+        tree = version_2.as_now(image.from_image(stored, version))
+        return codec.decode(tree, (DesignFile,), Address())
+    if version is not None:
         return codec.decode(image.from_image(stored, VERSION), (DesignFile,), Address())
     design, view, layout = version_1.content_of(stored)
     return DesignFile(design=design, view=view, layout=layout)

@@ -11,18 +11,20 @@ Layout (all numbers float64 or int64, all texts UTF-8 of fixed length)::
 
 All of it lies under checksums of HDF5, which files of its 1.10 format have; others are refused.
 The names here are those of version 1 for ever: what recipes have learned since takes its default.
-Ids of inputs follow their order.
+Ids of inputs follow their order.  An onset is read as that of the nearest sample, which was meant.
 """
 
 import io
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import prod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from skinsource import fields
+from skinsource.clips import Clip
 from skinsource.design import MAX_INPUTS, Design, Input
+from skinsource.design_file.version_2 import meant_onset_s
 from skinsource.errors import FileFormatError, InvalidInputError
 from skinsource.fields import (
     ChoiceSpec,
@@ -182,7 +184,11 @@ def _input(group: "h5py.Group") -> Input:
     _refuse_unknown(group.name, set(group), {"waveform"})
     values = _attributes(group, _INPUT_FIELDS)
     _check("Input.location", values["location"], _LOCATION)
-    return Input(waveform=_waveform(_member(group, "waveform", hdf5.Group)), **values)
+    waveform = _waveform(_member(group, "waveform", hdf5.Group))
+    # What is no onset is refused by the clip, by its name.
+    onset_s = values.pop("onset_s")
+    clip = Clip(waveform=waveform, onset_s=onset_s)
+    return Input(clips=(replace(clip, onset_s=meant_onset_s(clip.onset_s)),), **values)
 
 
 def _waveform(group: "h5py.Group") -> Waveform:

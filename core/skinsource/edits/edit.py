@@ -64,18 +64,44 @@ def place_words(location: int) -> str:
 
 
 def changed(
-    design: Design, view: View, verb: str, changes: dict[int, dict[str, Any]]
+    design: Design,
+    view: View,
+    verb: str,
+    changes: dict[int, dict[str, Any]],
+    clip_changes: dict[int, dict[str, Any]] | None = None,
 ) -> Edit | Refusal:
-    """Change fields of inputs, by id; refused where an input would not allow its new values."""
+    """Change fields of inputs, and of clips of them, by id; refused where one is not allowed."""
     chosen = present(design, changes)
     if not chosen:
         return NOTHING_CHOSEN
     try:
         inputs = tuple(_replaced(one, changes.get(one.id, {})) for one in design.inputs)
-        after = replace(design, inputs=inputs)
+        after = with_clips(replace(design, inputs=inputs), clip_changes or {})
     except InvalidInputError as error:
         return refused(error)
     return Edit(label=f"{verb} {inputs_words(chosen)}", design=after, view=view)
+
+
+def with_clips(design: Design, changes: dict[int, dict[str, Any]]) -> Design:
+    """Return ``design`` with changed fields of clips, by id.
+
+    Raises
+    ------
+    InvalidInputError
+        A value is not allowed.
+    """
+    if not changes:
+        return design
+    return replace(design, inputs=tuple(_with_clips(one, changes) for one in design.inputs))
+
+
+def _with_clips(one: Input, changes: dict[int, dict[str, Any]]) -> Input:
+    if not any(clip.id in changes for clip in one.clips):
+        return one
+    clips = tuple(
+        replace(clip, **changes[clip.id]) if clip.id in changes else clip for clip in one.clips
+    )
+    return one if clips == one.clips else replace(one, clips=clips)
 
 
 def _replaced(one: Input, changes: dict[str, Any]) -> Input:

@@ -2,9 +2,10 @@
 
 from collections.abc import Iterable
 from dataclasses import replace
+from itertools import count
 from typing import Any
 
-from skinsource.design import MAX_INPUTS, Design, Input
+from skinsource.design import MAX_INPUTS, Design, track
 from skinsource.edits.edit import (
     NOTHING_CHOSEN,
     Edit,
@@ -15,7 +16,7 @@ from skinsource.edits.edit import (
     present,
     refused,
 )
-from skinsource.edits.selection import kept_selection
+from skinsource.edits.selection import clip_of, kept_selection
 from skinsource.errors import InvalidInputError
 from skinsource.fields import specs_of
 from skinsource.view import View
@@ -27,24 +28,30 @@ _TOO_MANY = Refusal(sentence=f"A design holds at most {MAX_INPUTS} inputs; remov
 def place_input(design: Design, view: View, location: int, besides: bool = False) -> Edit | Refusal:
     """Add an input at a place and select it, or with ``besides`` add it to the selected ones.
 
-    It plays what the selected input plays, as strongly, but noise of its own.
+    It plays what the selected clip plays, as strongly, but noise of its own; from the start.
     """
     if len(design.inputs) >= MAX_INPUTS:
         return _TOO_MANY
     try:
-        new = Input(location=location)
+        new = track(location)
     except InvalidInputError as error:
         return refused(error)
     if view.selected_input in design.ids:
         model = design.input(view.selected_input)
-        waveform = _with_fresh_seed(model.waveform, design)
-        new = replace(new, waveform=waveform, amplitude=model.amplitude)
+        clip = clip_of(model, view)
+        if clip is not None:
+            waveform = _with_fresh_seed(clip.waveform, design)
+            copy = replace(clip, waveform=waveform, onset_s=0.0, muted=False, label="", id=0)
+            new = replace(new, clips=(copy,))
+        new = replace(new, amplitude=model.amplitude)
     after = design.adding(new)
     return Edit(
         label=f"Place input at {place_words(location)}",
         design=after,
         view=replace(
-            view, selected_inputs=(*(view.selected_inputs if besides else ()), after.ids[-1])
+            view,
+            selected_inputs=(*(view.selected_inputs if besides else ()), after.ids[-1]),
+            selected_clips=(),
         ),
     )
 
@@ -74,7 +81,7 @@ def duplicate_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | R
     return Edit(
         label=f"Duplicate {inputs_words(chosen)}",
         design=after,
-        view=replace(view, selected_inputs=after.ids[len(design.inputs) :]),
+        view=replace(view, selected_inputs=after.ids[len(design.inputs) :], selected_clips=()),
     )
 
 
@@ -98,7 +105,7 @@ def clear_inputs(design: Design, view: View) -> Edit | Refusal:
     return Edit(
         label="Remove all inputs",
         design=replace(design, inputs=()),
-        view=replace(view, selected_inputs=()),
+        view=replace(view, selected_inputs=(), selected_clips=()),
     )
 
 
@@ -129,12 +136,12 @@ def toggle_solo(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusa
 
 
 def _with_fresh_seed(waveform: Waveform, design: Design) -> Waveform:
-    """Return ``waveform`` with the smallest seed that no input has, if it has one at all.
+    """Return ``waveform`` with the smallest seed that no clip has, if it has one at all.
 
     Noise of equal seed is the same noise, and sums up as no two noises do.
     """
     if "seed" not in specs_of(waveform):
         return waveform
-    taken = {getattr(one.waveform, "seed", None) for one in design.inputs}
+    taken = {getattr(one.waveform, "seed", None) for one in design.clips}
     recipe: Any = waveform
-    return replace(recipe, seed=next(k for k in range(MAX_INPUTS + 1) if k not in taken))
+    return replace(recipe, seed=next(k for k in count() if k not in taken))

@@ -6,7 +6,7 @@ write a file beside these, and name its class in `EFFECTS`.
 """
 
 from skinsource.effects.effect import ON, Effect, KeepsTime, own_duration_s
-from skinsource.effects.playing import played, played_s
+from skinsource.effects.playing import placed, played, played_s
 
 #: Every effect, in the order in which a user meets them.
 EFFECTS: tuple[type[Effect], ...] = ()
@@ -24,6 +24,7 @@ __all__ = [
     "KeepsTime",
     "effect_kinds",
     "own_duration_s",
+    "placed",
     "played",
     "played_s",
 ]

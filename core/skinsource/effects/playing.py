@@ -1,10 +1,10 @@
 """What a waveform plays through a chain of effects."""
 
 from collections.abc import Callable
-from typing import Any
 
 from skinsource.arrays import Floats
 from skinsource.effects.effect import Effect
+from skinsource.sampling import NEAR, on_grid
 from skinsource.waveforms.waveform import Waveform
 
 #: Samples of a waveform at a rate, with a shift.
@@ -13,11 +13,7 @@ Draw = Callable[[Waveform, float, float], Floats]
 
 def drawn(waveform: Waveform, sample_rate_hz: float, shift_s: float) -> Floats:
     """What the waveform itself plays, (n_times,)."""
-    recipe: Any = waveform
-    if shift_s == 0.0:
-        return waveform.samples(sample_rate_hz)
-    shifted: Floats = recipe.samples(sample_rate_hz, shift_s)
-    return shifted
+    return waveform.samples(sample_rate_hz, shift_s)
 
 
 def played(
@@ -37,15 +33,10 @@ def played(
     draw
         Where the samples of the waveform come from.
     """
-    taking_part = [one for one in effects if one.on]
-    durations_s = [waveform.duration_s]
-    for one in taking_part:
-        durations_s.append(one.length(durations_s[-1]))
-    shifts_s = [shift_s]
-    for one, duration_s in zip(reversed(taking_part), reversed(durations_s[:-1]), strict=True):
-        shifts_s.append(one.shift_before(shifts_s[-1], duration_s, sample_rate_hz))
+    taking_part, durations_s = _stages(waveform, effects)
+    shifts_s = _shifts_s(taking_part, durations_s, sample_rate_hz, shift_s)
     samples = draw(waveform, sample_rate_hz, shifts_s.pop())
-    for one, duration_s in zip(taking_part, durations_s[:-1], strict=True):
+    for one, duration_s in zip(taking_part, durations_s, strict=True):
         samples = one.applied(samples, sample_rate_hz, shifts_s.pop(), duration_s)
     return samples
 
@@ -57,3 +48,56 @@ def played_s(waveform: Waveform, effects: tuple[Effect, ...]) -> float:
         if one.on:
             duration_s = one.length(duration_s)
     return duration_s
+
+
+def placed(
+    waveform: Waveform, effects: tuple[Effect, ...], onset_s: float, sample_rate_hz: float
+) -> tuple[int, float]:
+    """Sample at or before an onset, and the shift of what is played from there on.
+
+    What lies on the grid of positions is the start of the waveform, of which effects may let only
+    a part play: the parts of one waveform are drawn from one array, however often it was cut.
+    """
+    taking_part, durations_s = _stages(waveform, effects)
+    position = onset_s * sample_rate_hz
+    if not taking_part:
+        first, behind = on_grid(position)
+        return first, behind / sample_rate_hz
+    *_, own_s = _shifts_s(taking_part, durations_s, sample_rate_hz, 0.0)
+    own = own_s * sample_rate_hz
+    first, behind = on_grid(position + own)
+    position = behind - own  # from the sample `first` on; more than one before it, less than one
+    if abs(position - round(position)) < NEAR:
+        return first + round(position), 0.0
+    return (
+        (first, position / sample_rate_hz)
+        if position > 0
+        else (
+            first - 1,
+            (position + 1.0) / sample_rate_hz,
+        )
+    )
+
+
+def _stages(
+    waveform: Waveform, effects: tuple[Effect, ...]
+) -> tuple[tuple[Effect, ...], tuple[float, ...]]:
+    """Effects that take part, and how long plays what each of them takes."""
+    taking_part = tuple(one for one in effects if one.on)
+    durations_s = [waveform.duration_s]
+    for one in taking_part:
+        durations_s.append(one.length(durations_s[-1]))
+    return taking_part, tuple(durations_s[:-1])
+
+
+def _shifts_s(
+    effects: tuple[Effect, ...], durations_s: tuple[float, ...], rate_hz: float, shift_s: float
+) -> list[float]:
+    """Shift of what comes out of the last effect, of what it takes, …; that of the waveform."""
+    shifts_s = [shift_s]
+    for one, duration_s in zip(reversed(effects), reversed(durations_s), strict=True):
+        shifts_s.append(one.shift_before(shifts_s[-1], duration_s, rate_hz))
+    if effects:
+        _, behind = on_grid(shifts_s[-1] * rate_hz)
+        shifts_s[-1] = behind / rate_hz
+    return shifts_s

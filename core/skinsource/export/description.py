@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 
 from skinsource.choice_words import AXES, LIMBS, METHODS, SCALINGS, SPANS, word_of
+from skinsource.clips import Clip
 from skinsource.design import Input
 
 
@@ -15,11 +16,21 @@ def describe_played(limb: str, note: str, scaling: str, inputs: Iterable[Input])
     for one in inputs:
         muted = ", muted" if one.muted else ""
         solo = ", solo" if one.solo else ""
+        curve = f", gain curve {one.gain_curve}" if one.gain_curve else ""
         lines.append(
-            f"input at place {one.location}: {one.waveform}, amplitude {one.amplitude!r}, "
-            f"onset {one.onset_s!r} s{muted}{solo}"
+            f"input at place {one.location}: amplitude {one.amplitude!r}, "
+            f"{len(one.clips)} clip{'' if len(one.clips) == 1 else 's'}{curve}{muted}{solo}"
         )
+        lines += [f"  clip of the input at place {one.location}: {words_of(x)}" for x in one.clips]
     return lines
+
+
+def words_of(clip: Clip) -> str:
+    """A clip in words: what it plays, from when on, through what."""
+    gain = "" if clip.gain == 1.0 else f", gain {clip.gain!r}"
+    through = "".join(f", {one}" for one in clip.effects if one.on)
+    muted = ", muted" if clip.muted else ""
+    return f"{clip.waveform}, onset {clip.onset_s!r} s{gain}{through}{muted}"
 
 
 def describe_projection(axes: str, method: str) -> str:

@@ -74,7 +74,8 @@ class ListSpec(Spec):
             raise Misfit(f"a tuple of {many}, each {misfit}") from None
         if self.different and len(set(parts)) < len(parts):
             raise Misfit(f"a tuple of {many}")
-        return parts
+        # What is as it was keeps its identity.
+        return value if all(a is b for a, b in zip(parts, value, strict=True)) else parts
 
     def encoded(self, value: tuple[Any, ...]) -> Tree:
         """Return a list of trees."""

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.arrays import Floats
-from skinsource.design import Design, Input
+from skinsource.design import Design, Input, track
 from skinsource.limb import N_AXES, N_OUTPUTS, SAMPLE_RATE_HZ
 from skinsource.method_comparison.accuracy import Block
 from skinsource.method_comparison.made_up import made_up_drive, made_up_limb
@@ -98,7 +98,7 @@ def _input(player: Player, drive: Floats, edition: int) -> Input:
         edition=edition,
         drive=drive,
     )
-    return Input(
+    return track(
         location=player.location,
         waveform=noise,
         amplitude=player.amplitude,

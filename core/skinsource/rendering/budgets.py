@@ -8,8 +8,10 @@ _MIB = 2**20
 
 #: Spectra of responses: those of twenty places for stimuli of four seconds.
 RESPONSE_SPECTRA_BYTES = 204 * _MIB
+#: Samples of clips, before and after their effects.
+CLIPS_BYTES = 10 * _MIB
 #: Drives, as samples, and as much again as spectra.
-DRIVES_BYTES = 16 * _MIB
+DRIVES_BYTES = 11 * _MIB
 #: Spectra of single responses at exact lengths.
 EXACT_SPECTRA_BYTES = 12 * _MIB
 #: Gains of unit voices.
@@ -19,7 +21,12 @@ SURFACES_BYTES = 7 * _MIB
 
 #: All of them together.
 TOTAL_BYTES = (
-    RESPONSE_SPECTRA_BYTES + 2 * DRIVES_BYTES + EXACT_SPECTRA_BYTES + GAINS_BYTES + SURFACES_BYTES
+    RESPONSE_SPECTRA_BYTES
+    + CLIPS_BYTES
+    + 2 * DRIVES_BYTES
+    + EXACT_SPECTRA_BYTES
+    + GAINS_BYTES
+    + SURFACES_BYTES
 )
 
 #: What `skinsource.predict` remembers, beside all of that: twice what twenty places take for

@@ -1,21 +1,29 @@
-"""Drives: drawn once per chain, transformed once per length, delayed by a phase ramp."""
+"""Drives: summed once per chain, transformed once per length, delayed by a phase ramp."""
 
 from weakref import WeakValueDictionary
 
 import numpy as np
 
-from skinsource.arrays import Booleans, Complexes
-from skinsource.chain import Chain, Drive, drive_played
-from skinsource.rendering.budgets import DRIVES_BYTES
+from skinsource.arrays import Booleans, Complexes, Floats
+from skinsource.chain import Chain, Drive, Part, drive_played
+from skinsource.rendering.budgets import CLIPS_BYTES, DRIVES_BYTES
 from skinsource.rendering.memory import Memory
+from skinsource.rendering.of_clips.drawn_clips import DrawnClips
 from skinsource.rendering.transforms import forward
 from skinsource.voices import UnitVoice
 
 
 class Drives:
-    """Drawn chains and their spectra, in bounded memory."""
+    """Drawn clips, drives of chains, and their spectra, in bounded memory.
 
-    def __init__(self, budget_bytes: int = DRIVES_BYTES) -> None:
+    Attributes
+    ----------
+    clips
+        What clips play.
+    """
+
+    def __init__(self, budget_bytes: int = DRIVES_BYTES, clips_bytes: int = CLIPS_BYTES) -> None:
+        self.clips = DrawnClips(clips_bytes)
         self._drawn = Memory[Drive](budget_bytes, lambda drive: drive.samples.nbytes)
         self._spectra = Memory[Complexes](budget_bytes, lambda spectrum: spectrum.nbytes)
         # Long drives exceed the budget; what a graph still holds is not drawn twice.
@@ -26,7 +34,7 @@ class Drives:
         key = unit.chain, sample_rate_hz
         drive = self._drawn.find(key)
         if drive is None:
-            drive = self._alive.get(key) or drive_played(*key, unit.location)
+            drive = self._alive.get(key) or self._played(unit, sample_rate_hz)
             self._alive[key] = drive
             self._drawn.add(key, drive)
         return drive
@@ -38,6 +46,12 @@ class Drives:
         return self._spectra.get(
             (unit.chain, sample_rate_hz, n_fft), lambda: forward(drive.samples, n_fft)
         )
+
+    def _played(self, unit: UnitVoice, sample_rate_hz: float) -> Drive:
+        def drawn(part: Part) -> Floats:
+            return self.clips.of(part.waveform, part.effects, sample_rate_hz, part.shift_s)
+
+        return drive_played(unit.chain, sample_rate_hz, unit.location, drawn)
 
 
 def delayed(spectrum: Complexes, delay_samples: int, n_fft: int) -> Complexes:

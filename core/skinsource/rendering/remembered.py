@@ -3,6 +3,8 @@
 from skinsource.rendering.drives import Drives
 from skinsource.rendering.exact_spectra import ExactSpectra
 from skinsource.rendering.gains import Gains
+from skinsource.rendering.of_clips.clip_waveforms import ClipWaveforms
+from skinsource.rendering.of_clips.placed_chains import PlacedChains
 from skinsource.rendering.response_spectra import ResponseSpectra
 
 
@@ -11,6 +13,8 @@ class Remembered:
 
     def __init__(self) -> None:
         self.responses = ResponseSpectra()
+        self.chains = PlacedChains()
         self.drives = Drives()
+        self.clip_waveforms = ClipWaveforms(self.drives.clips)
         self.gains = Gains(self.drives)
         self.exact_spectra = ExactSpectra()

@@ -14,7 +14,6 @@ from skinsource.rendering.drives import active_samples
 from skinsource.rendering.placed import Placed
 from skinsource.rendering.remembered import Remembered
 from skinsource.rendering.segments import length_at_once
-from skinsource.signals import sample_count
 from skinsource.voices import UnitVoice, Voice
 
 
@@ -29,18 +28,18 @@ def other_voices(voices: tuple[Voice, ...], selected_input: int | None) -> tuple
 
 
 def unit_voices(voices: tuple[Voice, ...]) -> tuple[UnitVoice, ...]:
-    """All voices, heard or not, without amplitude and onset."""
+    """All voices, heard or not, without amplitude and start."""
     return tuple(one.unit for one in voices)
 
 
 def edited_unit(edited_voice: Voice | None) -> UnitVoice | None:
-    """The edited voice without amplitude and onset."""
+    """The edited voice without amplitude and start."""
     return None if edited_voice is None else edited_voice.unit
 
 
-def edited_delay(edited_voice: Voice | None, sample_rate_hz: float) -> int:
+def edited_delay(edited_voice: Voice | None) -> int:
     """Samples before the edited voice starts."""
-    return 0 if edited_voice is None else sample_count(edited_voice.onset_s, sample_rate_hz)
+    return 0 if edited_voice is None else edited_voice.start
 
 
 def unit_drives(
@@ -51,7 +50,7 @@ def unit_drives(
 
 
 def input_waveforms(unit_drives: tuple[Drive, ...]) -> tuple[Floats, ...]:
-    """What each input plays, muted or not, from its own onset: (n_times,) each, of peak 1."""
+    """What each input plays, muted or not, from its first clip on: (n_times,) each."""
     # Long ones are not held twice: most have a peak of exactly 1.
     return tuple(
         drive.samples if drive.factor in (0.0, 1.0) else drive.samples * drive.factor
@@ -71,11 +70,7 @@ def others_placed(
 ) -> tuple[Placed, ...]:
     """The other voices with their drives."""
     return tuple(
-        Placed(
-            one,
-            _drawn(remembered, one.unit, sample_rate_hz, stop),
-            sample_count(one.onset_s, sample_rate_hz),
-        )
+        Placed(one, _drawn(remembered, one.unit, sample_rate_hz, stop), one.start)
         for one in other_voices
     )
 
@@ -101,7 +96,7 @@ def stimulus_samples(
     ends = [one.end for one in others_placed]
     if edited_drive is not None:
         ends.append(edited_delay + edited_drive.samples.size)
-    return max(ends, default=1)
+    return max([1, *ends])
 
 
 def response_samples(stimulus_samples: int, limb_data: Limb) -> int:

@@ -5,13 +5,16 @@ from dataclasses import replace
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from skinsource import edits
-from skinsource.design import AMPLITUDE, Design, Input, amplitude_unit
+from skinsource.clips import Clip
+from skinsource.design import AMPLITUDE, Design, amplitude_unit
 from skinsource.edits.kinds import kind_name
+from skinsource.edits.selection import clip_of
 from skinsource.fields import NumberSpec, specs_of
 from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.fields.field_cell import FieldCell
+from skinsource_gui.widgets.inputs.input_words import EMPTY
 
 _NOTHING = "Click a place on the hand to add an input"
 _FREQUENCY = "frequency_hz"
@@ -59,10 +62,12 @@ class FrequencyAndAmplitudePanel(Panel):
             self._show_frequency(None)
             return
         one = design.input(view.selected_input)
-        self._words.setText(f"{kind_name(one.waveform)} at place {one.location}")
+        clip = clip_of(one, view)
+        playing = EMPTY.capitalize() if clip is None else kind_name(clip.waveform)
+        self._words.setText(f"{playing} at place {one.location}")
         self._amplitude.set_spec(replace(AMPLITUDE, unit=amplitude_unit(design.scaling)))
         self._amplitude.set_value(one.amplitude)
-        self._show_frequency(one)
+        self._show_frequency(clip)
 
     def show_theme(self, theme: Theme) -> None:
         self._theme = theme
@@ -71,7 +76,7 @@ class FrequencyAndAmplitudePanel(Panel):
             if cell is not None:
                 cell.show_theme(theme)
 
-    def _show_frequency(self, one: Input | None) -> None:
+    def _show_frequency(self, one: Clip | None) -> None:
         spec = None if one is None else specs_of(one.waveform).get(_FREQUENCY)
         if spec != self._spec:
             self._spec = spec

@@ -17,6 +17,7 @@ from skinsource_gui.panels.hand.hand_diagram import HandDiagram
 from skinsource_gui.panels.hand.hand_drawing import palmar_drawing
 from skinsource_gui.panels.hand.hand_picture import Mark
 from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.widgets.inputs.input_words import EMPTY
 from skinsource_gui.widgets.inputs.inputs_menu import InputEdit, fill_inputs_menu
 from skinsource_gui.widgets.key_table import key_text
 
@@ -127,7 +128,13 @@ class HandPanel(Panel):
         self._edit(edit, ids)
 
 
+def _titles(one: Input) -> list[str]:
+    """What an input plays: each kind once, at most three of them."""
+    titles = list(dict.fromkeys(clip.waveform.title for clip in one.clips))
+    return [*titles[:3], *(["…"] if len(titles) > 3 else [])] or [EMPTY]
+
+
 def _words(one: Input) -> str:
     return ", ".join(
-        [one.waveform.title, *(["muted"] if one.muted else []), *(["solo"] if one.solo else [])]
+        [*_titles(one), *(["muted"] if one.muted else []), *(["solo"] if one.solo else [])]
     )

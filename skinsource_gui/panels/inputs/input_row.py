@@ -16,7 +16,6 @@ from skinsource_gui.panels.inputs.row_signals import RowSignals
 from skinsource_gui.panels.inputs.row_state import RowState
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.number_field import NumberField
-from skinsource_gui.widgets.inputs.input_words import figure_text
 from skinsource_gui.widgets.inputs.letter_button import (
     mute_button,
     remove_button,
@@ -83,7 +82,7 @@ class InputRow(QWidget):
         self._show_look()
         place = input_words(shown.location)
         self.setAccessibleName(
-            f"Input at {place.number}, {place.name}: {figure_text(shown.waveform)}"
+            f"Input at {place.number}, {place.name}: {state.title}"
             f"{', silent' if state.silent else ''}"
         )
         self.setToolTip(f"{place.number} · {place.name}\n{state.figure}")

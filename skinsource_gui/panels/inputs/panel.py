@@ -8,6 +8,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QLabel, QMenu, QStackedLayout, QVBoxLayout, QWidget
 
 from skinsource.design import Design, amplitude_unit, audible_inputs
+from skinsource.edits.selection import clip_of
 from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.inputs.input_list import InputList
@@ -72,6 +73,7 @@ class InputsPanel(Panel):
                     last=one.id == view.selected_input,
                     list_focused=False,
                     unit=unit,
+                    clip=clip_of(one, view),
                 )
                 for one in design.inputs
             ]

@@ -2,8 +2,14 @@
 
 from dataclasses import dataclass
 
+from skinsource.clips import Clip
 from skinsource.design import Input
-from skinsource_gui.widgets.inputs.input_words import duration_text, figure_text
+from skinsource_gui.widgets.inputs.input_words import (
+    EMPTY,
+    clips_text,
+    duration_text,
+    figure_text,
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -21,6 +27,8 @@ class RowState:
         to the list.
     unit
         Of the amplitude.
+    clip
+        The clip that stands for all of them: the selected one, or the first.
     """
 
     shown: Input
@@ -29,12 +37,21 @@ class RowState:
     last: bool
     list_focused: bool
     unit: str
+    clip: Clip | None
 
     @property
     def figure(self) -> str:
         """What the input plays, and for how long."""
-        waveform = self.shown.waveform
-        return f"{figure_text(waveform)} · {duration_text(waveform)}"
+        if self.clip is None:
+            return EMPTY
+        others = clips_text(len(self.shown.clips))
+        waveform = self.clip.waveform
+        return f"{figure_text(waveform)} · {duration_text(waveform)}{others}"
+
+    @property
+    def title(self) -> str:
+        """What the input plays."""
+        return EMPTY if self.clip is None else figure_text(self.clip.waveform)
 
     @property
     def frame(self) -> tuple[bool, bool, bool]:

@@ -6,11 +6,14 @@ from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QApplication
 
 from skinsource import edits
-from skinsource.design import AMPLITUDE, ONSET, Input
+from skinsource.clips import GAIN, ONSET, Clip
+from skinsource.design import AMPLITUDE, Input
 from skinsource.edits.kinds import kind_name, kind_spec
+from skinsource.edits.selection import clip_of, clips_of
 from skinsource.fields import ChoiceSpec, specs_of
 from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.locations import INPUTS
+from skinsource.view import View
 from skinsource.waveforms import Waveform
 from skinsource_gui.panels.inspector.field_grid import FieldGrid
 from skinsource_gui.theme import LIGHT, Theme
@@ -25,7 +28,9 @@ _PLACE = ChoiceSpec(
 
 
 class InputFields(QObject):
-    """Fields of an input in a grid: kind, the waveform's own, amplitude, onset, place.
+    """Fields of an input and a clip of it: kind, the waveform's own, amplitude, onset, place.
+
+    The gain of a clip is shown where it has others beside it.
 
     Attributes
     ----------
@@ -44,25 +49,34 @@ class InputFields(QObject):
         self._rate_hz = SAMPLE_RATE_HZ
         self._own: tuple[LabelledCell, ...] = ()
         self._built_for: type[Waveform] | None = None
+        self._several = False
+        self._view = View()
         self.grid = FieldGrid()
         self.kind = FieldCell("kind", kind_spec())
         self.place = FieldCell("location", _PLACE)
         self._amplitude = FieldCell("amplitude", AMPLITUDE)
         self._onset = FieldCell("onset_s", ONSET)
-        self._amplitude.edited.connect(self.edited)
-        self._onset.edited.connect(self.edited)
+        self._gain = FieldCell("gain", GAIN)
+        for cell in (self._amplitude, self._onset, self._gain):
+            cell.edited.connect(self.edited)
 
-    def show_input(self, one: Input, together: tuple[Input, ...], unit: str) -> None:
+    def show_input(self, one: Input, together: tuple[Input, ...], unit: str, view: View) -> None:
         """Show an input, and where those that are edited ``together`` differ.
 
-        ``unit`` is that of the amplitude.
+        ``unit`` is that of the amplitude; ``view`` says which clips are selected.
         """
-        if type(one.waveform) is not self._built_for:
-            self._build_own(one.waveform)
+        self._view = view
+        clip = clip_of(one, view)
+        kind = None if clip is None else type(clip.waveform)
+        if kind is not self._built_for or (len(one.clips) > 1) != self._several:
+            self._several = len(one.clips) > 1
+            self._build_own(None if clip is None else clip.waveform)
         self._amplitude.set_spec(replace(AMPLITUDE, unit=unit))
+        pairs = [(other, each) for other in together for each in clips_of(other, view) or (None,)]
         for cell in self._fields():
-            cell.set_value(_value(one, cell.name))
-            cell.show_differs(len({_value(other, cell.name) for other in together} - {None}) > 1)
+            cell.set_value(_value(one, cell.name, clip))
+            found = {_value(other, cell.name, each) for other, each in pairs} - {None}
+            cell.show_differs(len(found) > 1)
 
     def show_rate(self, sample_rate_hz: float) -> None:
         """Take over the rate of the limb, which says what frequencies can be played."""
@@ -77,7 +91,7 @@ class InputFields(QObject):
     def show_refused(self, one: Input, name: str, reason: str) -> None:
         """Show again what ``one`` has in this field, and why it stays so."""
         cell = next(cell for cell in self._fields() if cell.name == name)
-        cell.set_value(_value(one, name))
+        cell.set_value(_value(one, name, clip_of(one, self._view)))
         cell.show_reason(reason)
 
     def forget_typing(self) -> None:
@@ -92,21 +106,23 @@ class InputFields(QObject):
             cell.show_theme(theme)
 
     def _cells(self) -> tuple[LabelledCell, ...]:
-        return (self.kind, *self._own, self._amplitude, self._onset, self.place)
+        of_clip = () if self._built_for is None else (self._onset,)
+        gain = (self._gain,) if self._several else ()
+        return (self.kind, *self._own, self._amplitude, *gain, *of_clip, self.place)
 
     def _fields(self) -> list[FieldCell]:
         return [cell for cell in self._cells() if isinstance(cell, FieldCell)]
 
-    def _build_own(self, waveform: Waveform) -> None:
+    def _build_own(self, waveform: Waveform | None) -> None:
         old, cells = self._own, []
-        for name, spec in specs_of(waveform).items():
+        for name, spec in (specs_of(waveform) if waveform else {}).items():
             cell = FieldCell(name, spec.at_rate(self._rate_hz))
             cell.edited.connect(self.edited)
             cells.append(cell)
-        if fixed_length_text(waveform):
+        if waveform and fixed_length_text(waveform):
             cells.append(WordsCell("Duration", fixed_length_text(waveform)))
         self._own = tuple(cells)
-        self._built_for = type(waveform)
+        self._built_for = type(waveform) if waveform else None
         for cell in cells:
             cell.show_theme(self._theme)
         focused = QApplication.focusWidget()
@@ -117,10 +133,10 @@ class InputFields(QObject):
             part.deleteLater()
 
 
-def _value(one: Input, name: str) -> object:
-    """What the cell of this name shows of an input; None where it has no such field."""
+def _value(one: Input, name: str, clip: Clip | None) -> object:
+    """What the cell of this name shows of an input and its clip; None where there is no such."""
     if name == "kind":
-        return kind_name(one.waveform)
+        return "" if clip is None else kind_name(clip.waveform)
     if name == "location":
         return str(one.location)
-    return edits.value_of(one, name) if name in edits.fields_of(one) else None
+    return edits.value_of(one, name, clip) if name in edits.fields_of(one, clip) else None

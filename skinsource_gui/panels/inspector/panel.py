@@ -30,7 +30,8 @@ class InspectorPanel(Panel):
         super().__init__(parent)
         self._design: Design | None = None
         self._theme = LIGHT
-        self._shown: tuple[int, ...] = ()
+        self._shown: tuple[tuple[int, ...], ...] = ()
+        self._view = View()
         self._results: Mapping[str, Any] | None = None
         self._selection = Selection(self)
         self._selection.edited.connect(self.edited)
@@ -55,7 +56,7 @@ class InspectorPanel(Panel):
         return frozenset({"input_waveforms", "sample_rate_hz"})
 
     def show_state(self, design: Design, view: View) -> None:
-        self._design = design
+        self._design, self._view = design, view
         self._selection.show_state(design, view)
         one = self._selection.last
         if one is None:
@@ -68,10 +69,10 @@ class InspectorPanel(Panel):
             )
             self._stack.setCurrentWidget(self._empty)
             return
-        if self._shown != view.selected_inputs:
+        if self._shown != (view.selected_inputs, view.selected_clips):
             # What was being typed, or dragged, was meant for others.
             self._fields.forget_typing()
-            self._shown = view.selected_inputs
+            self._shown = (view.selected_inputs, view.selected_clips)
             self._show_waveform()
         self._show_input(
             one, silent=all(one is not heard for heard in audible_inputs(design.inputs))
@@ -145,7 +146,8 @@ class InspectorPanel(Panel):
     def _show_input(self, one: Input, *, silent: bool) -> None:
         together = self._selection.together
         self._heading.show_input(one, silent=silent, together=together)
-        self._fields.show_input(one, together, amplitude_unit(self._design.scaling))
+        unit = amplitude_unit(self._design.scaling)
+        self._fields.show_input(one, together, unit, self._view)
         self._show_look(one)
 
     def _show_look(self, one: Input) -> None:

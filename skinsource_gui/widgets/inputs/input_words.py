@@ -6,6 +6,8 @@ from skinsource.waveforms import Waveform
 from skinsource_gui.widgets.fields.units import LONG_S, value_text
 
 DURATION_FIELD = "duration_s"
+#: What an input without clips plays.
+EMPTY = "nothing yet"
 
 
 def figure_text(waveform: Waveform) -> str:
@@ -17,6 +19,11 @@ def figure_text(waveform: Waveform) -> str:
                 return f"{waveform.title} {number}"
             return f"{waveform.title}, {spec.label.lower()} {number}"
     return waveform.title
+
+
+def clips_text(count: int) -> str:
+    """What stands behind the words on one of ``count`` clips: ``" · 1 of 3 clips"``."""
+    return f" · 1 of {count} clips" if count > 1 else ""
 
 
 def duration_text(waveform: Waveform) -> str:

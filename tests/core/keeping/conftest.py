@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.design_file import DesignFile
 from skinsource.keeping.owner import this_process, to_bytes
 from skinsource.keeping.session import OWNER, Session
@@ -27,7 +27,7 @@ def work():
     """Make work that is told apart by a number."""
 
     def make(number: int) -> DesignFile:
-        inputs = (Input(location=7, amplitude=float(number)),)
+        inputs = (track(location=7, amplitude=float(number)),)
         return DesignFile(design=Design(limb="synthetic-1", inputs=inputs), layout=b"docks")
 
     return make

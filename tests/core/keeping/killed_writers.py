@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.design_file import DesignFile
 from skinsource.keeping.owner import this_process
 from skinsource.keeping.session import Session
@@ -29,7 +29,7 @@ def write_until_killed(folder, notes, interval_s):
     session = Session(folder)
     kept_s = time.monotonic()
     for number in range(1, MOST_EDITS):
-        design = Design(limb="synthetic-1", inputs=(Input(location=7, amplitude=number / 8),))
+        design = Design(limb="synthetic-1", inputs=(track(location=7, amplitude=number / 8),))
         now_s = time.monotonic()
         EDIT.pack_into(notes, EDIT.size * number, number, now_s)
         EDIT.pack_into(notes, 0, number, now_s)

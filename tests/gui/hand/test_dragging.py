@@ -2,14 +2,14 @@
 
 from PySide6.QtCore import QPoint
 
-from skinsource.design import Input
+from skinsource.design import track
 from tests.gui.hand.bench import KEY, short
 
 # Dragging
 
 
 def test_a_drag_moves_the_input_live_in_one_gesture(studio):
-    studio.show(Input(location=7), Input(location=18), selected=0)
+    studio.show(track(location=7), track(location=18), selected=0)
     studio.press(18)
     studio.drag_to(studio.diagram.site_centre(16))
     assert studio.sites == [7, 16]
@@ -29,7 +29,7 @@ def test_a_drag_moves_the_input_live_in_one_gesture(studio):
 
 
 def test_two_drags_are_two_gestures(studio):
-    studio.show(Input(location=18), selected=0)
+    studio.show(track(location=18), selected=0)
     for start, end in ((18, 13), (13, 8)):
         studio.press(start)
         studio.drag_to(studio.diagram.site_centre(end))
@@ -39,7 +39,7 @@ def test_two_drags_are_two_gestures(studio):
 
 
 def test_escape_during_a_drag_restores_the_design(studio):
-    studio.show(Input(location=18), selected=0)
+    studio.show(track(location=18), selected=0)
     before = studio.design
     studio.press(18)
     studio.drag_to(studio.diagram.site_centre(13))
@@ -52,7 +52,7 @@ def test_escape_during_a_drag_restores_the_design(studio):
 
 
 def test_dropping_away_from_every_site_restores_the_design(studio):
-    studio.show(Input(location=18), selected=0)
+    studio.show(track(location=18), selected=0)
     before = studio.design
     studio.press(18)
     studio.drag_to(studio.diagram.site_centre(13))
@@ -64,7 +64,7 @@ def test_dropping_away_from_every_site_restores_the_design(studio):
 
 
 def test_hiding_the_panel_during_a_drag_restores_the_design(studio):
-    studio.show(Input(location=18), selected=0)
+    studio.show(track(location=18), selected=0)
     before = studio.design
     studio.press(18)
     studio.drag_to(studio.diagram.site_centre(13))
@@ -73,7 +73,7 @@ def test_hiding_the_panel_during_a_drag_restores_the_design(studio):
 
 
 def test_a_drag_ends_when_its_input_is_taken_away(studio):
-    studio.show(Input(location=18), selected=0)
+    studio.show(track(location=18), selected=0)
     studio.press(18)
     studio.drag_to(studio.diagram.site_centre(13))
     studio.show()
@@ -85,17 +85,17 @@ def test_a_drag_ends_when_its_input_is_taken_away(studio):
 
 
 def test_a_drag_whose_release_never_came_is_over_at_the_next_press(studio):
-    studio.show(Input(location=7), Input(location=18), selected=1)
+    studio.show(track(location=7), track(location=18), selected=1)
     studio.press(18)
     studio.drag_to(studio.diagram.site_centre(16))
     studio.click(3)
     assert studio.diagram.state.moving is None
-    studio.show(Input(location=7), selected=0)
+    studio.show(track(location=7), selected=0)
     assert not studio.diagram.grab().isNull()
 
 
 def test_a_shaky_click_is_no_drag(studio):
-    studio.show(Input(location=18), selected=0)
+    studio.show(track(location=18), selected=0)
     point = studio.diagram.site_centre(18)
     studio.press(18)
     studio.drag_to(point + QPoint(2, 2))

@@ -6,7 +6,7 @@ from PySide6.QtGui import QKeyEvent, QShortcut
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
 
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.view import View
 from skinsource_gui.panels.hand.panel import HandPanel
 from tests.gui.hand.bench import CONTROL, KEY, NONE, SHIFT
@@ -22,7 +22,7 @@ def test_tab_reaches_the_diagram_and_shows_the_cursor_on_the_selected_input(qtbo
     layout.addWidget(field)
     layout.addWidget(panel)
     panel.show_state(
-        Design(limb="synthetic-1", inputs=(Input(location=13),)), View(selected_inputs=(1,))
+        Design(limb="synthetic-1", inputs=(track(location=13),)), View(selected_inputs=(1,))
     )
     with qtbot.waitActive(window):
         window.show()
@@ -86,7 +86,7 @@ def test_home_end_and_typed_numbers_move_the_cursor(studio):
 
 @pytest.mark.parametrize("key", [KEY.Key_Return, KEY.Key_Enter, KEY.Key_Space])
 def test_enter_and_space_place_and_then_select(studio, key):
-    studio.show(Input(location=7), selected=0)
+    studio.show(track(location=7), selected=0)
     studio.keys(KEY.Key_1, KEY.Key_2, key)
     assert studio.sites == [7, 12]
     assert studio.view.selected_input == 2
@@ -100,14 +100,14 @@ def test_enter_and_space_place_and_then_select(studio, key):
     [(KEY.Key_Insert, NONE), (KEY.Key_Plus, NONE), (KEY.Key_Plus, SHIFT), (KEY.Key_Return, SHIFT)],
 )
 def test_a_further_input_can_be_added_by_keyboard(studio, key, modifier):
-    studio.show(Input(location=7), selected=0)
+    studio.show(track(location=7), selected=0)
     studio.keys(KEY.Key_7)
     studio.keys(key, modifier=modifier)
     assert studio.sites == [7, 7]
 
 
 def test_shift_and_arrows_move_the_selected_input_in_one_gesture_per_hold(studio):
-    studio.show(Input(location=18), Input(location=8), selected=1)
+    studio.show(track(location=18), track(location=8), selected=1)
     QTest.keyPress(studio.diagram, KEY.Key_Shift)
     for _ in range(2):
         event = QKeyEvent(QEvent.Type.KeyPress, KEY.Key_Down, SHIFT)

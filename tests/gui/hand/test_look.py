@@ -5,7 +5,7 @@ from PySide6.QtCore import QEvent, QPoint, QPointF
 from PySide6.QtGui import QColor, QHelpEvent, QImage, QPainter
 from PySide6.QtWidgets import QApplication, QToolTip
 
-from skinsource.design import Input
+from skinsource.design import track
 from skinsource_gui.panels.hand.site_marker import Place, contrast, paint_occupied, readable_on
 from skinsource_gui.theme import DARK, LIGHT, Theme
 from tests.gui.hand.bench import KEY
@@ -14,7 +14,7 @@ from tests.gui.hand.bench import KEY
 
 
 def test_an_input_has_its_own_colour_on_the_hand_in_both_themes(studio):
-    studio.show(Input(location=20), Input(location=16), selected=1)
+    studio.show(track(location=20), track(location=16), selected=1)
     for theme in (LIGHT, DARK):
         studio.panel.show_theme(theme)
         image = studio.diagram.grab().toImage()
@@ -24,7 +24,7 @@ def test_an_input_has_its_own_colour_on_the_hand_in_both_themes(studio):
 
 
 def test_a_silent_input_is_hollow(studio):
-    studio.show(Input(location=20, muted=True))
+    studio.show(track(location=20, muted=True))
     image = studio.diagram.grab().toImage()
     point = studio.diagram.site_centre(20)
     assert image.pixelColor(point + QPoint(0, 7)).name() != LIGHT.inputs[0]
@@ -43,7 +43,7 @@ def test_numbers_are_readable_on_every_input_colour(theme: Theme):
 
 
 def test_the_tooltip_names_place_contact_and_inputs(studio):
-    studio.show(Input(location=2, muted=True), selected=0)
+    studio.show(track(location=2, muted=True), selected=0)
     point = studio.diagram.site_centre(2)
     event = QHelpEvent(QEvent.Type.ToolTip, point, studio.diagram.mapToGlobal(point))
     QApplication.sendEvent(studio.diagram, event)
@@ -54,7 +54,7 @@ def test_the_tooltip_names_place_contact_and_inputs(studio):
 
 
 def test_the_cursor_is_announced(studio):
-    studio.show(Input(location=7))
+    studio.show(track(location=7))
     studio.keys(KEY.Key_7)
     words = studio.diagram.accessibleDescription()
     assert words.startswith("Place 7 · Digit II, pad. perpendicular")
@@ -63,7 +63,7 @@ def test_the_cursor_is_announced(studio):
 
 
 def test_a_selection_that_the_design_has_lost_is_not_shown(studio):
-    studio.show(Input(location=7), selected=4)
+    studio.show(track(location=7), selected=4)
     assert studio.diagram.state.selected is None
 
 

@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF
 from PySide6.QtTest import QTest
 
-from skinsource.design import MAX_INPUTS, Input
+from skinsource.design import MAX_INPUTS, track
 from skinsource.waveforms import Noise, Tone
 from tests.gui.hand.bench import CONTROL, KEY, LEFT, NONE, SHIFT
 
@@ -39,31 +39,31 @@ def test_a_click_beside_the_sites_does_nothing(studio):
 
 
 def test_a_new_input_copies_waveform_and_amplitude_of_the_selected_one(studio):
-    first = Input(location=7, waveform=Tone(frequency_hz=60.0))
-    second = Input(location=8, waveform=Noise(), amplitude=0.25, onset_s=0.5, muted=True)
+    first = track(location=7, waveform=Tone(frequency_hz=60.0))
+    second = track(location=8, waveform=Noise(), amplitude=0.25, onset_s=0.5, muted=True)
     studio.show(first, second, selected=1)
     studio.click(18)
     new = studio.design.inputs[2]
-    assert (new.waveform, new.amplitude) == (Noise(seed=1), 0.25)
-    assert (new.onset_s, new.muted, new.colour) == (0.0, False, 2)
+    assert (new.clips[0].waveform, new.amplitude) == (Noise(seed=1), 0.25)
+    assert (new.clips[0].onset_s, new.muted, new.colour) == (0.0, False, 2)
 
 
 def test_a_new_input_is_plain_where_none_is_selected(studio):
-    studio.show(Input(location=8, waveform=Noise(), amplitude=0.25))
+    studio.show(track(location=8, waveform=Noise(), amplitude=0.25))
     studio.click(18)
-    assert studio.design.inputs[1].waveform == Input(location=18).waveform
-    assert studio.design.inputs[1].amplitude == Input(location=18).amplitude
+    assert studio.design.inputs[1].clips[0].waveform == track(location=18).clips[0].waveform
+    assert studio.design.inputs[1].amplitude == track(location=18).amplitude
 
 
 def test_a_click_on_an_input_selects_it_and_edits_nothing(studio):
-    studio.show(Input(location=7), Input(location=3), selected=0)
+    studio.show(track(location=7), track(location=3), selected=0)
     studio.click(3)
     assert studio.view.selected_input == 2
     assert studio.edits == []
 
 
 def test_repeated_clicks_cycle_through_the_inputs_of_a_site(studio):
-    studio.show(Input(location=7), Input(location=3), Input(location=3), Input(location=3))
+    studio.show(track(location=7), track(location=3), track(location=3), track(location=3))
     seen = []
     for _ in range(5):
         studio.click(3)
@@ -73,7 +73,7 @@ def test_repeated_clicks_cycle_through_the_inputs_of_a_site(studio):
 
 
 def test_a_click_with_shift_and_control_adds_a_further_input(studio):
-    studio.show(Input(location=3), selected=0)
+    studio.show(track(location=3), selected=0)
     studio.click(3, SHIFT | CONTROL)
     assert studio.sites == [3, 3]
     assert studio.view.selected_input == 2
@@ -81,7 +81,7 @@ def test_a_click_with_shift_and_control_adds_a_further_input(studio):
 
 @pytest.mark.parametrize("modifier", [SHIFT, CONTROL])
 def test_a_click_with_shift_or_control_adds_to_the_selected_ones_or_takes_out(studio, modifier):
-    studio.show(Input(location=3), Input(location=7), Input(location=9), selected=0)
+    studio.show(track(location=3), track(location=7), track(location=9), selected=0)
     studio.click(7, modifier)
     studio.click(9, modifier)
     assert studio.view.selected_inputs == (1, 2, 3)
@@ -104,7 +104,7 @@ def test_on_an_empty_site_they_place_an_input_and_select_it_besides_the_others(s
 
 
 def test_ctrl_a_selects_all_and_delete_removes_all_in_one_step(studio):
-    studio.show(*(Input(location=site) for site in (7, 8, 9)), selected=1)
+    studio.show(*(track(location=site) for site in (7, 8, 9)), selected=1)
     studio.keys(KEY.Key_A, modifier=CONTROL)
     assert studio.view.selected_inputs == (1, 3, 2)
     studio.keys(KEY.Key_Delete)
@@ -113,7 +113,7 @@ def test_ctrl_a_selects_all_and_delete_removes_all_in_one_step(studio):
 
 
 def test_a_full_design_says_so_and_takes_no_more(studio):
-    studio.show(*[Input(location=3)] * MAX_INPUTS)
+    studio.show(*[track(location=3)] * MAX_INPUTS)
     studio.click(7)
     assert studio.edits == []
     assert str(MAX_INPUTS) in studio.refusals[-1]

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtGui import QContextMenuEvent
 
-from skinsource.design import Input
+from skinsource.design import track
 from tests.gui.hand.bench import CONTROL, KEY
 
 # Removing, muting
@@ -16,7 +16,7 @@ from tests.gui.hand.bench import CONTROL, KEY
 def test_delete_removes_the_selected_input_and_selects_a_neighbour(
     studio, key, selected, left, then
 ):
-    studio.show(*(Input(location=site) for site in (7, 8, 9)), selected=selected)
+    studio.show(*(track(location=site) for site in (7, 8, 9)), selected=selected)
     studio.keys(key)
     assert studio.sites == left
     assert studio.view.selected_input == then
@@ -24,7 +24,7 @@ def test_delete_removes_the_selected_input_and_selects_a_neighbour(
 
 
 def test_removing_the_last_input_selects_none(studio):
-    studio.show(Input(location=7), selected=0)
+    studio.show(track(location=7), selected=0)
     studio.keys(KEY.Key_Delete)
     assert studio.sites == []
     assert studio.view.selected_input is None
@@ -36,7 +36,7 @@ def test_the_selection_names_an_existing_input_at_every_moment(studio):
 
     studio.panel.edited.connect(check)
     studio.panel.view_changed.connect(check)
-    studio.show(Input(location=7), Input(location=8), selected=1)
+    studio.show(track(location=7), track(location=8), selected=1)
     studio.keys(KEY.Key_Delete, KEY.Key_Delete)
     assert studio.order == ["design", "design"]
 
@@ -45,7 +45,7 @@ def test_the_selection_names_an_existing_input_at_every_moment(studio):
     "reason", [QContextMenuEvent.Reason.Mouse, QContextMenuEvent.Reason.Keyboard]
 )
 def test_the_menu_of_a_site_selects_mutes_solos_removes_and_adds(studio, reason):
-    studio.show(Input(location=7), Input(location=3), selected=0)
+    studio.show(track(location=7), track(location=3), selected=0)
     studio.keys(KEY.Key_3)
     actions = studio.menu(3, reason)
     assert studio.view.selected_input == 2
@@ -76,7 +76,7 @@ def test_the_menu_of_an_empty_site_only_adds(studio):
 
 
 def test_the_menu_of_one_of_several_acts_on_all(studio):
-    studio.show(*(Input(location=site) for site in (7, 8, 9)), selected=0)
+    studio.show(*(track(location=site) for site in (7, 8, 9)), selected=0)
     studio.click(8, CONTROL)
     actions = studio.menu(7, QContextMenuEvent.Reason.Mouse)
     assert studio.view.selected_inputs == (1, 2)

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 
-from skinsource.design import Input
+from skinsource.design import track
 from skinsource.synthetic import standard_hand
 from skinsource_gui.panels.hand.hand_drawing import palmar_drawing
 from skinsource_gui.widgets.pan_zoom import FREE, WHOLE
@@ -52,7 +52,7 @@ def test_a_double_click_beside_the_places_shows_the_whole_hand(studio):
 
 
 def test_the_cursor_comes_into_sight(studio):
-    studio.show(Input(location=3), selected=0)
+    studio.show(track(location=3), selected=0)
     wheel(studio.diagram, studio.diagram.site_centre(3), 6)
     studio.keys(KEY.Key_1, KEY.Key_6)
     assert studio.diagram.rect().contains(studio.diagram.site_centre(16))

@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.edits import Refusal
 from skinsource.view import View
 from skinsource_gui.panels.inputs.input_list import InputRows
@@ -79,7 +79,7 @@ class Bench:
 def design_of(*places, **changes):
     design = Design(limb="any")
     for place in places:
-        design = design.adding(Input(location=place, **changes))
+        design = design.adding(track(location=place, **changes))
     return design
 
 
@@ -88,4 +88,4 @@ def click(widget, at=None):
 
 
 def waveforms_of(design):
-    return {"input_waveforms": tuple(one.waveform.samples(1300.0) for one in design.inputs)}
+    return {"input_waveforms": tuple(one.waveform.samples(1300.0) for one in design.clips)}

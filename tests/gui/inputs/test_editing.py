@@ -43,10 +43,11 @@ def test_removing_the_only_input_selects_nothing(qtbot):
 
 
 def test_ctrl_d_duplicates_the_selected_input_in_a_colour_of_its_own(bench):
-    bench.show(bench.design.with_input(0, amplitude=3.0, waveform=Noise(seed=4)))
+    bench.show(bench.design.with_input(0, amplitude=3.0).with_clip(1, waveform=Noise(seed=4)))
     bench.key(Qt.Key.Key_D, Qt.KeyboardModifier.ControlModifier)
     copy, original = bench.design.inputs[3], bench.design.inputs[0]
-    assert replace(copy, colour=0, id=1) == original
+    assert replace(copy, colour=0, id=1, clips=original.clips) == original
+    assert replace(copy.clips[0], id=1) == original.clips[0]
     assert (copy.colour, copy.id) == (3, 4)
     assert bench.view.selected_input == 4
     assert bench.labels == ["Duplicate input at 7 (II pad)"]
@@ -119,7 +120,8 @@ def test_an_open_editor_survives_the_removal_of_another_row(bench):
 
 def test_rows_are_not_rebuilt_when_values_change(bench):
     rows = bench.rows.rows
-    bench.show(bench.design.with_input(1, amplitude=5.0, location=3, waveform=Tap()))
+    design = bench.design.with_input(1, amplitude=5.0, location=3)
+    bench.show(design.with_clip(2, waveform=Tap()))
     assert bench.rows.rows == rows
     assert bench.row(1).amplitude.value_si == 5.0
 

@@ -10,7 +10,7 @@ BOTH = View(selected_inputs=(1, 2))
 
 
 def onsets_s(design):
-    return [one.onset_s for one in design.inputs]
+    return [one.clips[0].onset_s for one in design.inputs]
 
 
 def change(changes, design, value, gesture):
@@ -21,7 +21,7 @@ def change(changes, design, value, gesture):
 @pytest.fixture
 def design():
     design = design_of(7, 2)
-    return design.with_input(0, onset_s=0.05).with_input(1, onset_s=0.2)
+    return design.with_clip(1, onset_s=0.05).with_clip(2, onset_s=0.2)
 
 
 def test_the_way_back_of_a_drag_leads_where_it_began_also_from_a_limit(design):

@@ -9,8 +9,8 @@ from tests.gui.inputs.bench import Bench, design_of, waveforms_of
 
 
 def test_each_row_shows_what_its_input_plays(bench):
-    design = bench.design.with_input(1, waveform=Noise(duration_s=4.0))
-    bench.show(design.with_input(2, waveform=Impulse()))
+    design = bench.design.with_clip(2, waveform=Noise(duration_s=4.0))
+    bench.show(design.with_clip(3, waveform=Impulse()))
     before = bench.row(1).preview.grab().toImage()
     bench.panel.show_results(waveforms_of(bench.design))
     assert bench.row(1).preview.grab().toImage() != before

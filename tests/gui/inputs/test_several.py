@@ -196,4 +196,4 @@ def test_a_drag_held_on_an_amplitude_ends_when_its_input_goes(bench):
     QTest.mouseMove(field, start + QPoint(60, 0))
     QTest.mouseRelease(field, LEFT, pos=start)
     assert len(bench.edits) == count
-    assert [one.waveform for one in bench.design.inputs] == [Tone()] * 2
+    assert [one.clips[0].waveform for one in bench.design.inputs] == [Tone()] * 2

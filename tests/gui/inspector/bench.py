@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
-from skinsource.design import Design, Input
+from skinsource.design import Design, track
 from skinsource.edits import Refusal
 from skinsource.view import View
 from skinsource_gui.panels.inspector.panel import InspectorPanel
@@ -70,7 +70,7 @@ class Bench:
         QTest.keyClicks(box, words)
 
     def results(self):
-        waveforms = tuple(one.waveform.samples(1300.0) for one in self.design.inputs)
+        waveforms = tuple(one.waveform.samples(1300.0) for one in self.design.clips)
         return {"input_waveforms": waveforms, "sample_rate_hz": 1300.0}
 
     def _edit(self, outcome, gesture):
@@ -85,5 +85,5 @@ class Bench:
 def design_of(*waveforms):
     design = Design(limb="any")
     for place, waveform in enumerate(waveforms, start=7):
-        design = design.adding(Input(location=place, waveform=waveform))
+        design = design.adding(track(location=place, waveform=waveform))
     return design

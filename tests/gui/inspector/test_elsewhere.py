@@ -28,13 +28,13 @@ def test_a_place_that_is_not_on_this_hand_is_named_and_can_be_left(bench):
 def test_frequencies_end_at_half_the_rate_of_the_limb(bench):
     bench.panel.show_results(bench.results() | {"sample_rate_hz": 4000.0})
     bench.type("frequency_hz", "1500")
-    assert bench.one.waveform.frequency_hz == 1500.0
+    assert bench.one.clips[0].waveform.frequency_hz == 1500.0
     bench.type("frequency_hz", "2000")
     assert "to 1999 Hz" in bench.words("frequency_hz_note").text()
-    assert bench.one.waveform.frequency_hz == 1500.0
+    assert bench.one.clips[0].waveform.frequency_hz == 1500.0
 
 
 def test_a_frequency_that_this_limb_cannot_play_is_shown_as_it_is(bench):
-    bench.show(bench.design.with_input(0, waveform=Tone(frequency_hz=5000.0)))
+    bench.show(bench.design.with_clip(1, waveform=Tone(frequency_hz=5000.0)))
     assert bench.number("frequency_hz").value_si == 5000.0
     assert bench.edits == []

@@ -32,22 +32,22 @@ def test_without_a_selected_input_it_says_what_to_do(bench):
 )
 def test_typing_into_a_field_of_the_waveform_edits_it(bench, name, text, value, label):
     bench.type(name, text)
-    assert getattr(bench.one.waveform, name) == value
+    assert getattr(bench.one.clips[0].waveform, name) == value
     assert bench.edits == [(label, bench.design, None)]
 
 
 @pytest.mark.parametrize(
     ("name", "text", "value"), [("amplitude", "-2 m/s²", -2.0), ("onset_s", "35", 0.035)]
 )
-def test_amplitude_and_onset_belong_to_the_input(bench, name, text, value):
+def test_amplitude_belongs_to_the_input_and_onset_to_its_clip(bench, name, text, value):
     bench.type(name, text)
-    assert getattr(bench.one, name) == value
+    assert getattr(bench.one if name == "amplitude" else bench.one.clips[0], name) == value
     assert bench.labels[0].endswith("of input at 7 (II pad)")
 
 
 def test_the_window_is_chosen_from_its_options(bench):
     bench.choose("window", "Han")
-    assert bench.one.waveform.window == "hanning"
+    assert bench.one.clips[0].waveform.window == "hanning"
     assert bench.labels[-1] == "Change window of input at 7 (II pad)"
 
 
@@ -81,7 +81,7 @@ def test_another_kind_of_waveform_keeps_what_both_share(bench):
     bench.type("duration_s", "350")
     bench.choose("window", "Han")
     bench.choose("kind", "Noise")
-    assert bench.one.waveform == Noise(duration_s=0.35, window="hanning")
+    assert bench.one.clips[0].waveform == Noise(duration_s=0.35, window="hanning")
     assert bench.labels[-1] == "Change waveform of input at 7 (II pad)"
     assert bench.number("frequency_hz") is None or not bench.number("frequency_hz").isVisible()
     assert bench.number("seed").isVisible()
@@ -100,8 +100,8 @@ def test_every_kind_can_become_every_other():
 def test_a_whole_number_stays_whole(bench):
     bench.show(selected_inputs=(2,))
     bench.type("seed", "12")
-    assert bench.one.waveform.seed == 12
-    assert isinstance(bench.one.waveform.seed, int)
+    assert bench.one.clips[0].waveform.seed == 12
+    assert isinstance(bench.one.clips[0].waveform.seed, int)
 
 
 @pytest.mark.parametrize(
@@ -122,7 +122,7 @@ def test_a_frequency_outside_the_measured_band_is_remarked(bench, frequency, war
     note = bench.words("frequency_hz_note")
     assert note.isVisible() is warned
     assert ("outside the measured band (25 to 600 Hz)" in note.text()) is warned
-    assert bench.one.waveform.frequency_hz == float(frequency)
+    assert bench.one.clips[0].waveform.frequency_hz == float(frequency)
 
 
 def test_a_number_that_is_not_allowed_says_why_below_it_and_edits_nothing(bench):

@@ -60,14 +60,14 @@ def test_an_old_preview_turns_pale_only_after_a_while(bench, qtbot):
 
 def test_undoing_a_change_of_kind_leaves_the_keys_in_the_panel(bench):
     before = bench.design
-    bench.show(bench.design.with_input(0, waveform=Noise()))
+    bench.show(bench.design.with_clip(1, waveform=Noise()))
     bench.number("seed").setFocus()
     bench.show(before)
     assert bench.choice("kind").hasFocus()
 
 
 def test_tab_leads_through_the_fields_in_reading_order(bench):
-    bench.show(bench.design.with_input(0, waveform=Noise()))
+    bench.show(bench.design.with_clip(1, waveform=Noise()))
     bench.choice("kind").setFocus()
     visited = []
     names = (

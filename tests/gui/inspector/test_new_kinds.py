@@ -6,7 +6,7 @@ import pytest
 
 from skinsource import fields, waveforms
 from skinsource.catalogue import load_limb
-from skinsource.design import Input
+from skinsource.design import track
 from skinsource.design_file import open_design, save_design
 from skinsource.errors import InvalidInputError
 from skinsource.fields import ChoiceSpec, NumberSpec
@@ -53,13 +53,13 @@ def _it_is_named_where_kinds_are_named(monkeypatch):
 def test_a_kind_that_is_not_named_there_is_refused_by_a_design(monkeypatch):
     monkeypatch.setattr(waveforms, "KINDS", waveforms.KINDS[:-1])
     with pytest.raises(InvalidInputError, match="Sweep"):
-        Input(location=7, waveform=Sweep())
+        track(location=7, waveform=Sweep())
 
 
 def test_a_new_kind_of_waveform_is_chosen_in_the_panel(qtbot):
     bench = Bench(qtbot, design_of(Tone(duration_s=0.3)))
     bench.choose("kind", "Sweep")
-    assert bench.one.waveform == Sweep(duration_s=0.3)
+    assert bench.one.clips[0].waveform == Sweep(duration_s=0.3)
 
 
 def test_a_new_kind_of_waveform_is_saved_and_opened(tmp_path):
@@ -82,7 +82,7 @@ def test_a_new_kind_of_waveform_is_edited_without_a_change_of_the_panel(qtbot):
     bench = Bench(qtbot, design_of(Sweep()))
     bench.type("high_hz", "120")
     bench.choose("law", "Bow")
-    assert bench.one.waveform == Sweep(high_hz=120.0, law="b")
+    assert bench.one.clips[0].waveform == Sweep(high_hz=120.0, law="b")
     assert bench.labels == [f"Change {one} of input at 7 (II pad)" for one in ("end", "law")]
 
 

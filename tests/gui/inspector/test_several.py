@@ -35,7 +35,10 @@ def test_the_heading_says_how_many_and_fields_say_where_they_differ(qtbot):
 def test_a_typed_value_sets_all_in_one_step(qtbot):
     bench = two(qtbot)
     bench.type("frequency_hz", "240")
-    assert [one.waveform.frequency_hz for one in bench.design.inputs[::2]] == [240.0, 240.0]
+    assert [one.waveform.frequency_hz for one in bench.design.clips[::2]] == [
+        240.0,
+        240.0,
+    ]
     assert bench.labels == ["Change frequency of 2 inputs"]
     assert label_of(bench, "frequency_hz") == "Frequency"
 
@@ -46,7 +49,7 @@ def test_steps_move_all_by_the_same_factor(qtbot):
     field.setFocus()
     for _ in range(3):
         QTest.keyClick(field, Qt.Key.Key_Up)
-    first, _, third = (one.waveform for one in bench.design.inputs)
+    first, _, third = (one.clips[0].waveform for one in bench.design.inputs)
     assert first.frequency_hz > 100.0
     assert third.frequency_hz * 2 == first.frequency_hz
 
@@ -55,9 +58,9 @@ def test_what_a_waveform_does_not_have_is_left_alone(qtbot):
     bench = two(qtbot)
     bench.show(selected_inputs=(2, 1))
     bench.type("frequency_hz", "240")
-    assert bench.design.inputs[1].waveform == Noise()
+    assert bench.design.inputs[1].clips[0].waveform == Noise()
     bench.choose("kind", "Tap")
-    assert [type(one.waveform) for one in bench.design.inputs] == [Tap, Tap, Tone]
+    assert [type(one.clips[0].waveform) for one in bench.design.inputs] == [Tap, Tap, Tone]
 
 
 def test_buttons_mute_and_solo_all(qtbot):

@@ -53,7 +53,7 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design import Design, Input
+from skinsource.design import Design, Input, track
 from skinsource.design_file import open_design, save_design
 from skinsource.edits import change_kind
 from skinsource.quantities import new_graph, sources
@@ -69,7 +69,7 @@ assert older.view.playhead_s == 0.25, "the file knew nothing of it"
 assert older.design.inputs[0].label == ""
 drawn = Samples(values=np.arange(4.0), sample_rate_hz=1300.0)
 clicks = Clicks(gap_s=0.04, name="touché", envelope=((0.0, 0.5), (0.5, 1.0)), drawn=drawn)
-design = Design(limb="synthetic-1", inputs=(Input(location=7, waveform=clicks, label="first"),))
+design = Design(limb="synthetic-1", inputs=(track(location=7, waveform=clicks, label="first"),))
 view = View(playhead_s=0.75)
 save_design(path, design, view)
 found = open_design(path)
@@ -78,7 +78,7 @@ levels = new_graph().evaluate({"output_levels_db"}, sources(design, view))["outp
 assert np.isfinite(levels).any()
 other = change_kind(design, view, design.ids, "Tone")
 back = change_kind(other.design, other.view, other.design.ids, "Clicks")
-assert type(back.design.inputs[0].waveform) is Clicks
+assert type(back.design.inputs[0].clips[0].waveform) is Clicks
 application = QApplication([])
 panel = InspectorPanel()
 panel.show_state(design, replace(view, selected_inputs=design.ids))

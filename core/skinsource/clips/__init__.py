@@ -1,0 +1,7 @@
+"""Clips: what a track plays from when on, and what stands beside it on the ruler."""
+
+from skinsource.clips.clip import EFFECT_LIST, GAIN, ONSET, Clip
+from skinsource.clips.marker import Marker
+from skinsource.clips.numbering import numbered
+
+__all__ = ["EFFECT_LIST", "GAIN", "ONSET", "Clip", "Marker", "numbered"]
