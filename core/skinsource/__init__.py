@@ -15,7 +15,7 @@ Or with a design, as the studio has it and saves it:
 (72,)
 """
 
-from skinsource import edits, effects, waveforms
+from skinsource import edits, effects, motions, waveforms
 from skinsource.catalogue import available_limbs, load_limb
 from skinsource.clips import Clip, Marker
 from skinsource.decibels import decibels
@@ -52,6 +52,7 @@ __all__ = [
     "impulse",
     "load_limb",
     "magnitude_spectrum",
+    "motions",
     "open_design",
     "peak_hold_spectrum",
     "predict",
