@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.design import Design
 from skinsource.view import View
+from skinsource_gui.history import History
 from skinsource_gui.theme import Theme
 
 
@@ -22,6 +23,8 @@ class Panel(QWidget):
     #: Words of the dock's title; `objectName` of the dock; a sentence for its tooltip.
     title: ClassVar[str] = ""
     name: ClassVar[str] = ""
+    #: Whether it wants to know the history, see `show_history`.
+    lists_history: ClassVar[bool] = False
 
     #: `Edit` or `Refusal`, number of the gesture or None.
     edited = Signal(object, object)
@@ -30,6 +33,8 @@ class Panel(QWidget):
     #: The name of an action of the window, such as "export_picture".
     action_wanted = Signal(str)
     visibility_changed = Signal()
+    #: How many steps of the history shall be done.
+    step_wanted = Signal(int)
     #: A sentence that says why something the user asked this panel for was not done.
     failed = Signal(str)
     #: A file that the user asked this panel for was written there, `Path`.
@@ -59,6 +64,9 @@ class Panel(QWidget):
 
     def show_problem(self, reason: str) -> None:
         """Empty the picture and say why there is none."""
+
+    def show_history(self, history: History) -> None:
+        """Take over what was done; called while it is visible, where it lists that."""
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""

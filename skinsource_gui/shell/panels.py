@@ -7,6 +7,7 @@ from skinsource.fields import specs_of
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.frequency_and_amplitude.panel import FrequencyAndAmplitudePanel
 from skinsource_gui.panels.hand.panel import HandPanel
+from skinsource_gui.panels.history.panel import HistoryPanel
 from skinsource_gui.panels.inputs.panel import InputsPanel
 from skinsource_gui.panels.inspector.panel import InspectorPanel
 from skinsource_gui.panels.skin.panel import SkinPanel
@@ -69,4 +70,6 @@ PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(
         panel=SpectraPanel, settings=SpectraSettings, places=_places(Place(2, 37), Place(1), None)
     ),
+    # No arrangement has room for it: View > Panels brings it.
+    PanelSpec(panel=HistoryPanel, places=_places(None, None, None)),
 )

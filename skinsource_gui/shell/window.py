@@ -39,6 +39,7 @@ from skinsource_gui.shell.window_frame import WindowFrame
 from skinsource_gui.state.conductor import Conductor
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.first_paint_engine import FirstPaintEngine
+from skinsource_gui.state.historian import Historian
 from skinsource_gui.state.installed_limbs import InstalledLimbs
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
@@ -91,6 +92,7 @@ class MainWindow(QMainWindow):
         self._build()
         needs = self.status_line.needs
         self.conductor = Conductor(self.document, self.engine, self.panels, needs)
+        Historian(self.document, self.panels)
         self._connect()
         self.appearance.apply()
         self.layout_of_docks.restore()

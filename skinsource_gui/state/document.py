@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from time import time
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
@@ -13,7 +14,7 @@ from skinsource.view import View
 #: Steps that can be undone; older ones are forgotten.
 MOST_STEPS = 1000
 # Gestures count from 1, and -1 tells Qt that a step joins no other.
-_NO_GESTURE, _CHOICE_OF_OUTPUTS = -1, 0
+_NO_GESTURE = -1
 
 
 class Document(QObject):
@@ -37,7 +38,7 @@ class Document(QObject):
         self._design = self._saved = design
         self._view = _existing(view or View(), design)
         self._path: Path | None = None
-        self._was_modified = self._lost = self._read_only = False
+        self._was_modified = self._lost = self._read_only = self._on_the_way = False
         self.undo_stack = QUndoStack(self)
         self.undo_stack.setUndoLimit(MOST_STEPS)
         self.undo_stack.cleanChanged.connect(self._tell_title)
@@ -70,8 +71,8 @@ class Document(QObject):
     def apply(self, outcome: Edit | Refusal, gesture: int | None = None) -> None:
         """Take over what an edit leads to, or tell why there was none.
 
-        Edits of the same ``gesture`` (one drag of one handle) undo as one step, and so do choices
-        of outputs that follow each other.
+        Edits of the same ``gesture`` (one drag of one handle) undo as one step; whoever selects
+        something else ends the gesture.
         """
         if isinstance(outcome, Refusal):
             self.refused.emit(outcome.sentence)
@@ -119,6 +120,18 @@ class Document(QObject):
         self._lost = True
         self._tell_title()
 
+    def go_to(self, count: int) -> None:
+        """Take back, or do again, until ``count`` steps are done; tells once."""
+        before = self._design, self._view
+        self._on_the_way = True
+        try:
+            self.undo_stack.setIndex(min(max(count, 0), self.undo_stack.count()))
+        finally:
+            self._on_the_way = False
+        if before != (self._design, self._view):
+            self.changed.emit()
+        self._tell_title()
+
     def show_step(self, design: Design, view: View) -> None:
         """Put these in place of the present ones; for steps of the history only."""
         self._show(design, view)
@@ -128,9 +141,12 @@ class Document(QObject):
         view = _existing(view, design)
         if (design, view) != (self._design, self._view):
             self._design, self._view = design, view
-            self.changed.emit()
+            if not self._on_the_way:
+                self.changed.emit()
 
     def _tell_title(self) -> None:
+        if self._on_the_way:
+            return
         if self.modified != self._was_modified:
             self._was_modified = self.modified
             self.title_changed.emit()
@@ -145,6 +161,14 @@ class _Step:
     def is_same(self, other: "_Step") -> bool:
         """Whether the history need not tell them apart."""
         return self.design == other.design and self.view.outputs == other.view.outputs
+
+    def is_before(self, other: "_Step") -> bool:
+        """Whether ``other`` goes on from this one, with the same inputs and clips selected."""
+        return (
+            self.design is other.design
+            and self.view.selected_inputs == other.view.selected_inputs
+            and self.view.selected_clips == other.view.selected_clips
+        )
 
     def seen_as(self, view: View) -> View:
         """Return ``view`` with the inputs, clips and outputs that were selected then."""
@@ -167,9 +191,7 @@ class _Swap(QUndoCommand):
         self._before, self._after = before, after
         self._done_before = False
         self._gesture = _NO_GESTURE if gesture is None else gesture
-        # Emptying the selection is a step of its own: it is taken back most often.
-        if gesture is None and before.design == after.design and after.view.outputs:
-            self._gesture = _CHOICE_OF_OUTPUTS
+        self.at_s = time()
 
     def redo(self) -> None:
         step = self._after
@@ -189,9 +211,9 @@ class _Swap(QUndoCommand):
         return self._gesture
 
     def mergeWith(self, newer: QUndoCommand) -> bool:
-        if not isinstance(newer, _Swap):
+        if not isinstance(newer, _Swap) or not self._after.is_before(newer._before):
             return False
-        self._after = newer._after
+        self._after, self.at_s = newer._after, newer.at_s
         self.setText(newer.text())
         self.setObsolete(self._before.is_same(self._after))
         return True

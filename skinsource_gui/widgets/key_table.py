@@ -202,6 +202,23 @@ WIDGET_KEYS: dict[str, tuple[str, tuple[KeyHint, ...]]] = {
             KeyHint(name="empty", words="Delete", means="type it anew", keys=("Del", "Backspace")),
         ),
     ),
+    "history": (
+        "In the history",
+        (
+            KeyHint(
+                name="walk",
+                words="Up, Down, Home, End",
+                means="move to another step",
+                keys=("Up", "Down", "Home", "End"),
+            ),
+            KeyHint(
+                name="go",
+                words="Enter or Space",
+                means="take back, or do again, all up to that step",
+                keys=_ENTER,
+            ),
+        ),
+    ),
     "plot": (
         "In a plot",
         (

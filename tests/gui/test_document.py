@@ -6,7 +6,7 @@ from skinsource.design import Design, track
 from skinsource.edits import Edit, Refusal
 from skinsource.view import View
 from skinsource.waveforms import Tone
-from skinsource_gui.state.document import Document
+from skinsource_gui.state.document import MOST_STEPS, Document
 
 ONE_TONE = Design(limb="synthetic-1", inputs=(track(location=7, waveform=Tone()),))
 
@@ -116,22 +116,66 @@ def choose(document: Document, *outputs: int) -> None:
     document.apply(Edit(label="Select outputs", design=document.design, view=view))
 
 
-def test_choices_of_outputs_that_follow_each_other_are_one_step(document):
-    for outputs in ((1,), (1, 2), (1, 2, 3)):
+def test_each_choice_of_outputs_is_a_step_and_no_edit_of_the_design(document):
+    for outputs in ((1,), (1, 2), ()):
         choose(document, *outputs)
-    assert document.undo_stack.count() == 1
+    assert document.undo_stack.count() == 3
     assert not document.modified
-    document.undo_stack.undo()
-    assert document.view.outputs == View().outputs
-    document.undo_stack.redo()
-    assert document.view.outputs == (1, 2, 3)
+    for outputs in ((1, 2), (1,), View().outputs):
+        document.undo_stack.undo()
+        assert document.view.outputs == outputs
 
 
-def test_emptying_the_selection_of_outputs_is_a_step_of_its_own(document):
-    choose(document, 1, 2, 3)
-    choose(document)
+def test_whoever_selects_another_input_ends_the_gesture(document):
+    document.edit("add", document.design.adding(track(location=3)))
+    document.edit("a", document.design.with_input(0, amplitude=2.0), gesture=7)
+    document.edit("a", document.design.with_input(0, amplitude=3.0), gesture=7)
+    assert document.undo_stack.count() == 2
+    document.look(replace(document.view, selected_inputs=(2,)))
+    document.edit("a", document.design.with_input(1, amplitude=2.0), gesture=7)
+    document.edit("a", document.design.with_input(1, amplitude=3.0), gesture=7)
+    assert document.undo_stack.count() == 3
     document.undo_stack.undo()
-    assert document.view.outputs == (1, 2, 3)
+    assert [one.amplitude for one in document.design.inputs] == [3.0, 1.0]
+
+
+def test_what_was_taken_back_in_the_middle_of_a_gesture_is_not_joined_to_what_follows(document):
+    document.edit("f", with_frequency(document, 101.0), gesture=7)
+    document.edit("f", with_frequency(document, 102.0), gesture=8)
+    document.undo_stack.undo()
+    document.edit("f", with_frequency(document, 103.0), gesture=8)
+    assert [document.undo_stack.text(k) for k in range(document.undo_stack.count())] == ["f", "f"]
+    document.undo_stack.undo()
+    assert document.design.inputs[0].clips[0].waveform.frequency_hz == 101.0
+
+
+def test_going_to_a_step_tells_once_and_undoes_or_redoes_all_between(document):
+    for k in range(1, 1101):
+        document.edit(f"edit {k}", with_frequency(document, 100.0 + k / 10))
+    assert document.undo_stack.count() == MOST_STEPS
+    told = []
+    document.changed.connect(
+        lambda: told.append(document.design.inputs[0].clips[0].waveform.frequency_hz)
+    )
+    document.go_to(0)
+    document.go_to(500)
+    document.go_to(5000)
+    document.go_to(-3)
+    assert told == [110.0, 160.0, 210.0, 110.0]
+    document.go_to(0)
+    assert len(told) == 4
+    assert document.modified
+
+
+def test_going_back_to_what_was_saved_is_not_modified(document, tmp_path):
+    document.mark_saved(tmp_path / "a.skinsource")
+    document.edit("f", with_frequency(document, 101.0))
+    document.edit("f", with_frequency(document, 102.0))
+    titles = []
+    document.title_changed.connect(lambda: titles.append(document.modified))
+    document.go_to(0)
+    assert not document.modified
+    assert titles == [False]
 
 
 def test_an_edit_between_two_choices_keeps_them_apart(document):

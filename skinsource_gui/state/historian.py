@@ -1,0 +1,61 @@
+"""Shows panels the history of a document, and goes where they want."""
+
+from collections.abc import Sequence
+from functools import partial
+
+from PySide6.QtCore import QObject
+
+from skinsource_gui.history import History, Step
+from skinsource_gui.panel import Panel
+from skinsource_gui.state.document import MOST_STEPS, Document
+
+_FORGOTTEN = f"Before the last {MOST_STEPS} steps"
+
+
+class Historian(QObject):
+    """Tells visible panels that list it of each step.
+
+    Parameters
+    ----------
+    document
+        Whose history; also the parent.
+    panels
+        Of which those hear of it that want to.
+    """
+
+    def __init__(self, document: Document, panels: Sequence[Panel]) -> None:
+        super().__init__(document)
+        self._document = document
+        self._shown: list[Panel] = []
+        document.undo_stack.indexChanged.connect(self._tell)
+        document.title_changed.connect(self._tell)
+        for panel in panels:
+            if not panel.lists_history:
+                continue
+            panel.visibility_changed.connect(partial(self._note_visibility, panel))
+            panel.step_wanted.connect(document.go_to)
+
+    def history(self) -> History:
+        """All that can be taken back or done again now."""
+        document, stack = self._document, self._document.undo_stack
+        steps = tuple(Step(stack.text(k), stack.command(k).at_s) for k in range(stack.count()))
+        start = f"Opened {document.path.name}" if document.path else "New design"
+        clean = stack.cleanIndex()
+        return History(
+            start=_FORGOTTEN if len(steps) >= MOST_STEPS else start,
+            steps=steps,
+            present=stack.index(),
+            saved=clean if clean >= 0 and document.path else None,
+        )
+
+    def _note_visibility(self, panel: Panel) -> None:
+        self._shown = [one for one in self._shown if one is not panel]
+        if panel.isVisible():
+            self._shown.append(panel)
+            panel.show_history(self.history())
+
+    def _tell(self) -> None:
+        if self._shown:
+            history = self.history()
+            for panel in self._shown:
+                panel.show_history(history)
