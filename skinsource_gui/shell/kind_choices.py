@@ -13,7 +13,7 @@ def kind_choices(document: Document) -> list[QAction]:
     """Return one new action for each kind of waveform, which lets the selected inputs play it."""
     actions = []
     for kind in kinds():
-        action = QAction(f"Waveform: {kind.__name__}")
+        action = QAction(f"Waveform: {kind.title}")
         action.setToolTip("Let the selected inputs play this")
         action.setEnabled(bool(document.view.selected_inputs))
         action.triggered.connect(partial(_play, document, kind.__name__))

@@ -1,7 +1,7 @@
 """From one kind of waveform to another."""
 
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 from skinsource.errors import InvalidInputError
@@ -11,9 +11,14 @@ from skinsource.samples import Samples
 from skinsource.waveforms import Waveform, kinds
 
 
-def kind_spec() -> ChoiceSpec:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class KindSpec(ChoiceSpec):
+    """A choice among kinds of waveforms."""
+
+
+def kind_spec() -> KindSpec:
     """What an input may play."""
-    return ChoiceSpec(
+    return KindSpec(
         label="Waveform",
         options=tuple((kind.__name__, kind.title) for kind in kinds()),
         hint="What this input plays",

@@ -38,7 +38,7 @@ COMMON: tuple[type[Waveform], ...] = (
     Impulse,
     Gabor,
     WaveletTrain,
-    Glide,
+    Formula,
 )
 #: All others, which it shows under "More".
 MORE: tuple[type[Waveform], ...] = (
@@ -46,6 +46,7 @@ MORE: tuple[type[Waveform], ...] = (
     Morlet,
     Chirplet,
     CentredTap,
+    Glide,
     DampedSine,
     Square,
     Saw,
@@ -53,7 +54,6 @@ MORE: tuple[type[Waveform], ...] = (
     PulseTrain,
     AmplitudeModulated,
     FrequencyModulated,
-    Formula,
     Drawn,
     Recording,
 )

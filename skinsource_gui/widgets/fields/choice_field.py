@@ -16,6 +16,9 @@ from skinsource.quoting import printable
 from skinsource_gui.widgets.fields.burst import Burst
 from skinsource_gui.widgets.tooltips import tooltip
 
+# Between a picture and its words.
+_BESIDE_PX = 4
+
 
 class ChoiceField(QComboBox):
     """A drop-down list of the options of ``spec``.
@@ -83,8 +86,9 @@ class ChoiceField(QComboBox):
         room = self.style().subControlRect(
             QStyle.ComplexControl.CC_ComboBox, option, QStyle.SubControl.SC_ComboBoxEditField, self
         )
+        picture_px = 0 if option.currentIcon.isNull() else option.iconSize.width() + _BESIDE_PX
         option.currentText = self.fontMetrics().elidedText(
-            self.shown_text, Qt.TextElideMode.ElideRight, room.width()
+            self.shown_text, Qt.TextElideMode.ElideRight, room.width() - picture_px
         )
         painter.drawControl(QStyle.ControlElement.CE_ComboBoxLabel, option)
         # The theme's style sheet takes away the arrow of the style.

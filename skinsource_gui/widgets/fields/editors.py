@@ -6,6 +6,7 @@ from typing import Any, Protocol
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QCheckBox, QLabel, QLineEdit, QWidget
 
+from skinsource.edits.kinds import KindSpec
 from skinsource.fields import ChoiceSpec, NumberSpec, Spec, SwitchSpec, TextSpec, made_for
 from skinsource.quoting import printable
 from skinsource.signals import BAND_HZ
@@ -13,6 +14,7 @@ from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.live_text import LiveText
 from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.inputs.kind_field import KindField
 from skinsource_gui.widgets.tooltips import tooltip
 
 _OUTSIDE_BAND = f"outside the measured band ({BAND_HZ[0]:g} to {BAND_HZ[1]:g} Hz)"
@@ -110,6 +112,16 @@ class ChoiceEditor(_Plain):
         self.set_value = self.field.set_value
 
 
+class KindEditor(_Plain):
+    """Chooses a kind of waveform."""
+
+    def __init__(self, spec: KindSpec, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.field = KindField(spec, parent)
+        self.field.chosen.connect(self.edited.emit)
+        self.set_value, self.show_theme = self.field.set_value, self.field.show_theme
+
+
 class SwitchEditor(_Plain):
     """Switches something on and off."""
 
@@ -197,6 +209,7 @@ def text_editor(spec: TextSpec, parent: QWidget) -> Editor:
 EDITORS: dict[type[Spec], Callable[[Any, QWidget], Editor]] = {
     NumberSpec: NumberEditor,
     ChoiceSpec: ChoiceEditor,
+    KindSpec: KindEditor,
     SwitchSpec: SwitchEditor,
     TextSpec: text_editor,
     # Curves, samples, …: what has no editor of its own is shown.

@@ -1,0 +1,51 @@
+"""The kind of a waveform, with its picture."""
+
+from PySide6.QtCore import QPoint
+from PySide6.QtWidgets import QMenu, QWidget
+
+from skinsource.fields import ChoiceSpec
+from skinsource.waveforms import kinds
+from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.inputs.kind_menu import fill_kind_menu
+from skinsource_gui.widgets.inputs.waveform_picture import PICTURE_PX, waveform_icon
+
+
+class KindField(ChoiceField):
+    """A drop-down field whose list is a menu: the common kinds, and more.
+
+    Keys choose among all of them, as in any list.
+    """
+
+    def __init__(self, spec: ChoiceSpec, parent: QWidget | None = None) -> None:
+        super().__init__(spec, parent)
+        self._menu: QMenu | None = None
+        self.setIconSize(PICTURE_PX)
+        self.show_theme(LIGHT)
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        pictured = {kind.__name__: kind for kind in kinds()}
+        for index in range(self.count()):
+            kind = pictured.get(self.itemData(index))
+            if kind is not None:
+                self.setItemIcon(index, waveform_icon(kind, theme))
+
+    def showPopup(self) -> None:
+        self.hidePopup()
+        menu = QMenu(self)
+        menu.setObjectName("kind_menu")
+        fill_kind_menu(menu, self.choose, current=self.value)
+        menu.setMinimumWidth(self.width())
+        menu.aboutToHide.connect(menu.deleteLater)
+        menu.destroyed.connect(self._forget)
+        self._menu = menu
+        menu.popup(self.mapToGlobal(QPoint(0, self.height())))
+
+    def hidePopup(self) -> None:
+        if self._menu is not None:
+            self._menu.close()
+        super().hidePopup()
+
+    def _forget(self) -> None:
+        self._menu = None

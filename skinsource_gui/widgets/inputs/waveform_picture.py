@@ -1,0 +1,109 @@
+"""What a kind of waveform looks like, for menus and lists."""
+
+from functools import lru_cache
+
+import numpy as np
+from pyqtgraph.functions import arrayToQPath
+from PySide6.QtCore import QPointF, QSize, Qt
+from PySide6.QtGui import QColor, QIcon, QPainter, QPen, QPixmap
+
+from skinsource.arrays import Floats
+from skinsource.errors import InvalidInputError
+from skinsource.waveforms import (
+    AmplitudeModulated,
+    Chirp,
+    Chirplet,
+    DampedSine,
+    Drawn,
+    Formula,
+    FrequencyModulated,
+    Gabor,
+    Glide,
+    Noise,
+    PulseTrain,
+    Recording,
+    Saw,
+    Square,
+    Tone,
+    Triangle,
+    Waveform,
+    WaveletTrain,
+)
+from skinsource_gui.theme import Theme
+
+#: Size of the pictures, in px.
+PICTURE_PX = QSize(30, 18)
+#: Pixels of the screen for each of them, at most.
+_SHARPEST = 3
+_RATE_HZ = 20_000.0
+_MARGIN_PX = 2.0
+_LINE_PX = 1.2
+_DOT_PX = 1.5
+
+#: What stands for a kind: so few periods that each is seen.  Others are shown as they begin.
+_SHOWN: tuple[Waveform, ...] = (
+    Tone(30.0, 0.0, 0.1, "none"),
+    Chirp(10.0, 90.0, 0.1),
+    Noise(3, 0.05, 25.0, 300.0, "none"),
+    Gabor(100.0, 4.0),
+    WaveletTrain((40.0, 70.0, 130.0), 2.0, 0.045),
+    Glide(((0.0, 20.0, 0.3), (0.06, 60.0, 1.0), (0.1, 20.0, 0.2))),
+    Chirplet(80.0, 2000.0, 0.012),
+    DampedSine(60.0, 0.025, 0.1),
+    Square(25.0, 0.5, 0.1),
+    Saw(25.0, 0.1),
+    Triangle(25.0, 0.1),
+    PulseTrain(40.0, 0.006, 0.1),
+    AmplitudeModulated(90.0, 20.0, 1.0, 0.1),
+    FrequencyModulated(70.0, 20.0, 45.0, 0.1),
+    Formula("(sin(2*pi*30*t) + sin(2*pi*70*t)) / 2", 0.1),
+    Drawn((0.0, 0.5, 0.9, 0.4, -0.6, -1.0, -0.3, 0.1, 0.0, 0.2, 0.7, 0.3, 0.0)),
+    Recording(Noise(3, 0.06, 60.0, 250.0, "none").samples(1300.0) * np.exp(-np.arange(78) / 18)),
+)
+
+
+@lru_cache(maxsize=128)
+def waveform_icon(kind: type[Waveform], theme: Theme) -> QIcon:
+    """Picture of a kind of waveform, drawn from samples of its own."""
+    samples = _samples_of(kind)
+    icon = QIcon()
+    for mode, colour in (
+        (QIcon.Mode.Normal, theme.text),
+        (QIcon.Mode.Active, theme.on_accent),
+        (QIcon.Mode.Selected, theme.on_accent),
+        (QIcon.Mode.Disabled, theme.dim),
+    ):
+        for per_px in range(1, _SHARPEST + 1):
+            icon.addPixmap(_drawn(samples, QColor(colour), per_px), mode)
+    return icon
+
+
+def _samples_of(kind: type[Waveform]) -> Floats:
+    shown = next((one for one in _SHOWN if type(one) is kind), None) or kind()
+    try:
+        return shown.samples(_RATE_HZ)
+    except InvalidInputError:
+        return np.zeros(2)
+
+
+def _drawn(samples: Floats, colour: QColor, per_px: int) -> QPixmap:
+    picture = QPixmap(PICTURE_PX * per_px)
+    picture.setDevicePixelRatio(per_px)
+    picture.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(picture)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(QPen(colour, _LINE_PX))
+    width, height = PICTURE_PX.width(), PICTURE_PX.height()
+    middle, reach = height / 2, height / 2 - _MARGIN_PX
+    if samples.size == 1:
+        foot, top = QPointF(width / 2, middle), QPointF(width / 2, middle - reach + _DOT_PX)
+        painter.drawLine(QPointF(_MARGIN_PX, middle), QPointF(width - _MARGIN_PX, middle))
+        painter.drawLine(foot, top)
+        painter.setBrush(colour)
+        painter.drawEllipse(top, _DOT_PX, _DOT_PX)
+    elif samples.size:
+        x = np.linspace(_MARGIN_PX, width - _MARGIN_PX, samples.size)
+        y = middle - reach * samples / max(np.abs(samples).max(), 1e-300)
+        painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
+    painter.end()
+    return picture

@@ -1,0 +1,162 @@
+"""Kinds of waveforms in a menu, each with its picture."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QIcon
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QMenu, QWidget
+
+from skinsource import waveforms
+from skinsource.edits.kinds import kind_spec
+from skinsource.waveforms import COMMON, KINDS, MORE, Tone
+from skinsource_gui.theme import THEMES
+from skinsource_gui.widgets.inputs.kind_field import KindField
+from skinsource_gui.widgets.inputs.kind_menu import fill_kind_menu
+from skinsource_gui.widgets.inputs.waveform_picture import PICTURE_PX, waveform_icon
+
+
+@dataclass(frozen=True, slots=True)
+class Click:
+    """A kind that nobody pictured."""
+
+    title: ClassVar[str] = "Click"
+    duration_s: ClassVar[float] = 0.01
+
+    def samples(self, sample_rate_hz, shift_s=0.0):
+        return np.ones(round(0.01 * sample_rate_hz))
+
+
+@pytest.fixture
+def menu(qtbot):
+    owner = QWidget()
+    qtbot.addWidget(owner)
+    # Kept until the test is over: the menu goes with it.
+    yield QMenu(owner)
+    owner.close()
+
+
+@pytest.fixture
+def field(qtbot):
+    field = KindField(kind_spec())
+    qtbot.addWidget(field)
+    field.show()
+    qtbot.waitExposed(field)
+    return field
+
+
+def titles(menu: QMenu) -> list[str]:
+    return [action.text() for action in menu.actions()]
+
+
+def more_of(menu: QMenu) -> QMenu:
+    return menu.findChild(QMenu, "more_kinds")
+
+
+def ink(icon: QIcon, mode: QIcon.Mode = QIcon.Mode.Normal) -> np.ndarray:
+    """How much of each pixel is drawn on."""
+    image = icon.pixmap(PICTURE_PX, 1.0, mode).toImage()
+    return np.array(
+        [
+            [image.pixelColor(x, y).alpha() for x in range(image.width())]
+            for y in range(image.height())
+        ]
+    )
+
+
+@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
+def test_every_kind_has_a_picture_of_its_own(theme):
+    pictures = {kind: ink(waveform_icon(kind, theme)) for kind in KINDS}
+    for picture in pictures.values():
+        assert picture.shape == (PICTURE_PX.height(), PICTURE_PX.width())
+        # From left to right, and not at the edges, where it would be cut.
+        assert (picture.max(axis=0) > 0).sum() >= PICTURE_PX.width() - 8
+        assert picture[0].max() < 128 > picture[-1].max()
+    assert len({picture.tobytes() for picture in pictures.values()}) == len(KINDS)
+
+
+@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
+def test_a_picture_has_the_colour_of_the_words_beside_it(theme):
+    icon = waveform_icon(Tone, theme)
+    for mode, colour in ((QIcon.Mode.Normal, theme.text), (QIcon.Mode.Active, theme.on_accent)):
+        image = icon.pixmap(PICTURE_PX, 1.0, mode).toImage()
+        drawn = [image.pixelColor(x, y) for x in range(30) for y in range(18)]
+        darkest = max(drawn, key=lambda one: one.alpha())
+        assert darkest.alpha() > 128
+        assert all(
+            abs(found - wanted) <= 2
+            for found, wanted in zip(
+                darkest.getRgb()[:3], bytes.fromhex(colour.removeprefix("#")), strict=True
+            )
+        )
+
+
+def test_eight_kinds_are_seen_at_once_and_the_rest_under_more(menu):
+    fill_kind_menu(menu, str)
+    assert titles(menu) == [*(kind.title for kind in COMMON), "More"]
+    assert titles(more_of(menu)) == [kind.title for kind in MORE]
+    assert len(COMMON) == 8
+    assert all(not action.icon().isNull() for action in menu.actions()[:8])
+    assert all(not action.icon().isNull() for action in more_of(menu).actions())
+
+
+def test_a_kind_that_is_chosen_is_told_by_its_name(menu):
+    told = []
+    fill_kind_menu(menu, told.append)
+    for owner, kind in ((menu, COMMON[6]), (more_of(menu), MORE[2])):
+        next(action for action in owner.actions() if action.text() == kind.title).trigger()
+        assert told.pop() == kind.__name__
+
+
+@pytest.mark.parametrize("kind", [COMMON[2], MORE[1]])
+def test_the_present_kind_and_the_way_to_it_are_bold(menu, kind):
+    fill_kind_menu(menu, str, current=kind.__name__)
+    bold = [one.text() for one in (*menu.actions(), *more_of(menu).actions()) if one.font().bold()]
+    assert bold == ([kind.title] if kind in COMMON else ["More", kind.title])
+
+
+def test_a_new_kind_stands_under_more_with_a_picture(menu, monkeypatch):
+    monkeypatch.setattr(waveforms, "KINDS", (*KINDS, Click))
+    fill_kind_menu(menu, str)
+    action = more_of(menu).actions()[-1]
+    assert action.text() == "Click"
+    assert ink(action.icon()).any()
+
+
+def test_the_field_opens_the_menu_and_takes_what_is_chosen_there(qtbot, field):
+    told = []
+    field.chosen.connect(lambda kind, gesture: told.append(kind))
+    field.set_value("Tone")
+    QTest.mouseClick(field, Qt.MouseButton.LeftButton)
+    menu = field.findChild(QMenu, "kind_menu")
+    qtbot.waitUntil(menu.isVisible)
+    more_of(menu).actions()[0].trigger()
+    menu.close()
+    assert told == [MORE[0].__name__]
+    assert field.value == MORE[0].__name__
+    assert field.currentText() == MORE[0].title
+    qtbot.waitUntil(lambda: field.findChild(QMenu, "kind_menu") is None)
+    field.showPopup()
+    assert field.findChild(QMenu, "kind_menu").isVisible()
+    field.hidePopup()
+
+
+def test_keys_choose_among_all_kinds_as_in_any_list(field):
+    told = []
+    field.chosen.connect(lambda kind, gesture: told.append(kind))
+    field.set_value("Formula")
+    QTest.keyClick(field, Qt.Key.Key_Down)
+    QTest.keyClick(field, Qt.Key.Key_Up)
+    QTest.keyClicks(field, "Saw")
+    assert told[:2] == ["Ricker", "Formula"]
+    assert told[-1] == "Saw"
+
+
+def test_the_field_shows_the_picture_of_its_kind_in_each_theme(field):
+    for theme in THEMES.values():
+        field.show_theme(theme)
+        for index, kind in enumerate(KINDS):
+            assert np.array_equal(ink(field.itemIcon(index)), ink(waveform_icon(kind, theme)))
