@@ -7,7 +7,7 @@ AT_ONCE := -n auto --maxprocesses 8
 
 BENCHMARKS := "engine_speed.py --long" predict_speed.py slots.py frequency_drag.py slider_storm.py start.py long_design.py
 
-.PHONY: run test checks fix pictures bench growth clean
+.PHONY: run test checks fix pictures bench nightly growth clean
 
 run: .venv/ready-to-run  ## open the studio
 	@$(BIN)/python -m skinsource_gui
@@ -34,6 +34,9 @@ bench: .venv/ready-to-test  ## promises of speed and memory, as ratios; on any m
 	@failed=0; for each in $(BENCHMARKS); do \
 	  echo "== $$each"; QT_QPA_PLATFORM=offscreen $(BIN)/python benchmarks/$$each || failed=1; \
 	done; exit $$failed
+
+nightly: .venv/ready-to-test  ## 40 000 damaged recordings, another seed each time (minutes)
+	$(BIN)/python -m tests.nightly.recording_mutants
 
 growth: .venv/ready-to-test  ## how cost grows with length, inputs and outputs: build/growth
 	$(BIN)/python benchmarks/growth.py

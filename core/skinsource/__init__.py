@@ -15,7 +15,10 @@ Or with a design, as the studio has it and saves it:
 (72,)
 """
 
-from skinsource import edits, effects, motions, waveforms
+import importlib
+from typing import TYPE_CHECKING
+
+from skinsource import edits, effects, waveforms
 from skinsource.catalogue import available_limbs, load_limb
 from skinsource.clips import Clip, Marker
 from skinsource.decibels import decibels
@@ -32,6 +35,9 @@ from skinsource.spectra import magnitude_spectrum, peak_hold_spectrum, rms
 from skinsource.surface import SurfaceOperator, surface_operator
 from skinsource.version import __version__
 from skinsource.view import View
+
+if TYPE_CHECKING:
+    from skinsource import recordings
 
 __all__ = [
     "Clip",
@@ -52,11 +58,11 @@ __all__ = [
     "impulse",
     "load_limb",
     "magnitude_spectrum",
-    "motions",
     "open_design",
     "peak_hold_spectrum",
     "predict",
     "project_axes",
+    "recordings",
     "resample",
     "rms",
     "save_design",
@@ -68,3 +74,10 @@ __all__ = [
     "white_noise",
     "window",
 ]
+
+
+def __getattr__(name: str) -> object:
+    # What reads files of others is imported when it is first asked for: few scripts need it.
+    if name == "recordings":
+        return importlib.import_module("skinsource.recordings")
+    raise AttributeError(f"module 'skinsource' has no attribute {name!r}")

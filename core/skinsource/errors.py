@@ -8,6 +8,7 @@ SkinSourceError
 │   └── FormulaError       a formula cannot be read, or its result is no number; knows the column
 ├── FileFormatError        a file does not hold what it should
 │   ├── DatasetError       … a file of the measured dataset, or the store made from it
+│   ├── RecordingError     … a file that a recording is taken from
 │   └── DesignFileError    … a `.skinsource` file
 ├── DatasetMissingError    a measured limb is asked for, and none is installed
 ├── StorageError           reading or writing failed: full disk, no permission, no such folder
@@ -50,6 +51,10 @@ class FileFormatError(SkinSourceError):
 
 class DatasetError(FileFormatError):
     """A file of the measured dataset, or the store made from it, is not what it should be."""
+
+
+class RecordingError(FileFormatError):
+    """A file that a recording is to be taken from does not hold one that can be used."""
 
 
 class DesignFileError(FileFormatError):

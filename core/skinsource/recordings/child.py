@@ -1,0 +1,124 @@
+"""The process in which foreign files are read: ``python -m skinsource.recordings.child``.
+
+A parser that crashes, hangs or fills the memory takes this process down, and nothing else.
+
+It reads requests from its input, one JSON text a line: ``{"do": "look", "path": ...}`` or
+``{"do": "read", "path": ..., "keys": [...], "start": ..., "stop": ...}``.  It answers with JSON
+texts, one a line: ``{"found": ...}``; or blocks, ``{"block": [series, samples, "f4" or "f8"]}``
+followed by their bytes, and ``{"end": true}``; or ``{"error": sentence, "kind": ...}``.  It ends
+when its input does.
+"""
+
+import importlib
+import json
+import os
+import sys
+import warnings
+from pathlib import Path
+from typing import IO, Any
+
+import numpy as np
+
+from skinsource.errors import FileFormatError, SkinSourceError
+from skinsource.files import named
+from skinsource.quoting import printable
+from skinsource.recordings import limits, readers
+from skinsource.recordings.found import to_tree
+
+# Of computing without an answer; the parent is more impatient, but it may be gone.
+_CPU_S = 120
+
+
+def main() -> None:
+    """Answer requests until there are no more."""
+    answers = _own_output()
+    warnings.simplefilter("ignore")
+    _limit_memory()
+    _answer(answers, {"ready": True})
+    for line in sys.stdin.buffer:
+        _limit_time()
+        request = json.loads(line)
+        path = Path(request["path"])
+        try:
+            _carry_out(answers, request, path)
+        except SkinSourceError as error:
+            kind = "format" if isinstance(error, FileFormatError) else "storage"
+            _answer(answers, {"error": str(error), "kind": kind})
+        except MemoryError:
+            _fail(answers, path, f"it needs more than {limits.MEMORY_BYTES} bytes of memory")
+        except Exception as error:  # noqa: BLE001  on a damaged file a parser may fail in any way
+            _fail(answers, path, f"{printable(error) or type(error).__name__}")
+
+
+def _carry_out(answers: IO[bytes], request: dict[str, Any], path: Path) -> None:
+    if request["do"] == "look":
+        _answer(answers, {"found": to_tree(readers.look(path))})
+        return
+    keys, start, stop = request["keys"], int(request["start"]), int(request["stop"])
+    for block in readers.blocks(path, keys, start, stop):
+        kind = "<f4" if block.dtype == np.float32 else "<f8"
+        _answer(answers, {"block": [*block.shape, kind[1:]]}, np.ascontiguousarray(block, kind))
+        _limit_time()
+    _answer(answers, {"end": True})
+
+
+def _fail(answers: IO[bytes], path: Path, reason: str) -> None:
+    sentence = (
+        f"{named(Path(path.name))}: cannot be read ({reason.rstrip('.')}), expected WAV, FLAC, "
+        "AIFF, OGG, a table of numbers, NPY, NPZ, MATLAB or HDF5. It may be damaged; record or "
+        "export it again."
+    )
+    _answer(answers, {"error": sentence, "kind": "format"})
+
+
+def _answer(answers: IO[bytes], what: dict[str, Any], content: Any = b"") -> None:
+    answers.write(json.dumps(what).encode("ascii") + b"\n")
+    answers.write(content)
+    answers.flush()
+
+
+def _own_output() -> IO[bytes]:
+    """What answers are written to; libraries that print do not write into it."""
+    own = os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)
+    return own
+
+
+def _system_limits() -> Any:
+    """The module that limits this process; None on Windows, where the parent watches."""
+    try:
+        return importlib.import_module("resource")
+    except ImportError:
+        return None
+
+
+def _limit_memory() -> None:
+    system = _system_limits()
+    if system is not None:
+        for which, most in (
+            (system.RLIMIT_AS, limits.MEMORY_BYTES),
+            (system.RLIMIT_CORE, 0),
+            (system.RLIMIT_FSIZE, 0),
+        ):
+            _lower(system, which, most)
+
+
+def _limit_time() -> None:
+    system = _system_limits()
+    if system is not None:
+        used = system.getrusage(system.RUSAGE_SELF)
+        _lower(system, system.RLIMIT_CPU, int(used.ru_utime + used.ru_stime) + _CPU_S)
+
+
+def _lower(system: Any, which: int, most: int) -> None:
+    _, hard = system.getrlimit(which)
+    if hard != system.RLIM_INFINITY:
+        most = min(most, hard)
+    try:
+        system.setrlimit(which, (most, hard))
+    except (ValueError, OSError):  # macOS knows some of them and allows none
+        return
+
+
+if __name__ == "__main__":
+    main()

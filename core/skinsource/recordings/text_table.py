@@ -1,0 +1,177 @@
+"""CSV, TSV and other tables of numbers in text; read line by line."""
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TextIO
+
+import numpy as np
+
+from skinsource.arrays import Floats
+from skinsource.quoting import printable, quoted
+from skinsource.recordings import limits
+from skinsource.recordings.found import Found, Series
+from skinsource.recordings.reader import Block, refusal, unknown_series
+from skinsource.recordings.text_layout import TextLayout, is_comment, layout_of, number
+from skinsource.recordings.units import time_unit_s, unit_named
+
+_HEAD_BYTES = 2**16
+_LONGEST_LINE = 2**20
+_ADVICE = "Save it as text with one row of numbers for each sample."
+
+
+def look(path: Path) -> Found:
+    """Return the columns of a table."""
+    with _opened(path) as (file, layout):
+        rows, cut_off = _count(path, file, layout)
+    if not rows:
+        raise refusal(path, "no row of numbers", "at least one", _ADVICE)
+    names = [printable(name) for name in layout.names]
+    times = [time_unit_s(*pair) for pair in zip(layout.names, layout.units, strict=True)]
+    series = tuple(
+        Series(
+            key=str(k),
+            name=name,
+            n_samples=rows,
+            dtype="text",
+            shape=(rows, len(names)),
+            unit=unit_named(layout.units[k]),
+            is_time=times[k] is not None,
+            time_unit_s=times[k] or 1.0,
+        )
+        for k, name in enumerate(names)
+    )
+    left_out = ("Left out: the last line, which is cut off.",) if cut_off else ()
+    return Found(
+        format="text",
+        series=series,
+        rate_hz=layout.rate_hz,
+        rate_from="the lines before the numbers" if layout.rate_hz else "",
+        notes=(*layout.notes, *left_out),
+    )
+
+
+def blocks(path: Path, keys: Sequence[str], start: int, stop: int) -> Iterator[Block]:
+    """Give some columns; cells that are empty or say NaN are NaN."""
+    with _opened(path) as (file, layout):
+        columns = len(layout.names)
+        for key in keys:
+            if not (key.isdecimal() and int(key) < columns):
+                raise unknown_series(path, key)
+        chosen = [int(key) for key in keys]
+        at_once = max(limits.BLOCK // columns, 1)
+        lines: list[str] = []
+        first_line = 0
+        for row, (line_number, line) in enumerate(_rows(path, file, layout)):
+            if row >= stop:
+                break
+            if row < start:
+                if row % limits.BLOCK == 0:
+                    yield np.empty((len(chosen), 0))  # still at work
+                continue
+            first_line = first_line if lines else line_number
+            lines.append(line)
+            if len(lines) == at_once:
+                yield _parsed(path, lines, first_line, layout)[chosen]
+                lines = []
+        if lines:
+            yield _parsed(path, lines, first_line, layout)[chosen]
+
+
+@contextmanager
+def _opened(path: Path) -> Iterator[tuple[TextIO, TextLayout]]:
+    """Open a table, behind the lines before its numbers."""
+    size = path.stat().st_size
+    if size > limits.MOST_TEXT_BYTES:
+        raise refusal(
+            path,
+            f"{size} bytes of text",
+            f"at most {limits.MOST_TEXT_BYTES}",
+            "Save it as WAV, NPY or HDF5.",
+        )
+    with path.open("rb") as raw:
+        head = raw.read(_HEAD_BYTES)
+    encoding = _encoding(head)
+    whole = len(head) == size
+    text = head.decode(encoding, "replace")
+    lines = text.splitlines()
+    if "\0" in text:
+        raise refusal(path, "it is no text", "a table of numbers", "Choose another file.")
+    layout = layout_of(lines if whole and len(lines) < 2 else lines[: -1 if len(lines) > 1 else 1])
+    if layout is None:
+        raise refusal(path, "no rows of numbers were found", "a table of numbers", _ADVICE)
+    with path.open(encoding=encoding, errors="replace") as file:
+        for _ in range(layout.header_lines):
+            _line(path, file)
+        yield file, layout
+
+
+def _encoding(head: bytes) -> str:
+    if head.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return "utf-16"
+    try:
+        head[:-4].decode("utf-8")
+    except UnicodeDecodeError:
+        return "cp1252" if b"\x81" not in head else "latin-1"
+    return "utf-8-sig"
+
+
+def _line(path: Path, file: TextIO) -> str:
+    line = file.readline(_LONGEST_LINE)
+    if len(line) >= _LONGEST_LINE:
+        raise refusal(
+            path, f"a line of more than {_LONGEST_LINE} characters", "a row of numbers", _ADVICE
+        )
+    return line
+
+
+def _rows(path: Path, file: TextIO, layout: TextLayout) -> Iterator[tuple[int, str]]:
+    """Each row and the number of its line."""
+    line_number = layout.header_lines
+    while line := _line(path, file):
+        line_number += 1
+        if not is_comment(line):
+            yield line_number, line
+
+
+def _count(path: Path, file: TextIO, layout: TextLayout) -> tuple[int, bool]:
+    """Rows of numbers, and whether a last one is cut off and not counted."""
+    rows, last = 0, ""
+    for _, line in _rows(path, file, layout):
+        rows, last = rows + 1, line
+    cells = layout.cells(last)
+    whole = len(cells) == len(layout.names) and all(
+        number(cell, layout.decimal) is not None for cell in cells
+    )
+    cut_off = rows > 1 and not last.endswith("\n") and not whole
+    return rows - cut_off, cut_off
+
+
+def _parsed(path: Path, lines: list[str], first_line: int, layout: TextLayout) -> Floats:
+    """Numbers of some rows, (n_columns, n_rows)."""
+    columns = len(layout.names)
+    if not layout.trailing:
+        text = (line.replace(",", ".") for line in lines) if layout.decimal == "," else lines
+        separator = None if layout.separator == " " else layout.separator
+        try:
+            found = np.loadtxt(text, delimiter=separator, ndmin=2, comments=None)
+        except ValueError:
+            pass  # cells that are empty or quoted, or a mistake: slowly
+        else:
+            if found.shape == (len(lines), columns):
+                return found.T
+    rows = np.empty((columns, len(lines)))
+    for k, line in enumerate(lines):
+        cells = layout.cells(line)
+        values = [number(cell, layout.decimal) for cell in cells]
+        if len(cells) != columns or None in values:
+            wrong = [cell for cell, value in zip(cells, values, strict=True) if value is None]
+            found_words = quoted(wrong[0]) if wrong else f"{len(cells)} cells"
+            raise refusal(
+                path,
+                f"about line {first_line + k} holds {found_words}",
+                f"{columns} numbers",
+                "Mend or remove the line.",
+            )
+        rows[:, k] = values
+    return rows

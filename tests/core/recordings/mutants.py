@@ -1,0 +1,150 @@
+"""Damaged recordings by the thousand, and what may come of reading one.
+
+Every mutant is either read, and then it is what its own header says, or it is one clear error.
+"""
+
+import ast
+import re
+import struct
+from collections import Counter
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from skinsource.errors import RecordingError
+from skinsource.recordings import limits
+from skinsource.recordings.found import Found
+from skinsource.recordings.reading_process import ReadingProcess
+from tests.core.recordings.conftest import WRITERS
+
+FORMATS = ("WAV", "text", "NPY", "NPZ", "MATLAB", "MATLAB 7.3", "HDF5")
+EXTREMES = (0, 1, 0x7F, 0x80, 0xFF, 0x7FFF, 0xFFFF, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFF)
+_SENTENCE = re.compile(r"mutant\S*: .*expected.*", re.DOTALL)
+_CRASHED = ("crashed", "too long", "too much memory")
+
+
+@dataclass
+class Tally:
+    """What came of the mutants of one format."""
+
+    outcomes: Counter = field(default_factory=Counter)
+    wrong: list[str] = field(default_factory=list)
+
+
+def seed_of(file_format: str, folder: Path) -> bytes:
+    """A small file of that format."""
+    rng = np.random.default_rng(7)
+    signal = np.round(rng.uniform(-0.9, 0.9, 60) * 32768) / 32768
+    name, write = WRITERS[file_format]
+    path = folder / f"seed-{name}"
+    write(path, signal)
+    return path.read_bytes()
+
+
+def mutant(seed: bytes, rng: np.random.Generator) -> bytes:
+    """``seed`` with some damage, more often near its beginning."""
+    content = bytearray(seed)
+    for _ in range(int(rng.integers(1, 4))):
+        if not content:
+            break
+        reach = len(content) if rng.random() < 0.5 else min(len(content), 400)
+        at = int(rng.integers(reach))
+        kind = rng.integers(7)
+        if kind == 0:
+            content[at] ^= 1 << int(rng.integers(8))
+        elif kind == 1:
+            content[at] = int(rng.integers(256))
+        elif kind == 2:
+            del content[at:]
+        elif kind == 3:
+            del content[at : at + int(rng.integers(1, 20))]
+        elif kind == 4:
+            content[at:at] = bytes(rng.integers(0, 256, int(rng.integers(1, 20)), np.uint8))
+        elif kind == 5:
+            content[at : at + 4] = struct.pack("<I", EXTREMES[int(rng.integers(len(EXTREMES)))])
+        else:
+            end = min(at + int(rng.integers(1, 200)), len(content))
+            content[at:at] = content[at:end]
+    return bytes(content)
+
+
+def try_mutants(
+    file_format: str, count: int, random_seed: int, folder: Path, process: ReadingProcess
+) -> Tally:
+    """Read ``count`` mutants of a format; whatever else is raised than it should be is raised."""
+    rng = np.random.default_rng([random_seed, FORMATS.index(file_format)])
+    seed, tally = seed_of(file_format, folder), Tally()
+    path = folder / "mutant"
+    for number in range(count):
+        content = mutant(seed, rng)
+        path.write_bytes(content)
+        try:
+            found = process.look(path)
+            read = _read(path, found, process)
+        except RecordingError as error:
+            said = str(error)
+            lost = any(words in said for words in _CRASHED)
+            tally.outcomes["process lost" if lost else "refused"] += 1
+            if not _SENTENCE.fullmatch(said) or "Traceback" in said:
+                tally.wrong.append(f"{file_format} {number}: unclear: {said}")
+            continue
+        tally.outcomes["read"] += 1
+        reason = _wrong(content, found, read)
+        if reason:
+            tally.wrong.append(f"{file_format} {number}: {reason}")
+    return tally
+
+
+def _read(path: Path, found: Found, process: ReadingProcess) -> list[np.ndarray]:
+    some = found.series[:4]
+    return [process.read(path, [one.key], 0, one.n_samples)[0] for one in some]
+
+
+def _wrong(content: bytes, found: Found, read: list[np.ndarray]) -> str:
+    """What was misread; empty if nothing was."""
+    if len(found.series) > limits.MOST_SERIES:
+        return "too many signals"
+    rate_hz = found.rate_hz
+    if rate_hz is not None and not limits.LEAST_RATE_HZ <= rate_hz <= limits.MOST_RATE_HZ:
+        return f"a rate of {rate_hz}"
+    for one, values in zip(found.series, read, strict=False):
+        if values.shape != (one.n_samples,) or one.n_samples not in one.shape:
+            return f"{values.shape} of {one}"
+    header = {"WAV": _wav_header, "NPY": _npy_header}.get(found.format)
+    return header(content, found) if header else ""
+
+
+def _wav_header(content: bytes, found: Found) -> str:
+    """Compare with the chunks as they stand in the file."""
+    at, about = 12, None
+    while at + 8 <= len(content):
+        name, length = content[at : at + 4], struct.unpack_from("<I", content, at + 4)[0]
+        if name == b"fmt " and about is None:
+            about = struct.unpack_from("<HHIIHH", content, at + 8)
+        if name == b"data":
+            break
+        at += 8 + length + length % 2
+    if about is None:
+        return ""  # of another format in the same wrapping, which libsndfile knows
+    tag, channels, rate, _, _, bits = about
+    if (len(found.series), found.rate_hz) != (channels, rate):
+        return f"{len(found.series)} channels at {found.rate_hz}, expected {channels} at {rate}"
+    if tag == 1 and bits == 16 and content[at : at + 4] == b"data":
+        there = min(length, len(content) - at - 8) // (2 * channels)
+        if found.series[0].n_samples != there:
+            return f"{found.series[0].n_samples} samples, expected {there}"
+    return ""
+
+
+def _npy_header(content: bytes, found: Found) -> str:
+    """Compare with the header as Python reads it."""
+    size = struct.unpack_from("<H", content, 8)[0]
+    at = 10
+    if content[6] != 1:
+        size, at = struct.unpack_from("<I", content, 8)[0], 12
+    header = ast.literal_eval(content[at : at + size].decode("latin-1"))
+    one = found.series[0]
+    if one.shape != header["shape"] or one.dtype != str(np.dtype(header["descr"])):
+        return f"{one}, expected {header}"
+    return ""

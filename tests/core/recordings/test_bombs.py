@@ -1,0 +1,193 @@
+"""Files that declare what they do not hold, or lead elsewhere: refused before it is allocated."""
+
+import struct
+import zipfile
+import zlib
+
+import h5py
+import numpy as np
+import pytest
+import soundfile
+
+from skinsource.errors import RecordingError
+
+
+def npy_header(shape, dtype="<f8", more=b""):
+    text = f"{{'descr': '{dtype}', 'fortran_order': False, 'shape': {shape}, }}".encode()
+    text = text.ljust(117) + b"\n"
+    return b"\x93NUMPY\x01\0" + struct.pack("<H", len(text)) + text + more
+
+
+def npy_of_terabytes(path, _):
+    path.write_bytes(npy_header((100_000_000_000,), more=bytes(800)))
+
+
+def npy_negative(path, _):
+    path.write_bytes(npy_header((-5,), more=bytes(800)))
+
+
+def npy_overflow(path, _):
+    path.write_bytes(npy_header((2**40, 2**40), more=bytes(800)))
+
+
+def npy_deep_header(path, _):
+    text = b"[" * 9000
+    path.write_bytes(b"\x93NUMPY\x01\0" + struct.pack("<H", len(text)) + text)
+
+
+def npz_of_zeros(path, _):
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("a.npy", npy_header((2**24,), more=bytes(2**27)))
+
+
+def npz_that_lies(path, _):
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("a.npy", npy_header((10**9,), more=bytes(80)))
+
+
+def wav_of_gigabytes(path, _):
+    fmt = struct.pack("<HHIIHH", 1, 1, 48_000, 96_000, 2, 16)
+    head = b"WAVEfmt " + struct.pack("<I", 16) + fmt + b"data" + struct.pack("<I", 0xFFFFFFF0)
+    path.write_bytes(b"RIFF" + struct.pack("<I", 0xFFFFFFF8) + head)
+
+
+def wav_of_many_channels(path, _):
+    soundfile.write(path, np.zeros((10, 100)), 8000, format="WAV")
+
+
+def mat_that_lies(path, _):
+    element = struct.pack("<II", 14, 2**31) + bytes(100)
+    path.write_bytes(b"MATLAB 5.0 MAT-file".ljust(124) + b"\0\x01IM" + element)
+
+
+def mat_of_zeros(path, _):
+    inner = struct.pack("<II", 14, 600 * 2**20)
+    packed = zlib.compress(inner + bytes(10_000_000))
+    element = struct.pack("<II", 15, len(packed)) + packed
+    path.write_bytes(b"MATLAB 5.0 MAT-file".ljust(124) + b"\0\x01IM" + element)
+
+
+def hdf5_unallocated(path, _):
+    with h5py.File(path, "w") as file:
+        file.create_dataset("a", (10**11,), "f8", chunks=(1000,))
+
+
+def hdf5_of_zeros(path, _):
+    with h5py.File(path, "w") as file:
+        made = file.create_dataset("a", (20_000_000,), "f8", chunks=(10**6,), compression=9)
+        for k in range(0, 20_000_000, 10**6):
+            made[k : k + 10**6] = 0.0
+
+
+def hdf5_large_chunks(path, _):
+    with h5py.File(path, "w") as file:
+        made = file.create_dataset("a", (2**24,), "f8", chunks=(2**24,), compression=1)
+        made[:10] = 1.0
+
+
+def hdf5_external_link(path, other):
+    with h5py.File(path, "w") as file:
+        file["a"] = h5py.ExternalLink(str(other), "secret")
+
+
+def hdf5_external_in_the_middle(path, other):
+    with h5py.File(path, "w") as file:
+        file.create_group("g")["deeper"] = h5py.ExternalLink(str(other), "/")
+
+
+def hdf5_soft_link(path, _):
+    with h5py.File(path, "w") as file:
+        file["a"] = h5py.SoftLink("/a")
+
+
+def hdf5_external_storage(path, other):
+    with h5py.File(path, "w") as file:
+        file.create_dataset("a", (100,), "f8", external=[(str(other), 0, 800)])
+
+
+def hdf5_virtual(path, other):
+    layout = h5py.VirtualLayout((100,), "f8")
+    layout[:] = h5py.VirtualSource(str(other), "secret", (100,))
+    with h5py.File(path, "w") as file:
+        file.create_virtual_dataset("a", layout)
+
+
+def hdf5_references(path, _):
+    with h5py.File(path, "w") as file:
+        file.create_dataset("a", (5,), h5py.ref_dtype)
+        file.create_dataset("b", (5,), h5py.regionref_dtype)
+
+
+def hdf5_cycle(path, _):
+    with h5py.File(path, "w") as file:
+        group = file.create_group("a")
+        group["again"] = group
+        group["root"] = file["/"]
+
+
+def hdf5_deep(path, _):
+    with h5py.File(path, "w") as file:
+        group = file
+        for _ in range(40):
+            group = group.create_group("g")
+        group["x"] = np.arange(9.0)
+
+
+def csv_of_many_columns(path, _):
+    path.write_text("\n".join([",".join(["1"] * 5000)] * 3))
+
+
+def csv_too_large(path, _):
+    with path.open("wb") as file:
+        file.write(b"1,2\n" * 100)
+        file.truncate(300_000_000)
+
+
+BOMBS = {
+    name: make
+    for name, make in list(globals().items())
+    if name.startswith(("npy_of", "npy_neg", "npy_over", "npy_deep", "npz", "wav", "mat", "hdf5"))
+    or name.startswith("csv")
+}
+
+
+@pytest.mark.parametrize("name", BOMBS)
+def test_bombs_are_refused_and_the_process_lives_on(name, tmp_path, process):
+    other = tmp_path / "other.h5"
+    with h5py.File(other, "w") as file:
+        file["secret"] = np.arange(100.0)
+    path = tmp_path / "bomb"
+    BOMBS[name](path, other)
+    before = other.stat().st_atime_ns
+    pid = process._process.pid if process._process else None
+    with pytest.raises(RecordingError, match=r"^bomb: .*expected"):
+        process.look(path)
+    assert other.stat().st_atime_ns == before
+    assert pid is None or process._process.pid == pid
+    if process._process.poll() is None and (status := _peak_bytes(process._process.pid)):
+        assert status < 400 * 2**20
+
+
+def _peak_bytes(pid):
+    try:
+        with open(f"/proc/{pid}/status") as file:
+            line = next(line for line in file if line.startswith("VmHWM"))
+    except OSError:
+        return 0
+    return int(line.split()[1]) * 1024
+
+
+def test_there_are_bombs_of_every_format():
+    assert len(BOMBS) >= 20
+
+
+def test_what_lies_beside_a_link_can_be_taken(tmp_path, process):
+    path = tmp_path / "a.h5"
+    with h5py.File(path, "w") as file:
+        file["good"] = np.arange(9.0)
+        file["bad"] = h5py.ExternalLink("/etc/hostname", "x")
+    found = process.look(path)
+    assert [one.key for one in found.series] == ["good"]
+    assert "'bad'" in found.notes[0]
+    with pytest.raises(RecordingError, match="no signal"):
+        process.read(path, ["bad"], 0, 5)

@@ -1,0 +1,183 @@
+"""Every format: what is in a file, and its numbers."""
+
+import io
+import zipfile
+
+import h5py
+import numpy as np
+import pytest
+import scipy.io
+import soundfile
+
+from skinsource.errors import RecordingError, StorageError
+from skinsource.recordings import suggested
+from skinsource.recordings.readers import endings
+from tests.core.recordings.conftest import RATE_HZ, WRITERS, write_wav
+
+
+@pytest.mark.parametrize("file_format", WRITERS)
+def test_a_file_says_what_it_is_and_gives_its_numbers(file_format, files, signal, process):
+    found = process.look(files[file_format])
+    assert found.format == file_format
+    (one,) = found.signals()
+    assert one.n_samples == signal.size
+    rate_hz = found.rate_of(one)
+    assert rate_hz == (None if file_format in ("NPY", "text") else RATE_HZ)
+    values = process.read(files[file_format], [one.key], 0, signal.size)
+    np.testing.assert_array_equal(values[0], signal)
+    part = process.read(files[file_format], [one.key], 1000, 1007)
+    np.testing.assert_array_equal(part[0], signal[1000:1007])
+
+
+def test_the_name_of_a_file_says_nothing_about_its_format(files, tmp_path, process):
+    renamed = tmp_path / "sound.csv"
+    renamed.write_bytes(files["WAV"].read_bytes())
+    assert process.look(renamed).format == "WAV"
+
+
+def test_channels_are_told_apart(tmp_path, signal, process):
+    path = tmp_path / "three.wav"
+    write_wav(path, [signal, -signal, signal[::-1]])
+    found = process.look(path)
+    assert [one.name for one in found.series] == ["channel 1", "channel 2", "channel 3"]
+    both = process.read(path, ["2", "0"], 10, 1200)
+    np.testing.assert_array_equal(both, [signal[::-1][10:1200], signal[10:1200]])
+
+
+@pytest.mark.parametrize("subtype", ["PCM_U8", "PCM_24", "PCM_32", "FLOAT", "DOUBLE"])
+def test_wide_and_narrow_numbers_are_read_to_their_last_digit(subtype, tmp_path, process):
+    values = np.random.default_rng(1).uniform(-0.9, 0.9, 700)
+    path = tmp_path / "a.wav"
+    soundfile.write(path, values, 1300, subtype)
+    expected, _ = soundfile.read(path)
+    np.testing.assert_array_equal(process.read(path, ["0"], 0, 700)[0], expected)
+
+
+def test_a_compressed_sound_has_the_length_it_says(tmp_path, process):
+    path = tmp_path / "a.ogg"
+    soundfile.write(path, np.sin(np.arange(20_000) * 0.1), 8000)
+    (one,) = process.look(path).series
+    assert one.n_samples == 20_000
+    values = process.read(path, [one.key], 5000, 15_000)[0]
+    assert np.corrcoef(values, np.sin(np.arange(5000, 15_000) * 0.1))[0, 1] > 0.999
+
+
+def test_a_sound_that_is_cut_off_says_so(files, signal, tmp_path, process):
+    path = tmp_path / "cut.wav"
+    path.write_bytes(files["WAV"].read_bytes()[:-1000])
+    found = process.look(path)
+    assert found.series[0].n_samples == signal.size - 500
+    assert "cut off" in found.notes[0]
+    assert process.look(files["WAV"]).notes == ()
+
+
+@pytest.mark.parametrize("order", ["C", "F"])
+@pytest.mark.parametrize("shape", [(500, 3), (3, 500)])
+def test_columns_of_an_array_lie_along_its_short_side(order, shape, tmp_path, process):
+    values = np.asarray(np.random.default_rng(0).standard_normal(shape), order=order)
+    lanes = values if shape[0] == 3 else values.T
+    np.save(tmp_path / "a.npy", values)
+    np.savez(tmp_path / "a.npz", values)
+    scipy.io.savemat(tmp_path / "a.mat", {"a": values})
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        file.create_dataset("a", data=values, chunks=True, compression="gzip")
+    for name in ("a.npy", "a.npz", "a.mat", "a.h5"):
+        found = process.look(tmp_path / name)
+        assert [one.n_samples for one in found.series] == [500] * 3
+        keys = [one.key for one in found.series]
+        np.testing.assert_array_equal(process.read(tmp_path / name, keys, 0, 500), lanes)
+
+
+def test_structures_groups_units_and_rates_are_found(tmp_path, process):
+    inner = {"acc": np.arange(30.0), "time": np.arange(30.0) / 8000.0, "fs": 8000.0}
+    scipy.io.savemat(tmp_path / "a.mat", {"trial": {"one": inner}, "note": "hello"})
+    found = process.look(tmp_path / "a.mat")
+    assert [one.key for one in found.signals()] == ["trial/one/acc"]
+    assert (found.rate_hz, found.rate_from) == (8000.0, "'trial/one/fs'")
+    choice = suggested(found)
+    assert choice.time == "trial/one/time"
+
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        for group, rate in (("a", 1000.0), ("b", 4000.0)):
+            file[f"{group}/acc"] = np.arange(30.0)
+            file[f"{group}/acc"].attrs["unit"] = "g"
+            file[f"{group}/acc"].attrs["sampling_rate"] = rate
+            file[f"{group}/time"] = np.arange(30.0) / rate
+    found = process.look(tmp_path / "a.h5")
+    second = found.one("b/acc")
+    assert (second.unit, found.rate_of(second)) == ("g", 4000.0)
+    assert found.time_of(second).key == "b/time"
+
+
+def test_what_is_no_signal_is_left_out_and_named(tmp_path, process):
+    np.savez(
+        tmp_path / "a.npz",
+        good=np.arange(10.0),
+        text=np.array(["a", "b"]),
+        cube=np.zeros((3, 4, 5)),
+        wide=np.zeros((100, 200)),
+        turning=np.ones(10, complex),
+    )
+    found = process.look(tmp_path / "a.npz")
+    assert [one.key for one in found.series] == ["good"]
+    for name in ("text", "cube", "wide", "turning"):
+        assert any(f"'{name}'" in note for note in found.notes), name
+
+
+def test_objects_are_never_unpickled(tmp_path, process):
+    class Trap:
+        def __reduce__(self):
+            return (open, (str(tmp_path / "sprung"), "w"))
+
+    np.save(tmp_path / "a.npy", np.array([Trap(), Trap()]), allow_pickle=True)
+    np.savez(tmp_path / "a.npz", a=np.array([Trap()]), b=np.arange(5.0))
+    with pytest.raises(RecordingError, match="Python objects"):
+        process.look(tmp_path / "a.npy")
+    assert [one.key for one in process.look(tmp_path / "a.npz").series] == ["b"]
+    assert not (tmp_path / "sprung").exists()
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (b"", "no rows of numbers"),
+        (b"\0\1\2" * 50, "no text"),
+        (b"RIFF\x24\0\0\0WAVEfmt ", "cannot be read"),
+        (b"\x93NUMPY\x01\0", "cannot be read"),
+        (b"PK\x03\x04nonsense", "cannot be read"),
+        (b"MATLAB 5.0 MAT-file", "no MATLAB header"),
+        (b"\x89HDF\r\n\x1a\n" + bytes(50), "cannot be read"),
+        (b"<html>nothing here</html>", "no rows of numbers"),
+    ],
+)
+def test_what_is_no_recording_is_one_clear_error(content, words, tmp_path, process):
+    path = tmp_path / "strange.bin"
+    path.write_bytes(content)
+    with pytest.raises(RecordingError, match=words) as error:
+        process.look(path)
+    said = str(error.value)
+    assert said.startswith("strange.bin: ")
+    assert "Traceback" not in said
+    assert "expected" in said
+
+
+def test_a_file_that_is_not_there_is_said_to_be_missing(tmp_path, process):
+    for path in (tmp_path / "none.wav", tmp_path):
+        with pytest.raises(StorageError, match="cannot be read"):
+            process.look(path)
+
+
+def test_a_checksum_in_an_archive_is_looked_at(tmp_path, process):
+    path = tmp_path / "a.npz"
+    np.savez(path, a=np.arange(1000.0))
+    content = bytearray(path.read_bytes())
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        start = archive.infolist()[0].header_offset + 300
+    content[start] ^= 1
+    path.write_bytes(content)
+    with pytest.raises(RecordingError):
+        process.read(path, ["a"], 0, 1000)
+
+
+def test_endings_are_those_of_the_formats():
+    assert {".wav", ".flac", ".aiff", ".ogg", ".csv", ".npy", ".mat", ".h5"} <= set(endings())

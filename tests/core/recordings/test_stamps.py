@@ -1,0 +1,84 @@
+"""Time stamps that are steady, rounded, or neither."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from skinsource.errors import InvalidInputError
+from skinsource.recordings.stamps import at_steady_rate, pace_of
+
+
+@pytest.mark.parametrize("rate_hz", [100, 1300, 5988, 6000, 48_000])
+def test_steady_stamps_say_their_rate(rate_hz):
+    pace = pace_of(17.25 + np.arange(3000) / rate_hz)
+    assert pace.steady
+    assert pace.rate_hz == rate_hz
+
+
+@pytest.mark.parametrize("digits", [3, 4, 5, 6])
+def test_stamps_that_are_only_rounded_are_steady(digits):
+    rate_hz = 900 if digits == 3 else 1300
+    pace = pace_of(np.round(np.arange(5000) / rate_hz, digits))
+    assert pace.steady
+    assert pace.rate_hz == rate_hz
+
+
+def test_a_rate_between_whole_hertz_is_kept():
+    pace = pace_of(np.arange(100_000) / 1302.5)
+    assert pace.rate_hz == Fraction(2605, 2)
+
+
+@pytest.mark.parametrize("deviation", [0.02, 0.4])
+def test_jitter_beyond_the_digits_is_not_steady(deviation):
+    rng = np.random.default_rng(0)
+    stamps = (np.arange(5000) + rng.uniform(-deviation, deviation, 5000)) / 6000.0
+    pace = pace_of(stamps)
+    assert not pace.steady
+    assert "steps of" in pace.note
+    assert abs(pace.rate_hz - 6000) <= 1
+
+
+def test_a_signal_with_jitter_is_itself_at_a_steady_rate():
+    rng = np.random.default_rng(1)
+    # More than one block of samples.
+    n = 70_000
+    stamps = 5.0 + (np.arange(n) + rng.uniform(-0.3, 0.3, n)) / 6000.0
+    values = np.sin(2.0 * np.pi * 250.0 * stamps)
+    found = at_steady_rate(values, stamps, Fraction(6000))
+    times = stamps[0] + np.arange(found.size) / 6000.0
+    assert abs(found.size - n) <= 1
+    assert np.abs(found - np.sin(2.0 * np.pi * 250.0 * times))[3:-3].max() < 2e-3
+    assert np.abs(found - np.sin(2.0 * np.pi * 250.0 * times)).max() < 2e-2
+
+
+def test_samples_on_the_grid_stay_what_they_are():
+    stamps = np.arange(1000) / 500.0
+    values = np.random.default_rng(2).standard_normal(1000)
+    found = at_steady_rate(values, stamps, Fraction(500))
+    np.testing.assert_allclose(found, values, rtol=0, atol=1e-9)
+
+
+def test_a_gap_is_bridged_by_a_straight_line():
+    stamps = np.concatenate((np.arange(200) / 1000.0, 0.5 + np.arange(200) / 1000.0))
+    values = np.sin(stamps * 900.0)
+    found = at_steady_rate(values, stamps, Fraction(1000))
+    expected = np.interp(np.arange(200, 500) / 1000.0, [stamps[199], 0.5], values[[199, 200]])
+    np.testing.assert_allclose(found[200:500], expected, atol=1e-12)
+    assert np.abs(found).max() <= 1.0001
+
+
+@pytest.mark.parametrize(
+    ("stamps", "words"),
+    [
+        ([0.0, 1.0, 1.0, 2.0], "sample 3"),
+        ([0.0, 1.0, 0.5], "from 1 to 0.5 s"),
+        ([0.0, np.nan, 2.0], "sample 2"),
+        ([1.0], "one time stamp"),
+        ([0.0, 1e-9, 2e-9], "check their unit"),
+        ([0.0, 1e6, 2e6], "check their unit"),
+    ],
+)
+def test_stamps_that_cannot_be_are_refused(stamps, words):
+    with pytest.raises(InvalidInputError, match=words):
+        pace_of(np.array(stamps))

@@ -1,0 +1,193 @@
+"""From the numbers of a file to what a waveform plays."""
+
+from dataclasses import replace
+
+import h5py
+import numpy as np
+import pytest
+import soundfile
+
+import skinsource as ss
+from skinsource.errors import InvalidInputError, RecordingError, Stopped
+from skinsource.recordings import ImportChoice, look, suggested, take, taken
+from tests.core.recordings.conftest import write_wav
+
+KEEP = ImportChoice(series="0", rate_hz=1300.0, scale="keep", remove_offset=False)
+
+
+def values_of(choice, raw, **more):
+    return taken(np.asarray(raw), choice, 1300.0, **more).samples
+
+
+def test_samples_at_the_rate_of_the_design_stay_bit_by_bit():
+    raw = np.random.default_rng(0).standard_normal(3000)
+    found = values_of(KEEP, raw)
+    np.testing.assert_array_equal(found.values, raw)
+    assert (found.sample_rate_hz, found.unit) == (1300.0, "")
+
+
+def test_other_rates_are_resampled():
+    raw = np.random.default_rng(0).standard_normal(3000).astype(np.float32)
+    found = values_of(replace(KEEP, rate_hz=48_000.0), raw)
+    np.testing.assert_array_equal(found.values, ss.resample(raw, 48_000, 1300))
+
+
+@pytest.mark.parametrize(
+    ("unit", "factor", "becomes"),
+    [
+        ("full scale", 1.0, ""), ("m/s²", 1.0, "m/s²"), ("g", 9.80665, "m/s²"), ("N", 1.0, "N"),
+        ("V", 1.0, "V"),
+    ],
+)  # fmt: skip
+def test_units_that_are_only_factors(unit, factor, becomes):
+    raw = np.array([0.5, -1.0, 0.25])
+    found = values_of(replace(KEEP, unit=unit), raw)
+    np.testing.assert_array_equal(found.values, raw * factor)
+    assert found.unit == becomes
+
+
+@pytest.mark.parametrize(("unit", "power"), [("mm/s", 1), ("µm", 2)])
+def test_velocities_and_displacements_become_accelerations(unit, power):
+    time = np.arange(5200) / 1300.0
+    raw = 3.0 * np.sin(2.0 * np.pi * 200.0 * time)
+    found = values_of(replace(KEEP, unit=unit), raw)
+    si = 3e-3 if unit == "mm/s" else 3e-6
+    # Some whole number of periods in the middle: the root of the mean square of a sine.
+    middle = found.values[1300:3900]
+    expected = si * (2.0 * np.pi * 200.0) ** power / np.sqrt(2.0)
+    assert np.sqrt(np.mean(middle**2)) == pytest.approx(expected, rel=1e-4)
+    assert found.unit == "m/s²"
+    notes = taken(raw, replace(KEEP, unit=unit), 1300.0).notes
+    assert any("from 25 Hz on" in note for note in notes)
+
+
+def test_the_peak_becomes_one_and_the_drive_has_no_unit():
+    found = values_of(replace(KEEP, scale="peak", unit="g"), [0.5, -4.0, 1.0])
+    np.testing.assert_array_equal(found.values, [0.125, -1.0, 0.25])
+    assert found.unit == ""
+
+
+def test_the_offset_goes_when_it_is_unwanted():
+    raw = np.array([3.0, 5.0, 4.0])
+    np.testing.assert_array_equal(values_of(KEEP, raw).values, raw)
+    whole = taken(raw, replace(KEEP, remove_offset=True), 1300.0)
+    np.testing.assert_array_equal(whole.samples.values, [-1.0, 1.0, 0.0])
+    assert "An offset of 4 " in whole.notes[0]
+
+
+def test_missing_numbers_are_refused_or_zero():
+    raw = np.array([1.0, np.nan, 3.0, np.inf])
+    with pytest.raises(InvalidInputError, match=r"2 of 4 numbers .* the first is number 2 "):
+        values_of(KEEP, raw)
+    whole = taken(raw, replace(KEEP, missing="zero"), 1300.0)
+    np.testing.assert_array_equal(whole.samples.values, [1.0, 0.0, 3.0, 0.0])
+    assert "2 missing numbers" in whole.notes[0]
+
+
+def test_stamps_give_the_rate_and_are_made_steady():
+    steady = np.arange(2600) / 2600.0
+    raw = np.sin(2.0 * np.pi * 100.0 * steady)
+    choice = replace(KEEP, rate_hz=None)
+    found = values_of(choice, raw, stamps_s=steady)
+    np.testing.assert_array_equal(found.values, ss.resample(raw, 2600, 1300))
+    uneven = steady + 0.2 / 2600.0 * np.sin(np.arange(2600) * 1.7)
+    found = taken(np.sin(2 * np.pi * 100.0 * uneven), choice, 1300.0, stamps_s=uneven)
+    assert "not steady" in found.notes[0]
+    expected = np.sin(2.0 * np.pi * 100.0 * (uneven[0] + np.arange(1300) / 1300.0))
+    assert np.abs(found.samples.values[100:1200] - expected[100:1200]).max() < 1e-3
+
+
+@pytest.mark.parametrize(
+    ("choice", "raw", "words"),
+    [
+        (replace(KEEP, rate_hz=None), [1.0, 2.0], "does not say its sample rate"),
+        (KEEP, [], "no sample in this part"),
+        (replace(KEEP, scale="peak"), [0.0, 0.0], "silent"),
+    ],
+)
+def test_what_cannot_be_taken_is_refused(choice, raw, words):
+    with pytest.raises(InvalidInputError, match=words):
+        values_of(choice, np.array(raw))
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"rate_hz": 0.0}, {"rate_hz": float("nan")}, {"unit": "kg"}, {"scale": "loud"},
+        {"start_s": -1.0}, {"duration_s": 0.0}, {"duration_s": 601.0}, {"missing": "guess"},
+        {"time_unit_s": 0.0},
+    ],
+)  # fmt: skip
+def test_choices_that_mean_nothing_are_refused(wrong):
+    with pytest.raises(InvalidInputError, match=next(iter(wrong))):
+        replace(KEEP, **wrong)
+
+
+def test_a_part_of_a_file_is_taken_and_named(tmp_path, signal, process):
+    path = tmp_path / "a.wav"
+    write_wav(path, [signal, -signal], 1300)
+    choice = replace(KEEP, series="1", rate_hz=None, start_s=0.1, duration_s=0.5)
+    found = take(path, choice, process=process)
+    np.testing.assert_array_equal(found.samples.values, -signal[130:780])
+    assert (found.name, found.from_hz) == ("a.wav, channel 2", 1300.0)
+    assert look(path).rate_hz == 1300.0
+
+
+def test_a_part_between_stamps_is_taken(files, signal, process):
+    choice = suggested(process.look(files["text"]))
+    assert (choice.time, choice.unit, choice.rate_hz) == ("0", "g", None)
+    choice = replace(choice, start_s=0.25, duration_s=0.25, scale="keep", remove_offset=False)
+    found = take(files["text"], choice, 2000.0, process=process)
+    np.testing.assert_array_equal(found.samples.values, signal[500:1000] * 9.80665)
+    assert found.name == "a.csv"
+
+
+def test_every_format_leads_to_the_same_drive(files, process):
+    digests = set()
+    for file_format, path in files.items():
+        choice = suggested(process.look(path))
+        choice = replace(choice, unit="full scale")
+        if file_format == "NPY":
+            choice = replace(choice, rate_hz=2000.0)
+        digests.add(take(path, choice, process=process).samples.digest)
+    assert len(digests) == 1
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"series": "7"}, "no signal '7'.*Choose one"),
+        ({"start_s": 100.0}, "begins after the end"),
+    ],
+)
+def test_errors_name_the_file(changes, words, files, process):
+    with pytest.raises(RecordingError, match=f"a.wav: .*{words}"):
+        take(files["WAV"], replace(KEEP, rate_hz=None, **changes), process=process)
+
+
+def test_taking_can_be_stopped_and_tells_how_far_it_is(tmp_path, process):
+    path = tmp_path / "long.wav"
+    soundfile.write(path, np.zeros(2_000_000), 48_000)
+    told = []
+    take(
+        path,
+        replace(KEEP, rate_hz=None),
+        process=process,
+        progress=lambda done, total, text: told.append((done, total, text)),
+    )
+    assert told[-1] == (2_000_000, 2_000_000, "Reading long.wav")
+    assert len(told) > 5
+    with pytest.raises(Stopped):
+        take(path, KEEP, process=process, stop=lambda: len(told) > 3)
+    assert process.look(path).rate_hz == 48_000
+
+
+def test_a_part_is_taken_from_the_end_of_a_packed_file(tmp_path, process):
+    path = tmp_path / "large.h5"
+    values = np.random.default_rng(0).standard_normal(1_000_000)
+    with h5py.File(path, "w") as file:
+        file.create_dataset("a", data=values, chunks=(100_000,), compression=1)
+        file["a"].attrs["fs"] = 10_000
+    choice = replace(KEEP, series="a", rate_hz=None, start_s=99.5, duration_s=60.0)
+    found = take(path, choice, 10_000.0, process=process)
+    np.testing.assert_array_equal(found.samples.values, values[-5000:])

@@ -1,0 +1,149 @@
+"""Tables in text, as programs and people write them."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from skinsource.errors import RecordingError
+from skinsource.recordings import text_table
+from skinsource.recordings.text_layout import layout_of
+
+NUMBERS = [[0.0, 1.5], [0.001, -2.25], [0.002, 1e-3]]
+
+TABLES = {
+    "commas": "0,1.5\n0.001,-2.25\n0.002,1e-3\n",
+    "no end of line": "0,1.5\n0.001,-2.25\n0.002,1e-3",
+    "tabs": "0\t1.5\n0.001\t-2.25\n0.002\t1e-3\n",
+    "blanks": "  0   1.5\n 0.001  -2.25\n 0.002 1e-3\n",
+    "decimal commas": "0;1,5\n0,001;-2,25\n0,002;1e-3\n",
+    "decimal commas and tabs": "0\t1,5\n0,001\t-2,25\n0,002\t1e-3\n",
+    "Windows": "0,1.5\r\n0.001,-2.25\r\n0.002,1e-3\r\n",
+    "a comma at each end": "0,1.5,\n0.001,-2.25,\n0.002,1e-3,\n",
+    "quotation marks": '"0","1.5"\n"0.001","-2.25"\n"0.002","1e-3"\n',
+    "empty lines and comments": "# made by hand\n\n0,1.5\n\n0.001,-2.25\n# half\n0.002,1e-3\n\n",
+    "Fortran": "0 1.5D0\n0.001 -2.25D0\n0.002 1D-3\n",
+    "bars": "0|1.5\n0.001|-2.25\n0.002|1e-3\n",
+}
+
+
+def numbers_of(path):
+    found = text_table.look(path)
+    keys = [one.key for one in found.series]
+    n = found.series[0].n_samples
+    return np.concatenate(list(text_table.blocks(path, keys, 0, n)), axis=1).T
+
+
+@pytest.mark.parametrize("name", TABLES)
+@pytest.mark.parametrize("heading", ["", "time [s]{0}acc [g]\n", "made today\nt{0}x\ns{0}m/s^2\n"])
+def test_tables_are_understood_however_they_are_written(name, heading, tmp_path):
+    separator = {"tabs": "\t", "blanks": "  ", "bars": "|", "Fortran": " "}.get(name, ",")
+    separator = ";" if name == "decimal commas" else separator
+    separator = "\t" if "and tabs" in name else separator
+    end = "," if name == "a comma at each end" else ""
+    text = heading.format(separator).replace("\n", f"{end}\n") if heading else ""
+    if name == "blanks" or name == "Fortran":
+        text = text.replace(" [", "[")
+    path = tmp_path / "a.csv"
+    path.write_text(text + TABLES[name], newline="")
+    np.testing.assert_array_equal(numbers_of(path), NUMBERS)
+    first, second = text_table.look(path).series
+    if heading:
+        assert first.is_time
+        assert second.unit == ("g" if "[g]" in heading else "m/s²")
+    else:
+        assert (first.name, second.name) == ("column 1", "column 2")
+
+
+@pytest.mark.parametrize(
+    ("line", "rate_hz"),
+    [
+        ("# Sample rate: 10000 Hz", 10_000),
+        ("Sampling frequency [Hz],1300", 1300),
+        ("fs = 2.5 kHz", 2500),
+        ("SampleRate=48000", 48_000),
+        ("# recorded on a Friday", None),
+    ],
+)
+def test_a_rate_before_the_numbers_is_found(line, rate_hz, tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text(f"{line}\nx,y\n1.5,2\n2.5,3\n")
+    assert text_table.look(path).rate_hz == rate_hz
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "cp1252"])
+def test_names_in_any_encoding(encoding, tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text("Zeit [ms];Größe [µm]\n1,5;2\n2,5;3\n", encoding=encoding)
+    time, size = text_table.look(path).series
+    assert (time.is_time, time.time_unit_s) == (True, 1e-3)
+    assert (size.name, size.unit) == ("Größe", "µm")
+
+
+def test_empty_cells_are_missing_numbers(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text("t,x\n0,1\n1,\n2,NaN\n3,4\n")
+    np.testing.assert_array_equal(numbers_of(path)[:, 1], [1.0, np.nan, np.nan, 4.0])
+
+
+def test_a_line_that_is_wrong_is_named(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text("x,y\n" + "1,2\n" * 100_000 + "3,oops\n" + "1,2\n" * 100)
+    with pytest.raises(RecordingError, match=r"line 100002 holds 'oops'.*expected 2 numbers"):
+        numbers_of(path)
+    path.write_text("x,y\n" + "1,2\n" * 100_000 + "3\n" + "1,2\n" * 100)
+    with pytest.raises(RecordingError, match="line 100002 holds 1 cells"):
+        numbers_of(path)
+
+
+def test_a_last_line_that_is_cut_off_is_left_out_with_a_note(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text("x,y\n1,2\n3,4\n5")
+    found = text_table.look(path)
+    assert found.series[0].n_samples == 2
+    assert "cut off" in found.notes[0]
+    np.testing.assert_array_equal(numbers_of(path), [[1, 2], [3, 4]])
+
+
+def test_commas_between_whole_numbers_are_said_to_be_a_guess():
+    assert "separators" in layout_of(["1,5", "2,25", "3,125"]).notes[0]
+    assert layout_of(["1.5,2", "2,25"]).notes == ()
+
+
+def test_parts_are_those_of_the_whole(tmp_path, monkeypatch):
+    monkeypatch.setattr("skinsource.recordings.limits.BLOCK", 16)
+    values = np.random.default_rng(0).standard_normal((100, 3))
+    path = tmp_path / "a.txt"
+    np.savetxt(path, values)
+    for start, stop in ((0, 100), (17, 64), (99, 100), (40, 1000)):
+        blocks = list(text_table.blocks(path, ["2", "0"], start, stop))
+        found = np.concatenate(blocks, axis=1)
+        np.testing.assert_array_equal(found, values[start:stop, [2, 0]].T)
+
+
+def test_a_line_without_end_is_refused(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text("1,2\n" * 20_000 + "7" * 2_000_000)
+    with pytest.raises(RecordingError, match="characters"):
+        text_table.look(path)
+
+
+@given(
+    values=st.lists(
+        st.tuples(*[st.floats(allow_nan=False, allow_infinity=False)] * 2),
+        min_size=1,
+        max_size=20,
+    ),
+    separator=st.sampled_from(["\t", ";", ",", "|", " "]),
+    comma=st.booleans(),
+)
+@settings(max_examples=60, deadline=None)
+def test_what_is_written_with_all_digits_is_read_to_the_last_bit(
+    values, separator, comma, tmp_path_factory
+):
+    path = tmp_path_factory.mktemp("table") / "a.csv"
+    text = "\n".join(f"{a!r}{separator}{b!r}" for a, b in values) + "\n"
+    if comma and separator != ",":
+        text = text.replace(".", ",")
+    path.write_text(text)
+    np.testing.assert_array_equal(numbers_of(path), values)
