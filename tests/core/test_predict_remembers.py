@@ -8,7 +8,7 @@ import pytest
 
 import skinsource as ss
 from skinsource import response
-from skinsource.rendering.spectra_of_limbs import SpectraOfLimbs
+from skinsource.prediction.spectra_of_limbs import SpectraOfLimbs
 from skinsource.work import counting
 
 DRIVES = np.random.default_rng(3).standard_normal((20, 325))
@@ -30,18 +30,32 @@ def limb() -> ss.Limb:
 
 
 @pytest.mark.parametrize("scaling", ["relative", "upstream", "probe"])
-@pytest.mark.parametrize("n_inputs", [1, 20])
-def test_the_second_prediction_transforms_no_response_and_gives_the_same_bits(
-    limb, scaling, n_inputs
-):
-    drives, places = DRIVES[:n_inputs], PLACES[:n_inputs]
+def test_the_second_prediction_transforms_no_response_and_gives_the_same_bits(limb, scaling):
     with counting() as first:
-        expected = ss.predict(limb, drives, places, scaling=scaling)
+        expected = ss.predict(limb, DRIVES, PLACES, scaling=scaling)
     with counting() as second:
-        found = ss.predict(limb, drives, places, scaling=scaling)
-    assert first.forward_transforms == n_inputs * (216 + 1)
-    assert second.forward_transforms == n_inputs
+        found = ss.predict(limb, DRIVES, PLACES, scaling=scaling)
+    assert first.forward_transforms == 20 * (216 + 1)
+    assert second.forward_transforms == 20
     assert found.tobytes() == expected.tobytes()
+
+
+@pytest.mark.parametrize("scaling", ["relative", "upstream", "probe"])
+def test_of_a_place_that_is_used_alone_spectra_are_kept_from_the_second_time_on(limb, scaling):
+    found, work = [], []
+    for _ in range(3):
+        with counting() as counted:
+            found.append(ss.predict(limb, DRIVES[:1], [7], [-0.5], scaling=scaling).tobytes())
+        work.append((counted.forward_transforms, response._remembered().held_bytes > 0))
+    assert work == [(217, False), (217, True), (1, True)]
+    assert found[0] == found[1] == found[2]
+
+
+def test_a_place_that_was_used_beside_others_is_known_alone(limb):
+    ss.predict(limb, DRIVES[:2], [7, 8])
+    with counting() as work:
+        ss.predict(limb, DRIVES[:1], [8])
+    assert work.forward_transforms == 1
 
 
 def test_where_one_drive_of_several_changed_only_its_maximum_is_searched_for(limb):
@@ -103,27 +117,39 @@ def test_twenty_places_of_one_second_take_half_of_the_budget(limb):
     assert 60e6 < response._remembered().held_bytes < 70e6
 
 
-def test_the_least_recently_used_go_first():
+ONE = 216 * (576 // 2 + 1) * 16
+
+
+def test_the_limbs_lengths_and_scalings_that_were_not_used_for_longest_go_first():
     first, second = ss.load_limb("synthetic-1"), ss.load_limb("synthetic-2")
-    one = 216 * (576 // 2 + 1) * 16
-    spectra = SpectraOfLimbs(budget_bytes=3 * one)
-    spectra.of(first, [1, 2], "relative", 576)
-    spectra.of(second, [1], "relative", 576)
-    assert spectra.held_bytes == 3 * one
+    spectra = SpectraOfLimbs(budget_bytes=3 * ONE)
     spectra.of(first, [1], "relative", 576)
-    spectra.of(second, [2], "relative", 576)
-    assert spectra.held_bytes == 3 * one
+    spectra.of(first, [1], "probe", 576)
+    spectra.of(second, [1], "relative", 576)
+    assert spectra.held_bytes == 3 * ONE
+    spectra.of(first, [1], "relative", 576)
+    spectra.of(first, [2], "relative", 576)
+    assert spectra.held_bytes == 3 * ONE
     with counting() as work:
-        spectra.of(second, [1, 2], "relative", 576)
-        spectra.of(first, [1], "relative", 576)
+        spectra.of(first, [2, 1], "relative", 576)
+        spectra.of(first, [1], "probe", 576)
     assert work.forward_transforms == 0
+    with counting() as work:
+        spectra.of(second, [1], "relative", 576)
+    assert work.forward_transforms == 216
 
 
-def test_what_is_larger_than_the_budget_is_given_and_not_kept(limb):
-    spectra = SpectraOfLimbs(budget_bytes=1000)
-    found = spectra.of(limb, [3, 3, 4], "relative", 576)
-    assert [one.n_fft for one in found] == [576] * 3
-    assert spectra.held_bytes == 0
+@pytest.mark.parametrize("fitting", [0, 2])
+def test_what_is_larger_than_the_budget_is_given_and_kept_as_far_as_it_fits(limb, fitting):
+    spectra = SpectraOfLimbs(budget_bytes=fitting * ONE)
+    for counted in (4, 4 - fitting):
+        with counting() as work:
+            found = spectra.of(limb, [3, 3, 4, 5, 6], "relative", 576)
+        assert work.forward_transforms == counted * 216
+        assert spectra.held_bytes == fitting * ONE
+        for one, place in zip(found, (3, 3, 4, 5, 6), strict=True):
+            expected = np.fft.rfft(limb.response_to(place), 576)
+            np.testing.assert_allclose(one.values, expected, rtol=0, atol=1e-12)
 
 
 def test_a_limb_that_is_freed_frees_its_spectra():

@@ -27,7 +27,11 @@ def rounding_bound(norms: float, n_fft: int) -> float:
 
 
 def channel_bounds(
-    samples: Floats, spectra: Complexes, responses: Sequence[ResponseSpectrum]
+    samples: Floats,
+    spectra: Complexes,
+    responses: Sequence[ResponseSpectrum],
+    *,
+    tight: bool = True,
 ) -> Floats:
     """What no sample of each channel exceeds, for pieces of drives.
 
@@ -43,25 +47,34 @@ def channel_bounds(
         Their spectra at the length of the responses'.
     responses : n_pieces of them
         Responses to the place where each piece is played.
+    tight
+        Whether by frequency too: what that needs of the responses takes long to prepare.
 
     Returns
     -------
     (n_pieces, n_channels)
     """
+    section_norms = np.array([response.norms.sections for response in responses])
+    bounds: Floats = (
+        section_norms @ _largest_norms(samples, responses[0].norms.section_lengths)[:, :, None]
+    )[:, :, 0]
+    by_peak = np.array([response.norms.absolute_sums for response in responses])
+    by_peak *= np.abs(samples).max(axis=-1, initial=0.0)[:, None]
+    np.minimum(bounds, by_peak, out=bounds)
+    if tight:
+        np.minimum(bounds, _bounds_by_frequency(spectra, responses), out=bounds)
+    bounds *= _MARGIN
+    return bounds
+
+
+def _bounds_by_frequency(spectra: Complexes, responses: Sequence[ResponseSpectrum]) -> Floats:
     starts = np.arange(0, spectra.shape[-1], BAND_BINS)
     # The drives are scaled: their squares are far from over- and underflow.
     magnitudes = np.sqrt(np.square(spectra.real) + np.square(spectra.imag))
     bands = np.add.reduceat(magnitudes, starts, axis=-1)
-    by_frequency = np.empty((len(samples), len(responses[0].absolute_sums)))
-    for row, response, band in zip(by_frequency, responses, bands, strict=True):
+    bounds = np.empty((len(spectra), len(responses[0].rows)))
+    for row, response, band in zip(bounds, responses, bands, strict=True):
         np.matmul(response.band_magnitudes, band, out=row)
-    section_norms = np.array([response.section_norms for response in responses])
-    by_section = (
-        section_norms @ _largest_norms(samples, responses[0].section_lengths)[:, :, None]
-    )[:, :, 0]
-    by_peak = np.array([response.absolute_sums for response in responses])
-    by_peak *= np.abs(samples).max(axis=-1, initial=0.0)[:, None]
-    bounds: Floats = np.minimum(np.minimum(by_frequency, by_section), by_peak) * _MARGIN
     return bounds
 
 

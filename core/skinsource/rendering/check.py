@@ -59,7 +59,7 @@ class Heard:
 
     def rounding(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> float:
         """Size of the products whose rounding adds up, in the strongest of some channels."""
-        energies = self.response.energies.reshape(self.response.taps.shape[:2])
+        energies = self.response.norms.energies.reshape(self.response.taps.shape[:2])
         strongest = energies[[output - 1 for output in outputs]][:, list(axes)].max()
         return float(abs(self.weight) * np.linalg.norm(self.drive.samples) * strongest)
 

@@ -2,9 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from hashlib import sha256
 from sys import getsizeof
-from threading import Lock
 from weakref import ref
 
 import numpy as np
@@ -14,7 +12,7 @@ from skinsource.chain import Drive
 from skinsource.job import Stop, never
 from skinsource.limb import Limb
 from skinsource.rendering.bounds import rounding_bound
-from skinsource.rendering.budgets import GAINS_BYTES, PREDICT_GAINS_BYTES
+from skinsource.rendering.budgets import GAINS_BYTES
 from skinsource.rendering.drives import Drives
 from skinsource.rendering.maxima import Peak, peaks_of
 from skinsource.rendering.memory import Memory
@@ -30,6 +28,8 @@ def unit_gains(
     spectra: Sequence[Complexes],
     responses: Sequence[ResponseSpectrum],
     stop: Stop = never,
+    *,
+    tight: bool = True,
 ) -> list[float]:
     """What vibrations by scaled samples of drives are multiplied with under upstream's scaling.
 
@@ -44,8 +44,11 @@ def unit_gains(
         block by block.
     responses
         Responses to the place of each drive.
+    tight
+        As in `channel_bounds`.
     """
-    peaks = peaks_of([drive.samples for drive in drives], spectra, responses, stop)
+    samples = [drive.samples for drive in drives]
+    peaks = peaks_of(samples, spectra, responses, stop, tight=tight)
     # The factor of the drive cancels: the vibration reaches the amplitude whatever it was.
     return [
         1.0 / peak.value if is_positive(peak, drive, response) else drive.factor
@@ -55,8 +58,16 @@ def unit_gains(
 
 def is_positive(peak: Peak, drive: Drive, response: ResponseSpectrum) -> bool:
     """Whether the maximum of a vibration is above 0 by more than the rounding of its transforms."""
-    norms = float(np.linalg.norm(drive.samples) * response.energies.max())
-    return peak.value >= max(_SMALLEST, rounding_bound(norms, response.n_fft))
+    return exceeds_rounding(peak.value, drive, response.norms.energies.max(), response.n_fft)
+
+
+def exceeds_rounding(largest: float, drive: Drive, energy: float, n_fft: int) -> bool:
+    """Whether a sample is above the rounding of transforms of ``drive`` and of a response.
+
+    ``energy`` is the norm of that response, or more.
+    """
+    norms = float(np.linalg.norm(drive.samples) * energy)
+    return largest >= max(_SMALLEST, rounding_bound(norms, n_fft))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -66,48 +77,6 @@ class Sounding:
     unit: UnitVoice
     drive: Drive
     response: ResponseSpectrum
-
-
-class GainsOfDrives:
-    """Gains of any samples at places of limbs, for scripts: in bounded memory, for all threads."""
-
-    def __init__(self) -> None:
-        self._known = Memory[float](PREDICT_GAINS_BYTES, getsizeof)
-        self._lock = Lock()
-
-    def of(
-        self,
-        limb: Limb,
-        places: Sequence[int],
-        drives: Sequence[Drive],
-        spectra: Sequence[Complexes],
-        responses: Sequence[ResponseSpectrum],
-    ) -> list[float]:
-        """Gain of each drive at its place; arguments as those of `unit_gains`."""
-        keys = [
-            (
-                ref(limb),
-                place,
-                response.n_fft,
-                drive.factor,
-                sha256(drive.samples.tobytes()).digest(),
-            )
-            for place, drive, response in zip(places, drives, responses, strict=True)
-        ]
-        with self._lock:
-            known = {key: gain for key in keys if (gain := self._known.find(key)) is not None}
-        missing = {key: k for k, key in enumerate(keys) if key not in known}
-        new = list(missing.values())
-        if new:
-            found = unit_gains(
-                [drives[k] for k in new], [spectra[k] for k in new], [responses[k] for k in new]
-            )
-            known |= zip(missing, found, strict=True)
-            with self._lock:
-                for key in missing:
-                    if self._known.find(key) is None:
-                        self._known.add(key, known[key])
-        return [known[key] for key in keys]
 
 
 class Gains:

@@ -41,6 +41,8 @@ def peaks_of(
     spectra: Sequence[Complexes],
     responses: Sequence[ResponseSpectrum],
     stop: Stop = never,
+    *,
+    tight: bool = True,
 ) -> list[Peak]:
     """Signed maximum of each drive convolved with its responses, over channels and times.
 
@@ -53,6 +55,8 @@ def peaks_of(
         searched block by block.
     responses
         Responses to the place of each drive, at the same ``n_fft``, or at that of blocks.
+    tight
+        As in `channel_bounds`; blocks are searched with tight ones.
     """
     if not spectra:
         pairs = zip(drives, responses, strict=True)
@@ -60,7 +64,7 @@ def peaks_of(
     padded = np.zeros((len(drives), max(drive.size for drive in drives)))
     for line, drive in zip(padded, drives, strict=True):
         line[: drive.size] = drive
-    bounds = channel_bounds(padded, np.array(spectra), responses)
+    bounds = channel_bounds(padded, np.array(spectra), responses, tight=tight)
     order = np.argsort(-bounds, axis=-1, kind="stable")
     peaks = [Peak(-np.inf) for _ in spectra]
     largest = np.full(len(peaks), -np.inf)

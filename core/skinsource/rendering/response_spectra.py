@@ -1,11 +1,9 @@
 """Spectra of impulse responses, by place and length, in bounded memory."""
 
-import mmap
-import sys
 from collections import OrderedDict
 from dataclasses import dataclass
 from functools import cached_property
-from math import prod
+from itertools import pairwise
 from weakref import ref
 
 import numpy as np
@@ -15,6 +13,7 @@ from skinsource.chain import LARGEST, first_unusable
 from skinsource.errors import InvalidInputError
 from skinsource.limb import Limb
 from skinsource.rendering.budgets import RESPONSE_SPECTRA_BYTES
+from skinsource.rendering.large_pages import room_for
 from skinsource.rendering.transforms import forward
 from skinsource.scaling.calibration import per_probe_acceleration
 from skinsource.scaling.response_scaling import Scaling
@@ -35,11 +34,14 @@ class ResponseSpectrum:
         m/s².
     values : (n_outputs, 3 axes, n_fft // 2 + 1)
         Their spectra.
+    known_norms
+        Those of the taps, where they were computed already.
     """
 
     taps: Floats
     values: Complexes
     n_fft: int
+    known_norms: "Norms | None" = None
 
     @cached_property
     def rows(self) -> Complexes:
@@ -64,48 +66,57 @@ class ResponseSpectrum:
         return bands
 
     @cached_property
-    def section_norms(self) -> Floats:
-        """Root of the sum of squares of each section of each response, (n_channels, n_sections)."""
-        squares = np.square(self.taps.reshape(-1, self.taps.shape[-1]))
-        return np.sqrt(np.add.reduceat(squares, self._sections, axis=-1))
+    def norms(self) -> "Norms":
+        """Norms of the responses, for bounds of samples."""
+        return Norms.of(self.taps) if self.known_norms is None else self.known_norms
 
-    def prepare_bounds(self) -> None:
-        """Compute now what bounds of samples need."""
-        for _ in (self.band_magnitudes, self.section_norms, self.absolute_sums, self.energies):
-            pass
 
-    @property
-    def section_lengths(self) -> tuple[int, ...]:
-        """Taps in each section."""
-        ends = (*self._sections[1:], self.taps.shape[-1])
-        return tuple(end - begin for begin, end in zip(self._sections, ends, strict=True))
+@dataclass(frozen=True, slots=True, eq=False)
+class Norms:
+    """Norms of responses.
 
-    @property
-    def _sections(self) -> tuple[int, ...]:
-        return tuple(tap for tap in SECTIONS if tap < self.taps.shape[-1])
+    Attributes
+    ----------
+    sections : (n_channels, n_sections)
+        Root of the sum of squares of each section of each response.
+    section_lengths
+        Taps in each section.
+    energies : (n_channels,)
+        Root of the sum of squares of each response.
+    absolute_sums : (n_channels,)
+        Sum of magnitudes of each response.
+    """
 
-    @cached_property
-    def energies(self) -> Floats:
-        """Root of the sum of squares of each response, (n_channels,)."""
-        return np.linalg.norm(self.taps.reshape(-1, self.taps.shape[-1]), axis=-1)
+    sections: Floats
+    section_lengths: tuple[int, ...]
+    energies: Floats
+    absolute_sums: Floats
 
-    @cached_property
-    def absolute_sums(self) -> Floats:
-        """Sum of magnitudes of each response, (n_channels,)."""
-        return np.abs(self.taps.reshape(-1, self.taps.shape[-1])).sum(axis=-1)
+    @classmethod
+    def of(cls, taps: Floats) -> "Norms":
+        """Those of responses, (n_outputs, 3 axes, n_taps)."""
+        n_taps = taps.shape[-1]
+        rows = taps.reshape(-1, n_taps)
+        begins = [tap for tap in SECTIONS if tap < n_taps]
+        squares = np.add.reduceat(np.square(rows), begins, axis=-1)
+        return cls(
+            sections=np.sqrt(squares),
+            section_lengths=tuple(b - a for a, b in pairwise((*begins, n_taps))),
+            energies=np.sqrt(squares.sum(axis=-1)),
+            absolute_sums=np.abs(rows).sum(axis=-1),
+        )
 
 
 class _Places:
     """Spectra at one length, made place by place.
 
-    They lie in one piece of memory, which the system serves in large pages (a sum over twenty
-    places is twice as fast then).
+    They lie in one piece of memory, which the system serves in large pages.
     """
 
     def __init__(self, limb: Limb, n_fft: int) -> None:
         self._n_fft = n_fft
         shape = limb.n_inputs, limb.n_outputs, limb.n_axes, n_fft // 2 + 1
-        self._values = _room(shape)
+        self._values = room_for(shape)
         self._known: dict[int, ResponseSpectrum] = {}
 
     @property
@@ -119,17 +130,6 @@ class _Places:
             values[:] = forward(taps, self._n_fft)
             self._known[location] = ResponseSpectrum(taps, values, self._n_fft)
         return self._known[location]
-
-
-def _room(shape: tuple[int, ...]) -> Complexes:
-    """Memory that is served when it is touched; what never is takes none.
-
-    It comes from the system directly: memory that was in use before is all there, touched or not.
-    """
-    memory = mmap.mmap(-1, prod(shape) * np.dtype(np.complex128).itemsize)
-    if sys.platform == "linux":
-        memory.madvise(mmap.MADV_HUGEPAGE)
-    return np.frombuffer(memory, np.complex128).reshape(shape)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -206,7 +206,9 @@ class ResponseSpectra:
 def scaled_taps(limb: Limb, location: int, scaling: Scaling) -> Floats:
     """Responses to ``location``, (n_outputs, 3, n_taps); refused where one is no usable number."""
     taps = limb.response_to(location)
-    bad = first_unusable(taps)
+    # Not a number is neither.
+    usable = taps.size == 0 or (taps.max() <= LARGEST and taps.min() >= -LARGEST)
+    bad = None if usable else first_unusable(taps)
     if bad is not None:
         output, axis, tap = bad
         raise InvalidInputError(

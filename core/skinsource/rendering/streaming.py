@@ -6,6 +6,7 @@ product.  Blocks in which all are silent cost nothing.
 """
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -143,7 +144,8 @@ class StreamedVibration:
         def multiply(part: slice) -> None:
             np.matmul(drives[part], values[part], out=spectra[part])
 
-        side_by_side(lambda: multiply(slice(0, half)), lambda: multiply(slice(half, n_bins)))
+        parts = slice(0, half), slice(half, n_bins)
+        side_by_side(partial(multiply, part) for part in parts)
         return spectra.reshape(n_bins, -1).T
 
     def _active(self, segments: dict[int, Floats]) -> Booleans:

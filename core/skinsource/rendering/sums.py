@@ -1,13 +1,13 @@
 """Sums of vibrations, written so that memory is read once, by two threads."""
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
 from skinsource.arrays import Complexes
 from skinsource.rendering.side_by_side import side_by_side
 
-# Outputs at a time: what is summed and what is added to it stay in a core's own cache.
 _OUTPUTS_AT_ONCE = 18
 # A second thread pays from about a millisecond of work on.
 _WORTH_A_THREAD = 10**6
@@ -29,20 +29,28 @@ def sum_of_vibrations(responses: Sequence[Complexes], drives: Sequence[Complexes
     """
     total = np.empty(responses[0].shape, np.complex128)
 
-    def fill(outputs: range) -> None:
-        buffer = np.empty((_OUTPUTS_AT_ONCE, *total.shape[1:]), np.complex128)
-        for low in outputs:
-            part = slice(low, low + _OUTPUTS_AT_ONCE)
-            found = np.multiply(responses[0][part], drives[0], out=total[part])
-            for response, drive in zip(responses[1:], drives[1:], strict=True):
-                found += np.multiply(response[part], drive, out=buffer[: len(found)])
-
+    tasks = [
+        partial(add_up, [one[part] for one in responses], drives, total[part])
+        for part in parts_of(len(total))
+    ]
     if len(responses) * total.size < _WORTH_A_THREAD:
-        fill(range(0, len(total), _OUTPUTS_AT_ONCE))
-        return total
-    half = len(total) // 2
-    side_by_side(
-        lambda: fill(range(0, half, _OUTPUTS_AT_ONCE)),
-        lambda: fill(range(half, len(total), _OUTPUTS_AT_ONCE)),
-    )
+        for task in tasks:
+            task()
+    else:
+        side_by_side(tasks)
     return total
+
+
+def parts_of(n_outputs: int) -> list[slice]:
+    """Outputs that are summed at a time: they stay in a core's own cache."""
+    return [slice(low, low + _OUTPUTS_AT_ONCE) for low in range(0, n_outputs, _OUTPUTS_AT_ONCE)]
+
+
+def add_up(responses: Sequence[Complexes], drives: Sequence[Complexes], total: Complexes) -> None:
+    """Write the sum of responses times drives to ``total``, as `sum_of_vibrations` says."""
+    # The total may be the first response.
+    np.multiply(responses[0], drives[0], out=total)
+    if len(responses) > 1:
+        buffer = np.empty(total.shape, np.complex128)
+        for response, drive in zip(responses[1:], drives[1:], strict=True):
+            total += np.multiply(response, drive, out=buffer)

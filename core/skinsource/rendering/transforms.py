@@ -37,5 +37,17 @@ def inverse(spectra: Complexes, n_fft: int) -> Floats:
     return signals
 
 
+def forward_here(signals: Floats, n_fft: int) -> Complexes:
+    """As `forward`, by this thread alone; whoever shares work out counts it."""
+    spectra: Complexes = scipy.fft.rfft(signals, n_fft)
+    return spectra
+
+
+def inverse_here(spectra: Complexes, n_fft: int) -> Floats:
+    """As `inverse`, by this thread alone; whoever shares work out counts it."""
+    signals: Floats = scipy.fft.irfft(spectra, n_fft)
+    return signals
+
+
 def _workers(count: int, n_fft: int) -> int:
     return 2 if count > 1 and count * n_fft >= _WORTH_A_THREAD and n_fft < _LONG else 1

@@ -1,0 +1,1 @@
+"""What `skinsource.predict` does: vibrations by any samples, for scripts."""
