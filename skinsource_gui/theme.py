@@ -3,13 +3,17 @@
 from dataclasses import dataclass
 from string import Template
 
-from PySide6.QtGui import QColor, QFont, QFontDatabase, QPalette
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QFont, QFontDatabase, QPalette, QPen
 from PySide6.QtWidgets import QApplication
 
 from skinsource_gui.resources import read_text
 
 #: The rhythm of all distances, px.
 UNIT_PX = 8
+
+# Strokes and gaps of lines, px: whole ones, then those of outputs whose colour is taken already.
+_STROKES = ((), (5.0, 3.0), (2.0, 2.0), (7.0, 2.0, 2.0, 2.0))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,6 +62,26 @@ class Theme:
     def output_colour(self, rank: int) -> QColor:
         """Colour of a selected output, by its place in the selection."""
         return QColor(self.outputs[rank % len(self.outputs)])
+
+    def output_pen(self, rank: int, width_px: float, unit_px: float = 1.0) -> QPen:
+        """Pen of a selected output: where colours begin again, its line is broken otherwise.
+
+        Parameters
+        ----------
+        rank
+            Its place in the selection; 32 of them differ.
+        width_px
+            Of the line; 0 is one pixel of the screen.
+        unit_px
+            What the lengths of the strokes are multiplied with.
+        """
+        pen = QPen(self.output_colour(rank), width_px)
+        strokes = _STROKES[rank // len(self.outputs) % len(_STROKES)]
+        if strokes:
+            # Qt counts in widths of the pen.
+            pen.setDashPattern([stroke * unit_px / (width_px or 1.0) for stroke in strokes])
+            pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+        return pen
 
 
 LIGHT = Theme(

@@ -5,7 +5,12 @@ import pytest
 
 from skinsource_gui.widgets.plot.axis_spec import value_unit
 from skinsource_gui.widgets.plot.curves import Curves, output_names
-from skinsource_gui.widgets.plot.decimation import MOST_IN_COLUMN, in_rows, visible_points
+from skinsource_gui.widgets.plot.decimation import (
+    MOST_IN_COLUMN,
+    in_rows,
+    visible_points,
+    without_notches,
+)
 from skinsource_gui.widgets.plot.ranges import HeldRange, within, zoomed
 from skinsource_gui.widgets.plot.ticks import linear_ticks, log_ticks, number_text
 from skinsource_gui.widgets.plot.value_scale import ValueScale
@@ -179,3 +184,33 @@ def test_a_level_line_stays_in_its_row_of_pixels_whatever_the_rounding():
             rows = in_rows(nearly, ratio) * ratio
             assert np.all(rows == rows[0])
             assert np.floor(rows[0]) == np.floor(level * ratio)
+
+
+def strokes_of(y, per_column):
+    points = visible_points(np.arange(y.size), y[None], (0, y.size), y.size // per_column)
+    assert points.strokes
+    return points.y
+
+
+@pytest.mark.parametrize("frequency_hz", [95.0, 100.0, 150.0, 250.0, 333.0])
+@pytest.mark.parametrize("per_column", [5, 6, 7, 8, 11, 20])
+def test_the_edges_of_a_dense_tone_are_as_even_as_the_tone(frequency_hz, per_column):
+    y = np.sin(2 * np.pi * frequency_hz * np.arange(200 * per_column) / 1300)
+    filled = without_notches(strokes_of(y, per_column)).reshape(-1, 2)[3:-3]
+    # A sample comes as near to the crest as half a step of its phase.
+    crest = np.cos(np.pi * frequency_hz / 1300)
+    assert filled.max(axis=-1).min() > crest - 0.13
+    assert filled.min(axis=-1).max() < 0.13 - crest
+
+
+def test_what_stands_alone_stays_as_narrow_as_it_is():
+    y = 0.1 * np.sin(np.arange(2000.0))
+    y[1000], y[1500:1512] = 1.0, 0.0
+    strokes = strokes_of(y, 10)
+    filled = without_notches(strokes)
+    assert (filled.reshape(-1, 2).max(axis=-1) > 0.5).sum() == 1
+    # Silence of a column is a gap in the block, and seen.
+    assert np.abs(np.diff(filled.reshape(-1, 2))).min() == 0.0
+    # Nothing is taken away.
+    assert (filled.reshape(-1, 2).max(axis=-1) >= strokes.reshape(-1, 2).max(axis=-1)).all()
+    assert (filled.reshape(-1, 2).min(axis=-1) <= strokes.reshape(-1, 2).min(axis=-1)).all()

@@ -26,6 +26,7 @@ from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.kept_picture import KeptPicture, PaintedAnew
 from skinsource_gui.widgets.map.colour_maps import is_light, level_colours
 
+_RING_PX = 2.2
 _HINTS = QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
 
 
@@ -166,13 +167,13 @@ def ring_radius(number: int, content: MapContent, layout: MapLayout) -> float:
 
 
 def paint_ring(
-    painter: QPainter, centre: QPointF, radius: float, colour: QColor, ground: QColor, unit: float
+    painter: QPainter, centre: QPointF, radius: float, pen: QPen, ground: QColor
 ) -> None:
     """Draw a ring that stands out from any colour under it."""
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setPen(QPen(ground, 4.5 * unit))
+    painter.setPen(QPen(ground, 2 * pen.widthF()))
     painter.drawEllipse(centre, radius, radius)
-    painter.setPen(QPen(colour, 2.2 * unit))
+    painter.setPen(pen)
     painter.drawEllipse(centre, radius, radius)
 
 
@@ -187,7 +188,8 @@ def paint_mark(
     """Draw a wide ring around an output that is pointed at."""
     radius = ring_radius(number, content, layout) + 3.5 * layout.unit
     centre = QPointF(*layout.points[number - 1])
-    paint_ring(painter, centre, radius, QColor(colour), QColor(theme.base), 0.8 * layout.unit)
+    pen = QPen(QColor(colour), 0.8 * _RING_PX * layout.unit)
+    paint_ring(painter, centre, radius, pen, QColor(theme.base))
 
 
 def paint_band(painter: QPainter, band: QRectF, theme: Theme) -> None:
@@ -246,7 +248,8 @@ def _paint_rings(painter: QPainter, content: MapContent, layout: MapLayout, them
             continue  # not on this limb
         centre = QPointF(*layout.points[number - 1])
         radius = ring_radius(number, content, layout)
-        paint_ring(painter, centre, radius, theme.output_colour(rank), ground, layout.unit)
+        pen = theme.output_pen(rank, _RING_PX * layout.unit, layout.unit)
+        paint_ring(painter, centre, radius, pen, ground)
 
 
 def _paint_labels(painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme) -> None:
@@ -259,8 +262,7 @@ def _paint_labels(painter: QPainter, content: MapContent, layout: MapLayout, the
     ground = QColor(theme.base)
     painter.setBrush(ground)
     for label in output_labels(dorsal, layout, radius, QFontMetricsF(painter.font())):
-        colour = theme.output_colour(content.outputs.index(label.number))
-        painter.setPen(QPen(colour, 1))
+        painter.setPen(theme.output_pen(content.outputs.index(label.number), 1.0))
         if label.far:
             centre = QPointF(*layout.points[label.number - 1])
             edge = QLineF(centre, label.area.center())

@@ -5,7 +5,7 @@ from typing import Any
 import pyqtgraph
 from pyqtgraph.functions import arrayToQPolygonF
 from PySide6.QtCore import QRectF
-from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QPainter, QPen, QPolygonF
 
 from skinsource_gui.widgets.plot.curve_points import CurvePoints
 
@@ -28,10 +28,9 @@ class SignalCurve(pyqtgraph.PlotCurveItem):
         self._line = arrayToQPolygonF(points.x, points.y) if points.smooth else None
         self.setData(points.x, points.y, antialias=points.smooth)
 
-    def set_look(self, colour: QColor, *, stale: bool) -> None:
-        """Colour of the curve; whether it is pale."""
-        # One pixel of the screen: any wider line takes a hundred times as long.
-        self.setPen(QPen(colour, 0))
+    def set_look(self, pen: QPen, *, stale: bool) -> None:
+        """Colour and strokes of the curve; whether it is pale."""
+        self.setPen(pen)
         self.setOpacity(_STALE_OPACITY if stale else 1.0)
 
     def boundingRect(self) -> QRectF:

@@ -7,7 +7,7 @@ from PySide6.QtCore import QRectF
 
 from skinsource.arrays import Floats
 from skinsource_gui.widgets.plot.curves import Curves
-from skinsource_gui.widgets.plot.decimation import in_rows, visible_points
+from skinsource_gui.widgets.plot.decimation import in_rows, visible_points, without_notches
 from skinsource_gui.widgets.plot.value_scale import ValueScale
 from skinsource_gui.widgets.plot.x_window import XWindow
 
@@ -55,6 +55,7 @@ def curve_points(
     heights = scale.heights(points.y)
     blocks = np.zeros(len(rows), dtype=bool)
     if points.strokes:
+        heights = without_notches(heights)
         row_px = np.array([row.height() for row in rows])
         strokes = np.abs(heights[:, 1::2] - heights[:, ::2]).mean(axis=1) * row_px
         blocks = strokes > _BLOCK_PX

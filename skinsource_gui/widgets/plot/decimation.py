@@ -9,6 +9,8 @@ from skinsource_gui.widgets.plot.ranges import Range
 
 #: Up to so many samples in a column of pixels, each is drawn.
 MOST_IN_COLUMN = 4
+# A stroke that is shorter than this part of what its neighbours cover is a gap, not a notch.
+_GAP = 0.1
 # Zero lies on the edge of a row of pixels, or in its middle; a little beside them rounding does
 # not matter.
 _SHIFT = 0.02
@@ -80,3 +82,32 @@ def in_rows(y_px: Floats, ratio: float) -> Floats:
     Without smooth edges, a level line between two rows would change from one to the other.
     """
     return (np.floor(y_px * ratio + _SHIFT) + _INSIDE) / ratio
+
+
+def without_notches(strokes: Floats) -> Floats:
+    """Strokes, with notches of one or two columns in its edges filled.
+
+    Where a column holds less than a period of what oscillates it misses the crest, one column
+    more and another less: a comb that is not in the signal.  Crests that stand alone stay as
+    narrow as they are (a closing, not a widening), and so do gaps.
+
+    Parameters
+    ----------
+    strokes : (n_curves, 2 n_columns)
+        Both ends of the stroke of each column, in either order.
+    """
+    pairs = strokes.reshape(len(strokes), -1, 2)
+    low, high = pairs.min(axis=-1), pairs.max(axis=-1)
+    closed_low, closed_high = -_closed(-low), _closed(high)
+    notch = high - low >= _GAP * (closed_high - closed_low)
+    low, high = np.where(notch, closed_low, low), np.where(notch, closed_high, high)
+    rising = pairs[..., 0] <= pairs[..., 1]
+    ends = np.stack([np.where(rising, low, high), np.where(rising, high, low)], axis=-1)
+    return ends.reshape(strokes.shape)
+
+
+def _closed(edge: Floats) -> Floats:
+    """The upper edge with valleys of up to two columns filled, (n_curves, n_columns)."""
+    wide = np.pad(edge, ((0, 0), (2, 2)), mode="edge")
+    raised = np.maximum(np.maximum(wide[:, :-2], wide[:, 1:-1]), wide[:, 2:])
+    return np.minimum(np.minimum(raised[:, :-2], raised[:, 1:-1]), raised[:, 2:])

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from PySide6.QtCore import QEvent, QPointF, QRect, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetrics, QHelpEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QColor, QFont, QFontMetrics, QHelpEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, scaled, tabular
@@ -11,7 +11,7 @@ from skinsource_gui.widgets.plot.curves import CurveName
 
 STRIP_HEIGHT_PX = 20
 _TEXT, _AROUND_PX = 0.9, 7
-_SWATCH_PX = 10
+_SWATCH_PX = 13
 _GAP_PX = 4
 
 
@@ -175,7 +175,7 @@ class LegendStrip(QWidget):
     ) -> int:
         text, theme = self._text, self._theme
         name, end = text.names[rank], x + self._entry_px(metrics, rank, detail)
-        painter.setPen(QPen(theme.output_colour(rank), 2))
+        painter.setPen(theme.output_pen(rank, 2.0))
         middle = self.height() / 2
         painter.drawLine(QPointF(x, middle), QPointF(x + _SWATCH_PX - 1, middle))
         x += _SWATCH_PX + _GAP_PX

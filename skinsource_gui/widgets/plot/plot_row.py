@@ -92,10 +92,10 @@ class PlotRow:
             for rank, curve in enumerate(self.curves):
                 curve.setVisible(rank < self.n_curves)
 
-    def show_colours(self, colours: list[QColor], *, stale: bool) -> None:
-        """Give each curve its colour; pale where it is stale."""
-        for curve, colour in zip(self.curves, colours, strict=False):
-            curve.set_look(colour, stale=stale)
+    def show_pens(self, pens: list[QPen], *, stale: bool) -> None:
+        """Give each curve its pen; pale where it is stale."""
+        for curve, pen in zip(self.curves, pens, strict=False):
+            curve.set_look(pen, stale=stale)
 
     def show_crosshair(
         self, position: float | None, heights: list[float], colours: list[QColor]

@@ -5,7 +5,7 @@ from math import ceil
 from pathlib import Path
 
 from PySide6.QtCore import QBuffer, QIODevice, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
+from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter
 from PySide6.QtSvg import QSvgGenerator
 
 from skinsource.files import write_bytes
@@ -13,7 +13,7 @@ from skinsource_gui.theme import LIGHT, UNIT_PX
 from skinsource_gui.widgets.plot.plot import Plot
 
 _SCALE = 2
-_SWATCH_PX = 12
+_SWATCH_PX = 16
 
 
 def signal_picture(plot: Plot) -> QImage:
@@ -94,7 +94,7 @@ def _paint_head(painter: QPainter, plot: Plot) -> None:
     for row, line in enumerate(_legend_lines(plot), start=len(heading)):
         middle = (row + 0.5) * line_px
         for left, rank, text in line:
-            painter.setPen(QPen(LIGHT.output_colour(rank), 2))
+            painter.setPen(LIGHT.output_pen(rank, 2.0))
             painter.drawLine(left, int(middle), left + _SWATCH_PX, int(middle))
             painter.setPen(QColor(LIGHT.text))
             room = QRectF(left + _SWATCH_PX + 4, row * line_px, plot.width(), line_px)

@@ -48,6 +48,8 @@ def readable_ticks(
     if not (isfinite(length) and length > 0):
         return ()
     decimals = max(0, 2 - floor(log10(length) + 1e-9))
+    while decimals and all(_is_round(value * factor, decimals - 1) for value in (low, high)):
+        decimals -= 1
     return tuple(
         Tick(value=value, label=number_text(value * factor, decimals)) for value in (low, high)
     )
@@ -81,6 +83,10 @@ def number_text(value: float, decimals: int) -> str:
     if not any(digit in text for digit in "123456789"):
         text = text.removeprefix("-")
     return text.replace("-", _MINUS).replace(",", _THIN_SPACE)
+
+
+def _is_round(value: float, decimals: int) -> bool:
+    return abs(value - round(value, decimals)) < 1e-9 * max(abs(value), 1e-300)
 
 
 def _round_step(least: float) -> float:

@@ -136,7 +136,7 @@ def test_curves_are_one_pixel_wide_on_every_screen(qapp, ratio):
     picture.setDevicePixelRatio(ratio)
     picture.fill(QColor("white"))
     curve = SignalCurve()
-    curve.set_look(QColor(LIGHT.outputs[0]), stale=False)
+    curve.set_look(LIGHT.output_pen(0, 0.0), stale=False)
     x, y = np.array([0.0, 30.0]), np.full(2, 20.25 / ratio)
     curve.show_points(CurvePoints(x=x, y=y, smooth=False))
     painter = QPainter(picture)
