@@ -284,7 +284,7 @@ def test_files_of_the_curves_say_whose_they_are_and_how_they_were_made(show):
         "levels: RMS over the loudest 100 ms (loudest)",
     ):
         assert fact in curves.about
-    assert any(line.startswith("input at place 7: Tone(") for line in curves.about)
+    assert any("clip of the input at place 7: Tone(" in line for line in curves.about)
     heading = " · ".join(curves.heading)
     for words in ("Synthetic 1 (175 mm)", "principal axis", "peak of each input", "one's own"):
         assert words in heading
