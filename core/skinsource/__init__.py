@@ -18,7 +18,7 @@ Or with a design, as the studio has it and saves it:
 import importlib
 from typing import TYPE_CHECKING
 
-from skinsource import edits, effects, waveforms
+from skinsource import edits, effects, motions, waveforms
 from skinsource.catalogue import available_limbs, load_limb
 from skinsource.clips import Clip, Marker
 from skinsource.decibels import decibels
@@ -58,6 +58,7 @@ __all__ = [
     "impulse",
     "load_limb",
     "magnitude_spectrum",
+    "motions",
     "open_design",
     "peak_hold_spectrum",
     "predict",

@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 from skinsource import edits
 from skinsource.design import Design, track
 from skinsource.limb import LIMB_NAMES
+from skinsource.motions import MOTIONS, Alternation
 from skinsource.view import View
 from skinsource.waveforms import Noise, Tap, Tone
 from skinsource_gui.state.document import Document
@@ -33,8 +34,12 @@ names = st.sampled_from(
 )
 places = st.integers(-1, 22)
 switches = st.booleans()
+motions = st.sampled_from([*(kind() for kind in MOTIONS), Alternation(rounds=200), None])
 #: What is handed to each edit, after design and view.
 ARGUMENTS = {
+    "add_motion": (
+        st.sampled_from([*(kind() for kind in MOTIONS), Alternation(rounds=200), None]),
+    ),
     "change_field": (ids, names, anything),
     "change_kind": (ids, st.sampled_from(["Tone", "Tap", "Impulse", "Noise", "Siren"])),
     "change_limb": (st.sampled_from([*LIMB_NAMES, "", "other"]),),

@@ -16,6 +16,7 @@ from skinsource.edits.inputs import (
     toggle_mute,
     toggle_solo,
 )
+from skinsource.edits.motions import add_motion
 from skinsource.edits.order import put_inputs_before, shift_inputs
 from skinsource.edits.outputs import select_outputs
 from skinsource.edits.selection import (
@@ -45,6 +46,7 @@ from skinsource.edits.values import (
 __all__ = [
     "Edit",
     "Refusal",
+    "add_motion",
     "change_field",
     "change_kind",
     "change_limb",

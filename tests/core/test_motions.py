@@ -1,0 +1,248 @@
+"""Motions: their laws hold exactly in the tracks that they write."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from skinsource import edits
+from skinsource.design import MAX_INPUTS, Design, Input
+from skinsource.edits import Edit, Refusal
+from skinsource.errors import InvalidInputError
+from skinsource.fields import specs_of
+from skinsource.motions import (
+    MOTIONS,
+    Alternation,
+    ApparentMotion,
+    Motion,
+    Phantom,
+    TapSequence,
+    TravellingPhase,
+)
+from skinsource.motions.changes import following, path_of
+from skinsource.view import View
+from skinsource.waveforms import Saw, Square, Tap, Tone, Triangle
+
+RATE_HZ = 48000.0
+PLACES = st.integers(1, 20)
+PATHS = st.lists(PLACES, min_size=2, max_size=12).map(tuple)
+TIMES = st.floats(0.0, 100.0)
+DURATIONS = st.floats(0.02, 0.5)
+
+
+def clips_in_time(tracks):
+    """Place and clip of all clips, by their number in the label."""
+    found = [(one.location, clip) for one in tracks for clip in one.clips]
+    return sorted(found, key=lambda pair: int(pair[1].label.split()[-1].split("/")[0]))
+
+
+@given(PATHS, DURATIONS, TIMES)
+def test_apparent_motion_keeps_its_onset_asynchrony(path, duration_s, onset_s):
+    waveform = Tone(200.0, duration_s=duration_s)
+    found = clips_in_time(ApparentMotion(path=path, waveform=waveform, onset_s=onset_s).tracks())
+    assert tuple(place for place, _ in found) == path
+    for k, (_, clip) in enumerate(found):
+        assert clip.onset_s == pytest.approx(onset_s + k * (0.32 * duration_s + 0.0473), abs=1e-12)
+        assert clip.waveform == waveform
+        assert clip.gain == 1.0
+
+
+def test_apparent_motion_of_known_bursts():
+    """Israr and Poupyrev 2011: 0.32 d + 47.3 ms."""
+    for burst_s, spacing_s in ((0.04, 0.0601), (0.1, 0.0793), (0.16, 0.0985)):
+        motion = ApparentMotion(waveform=Tone(200.0, duration_s=burst_s))
+        assert motion.spacing_s == pytest.approx(spacing_s, abs=1e-15)
+    assert ApparentMotion().summary == (
+        "3 bursts of 100 ms, one every 79.3 ms, 20.7 ms overlap; 258.6 ms in all"
+    )
+
+
+@given(PATHS, st.floats(0.01, 1.0), st.integers(1, 9), TIMES)
+def test_alternation_takes_turns(path, spacing_s, rounds, onset_s):
+    motion = Alternation(path=path, spacing_s=spacing_s, rounds=rounds, onset_s=onset_s)
+    found = clips_in_time(motion.tracks())
+    assert tuple(place for place, _ in found) == path * rounds
+    onsets = [clip.onset_s for _, clip in found]
+    np.testing.assert_allclose(onsets, onset_s + spacing_s * np.arange(len(onsets)), atol=1e-9)
+
+
+@given(PATHS, st.floats(0.01, 0.5), st.integers(1, 9))
+def test_taps_are_even_within_and_between_places(path, spacing_s, taps):
+    motion = TapSequence(path=path, spacing_s=spacing_s, taps=taps)
+    found = clips_in_time(motion.tracks())
+    assert [place for place, _ in found] == [place for place in path for _ in range(taps)]
+    onsets = [clip.onset_s for _, clip in found]
+    np.testing.assert_allclose(onsets, spacing_s * np.arange(len(onsets)), atol=1e-9)
+    assert all(clip.waveform == Tap() for _, clip in found)
+
+
+@given(
+    PATHS,
+    st.sampled_from([Tone, Square, Saw, Triangle]),
+    st.floats(5.0, 600.0),
+    st.floats(0.001, 0.2),
+    st.floats(0.5, 50.0),
+    st.floats(-6.0, 6.0),
+)
+def test_a_travelling_phase_is_the_wave_delayed(
+    path, kind, frequency_hz, distance_m, speed_m_s, phase
+):
+    waveform = kind(frequency_hz=frequency_hz, phase_rad=phase, duration_s=0.2, window="none")
+    motion = TravellingPhase(
+        path=path, waveform=waveform, distance_m=distance_m, speed_m_s=speed_m_s
+    )
+    for k, (place, clip) in enumerate(clips_in_time(motion.tracks())):
+        assert place == path[k]
+        assert clip.onset_s == 0.0
+        lag = 2 * math.pi * frequency_hz * k * distance_m / speed_m_s
+        difference = clip.waveform.phase_rad - (phase - lag)
+        assert math.remainder(difference, 2 * math.pi) == pytest.approx(0.0, abs=1e-9)
+        assert replace(clip.waveform, phase_rad=phase) == waveform
+
+
+def test_a_wave_that_travels_arrives_distance_over_speed_later():
+    motion = TravellingPhase(
+        path=(1, 2, 3),
+        waveform=Tone(100.0, duration_s=0.2, window="none"),
+        distance_m=0.01,
+        speed_m_s=4.0,
+    )
+    first, second, third = (
+        clip.waveform.samples(RATE_HZ) for _, clip in clips_in_time(motion.tracks())
+    )
+    delay = round(0.01 / 4.0 * RATE_HZ)
+    np.testing.assert_allclose(second[delay:], first[:-delay], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(third[2 * delay :], first[: -2 * delay], rtol=0, atol=1e-12)
+
+
+@given(st.permutations(range(1, 21)), st.floats(0.0, 1.0), st.floats(0.0, 1000.0), TIMES)
+def test_the_energies_of_a_phantom_add_up_to_one(places, position, amplitude, onset_s):
+    path = tuple(places[:2])
+    motion = Phantom(path=path, position=position, amplitude=amplitude, onset_s=onset_s)
+    first, second = motion.tracks()
+    assert (first.location, second.location) == path
+    assert first.amplitude**2 + second.amplitude**2 == pytest.approx(amplitude**2, rel=1e-12)
+    assert second.amplitude == pytest.approx(math.sqrt(position) * amplitude)
+    (one,), (other,) = first.clips, second.clips
+    assert one.onset_s == other.onset_s == onset_s
+    assert one.waveform == other.waveform == motion.waveform
+
+
+def test_a_phantom_at_an_end_plays_there_alone():
+    assert [one.amplitude for one in Phantom(position=0.0).tracks()] == [1.0, 0.0]
+    assert [one.amplitude for one in Phantom(position=1.0).tracks()] == [0.0, 1.0]
+
+
+@pytest.mark.parametrize("kind", MOTIONS)
+def test_a_motion_says_what_it_does_and_by_whose_law(kind):
+    for words in (kind.title, kind.law, kind.source, kind.limits, kind().summary):
+        assert len(words) > 5
+    assert kind.law.endswith(".")
+    assert "palm" in kind.limits or "hand" in kind.limits
+    assert isinstance(kind(), Motion)
+    assert next(iter(specs_of(kind))) == "path"
+
+
+@pytest.mark.parametrize("kind", MOTIONS)
+def test_a_motion_later_is_the_same_later(kind):
+    early, late = kind().tracks(), kind(onset_s=7.25).tracks()
+    assert [one.location for one in early] == [one.location for one in late]
+    for one, other in zip(early, late, strict=True):
+        for clip, later in zip(one.clips, other.clips, strict=True):
+            assert later.onset_s == pytest.approx(clip.onset_s + 7.25, abs=1e-12)
+            assert replace(later, onset_s=clip.onset_s) == clip
+
+
+@pytest.mark.parametrize("kind", MOTIONS)
+def test_a_place_has_one_track(kind):
+    path = (3, 5) if kind is Phantom else (3, 5, 3, 5, 7)
+    tracks = kind(path=path).tracks()
+    assert [one.location for one in tracks] == list(dict.fromkeys(path))
+
+
+@pytest.mark.parametrize(
+    ("kind", "changes"),
+    [
+        *(
+            (kind, {"path": bad})
+            for kind in MOTIONS
+            for bad in ((), (3,), (3, 0), [3, 4], (3, "4"))
+        ),
+        *((kind, {"onset_s": -0.1}) for kind in MOTIONS),
+        *((kind, {"amplitude": -1.0}) for kind in MOTIONS),
+        *((kind, {"waveform": "Tone"}) for kind in MOTIONS),
+        (Phantom, {"path": (3, 3)}),
+        (Phantom, {"path": (3, 4, 5)}),
+        (Phantom, {"position": 1.01}),
+        (TravellingPhase, {"waveform": Tap()}),
+        (TravellingPhase, {"speed_m_s": 0.0}),
+        (TapSequence, {"taps": 0}),
+        (Alternation, {"rounds": 1.5}),
+        (Alternation, {"spacing_s": 0.0}),
+    ],
+)
+def test_what_no_motion_can_do_is_named(kind, changes):
+    with pytest.raises(InvalidInputError, match=rf"^{kind.__name__}\.{next(iter(changes))} is"):
+        kind(**changes)
+
+
+@pytest.mark.parametrize("kind", MOTIONS)
+def test_a_motion_is_added_beside_what_is_there_and_selected(kind):
+    design = Design(limb="synthetic-1", inputs=(Input(location=7), Input(location=16)))
+    found = edits.add_motion(design, View(selected_inputs=(1,)), kind())
+    assert isinstance(found, Edit)
+    assert found.design.inputs[:2] == design.inputs
+    added = found.design.inputs[2:]
+    assert found.view.selected_inputs == tuple(one.id for one in added)
+    assert found.label == f"Add {kind.title.lower()} at {len(added)} places"
+    for one, written in zip(added, kind().tracks(), strict=True):
+        assert (one.location, one.amplitude) == (written.location, written.amplitude)
+        assert [replace(clip, id=0) for clip in one.clips] == list(written.clips)
+    assert len({clip.id for clip in found.design.clips}) == len(found.design.clips)
+    assert len({one.colour for one in added}) == len(added)
+
+
+def test_a_motion_that_does_not_fit_is_refused():
+    full = Design(limb="synthetic-1", inputs=(Input(location=1),) * (MAX_INPUTS - 1))
+    found = edits.add_motion(full, View(), Phantom())
+    assert isinstance(found, Refusal)
+    assert "Phantom takes 2 inputs more" in found.sentence
+    assert isinstance(edits.add_motion(full, View(), None), Refusal)
+    late = edits.add_motion(Design(limb="synthetic-1"), View(), Alternation(onset_s=600.0))
+    assert isinstance(late, Refusal)
+    assert "onset_s" in late.sentence
+
+
+@given(PATHS, st.sampled_from(MOTIONS), st.sampled_from(MOTIONS))
+def test_a_motion_can_follow_the_path_of_another(path, kind, other):
+    if kind is Phantom:
+        path = tuple(dict.fromkeys(path))[:2] if len(set(path)) > 1 else (3, 4)
+    leader = kind(path=path, amplitude=2.5, onset_s=1.5)
+    found = following(other(), leader)
+    assert type(found) is other
+    assert (found.amplitude, found.onset_s) == (2.5, 1.5)
+    if other is Phantom:
+        wanted = tuple(dict.fromkeys(path))[:2]
+        assert found.path == (wanted if len(wanted) == 2 else Phantom().path)
+    else:
+        assert found.path == path
+
+
+@pytest.mark.parametrize(
+    "text", ["16, 18, 20", "16 18 20", "16-18-20", " 16,18 ,20;", "16 → 18 → 20"]
+)
+def test_a_path_can_be_typed(text):
+    assert path_of(text) == (16, 18, 20)
+
+
+@pytest.mark.parametrize("text", ["16, x", "1.5 2", "99999999 1", "２, 3", "16,, -a"])
+def test_what_is_no_path_is_named(text):
+    with pytest.raises(InvalidInputError, match="the path has"):
+        path_of(text)
+
+
+def test_an_empty_path_is_one():
+    assert path_of(" ,") == ()
