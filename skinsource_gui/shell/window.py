@@ -43,6 +43,7 @@ from skinsource_gui.state.historian import Historian
 from skinsource_gui.state.installed_limbs import InstalledLimbs
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.state.wavelet_levelling import WaveletLevelling
 from skinsource_gui.status.accuracy import Accuracy
 from skinsource_gui.status.job_bar import JobBar
 from skinsource_gui.status.limb_note import LimbNote
@@ -149,6 +150,7 @@ class MainWindow(QMainWindow):
             self,
         )
         self.running_jobs = RunningJobs(self.runner, self)
+        self.levelling = WaveletLevelling(self.document, self.runner, self)
         self.pages = Pages(
             self,
             ACTIONS,
@@ -171,6 +173,7 @@ class MainWindow(QMainWindow):
             "exports": self.exports,
             "keeping": self.keeping,
             "jobs": self.running_jobs,
+            "levelling": self.levelling,
             "steps": self.document.undo_stack,
             "arrangements": self.arrangements,
             "panel_focus": PanelFocus(self.panels, self),
@@ -203,6 +206,7 @@ class MainWindow(QMainWindow):
         self.files.done.connect(reports.report)
         self.files.opened.connect(self.layout_of_docks.show_panels)
         self.exports.failed.connect(reports.complain)
+        self.levelling.failed.connect(reports.complain)
         self.keeping.connect_to(self.conductor, reports)
         for panel in self.panels:
             panel.action_wanted.connect(self.do)

@@ -30,7 +30,18 @@ anything = st.one_of(
     st.sampled_from([0.1, 1.0, 100.0, "none", "Tone", 2**70]),
 )
 names = st.sampled_from(
-    ["amplitude", "onset_s", "frequency_hz", "duration_s", "seed", "window", "id", "colour", ""]
+    [
+        "amplitude",
+        "onset_s",
+        "frequency_hz",
+        "duration_s",
+        "seed",
+        "window",
+        "gains_db",
+        "id",
+        "colour",
+        "",
+    ]
 )
 places = st.integers(-1, 22)
 switches = st.booleans()
@@ -41,13 +52,21 @@ ARGUMENTS = {
         st.sampled_from([*(kind() for kind in MOTIONS), Alternation(rounds=200), None]),
     ),
     "change_field": (ids, names, anything),
-    "change_kind": (ids, st.sampled_from(["Tone", "Tap", "Impulse", "Noise", "Siren"])),
+    "change_kind": (
+        ids,
+        st.sampled_from(["Tone", "Tap", "Impulse", "Noise", "WaveletTrain", "Siren"]),
+    ),
     "change_limb": (st.sampled_from([*LIMB_NAMES, "", "other"]),),
     "change_scaling": (st.sampled_from(["upstream", "relative", "probe", "loud"]),),
     "change_waveform": (ids, st.sampled_from([Tone(frequency_hz=33.0), Tap(), None])),
     "clear_inputs": (),
     "drag_field": (ids, names, anything),
     "duplicate_inputs": (ids,),
+    "equalise_on_skin": (
+        one_id,
+        st.lists(st.floats(-200, 200) | st.just(float("-inf")), max_size=5),
+        st.text(max_size=5),
+    ),
     "level_over": (st.sampled_from(["record", "loudest", "other"]),),
     "look_along": (st.sampled_from(["x", "yz", "xyz", "", "zyx"]),),
     "look_by_method": (st.sampled_from(["mag", "pca", "other"]),),

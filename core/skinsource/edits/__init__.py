@@ -42,6 +42,7 @@ from skinsource.edits.values import (
     fields_of,
     value_of,
 )
+from skinsource.edits.wavelets import equalise_on_skin
 
 __all__ = [
     "Edit",
@@ -55,6 +56,7 @@ __all__ = [
     "clear_inputs",
     "drag_field",
     "duplicate_inputs",
+    "equalise_on_skin",
     "fields_of",
     "kept_selection",
     "level_over",

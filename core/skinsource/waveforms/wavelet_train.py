@@ -46,9 +46,11 @@ EQUALISE = ChoiceSpec(
     options=(("none", "Peaks"), ("energy", "Energies")),
     hint="What is alike of all wavelets, before their own gains",
 )
+#: Least gain of a wavelet.
+SOFTEST_DB = -120.0
 GAINS = ListSpec(
     label="Gains",
-    of=NumberSpec(label="Gain", unit="dB", minimum=-120.0, maximum=40.0, step=0.5),
+    of=NumberSpec(label="Gain", unit="dB", minimum=SOFTEST_DB, maximum=40.0, step=0.5),
     most=MOST,
     hint="One for each frequency, or none",
 )

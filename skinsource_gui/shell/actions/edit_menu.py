@@ -7,6 +7,7 @@ from skinsource.design import Design, Input
 from skinsource.edits import Edit, Refusal
 from skinsource.view import View
 from skinsource_gui.shell.action_spec import ActionSpec, action
+from skinsource_gui.state.wavelet_levelling import selected_train
 from skinsource_gui.widgets.key_table import key_text
 
 
@@ -24,6 +25,10 @@ def _selected(design: Design, view: View) -> list[Input]:
 
 def _has_selected(design: Design, view: View) -> bool:
     return bool(view.selected_inputs)
+
+
+def _has_train(design: Design, view: View) -> bool:
+    return selected_train(design, view) is not None
 
 
 def _all_muted(design: Design, view: View) -> bool:
@@ -108,6 +113,17 @@ EDIT: tuple[ActionSpec, ...] = (
         enabled=_has_selected,
         checked=_all_solo,
         keywords="alone only actuator",
+    ),
+    action(
+        "equalise_on_skin",
+        "Edit",
+        "Equal on the skin",
+        "Give the wavelets of the selected train gains with which the loudest 100 ms of each, "
+        "anywhere on the skin, are predicted alike",
+        command="levelling.equalise",
+        enabled=_has_train,
+        keywords="wavelet train gains level loudness equalise normalise",
+        separated=True,
     ),
     action(
         "shift_input_up",

@@ -1,0 +1,144 @@
+"""Wavelets that are made alike on the skin."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from skinsource import edits
+from skinsource.catalogue import load_limb
+from skinsource.clips import Clip
+from skinsource.design import Design, Input, track
+from skinsource.edits import Edit, Refusal
+from skinsource.effects import EFFECTS
+from skinsource.errors import InvalidInputError, Stopped
+from skinsource.levelling import MEASURE, wavelet_levels_db
+from skinsource.response import predict
+from skinsource.spectra import rms
+from skinsource.view import View
+from skinsource.waveforms import Tone, WaveletTrain
+
+LIMB = "synthetic-1"
+TRAIN = WaveletTrain((60.0, 150.0, 400.0), slot_s=0.08)
+
+
+def design_of(train, location=7, **more):
+    return Design(limb=LIMB, inputs=(track(location=location, waveform=train, **more),))
+
+
+def levels_by_hand(train: WaveletTrain, location: int) -> list[float]:
+    """Each wavelet as the only one of a train, predicted from its samples, without the engine."""
+    found = []
+    for j, frequency_hz in enumerate(train.frequencies_hz):
+        gains_db = train.gains_db[j : j + 1]
+        alone = WaveletTrain((frequency_hz,), train.cycles, family=train.family, gains_db=gains_db)
+        # Trains give lower ones less, where energies are to be equal.
+        drive = alone.samples(1300.0) * train.gains()[j] / alone.gains()[0]
+        field = predict(load_limb(LIMB), [drive], [location], scaling="relative")
+        length = np.sqrt((field**2).sum(axis=1))
+        found.append(20 * math.log10(rms(length, "loudest", 1300.0).max()))
+    return found
+
+
+@pytest.mark.parametrize("location", [7, 15])
+@pytest.mark.parametrize(
+    "train",
+    [
+        TRAIN,
+        replace(TRAIN, equalise="energy"),
+        replace(TRAIN, family="hann", gains_db=(-3.0, 2.0, 1.0)),
+    ],
+    ids=["gabor", "energy", "hann"],
+)
+def test_all_wavelets_arrive_alike_after_it(train, location):
+    design = design_of(train, location, amplitude=-3.0, onset_s=0.1234)
+    before = wavelet_levels_db(design, 1)
+    plain = levels_by_hand(replace(train, gains_db=()), location)
+    # Where a wavelet lies between samples changes its loudest 100 ms a little.
+    np.testing.assert_allclose(
+        np.subtract(before, before[0]), np.subtract(plain, plain[0]), atol=0.05
+    )
+    edit = edits.equalise_on_skin(design, View(), 1, before, MEASURE)
+    after = edit.design.clip(1).waveform
+    levels = levels_by_hand(after, location)
+    assert max(levels) - min(levels) < 0.05 < max(plain) - min(plain)
+    assert max(after.gains_db) == 0.0
+    assert replace(after, gains_db=()) == replace(train, gains_db=())
+
+
+def test_levels_do_not_depend_on_what_else_there_is():
+    plain = wavelet_levels_db(design_of(TRAIN), 1)
+    clips = (Clip(waveform=Tone(), muted=True), Clip(waveform=TRAIN, muted=True, gain=-0.01))
+    other = Input(location=7, clips=clips, amplitude=7.0, muted=True)
+    design = Design(limb=LIMB, inputs=(track(3, Tone(), solo=True), other), scaling="upstream")
+    train = next(one for one in design.clips if isinstance(one.waveform, WaveletTrain))
+    assert wavelet_levels_db(design, train.id) == pytest.approx(plain, abs=1e-9)
+
+
+def test_effects_and_the_gain_curve_of_the_track_count():
+    plain = wavelet_levels_db(design_of(TRAIN), 1)
+    quieter = replace(design_of(TRAIN).inputs[0], gain_curve=((0.0, 1.0), (0.07, 1.0), (0.09, 0.1)))
+    found = wavelet_levels_db(Design(limb=LIMB, inputs=(quieter,)), 1)
+    assert found[0] == pytest.approx(plain[0], abs=1.0)
+    assert found[2] == pytest.approx(plain[2] - 20.0, abs=0.1)
+    reverse = next((kind for kind in EFFECTS if kind.__name__ == "Reverse"), None)
+    if reverse is not None:
+        turned = Input(location=7, clips=(Clip(waveform=TRAIN, effects=(reverse(),)),))
+        found = wavelet_levels_db(Design(limb=LIMB, inputs=(turned,)), 1)
+        assert found == pytest.approx(plain, abs=0.5)
+
+
+def test_the_label_notes_what_was_measured_once_and_keeps_other_words():
+    design = design_of(TRAIN).with_clip(1, label="outwards")
+    for _ in range(2):
+        levels = wavelet_levels_db(design, 1)
+        edit = edits.equalise_on_skin(design, View(), 1, levels, MEASURE)
+        assert isinstance(edit, Edit)
+        design = edit.design
+        assert design.clip(1).label == (
+            "outwards · Equal on the skin: loudest 100 ms of any output, synthetic-1, 7 (II pad)"
+        )
+    assert edit.label == "Equalise wavelets of input at 7 (II pad)"
+
+
+def test_a_label_without_room_for_the_note_becomes_the_note():
+    design = design_of(TRAIN).with_clip(1, label="x" * 190)
+    edit = edits.equalise_on_skin(design, View(), 1, (0.0, 1.0, 2.0), "m" * 300)
+    assert edit.design.clip(1).label.startswith("Equal on the skin: mmm")
+    assert len(edit.design.clip(1).label) == 200
+
+
+def test_gains_take_off_what_is_above_the_softest():
+    edit = edits.equalise_on_skin(design_of(TRAIN), View(), 1, (3.0, -7.25, -1.0), MEASURE)
+    assert edit.design.clip(1).waveform.gains_db == (-10.25, 0.0, -6.25)
+
+
+@pytest.mark.parametrize(
+    ("design", "clip_id", "levels_db", "words"),
+    [
+        (design_of(TRAIN), 9, (0.0, 0.0, 0.0), "no clip has the id 9"),
+        (design_of(Tone()), 1, (0.0,), "does not play that wavelet train"),
+        (design_of(TRAIN), 1, (0.0, 0.0), "does not play that wavelet train"),
+        (design_of(TRAIN), 1, (0.0, -math.inf, 0.0), "150 Hz moves nothing"),
+        (design_of(TRAIN), 1, (0.0, 0.0, -121.0), "400 Hz moves nothing"),
+        (design_of(TRAIN), 1, (math.nan, 0.0, 0.0), "moves nothing"),
+    ],
+)
+def test_what_cannot_be_equalised_is_refused_in_words(design, clip_id, levels_db, words):
+    found = edits.equalise_on_skin(design, View(), clip_id, levels_db, MEASURE)
+    assert isinstance(found, Refusal)
+    assert words in found.sentence
+
+
+def test_only_trains_have_wavelets():
+    with pytest.raises(InvalidInputError, match="plays a Tone, expected a WaveletTrain"):
+        wavelet_levels_db(design_of(Tone()), 1)
+
+
+def test_it_tells_how_far_it_is_and_can_be_stopped():
+    told = []
+    wavelet_levels_db(design_of(TRAIN), 1, progress=lambda *step: told.append(step))
+    assert [step[:2] for step in told] == [(1, 3), (2, 3), (3, 3)]
+    with pytest.raises(Stopped):
+        wavelet_levels_db(design_of(TRAIN), 1, stop=lambda: True)

@@ -1,0 +1,74 @@
+"""Wavelets made alike on the skin, from the menu."""
+
+from dataclasses import replace
+
+import pytest
+
+from skinsource.design import Design, track
+from skinsource.view import View
+from skinsource.waveforms import Tone, WaveletTrain
+
+TRAIN = WaveletTrain((60.0, 400.0), slot_s=0.08)
+
+
+@pytest.fixture
+def trained(window):
+    inputs = (track(7, TRAIN), track(3, Tone()))
+    design = Design(limb="synthetic-1", inputs=inputs)
+    window.document.start_over(design, View(selected_inputs=(1,)), None)
+    return window
+
+
+def gains(window):
+    return window.document.design.clip(1).waveform.gains_db
+
+
+def test_it_can_be_done_where_a_train_is_selected(trained):
+    action = trained.actions_by_name["equalise_on_skin"]
+    assert action.isEnabled()
+    trained.document.look(replace(trained.document.view, selected_inputs=(2,)))
+    assert not action.isEnabled()
+    trained.document.look(replace(trained.document.view, selected_inputs=()))
+    assert not action.isEnabled()
+
+
+def test_it_is_one_step_that_can_be_taken_back(qtbot, trained):
+    trained.do("equalise_on_skin")
+    qtbot.waitUntil(lambda: gains(trained) != ())
+    assert gains(trained)[1] == 0.0
+    assert gains(trained)[0] < -3.0
+    assert trained.document.undo_stack.count() == 1
+    assert trained.document.undo_stack.undoText() == "Equalise wavelets of input at 7 (II pad)"
+    assert "Equal on the skin" in trained.document.design.clip(1).label
+    trained.do("undo")
+    assert gains(trained) == ()
+
+
+def test_what_was_changed_meanwhile_is_left_as_it_is(qtbot, trained):
+    said = []
+    trained.levelling.failed.connect(said.append)
+    trained.do("equalise_on_skin")
+    changed = trained.document.design.with_clip(1, waveform=replace(TRAIN, cycles=5.0))
+    trained.document.edit("Change", changed)
+    qtbot.waitUntil(lambda: not trained.runner.busy)
+    qtbot.waitUntil(lambda: bool(said))
+    assert "changed while it was predicted" in said[0]
+    assert gains(trained) == ()
+
+
+def test_a_change_that_does_not_matter_does_not_stop_it(qtbot, trained):
+    trained.do("equalise_on_skin")
+    louder = trained.document.design.with_input(0, amplitude=5.0, muted=True)
+    trained.document.edit("Change", louder)
+    qtbot.waitUntil(lambda: gains(trained) != ())
+    assert trained.document.design.inputs[0].amplitude == 5.0
+
+
+def test_what_cannot_be_predicted_is_said(qtbot, trained):
+    said = []
+    trained.levelling.failed.connect(said.append)
+    high = trained.document.design.with_clip(1, waveform=WaveletTrain((60.0, 5000.0)))
+    trained.document.edit("Change", high)
+    trained.do("equalise_on_skin")
+    qtbot.waitUntil(lambda: bool(said))
+    assert "frequencies_hz is 5000" in said[0]
