@@ -99,7 +99,7 @@ def test_each_effect_takes_samples_at_the_instants_that_it_needs(shift):
     found = played(TONE, chain, RATE_HZ, shift / RATE_HZ, draw=draw)
     assert asked == [pytest.approx((shift - 30.75) % 1.0)]
     own = np.arange(found.size) / RATE_HZ - shift / RATE_HZ
-    assert found == pytest.approx(2.0 * (own + 30.75 / RATE_HZ), abs=1e-15)
+    assert found == pytest.approx(2.0 * (own + 30.75 / RATE_HZ), abs=1e-12)
 
 
 def test_how_long_samples_play_is_told_or_counted():

@@ -19,6 +19,8 @@ START = Design(
         track(location=2, waveform=Tap(), colour=2),
     ),
 )
+FRAGMENT = edits.fragment_of(START, (1, 3))
+fragments = st.just(FRAGMENT)
 ids = st.lists(st.integers(-1, 8), max_size=4).map(tuple)
 one_id = st.integers(-1, 8)
 anything = st.one_of(
@@ -28,6 +30,7 @@ anything = st.one_of(
     st.floats(),
     st.text(max_size=5),
     st.sampled_from([0.1, 1.0, 100.0, "none", "Tone", 2**70]),
+    st.floats(0.0, 0.3),
 )
 names = st.sampled_from(
     [
@@ -44,10 +47,15 @@ names = st.sampled_from(
     ]
 )
 places = st.integers(-1, 22)
+steps_down = st.integers(-3, 3) | anything
+waveforms = st.sampled_from([Tone(frequency_hz=33.0), Tap(), None])
+curves = st.lists(st.tuples(st.floats(0, 2), st.floats(0, 2)), max_size=3).map(tuple)
 switches = st.booleans()
 motions = st.sampled_from([*(kind() for kind in MOTIONS), Alternation(rounds=200), None])
 #: What is handed to each edit, after design and view.
 ARGUMENTS = {
+    "add_clip": (one_id, anything, waveforms),
+    "add_marker": (anything,),
     "add_motion": (
         st.sampled_from([*(kind() for kind in MOTIONS), Alternation(rounds=200), None]),
     ),
@@ -60,8 +68,14 @@ ARGUMENTS = {
     "change_scaling": (st.sampled_from(["upstream", "relative", "probe", "loud"]),),
     "change_waveform": (ids, st.sampled_from([Tone(frequency_hz=33.0), Tap(), None])),
     "clear_inputs": (),
+    "copy_clips": (ids, anything, steps_down),
+    "cut_clips": (ids,),
     "drag_field": (ids, names, anything),
+    "duplicate_clips": (ids,),
     "duplicate_inputs": (ids,),
+    "fade_clip": (one_id, anything, anything),
+    "insert_time": (anything, anything),
+    "join_clips": (ids,),
     "equalise_on_skin": (
         one_id,
         st.lists(st.floats(-200, 200) | st.just(float("-inf")), max_size=5),
@@ -70,21 +84,40 @@ ARGUMENTS = {
     "level_over": (st.sampled_from(["record", "loudest", "other"]),),
     "look_along": (st.sampled_from(["x", "yz", "xyz", "", "zyx"]),),
     "look_by_method": (st.sampled_from(["mag", "pca", "other"]),),
+    "move_clips": (ids, anything, steps_down),
     "move_inputs": (ids, places),
+    "move_marker": (one_id, anything),
+    "move_playhead": (anything,),
     "mute_inputs": (ids, switches),
+    "paste_fragment": (fragments, anything),
     "place_input": (places, switches),
     "put_inputs_before": (ids, st.integers(-5, 9)),
     "remove_delay": (switches,),
+    "remove_clips": (ids,),
     "remove_inputs": (ids,),
+    "remove_marker": (one_id,),
+    "remove_time": (anything, anything),
+    "rename_marker": (one_id, anything),
+    "repeat_clips": (ids, anything),
+    "select_all_clips": (),
+    "select_clips": (ids,),
+    "set_clips": (ids, names, anything),
+    "set_gain_curve": (one_id, curves),
+    "set_loop": (curves.map(lambda points: points[0] if points else None),),
+    "split_clips": (ids, anything),
+    "stretch_clip": (one_id, anything, anything),
     "select_all_inputs": (),
     "select_inputs": (ids,),
     "select_outputs": (st.lists(st.integers(0, 73), max_size=4),),
     "select_through": (st.none() | one_id, one_id),
     "shift_inputs": (ids, switches),
     "solo_inputs": (ids, switches),
+    "toggle_clip": (one_id,),
     "toggle_mute": (ids,),
+    "toggle_mute_clips": (ids,),
     "toggle_selected": (one_id,),
     "toggle_solo": (ids,),
+    "trim_clip": (one_id, anything, anything),
 }
 steps = st.sampled_from(sorted(ARGUMENTS)).flatmap(
     lambda name: st.tuples(st.just(name), st.tuples(*ARGUMENTS[name]), st.sampled_from([None, 5]))
@@ -93,6 +126,7 @@ steps = st.sampled_from(sorted(ARGUMENTS)).flatmap(
 
 def test_every_edit_takes_part():
     questions = {"Edit", "Refusal", "fields_of", "kept_selection", "value_of"}
+    questions |= {"fragment_from", "fragment_of", "fragment_text"}
     assert ARGUMENTS.keys() == set(edits.__all__) - questions
 
 
@@ -101,7 +135,7 @@ def kept(document: Document) -> tuple:
     return document.design, document.view.outputs
 
 
-@settings(max_examples=150, deadline=None, derandomize=True)
+@settings(max_examples=300, deadline=None, derandomize=True)
 @given(sequence=st.lists(steps, max_size=25))
 def test_nothing_raises_and_undo_and_redo_lead_through_the_same_states(qapp, sequence):
     document = Document(START, View(selected_inputs=(2,)))
@@ -118,6 +152,10 @@ def test_nothing_raises_and_undo_and_redo_lead_through_the_same_states(qapp, seq
         assert len(set(design.ids)) == len(design.ids)
         assert 0 not in design.ids
         assert set(document.view.selected_inputs) <= set(design.ids)
+        clip_ids = [one.id for one in design.clips]
+        assert len(set(clip_ids)) == len(clip_ids)
+        assert 0 not in clip_ids
+        assert set(document.view.selected_clips) <= set(clip_ids)
         states = {k: state for k, state in states.items() if k < document.undo_stack.index()}
         states[document.undo_stack.index()] = kept(document)
     last = document.undo_stack.index()

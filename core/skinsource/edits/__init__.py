@@ -4,7 +4,31 @@ Whatever they are given, they raise nothing: what cannot be done is a `Refusal` 
 To add one, write a function in the module that it belongs to, and name it here.
 """
 
+from skinsource.edits.clip_selection import (
+    move_playhead,
+    select_all_clips,
+    select_clips,
+    toggle_clip,
+)
+from skinsource.edits.clips import (
+    add_clip,
+    copy_clips,
+    duplicate_clips,
+    move_clips,
+    remove_clips,
+    repeat_clips,
+    set_clips,
+    toggle_mute_clips,
+)
+from skinsource.edits.cutting import fade_clip, join_clips, split_clips, stretch_clip, trim_clip
 from skinsource.edits.edit import Edit, Refusal
+from skinsource.edits.fragments import (
+    cut_clips,
+    fragment_from,
+    fragment_of,
+    fragment_text,
+    paste_fragment,
+)
 from skinsource.edits.inputs import (
     clear_inputs,
     duplicate_inputs,
@@ -19,6 +43,14 @@ from skinsource.edits.inputs import (
 from skinsource.edits.motions import add_motion
 from skinsource.edits.order import put_inputs_before, shift_inputs
 from skinsource.edits.outputs import select_outputs
+from skinsource.edits.ruler import (
+    add_marker,
+    move_marker,
+    remove_marker,
+    rename_marker,
+    set_gain_curve,
+    set_loop,
+)
 from skinsource.edits.selection import (
     kept_selection,
     select_all_inputs,
@@ -34,6 +66,7 @@ from skinsource.edits.setup import (
     look_by_method,
     remove_delay,
 )
+from skinsource.edits.times import insert_time, remove_time
 from skinsource.edits.values import (
     change_field,
     change_kind,
@@ -47,6 +80,8 @@ from skinsource.edits.wavelets import equalise_on_skin
 __all__ = [
     "Edit",
     "Refusal",
+    "add_clip",
+    "add_marker",
     "add_motion",
     "change_field",
     "change_kind",
@@ -54,28 +89,56 @@ __all__ = [
     "change_scaling",
     "change_waveform",
     "clear_inputs",
+    "copy_clips",
+    "cut_clips",
     "drag_field",
+    "duplicate_clips",
     "duplicate_inputs",
     "equalise_on_skin",
+    "fade_clip",
     "fields_of",
+    "fragment_from",
+    "fragment_of",
+    "fragment_text",
+    "insert_time",
+    "join_clips",
     "kept_selection",
     "level_over",
     "look_along",
     "look_by_method",
+    "move_clips",
     "move_inputs",
+    "move_marker",
+    "move_playhead",
     "mute_inputs",
+    "paste_fragment",
     "place_input",
     "put_inputs_before",
+    "remove_clips",
     "remove_delay",
     "remove_inputs",
+    "remove_marker",
+    "remove_time",
+    "rename_marker",
+    "repeat_clips",
+    "select_all_clips",
     "select_all_inputs",
+    "select_clips",
     "select_inputs",
     "select_outputs",
     "select_through",
+    "set_clips",
+    "set_gain_curve",
+    "set_loop",
     "shift_inputs",
     "solo_inputs",
+    "split_clips",
+    "stretch_clip",
+    "toggle_clip",
     "toggle_mute",
+    "toggle_mute_clips",
     "toggle_selected",
     "toggle_solo",
+    "trim_clip",
     "value_of",
 ]

@@ -7,9 +7,10 @@ write a file beside these, and name its class in `EFFECTS`.
 
 from skinsource.effects.effect import ON, Effect, KeepsTime, own_duration_s
 from skinsource.effects.playing import placed, played, played_s
+from skinsource.effects.trim import Trim
 
 #: Every effect, in the order in which a user meets them.
-EFFECTS: tuple[type[Effect], ...] = ()
+EFFECTS: tuple[type[Effect], ...] = (Trim,)
 
 
 def effect_kinds() -> tuple[type[Effect], ...]:
@@ -22,6 +23,7 @@ __all__ = [
     "ON",
     "Effect",
     "KeepsTime",
+    "Trim",
     "effect_kinds",
     "own_duration_s",
     "placed",

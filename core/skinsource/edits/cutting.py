@@ -1,0 +1,255 @@
+"""Parts of clips: split, join, trim, stretch, fade.
+
+A recipe cannot be cut, but what it plays can: a part is the same recipe through a `Trim`, and plays
+the same samples.  Trims made by dragging an end stand before the fades, which stay at the ends.
+"""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import Any
+
+from skinsource.clips import Clip, numbered
+from skinsource.design import MAX_CLIPS, Design, Input
+from skinsource.edits.clip_selection import clips_selected
+from skinsource.edits.clips import NO_CLIP, clips_words, present_clips, replace_clips, short
+from skinsource.edits.edit import Edit, Refusal, refused, with_clips
+from skinsource.effects import Effect, Trim, effect_kinds, played_s
+from skinsource.errors import InvalidInputError
+from skinsource.fields import specs_of
+from skinsource.view import View
+
+#: Times that differ by less are the same.
+SAME_S = 1e-9
+#: What a drag of an end leaves at least.
+SHORTEST_S = 0.001
+_GONE = Refusal(sentence="That clip is no longer there; choose another one.")
+
+
+def split_clips(design: Design, view: View, ids: Iterable[int], at_s: float) -> Edit | Refusal:
+    """Cut clips in two at a time of the design, and select the later parts."""
+    chosen = present_clips(design, ids)
+    if not chosen:
+        return NO_CLIP
+    if not _is_time(at_s):
+        return Refusal(sentence="A time is a number of seconds.")
+    cut = {one.id: parts for one in chosen if (parts := parts_of(one, at_s)) is not None}
+    if not cut:
+        return Refusal(
+            sentence=f"None of the selected clips plays at {at_s:.6g} s; put the playhead "
+            "inside one of them."
+        )
+    after = with_parts(design, cut)
+    if isinstance(after, Refusal):
+        return after
+    known = {one.id for one in design.clips}
+    later = tuple(one.id for one in after.clips if one.id not in known)
+    words = clips_words(design, tuple(one for one in chosen if one.id in cut))
+    return Edit(label=f"Split {words}", design=after, view=clips_selected(after, view, later))
+
+
+def join_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
+    """Put parts of one clip together again where they follow each other."""
+    wanted = {one.id for one in present_clips(design, ids)}
+    if not wanted:
+        return NO_CLIP
+    inputs, joined = [], []
+    for one in design.inputs:
+        clips = {clip.id: clip for clip in one.clips}
+        in_time = sorted((c for c in one.clips if c.id in wanted), key=lambda c: c.onset_s)
+        for right in in_time:
+            for left in [clips[c.id] for c in in_time if c.id in clips and c.id != right.id]:
+                together = _joined(left, clips[right.id])
+                if together is not None:
+                    del clips[right.id]
+                    clips[left.id] = together
+                    joined.append(left.id)
+                    break
+        inputs.append(replace_clips(one, list(clips.values())))
+    if not joined:
+        return Refusal(
+            sentence="None of the selected clips goes on where another one of them ends; select "
+            "parts that follow each other."
+        )
+    after = replace(design, inputs=tuple(inputs))
+    there = {one.id for one in after.clips}
+    left_over = tuple(one for one in view.selected_clips if one in there)
+    return Edit(
+        label="Join clips",
+        design=after,
+        view=clips_selected(after, view, left_over or tuple(dict.fromkeys(joined))),
+    )
+
+
+def trim_clip(design: Design, view: View, id: int, start_s: float, end_s: float) -> Edit | Refusal:
+    """Let a clip begin and end at times of the design, as far as it plays anything there."""
+    found = present_clips(design, (id,))
+    if not found:
+        return _GONE
+    if not (_is_time(start_s) and _is_time(end_s)):
+        return Refusal(sentence="A time is a number of seconds.")
+    [one] = found
+    before, fades = _without_fades(one.effects)
+    old = before[-1] if before and isinstance(before[-1], Trim) and before[-1].on else None
+    inner = before if old is None else before[:-1]
+    whole_s = played_s(one.waveform, inner)
+    lead_s = 0.0 if old is None else old.start_s
+    origin_s = one.onset_s - lead_s
+    shortest_s = min(SHORTEST_S, whole_s)
+    start_s = min(max(start_s, origin_s, 0.0), origin_s + whole_s - shortest_s)
+    end_s = min(max(end_s, start_s + shortest_s), origin_s + whole_s)
+    left_out_s, length_s = short(max(start_s - origin_s, 0.0)), short(end_s - start_s)
+    kept: tuple[Effect, ...] = ()
+    if left_out_s > SAME_S or length_s < whole_s - SAME_S:
+        kept = (Trim(start_s=left_out_s, duration_s=length_s),)
+    changes = {"onset_s": short(max(start_s, 0.0)), "effects": (*inner, *kept, *fades)}
+    return _changed(design, view, "Trim", one, changes)
+
+
+def stretch_clip(
+    design: Design, view: View, id: int, start_s: float, end_s: float
+) -> Edit | Refusal:
+    """Let a clip play faster or slower, so that it begins and ends at times of the design."""
+    found = present_clips(design, (id,))
+    if not found:
+        return _GONE
+    if not (_is_time(start_s) and _is_time(end_s)):
+        return Refusal(sentence="A time is a number of seconds.")
+    [one] = found
+    kind = _effect_called("Stretch")
+    if kind is None or one.duration_s == 0.0:
+        return Refusal(sentence="This clip cannot be stretched; change its duration instead.")
+    factor = max(end_s - start_s, SHORTEST_S) / one.duration_s
+    before, fades = _without_fades(one.effects)
+    if before and isinstance(before[-1], kind) and before[-1].on:
+        *inner, old = before
+        factor *= getattr(old, "factor", 1.0)
+    else:
+        inner = list(before)
+    try:
+        kept = [] if abs(factor - 1.0) < SAME_S else [kind(factor=_nearest(kind, factor))]
+    except InvalidInputError as error:
+        return refused(error)
+    changes = {"onset_s": short(start_s), "effects": (*inner, *kept, *fades)}
+    return _changed(design, view, "Stretch", one, changes)
+
+
+def fade_clip(design: Design, view: View, id: int, in_s: float, out_s: float) -> Edit | Refusal:
+    """Let a clip fade in and out within some times; 0 for neither."""
+    found = present_clips(design, (id,))
+    if not found:
+        return _GONE
+    if not (_is_time(in_s) and _is_time(out_s)):
+        return Refusal(sentence="A time is a number of seconds.")
+    [one] = found
+    kind = _effect_called("Fade")
+    if kind is None:
+        return Refusal(sentence="This studio knows no fades.")
+    in_s = short(min(max(in_s, 0.0), one.duration_s))
+    out_s = short(min(max(out_s, 0.0), one.duration_s - in_s))
+    effects: list[Any] = list(one.effects)
+    last = effects[-1] if effects and isinstance(effects[-1], kind) and effects[-1].on else None
+    try:
+        if last is not None:
+            effects[-1:] = [replace(last, in_s=in_s, out_s=out_s)] if in_s or out_s else []
+        elif in_s or out_s:
+            effects.append(kind(in_s=in_s, out_s=out_s))
+    except InvalidInputError as error:
+        return refused(error)
+    return _changed(design, view, "Fade", one, {"effects": tuple(effects)})
+
+
+def parts_of(one: Clip, at_s: float) -> tuple[Clip, Clip] | None:
+    """What a clip plays before a time and from it on; None where it does not play then."""
+    length_s, own_s = one.duration_s, at_s - one.onset_s
+    if not SAME_S < own_s < length_s - SAME_S:
+        return None
+    *inner, last = one.effects or (None,)
+    if not isinstance(last, Trim) or not last.on:
+        inner, last = list(one.effects), Trim(duration_s=length_s)
+    first = replace(last, duration_s=short(own_s))
+    second = replace(last, start_s=short(last.start_s + own_s), duration_s=short(length_s - own_s))
+    return (
+        replace(one, effects=(*inner, first)),
+        replace(one, onset_s=short(at_s), effects=(*inner, second), id=0),
+    )
+
+
+def with_parts(design: Design, cut: dict[int, tuple[Clip, Clip]]) -> Design | Refusal:
+    """The design with pairs in place of clips; the later of each pair has a new id."""
+    known = [one.id for one in design.clips]
+    ids = iter(numbered([*known, *(0 for _ in cut)], "clips")[len(known) :])
+    if any(_count_after(one, cut) > MAX_CLIPS for one in design.inputs):
+        return Refusal(sentence=f"A track holds at most {MAX_CLIPS} clips.")
+    inputs = []
+    for one in design.inputs:
+        clips: list[Clip] = []
+        for clip in one.clips:
+            first, *rest = cut.get(clip.id, (clip,))
+            clips += [first, *(replace(part, id=next(ids)) for part in rest)]
+        inputs.append(replace_clips(one, clips))
+    try:
+        return replace(design, inputs=tuple(inputs))
+    except InvalidInputError as error:
+        return refused(error)
+
+
+def _count_after(one: Input, cut: dict[int, tuple[Clip, Clip]]) -> int:
+    return len(one.clips) + sum(clip.id in cut for clip in one.clips)
+
+
+def _joined(left: Clip, right: Clip) -> Clip | None:
+    """The clip of which these are parts, the second right after the first; None: they are not."""
+    if not left.effects or not right.effects:
+        return None
+    (*inner, first), (*others, second) = left.effects, right.effects
+    if not (isinstance(first, Trim) and isinstance(second, Trim) and first.on and second.on):
+        return None
+    alike = (left.waveform, left.gain, left.muted, inner) == (
+        right.waveform,
+        right.gain,
+        right.muted,
+        others,
+    )
+    follows = abs(left.end_s - right.onset_s) < SAME_S
+    goes_on = abs(first.start_s + first.duration_s - second.start_s) < SAME_S
+    if not (alike and follows and goes_on):
+        return None
+    whole_s = played_s(left.waveform, tuple(inner))
+    length_s = short(second.start_s + second.duration_s - first.start_s)
+    kept: tuple[Effect, ...] = ()
+    if first.start_s > SAME_S or length_s < whole_s - SAME_S:
+        kept = (replace(first, duration_s=length_s),)
+    return replace(left, effects=(*inner, *kept))
+
+
+def _without_fades(effects: tuple[Effect, ...]) -> tuple[tuple[Effect, ...], tuple[Effect, ...]]:
+    """The effects up to the fades at the end of the chain, and those fades."""
+    kind = _effect_called("Fade")
+    count = len(effects)
+    while kind is not None and count and isinstance(effects[count - 1], kind):
+        count -= 1
+    return effects[:count], effects[count:]
+
+
+def _effect_called(name: str) -> Any:
+    return next((kind for kind in effect_kinds() if kind.__name__ == name), None)
+
+
+def _nearest(kind: Any, factor: float) -> float:
+    spec: Any = specs_of(kind)["factor"]
+    return min(max(short(factor), spec.minimum), spec.maximum)
+
+
+def _changed(
+    design: Design, view: View, verb: str, one: Clip, changes: dict[str, Any]
+) -> Edit | Refusal:
+    try:
+        after = with_clips(design, {one.id: changes})
+    except InvalidInputError as error:
+        return refused(error)
+    return Edit(label=f"{verb} {clips_words(design, (one,))}", design=after, view=view)
+
+
+def _is_time(value: Any) -> bool:
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
+    return is_number and abs(value) < 1e9

@@ -1,0 +1,120 @@
+"""Parts of waveforms: what was cut fits together again, wherever the cuts and the samples lie."""
+
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from skinsource.chain import placed_chain
+from skinsource.clips import Clip
+from skinsource.effects import Trim, played, played_s
+from skinsource.errors import InvalidInputError
+from skinsource.waveforms import Impulse, Noise, Tap, Tone
+
+RATE_HZ = 1300.0
+TONE = Tone(frequency_hz=77.0, duration_s=0.1, window="none")
+WAVEFORMS = [TONE, Noise(seed=2, duration_s=0.0996), Tap(), Impulse()]
+
+
+def total(*clips: Clip) -> np.ndarray:
+    """What clips play together, from time 0 on, by the chain of their track."""
+    first, chain = placed_chain(clips, (), RATE_HZ)
+    found = np.zeros(2000)
+    for part in chain.parts:
+        piece = played(part.waveform, part.effects, RATE_HZ, part.shift_s)
+        found[first + part.start :][: piece.size] += piece
+    return found
+
+
+def cut(clip: Clip, *times_s: float) -> list[Clip]:
+    """Parts of a clip, cut at times of its own."""
+    ends = [0.0, *times_s, clip.duration_s]
+    return [
+        replace(
+            clip,
+            onset_s=clip.onset_s + start,
+            effects=(*clip.effects, Trim(start_s=start, duration_s=end - start)),
+        )
+        for start, end in pairwise(ends)
+    ]
+
+
+@settings(max_examples=200, deadline=None, derandomize=True)
+@given(
+    st.sampled_from(WAVEFORMS),
+    st.floats(0.0, 1.0),
+    st.lists(st.floats(0.0, 1.0), min_size=1, max_size=3),
+)
+def test_what_was_cut_is_together_what_it_was(waveform, onset_s, cuts):
+    whole = Clip(waveform=waveform, onset_s=onset_s)
+    times_s = sorted(part * whole.duration_s for part in cuts)
+    np.testing.assert_allclose(total(*cut(whole, *times_s)), total(whole), rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("waveform", WAVEFORMS)
+@pytest.mark.parametrize("onset_s", [0.0, 0.1, 13 / 1300])
+def test_on_samples_every_bit_is_as_it_was(waveform, onset_s):
+    whole = Clip(waveform=waveform, onset_s=onset_s)
+    parts = cut(whole, *(k / RATE_HZ for k in (1, 7, 20) if k / RATE_HZ < whole.duration_s))
+    np.testing.assert_array_equal(total(*parts), total(whole))
+
+
+@pytest.mark.parametrize("start_s", [0.0, 0.01, 0.0123, 0.05, 0.0999, 0.1, 0.3])
+@pytest.mark.parametrize("duration_s", [0.0, 0.0004, 0.03, 0.0307, 600.0])
+@pytest.mark.parametrize("shift", [0.0, 0.3, 0.9])
+def test_a_part_shows_the_waveform_at_its_own_instants(start_s, duration_s, shift):
+    trim = Trim(start_s=start_s, duration_s=duration_s)
+    found = played(TONE, (trim,), RATE_HZ, shift / RATE_HZ)
+    own_s = (np.arange(found.size) - shift) / RATE_HZ
+    inside = (own_s >= -1e-12) & (own_s < trim.length(0.1) - 1e-12)
+    expected = np.where(inside, np.sin(2 * np.pi * 77.0 * (own_s + start_s)), 0.0)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-9)
+    # Nothing is missing at the end.
+    last_s = played_s(TONE, (trim,))
+    assert (found.size + 1e-6 - shift) / RATE_HZ >= last_s or found.size == 0
+
+
+def test_a_part_of_a_part_counts_from_its_own_start():
+    twice = (Trim(start_s=0.02, duration_s=0.07), Trim(start_s=0.01, duration_s=0.03))
+    once = (Trim(start_s=0.03, duration_s=0.03),)
+    for shift in (0.0, 0.4):
+        np.testing.assert_allclose(
+            played(TONE, twice, RATE_HZ, shift / RATE_HZ),
+            played(TONE, once, RATE_HZ, shift / RATE_HZ),
+            rtol=0,
+            atol=1e-9,
+        )
+    assert played_s(TONE, twice) == pytest.approx(0.03)
+
+
+def test_a_trim_of_everything_changes_nothing():
+    np.testing.assert_array_equal(Trim().applied(TONE.samples(RATE_HZ), RATE_HZ), total_of(TONE))
+    assert Trim().length(0.1) == 0.1
+
+
+def total_of(waveform) -> np.ndarray:
+    return waveform.samples(RATE_HZ)
+
+
+@pytest.mark.parametrize("samples", [np.zeros(0), np.ones(1), np.ones(130)])
+def test_nothing_is_left_of_what_ended_before(samples):
+    assert Trim(start_s=0.2, duration_s=0.1).applied(samples, RATE_HZ).size == 0
+    assert Trim(duration_s=0.0).applied(samples, RATE_HZ).size == 0
+    assert Trim(start_s=0.2).length(0.1) == 0.0
+
+
+def test_what_it_is_applied_to_stays_as_it_is():
+    samples = TONE.samples(RATE_HZ)
+    before = samples.copy()
+    Trim(start_s=0.01, duration_s=0.02).applied(samples, RATE_HZ, 0.0002)[:] = 5.0
+    np.testing.assert_array_equal(samples, before)
+
+
+@pytest.mark.parametrize("wrong", [{"start_s": -0.1}, {"duration_s": -1.0}, {"on": 1}])
+def test_an_impossible_part_is_refused_by_name(wrong):
+    (name,) = wrong
+    with pytest.raises(InvalidInputError, match=rf"Trim\.{name} is"):
+        Trim(**wrong)
