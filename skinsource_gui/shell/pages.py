@@ -27,7 +27,7 @@ class Pages(QObject):
         What the keys page lists.
     findable
         Gives what the palette finds; actions without a parent are the palette's.
-    make_accuracy, make_dataset
+    make_accuracy, make_dataset, make_motion
         Make the pages that take long to import, once they are wanted.
     """
 
@@ -38,10 +38,12 @@ class Pages(QObject):
         findable: Callable[[], list[QAction]],
         make_accuracy: MakePage,
         make_dataset: MakePage,
+        make_motion: MakePage,
     ) -> None:
         super().__init__(window)
         self._window, self._specs, self._findable = window, specs, findable
         self._make_accuracy, self._make_dataset = make_accuracy, make_dataset
+        self._make_motion = make_motion
         self.accuracy: Any = None
 
     def search(self) -> None:
@@ -64,6 +66,10 @@ class Pages(QObject):
     def show_dataset(self) -> None:
         """Open the page on the measured limbs."""
         self._make_dataset(self._window).open()
+
+    def show_motion(self) -> None:
+        """Open the page that makes up a motion."""
+        self._make_motion(self._window).open()
 
     def show_about(self) -> None:
         """Open the page on version, licence and citation."""

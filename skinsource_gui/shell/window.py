@@ -164,6 +164,9 @@ class MainWindow(QMainWindow):
                 self.preferences,
             ),
             late("skinsource_gui.dataset_page.page", "DatasetPage", self.runner, self.limbs),
+            late(
+                "skinsource_gui.motion_page.page", "MotionPage", self.document, lambda: self.theme
+            ),
         )
 
     def _capabilities(self) -> dict[str, object]:

@@ -46,8 +46,8 @@ class ApparentMotion:
     )
     limits: ClassVar[str] = (
         "Found on the back, with actuators some centimetres apart. On the palm places lie closer, "
-        "and vibration runs on through the skin: Park et al. (EuroHaptics 2016) felt strokes move "
-        "more evenly there with steps between the places."
+        "and vibration runs on through the skin; strokes were felt to move more evenly there with "
+        "steps between the places (Park et al., EuroHaptics 2016)."
     )
 
     path: tuple[int, ...] = fields.field(PATH, (16, 18, 20))

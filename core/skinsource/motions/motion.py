@@ -3,6 +3,7 @@
 from typing import ClassVar, Protocol, runtime_checkable
 
 from skinsource.design import Input
+from skinsource.waveforms import Waveform
 
 
 @runtime_checkable
@@ -29,6 +30,10 @@ class Motion(Protocol):
     @property
     def path(self) -> tuple[int, ...]:
         """Input places, in the order in which they are passed."""
+
+    @property
+    def waveform(self) -> Waveform:
+        """What plays at the places."""
 
     @property
     def summary(self) -> str:

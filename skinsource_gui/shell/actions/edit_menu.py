@@ -72,6 +72,15 @@ EDIT: tuple[ActionSpec, ...] = (
     action("undo", "Edit", "Undo", "Take the last edit back", "Ctrl+Z", command="steps.undo"),
     action("redo", "Edit", "Redo", "Do it again", "Ctrl+Shift+Z", "Ctrl+Y", command="steps.redo"),
     action(
+        "make_motion",
+        "Edit",
+        "Motion…",
+        "Sweeps, apparent motion, taps, … along a path of places",
+        command="pages.show_motion",
+        keywords="path sweep apparent phantom alternate rabbit travelling wave preset",
+        separated=True,
+    ),
+    action(
         "duplicate_input",
         "Edit",
         "Duplicate input",

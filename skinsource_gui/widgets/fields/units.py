@@ -72,6 +72,11 @@ _DISPLAY_UNITS = {
             ("π", Fraction(math.pi)),
         ),
     ),
+    "m": DisplayUnit(
+        symbol="mm",
+        si=_MILLI,
+        spellings=(("cm", 10 * _MILLI), ("m", Fraction(1)), ("µm", _MILLI**2), ("um", _MILLI**2)),
+    ),
     "Hz": DisplayUnit(symbol="Hz", spellings=(("kHz", 1 / _MILLI),)),
     "m/s²": DisplayUnit(
         symbol="m/s²",

@@ -1,0 +1,175 @@
+"""The motion that is being made up, before it is kept."""
+
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+
+from skinsource.clips import Clip
+from skinsource.design import MAX_INPUTS, Design, Input
+from skinsource.edits.kinds import as_kind
+from skinsource.effects import played
+from skinsource.errors import InvalidInputError
+from skinsource.fields import RecipeSpec, specs_of
+from skinsource.limb import SAMPLE_RATE_HZ
+from skinsource.locations import INPUTS
+from skinsource.motions import MOTIONS, Motion
+from skinsource.motions.changes import following, with_field
+from skinsource.quoting import sentence
+from skinsource.waveforms import Waveform
+from skinsource_gui.motion_page.motion_strip import Lane, ShownClip
+
+
+class Draft(QObject):
+    """Holds one motion, and those of other kinds as they were left.
+
+    Parameters
+    ----------
+    design
+        What it is to be added to; colours follow from it.
+    onset_s
+        When it begins at first.
+
+    Attributes
+    ----------
+    motion
+        As it is; while the path is not one, with the last one that was.
+    path
+        As it was clicked or typed.
+    problem
+        Why that is no path for the motion, or "".
+    """
+
+    changed = Signal()
+    #: Name of a field, and why its value stays as it was.
+    field_refused = Signal(str, str)
+    waveform_field_refused = Signal(str, str)
+
+    def __init__(self, design: Design, onset_s: float, parent: QObject) -> None:
+        super().__init__(parent)
+        self._design = design
+        self._left: dict[str, Motion] = {kind.__name__: kind() for kind in MOTIONS}
+        self.motion: Motion = self._left[MOTIONS[0].__name__]
+        # The playhead may stand later than anything can begin.
+        with suppress(InvalidInputError):
+            self.motion = with_field(self.motion, "onset_s", onset_s)
+        self.path, self.problem = self.motion.path, ""
+        # A phantom has room for two places; the way back leads to all of them.
+        self._whole_path = self.path
+
+    def change_kind(self, name: str) -> None:
+        """Go over to another kind of motion, along the same path."""
+        self._left[type(self.motion).__name__] = self.motion
+        found = following(self._left[name], self.motion)
+        with suppress(InvalidInputError):
+            found = with_field(found, "path", self._whole_path)
+        self._take(found)
+
+    def change_field(self, name: str, value: Any) -> None:
+        """Give a field of the motion another value."""
+        self._try(lambda: with_field(self.motion, name, value), name, self.field_refused)
+
+    def change_path(self, path: tuple[int, ...]) -> None:
+        """Take another path; what is none yet is shown, but not taken."""
+        self._whole_path = path
+        problem = _why_no_path(self.motion, path)
+        if problem:
+            self.path, self.problem = path, problem
+            self.changed.emit()
+        else:
+            self._take(with_field(self.motion, "path", path))
+
+    def change_waveform_kind(self, name: str) -> None:
+        """Play another kind of waveform."""
+        kind = next(one for one in self.waveform_kinds if one.__name__ == name)
+        new = as_kind(self.motion.waveform, kind)
+        self._try(
+            lambda: with_field(self.motion, "waveform", new), "kind", self.waveform_field_refused
+        )
+
+    def change_waveform_field(self, name: str, value: Any) -> None:
+        """Give a field of the waveform another value."""
+        recipe: Any = self.motion.waveform
+        self._try(
+            lambda: with_field(self.motion, "waveform", replace(recipe, **{name: value})),
+            name,
+            self.waveform_field_refused,
+        )
+
+    @property
+    def waveform_kinds(self) -> tuple[type[Waveform], ...]:
+        """What may play."""
+        spec = specs_of(self.motion)["waveform"]
+        return spec.kinds() if isinstance(spec, RecipeSpec) else ()
+
+    def lanes(self) -> tuple[Lane, ...]:
+        """Its tracks as they would be added.
+
+        Raises
+        ------
+        InvalidInputError
+            A clip would start too late, there would be too many inputs, or something is in it that
+            limbs of 1300 Hz cannot play.
+        """
+        tracks = self.motion.tracks()
+        if len(self._design.inputs) + len(tracks) > MAX_INPUTS:
+            raise InvalidInputError(
+                f"it takes {len(tracks)} inputs more, and a design holds at most {MAX_INPUTS}; "
+                "remove some first"
+            )
+        after = self._design
+        for one in tracks:
+            after = after.adding(one)
+        added = after.inputs[len(self._design.inputs) :]
+        largest = max(abs(one.amplitude) for one in added) or 1.0
+        return tuple(
+            Lane(
+                place=one.location,
+                colour=one.colour,
+                clips=tuple(_shown(one, clip, largest) for clip in one.clips),
+            )
+            for one in added
+        )
+
+    def _try(self, change: Callable[[], Motion], name: str, refused: Any) -> None:
+        path, problem = self.path, self.problem
+        try:
+            self._take(change(), path, problem)
+        except InvalidInputError as error:
+            refused.emit(name, sentence(str(error)))
+
+    def _take(self, motion: Motion, path: tuple[int, ...] | None = None, problem: str = "") -> None:
+        self.motion = motion
+        self.path, self.problem = motion.path if path is None else path, problem
+        self.changed.emit()
+
+
+def _why_no_path(motion: Motion, path: tuple[int, ...]) -> str:
+    """Why ``motion`` cannot go there; "" where it can."""
+    spec: Any = specs_of(motion)["path"]
+    strange = next((place for place in path if not 1 <= place <= len(INPUTS)), None)
+    if strange is not None:
+        return f"There is no place {strange}; the hand has 1 to {len(INPUTS)}."
+    if len(path) < spec.fewest:
+        return f"Click {spec.fewest - len(path)} more place{'s' * (spec.fewest - len(path) > 1)}."
+    if len(path) > spec.most:
+        return f"{motion.title} takes {spec.most} places; remove the last."
+    try:
+        with_field(motion, "path", path)
+    except InvalidInputError as error:
+        return sentence(str(error))
+    return ""
+
+
+def _shown(one: Input, clip: Clip, largest: float) -> ShownClip:
+    samples = played(clip.waveform, clip.effects, SAMPLE_RATE_HZ)
+    # Waveforms that pass 1 are not cut off.
+    reach = max(float(np.abs(samples).max(initial=0.0)), 1.0)
+    return ShownClip(
+        start_s=clip.onset_s,
+        duration_s=clip.duration_s,
+        samples=samples * (one.amplitude * clip.gain / (largest * reach)),
+    )

@@ -1,0 +1,234 @@
+"""The page that makes up a motion: clicked or typed path, numbers, preview, one step."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QPushButton
+
+from skinsource.design import MAX_INPUTS, Design, track
+from skinsource.motions import MOTIONS, ApparentMotion, Phantom, TapSequence, TravellingPhase
+from skinsource.view import View
+from skinsource.waveforms import Noise, Saw, Tone
+from skinsource_gui.motion_page.page import MotionPage
+
+
+@pytest.fixture
+def page(window, qtbot):
+    window.do("make_motion")
+    found = window.findChild(MotionPage)
+    qtbot.waitExposed(found)
+    return found
+
+
+def button(page: MotionPage, name: str) -> QPushButton:
+    return page.findChild(QPushButton, name)
+
+
+def choose(page: MotionPage, name: str) -> None:
+    """Choose a kind of motion in the list."""
+    box = page.findChildren(QComboBox, "kind_field")[0]
+    box.setCurrentIndex(box.findData(name))
+    box.activated.emit(box.currentIndex())
+
+
+def click(page: MotionPage, *places: int) -> None:
+    for place in places:
+        at = page.hand.site_centre(place)
+        QTest.mouseClick(page.hand, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, at)
+
+
+def type_path(page: MotionPage, text: str) -> None:
+    field = page.findChild(QLineEdit, "path_field")
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, text)
+
+
+def field_of(page: MotionPage, name: str):
+    grids = (*page.motion_fields.cells, *page.waveform_fields.cells)
+    return next(cell for cell in grids if cell.name == name)
+
+
+def test_a_motion_on_clicked_places_is_added_in_one_step(window, page):
+    before = window.document.design
+    choose(page, "TapSequence")
+    button(page, "clear_path").click()
+    click(page, 7, 12, 17)
+    assert page.path_row.field.text() == "7, 12, 17"
+    assert window.document.design is before
+    assert window.document.undo_stack.count() == 0
+    button(page, "add_motion").click()
+    design = window.document.design
+    assert design.inputs[:1] == before.inputs
+    assert [one.location for one in design.inputs[1:]] == [7, 12, 17]
+    assert [len(one.clips) for one in design.inputs[1:]] == [3, 3, 3]
+    assert window.document.view.selected_inputs == design.ids[1:]
+    assert window.document.undo_stack.count() == 1
+    window.document.undo_stack.undo()
+    assert window.document.design == before
+
+
+def test_cancel_changes_nothing(window, page):
+    click(page, 7)
+    before = window.document.design
+    button(page, "cancel_motion").click()
+    assert window.document.design is before
+    assert window.document.undo_stack.count() == 0
+
+
+def test_a_place_may_come_again(page):
+    choose(page, "Alternation")
+    button(page, "clear_path").click()
+    click(page, 7, 9, 7)
+    assert page.draft.motion.path == (7, 9, 7)
+    button(page, "remove_last").click()
+    assert page.draft.motion.path == (7, 9)
+    button(page, "reverse_path").click()
+    assert page.draft.motion.path == (9, 7)
+
+
+def test_the_path_can_be_made_with_keys_alone(page):
+    button(page, "clear_path").click()
+    page.hand.setFocus(Qt.FocusReason.TabFocusReason)
+    QTest.keyClick(page.hand, Qt.Key.Key_7)
+    QTest.keyClick(page.hand, Qt.Key.Key_Return)
+    page.hand.findChild(object, "typing").timeout.emit()
+    QTest.keyClick(page.hand, Qt.Key.Key_9)
+    QTest.keyClick(page.hand, Qt.Key.Key_Space)
+    assert page.draft.path == (7, 9)
+    QTest.keyClick(page.hand, Qt.Key.Key_Backspace)
+    assert page.draft.path == (7,)
+
+
+def test_the_path_can_be_typed_and_what_is_none_is_said(page):
+    type_path(page, "3, 8, 13")
+    assert page.draft.motion.path == (3, 8, 13)
+    assert page.path_row.field.text() == "3, 8, 13"
+    type_path(page, "3, x")
+    assert "'x'" in page.strip.words
+    assert not button(page, "add_motion").isEnabled()
+    QTest.keyClick(page.path_row.field, Qt.Key.Key_Tab)
+    assert page.path_row.field.text() == ", ".join(map(str, page.draft.path))
+    type_path(page, "3 99")
+    assert not button(page, "add_motion").isEnabled()
+    type_path(page, "3 4")
+    assert button(page, "add_motion").isEnabled()
+    assert page.strip.words == ""
+
+
+def test_a_path_that_is_too_short_asks_for_more(page):
+    button(page, "clear_path").click()
+    assert page.strip.words == "Click 2 more places."
+    assert not button(page, "add_motion").isEnabled()
+    assert not button(page, "remove_last").isEnabled()
+    click(page, 8)
+    assert page.strip.words == "Click 1 more place."
+    click(page, 13)
+    assert page.strip.words == ""
+    assert button(page, "add_motion").isEnabled()
+
+
+@pytest.mark.parametrize("kind", MOTIONS)
+def test_the_preview_shows_the_tracks_that_are_added(window, page, kind):
+    choose(page, kind.__name__)
+    lanes = page.strip.lanes
+    summary = page.findChild(QLabel, "motion_summary")
+    assert summary.text() == page.draft.motion.summary
+    about = page.findChild(QLabel, "motion_about").text()
+    assert all(part in about for part in ("Law", "Source", "On the palm"))
+    page.grab()
+    button(page, "add_motion").click()
+    added = window.document.design.inputs[1:]
+    assert [(one.location, one.colour) for one in added] == [
+        (lane.place, lane.colour) for lane in lanes
+    ]
+    for one, lane in zip(added, lanes, strict=True):
+        starts = [(clip.onset_s, clip.duration_s) for clip in one.clips]
+        assert starts == [(clip.start_s, clip.duration_s) for clip in lane.clips]
+
+
+def test_numbers_of_motion_and_waveform_are_taken_over(page):
+    choose(page, "ApparentMotion")
+    field_of(page, "duration_s").edited.emit("duration_s", 0.05, None)
+    assert page.draft.motion == ApparentMotion(waveform=Tone(200.0, duration_s=0.05))
+    assert "63.3 ms" in page.findChild(QLabel, "motion_summary").text()
+    field_of(page, "onset_s").edited.emit("onset_s", 0.5, None)
+    assert page.strip.lanes[0].clips[0].start_s == 0.5
+
+
+def test_another_waveform_can_be_chosen_where_it_goes(page):
+    choose(page, "ApparentMotion")
+    page.draft.change_waveform_kind("Noise")
+    assert isinstance(page.draft.motion.waveform, Noise)
+    assert field_of(page, "seed").isVisible()
+    choose(page, "TravellingPhase")
+    box = page.waveform_fields.cells[0].field
+    assert [box.itemData(k) for k in range(box.count())] == ["Tone", "Square", "Saw", "Triangle"]
+    page.draft.change_waveform_kind("Saw")
+    assert isinstance(page.draft.motion.waveform, Saw)
+    choose(page, "ApparentMotion")
+    assert isinstance(page.draft.motion.waveform, Noise)
+
+
+def test_what_does_not_go_together_stays_and_is_said(page):
+    choose(page, "ApparentMotion")
+    page.draft.change_waveform_kind("PulseTrain")
+    field_of(page, "rate_hz").edited.emit("rate_hz", 400.0, None)
+    assert page.draft.motion.waveform.rate_hz == 40.0
+    assert "pulse_s" in field_of(page, "rate_hz").note
+
+
+def test_other_kinds_follow_the_path_and_a_phantom_gives_it_back(page):
+    choose(page, "TapSequence")
+    page.draft.change_path((7, 12, 17))
+    choose(page, "Phantom")
+    assert page.draft.motion.path == (7, 12)
+    click(page, 20)
+    assert "takes 2 places" in page.strip.words
+    button(page, "remove_last").click()
+    choose(page, "TravellingPhase")
+    assert page.draft.motion.path == (7, 12)
+    page.draft.change_path((7, 12, 17))
+    choose(page, "Phantom")
+    choose(page, "TapSequence")
+    assert page.draft.motion.path == (7, 12, 17)
+    assert isinstance(page.draft.motion, TapSequence)
+
+
+def test_what_a_limb_cannot_play_is_said_before_it_is_added(page):
+    choose(page, "ApparentMotion")
+    page.draft.change_waveform_field("frequency_hz", 700.0)
+    assert "frequency_hz is 700" in page.strip.words
+    assert not button(page, "add_motion").isEnabled()
+
+
+def test_a_motion_begins_at_the_playhead(make_window):
+    window = make_window(view=View(playhead_s=1.25))
+    window.do("make_motion")
+    page = window.findChild(MotionPage)
+    assert page.draft.motion.onset_s == 1.25
+    page.reject()
+
+
+def test_a_full_design_takes_no_motion(make_window):
+    full = Design(limb="synthetic-1", inputs=(track(1, amplitude=0.0),) * (MAX_INPUTS - 1))
+    window = make_window(full)
+    window.do("make_motion")
+    page = window.findChild(MotionPage)
+    assert "inputs more" in page.strip.words
+    assert not button(page, "add_motion").isEnabled()
+    page.reject()
+
+
+def test_the_page_fits_a_small_screen_and_everything_on_it_has_a_name(page):
+    assert page.sizeHint().height() <= 700
+    assert page.minimumSizeHint().width() <= 1100
+    for widget in (page.hand, page.path_row.field, page.strip):
+        assert widget.accessibleName()
+
+
+def test_phantom_and_travelling_phase_are_painted(page):
+    for motion in (Phantom(position=0.0), TravellingPhase()):
+        choose(page, type(motion).__name__)
+        QApplication.processEvents()
+        assert not page.grab().isNull()
