@@ -47,6 +47,8 @@ class Conductor(QObject):
         self._also = also
         self._asked: Request | None = None
         self._shown: dict[Panel, tuple[Any, ...]] = {}
+        # What they needed, and the values it was computed from.
+        self._answered: dict[Panel, tuple[frozenset[str], Mapping[str, Any]]] = {}
         # Panels whose next results have nothing to do with what they show.
         self._anew: set[Panel] = set()
         document.jumped.connect(self._begin_anew)
@@ -85,10 +87,20 @@ class Conductor(QObject):
         self._asked = request
         for panel in visible:
             if panel.needs:
-                panel.show_stale(True)
+                panel.show_stale(self._is_stale(panel))
         self.stale.emit(True)
         self._engine.request(request)
         return True
+
+    def _is_stale(self, panel: Panel) -> bool:
+        """Whether what a panel shows would be computed from something else now."""
+        if self._asked is None or panel not in self._shown:
+            return True
+        needs, then = self._answered[panel]
+        now = self._asked.given
+        return needs != panel.needs or any(
+            then[name] != now[name] for name in self._engine.sources_of(needs)
+        )
 
     def _behind(self, visible: list[Panel]) -> bool:
         return any(panel.needs and panel not in self._shown for panel in visible)
@@ -104,9 +116,10 @@ class Conductor(QObject):
         for panel in visible:
             if panel.needs <= outcome.values.keys():
                 self._show(panel, outcome.values)
+                self._answered[panel] = panel.needs, outcome.request.given
                 if outcome.request is self._asked:
                     self._anew.discard(panel)
-                panel.show_stale(outcome.request is not self._asked)
+                panel.show_stale(self._is_stale(panel))
         self.delivered.emit(outcome)
         self.stale.emit(outcome.request is not self._asked)
 

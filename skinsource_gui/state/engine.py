@@ -95,6 +95,8 @@ class Engine(QObject):
         super().__init__(parent)
         self._new_graph = new_graph
         self._graphs: dict[Slot, Graph] = {}
+        self._plan: Graph | None = None
+        self._sources: dict[frozenset[str], frozenset[str]] = {}
         self._closing = Event()
         self._superseded = Event()
         self._done = Event()
@@ -109,6 +111,14 @@ class Engine(QObject):
     def busy(self) -> bool:
         """Whether a request is being evaluated or waits."""
         return self._running is not None
+
+    def sources_of(self, quantities: frozenset[str]) -> frozenset[str]:
+        """Names of the values to start from that ``quantities`` depend on."""
+        if quantities not in self._sources:
+            # Those of the slots belong to the worker; this one computes nothing.
+            self._plan = self._plan or self._new_graph()
+            self._sources[quantities] = self._plan.sources_of(quantities)
+        return self._sources[quantities]
 
     def request(self, request: Request) -> None:
         """Evaluate ``request`` as soon as possible, unless a newer one takes its place."""

@@ -141,6 +141,35 @@ def test_what_did_not_change_is_not_drawn_again(stage):
     assert len(stage.colourful.results) == drawn
 
 
+def test_only_panels_whose_results_may_change_are_marked_as_stale(qtbot, stage):
+    stage.loud.marks.clear()
+    stage.document.look(View(outputs=(3,)))
+    qtbot.waitUntil(lambda: not stage.engine.busy)
+    assert stage.loud.marks == [False, False]
+    stage.amplitude(2.0)
+    assert stage.loud.marks == [False, False, True, False]
+
+
+def test_results_that_came_late_are_not_stale_where_only_something_else_changed(qtbot, stage):
+    stage.loud.marks.clear()
+    stage.gate.clear()
+    stage.document.edit("louder", stage.document.design.with_input(0, amplitude=2.0))
+    stage.document.look(View(outputs=(3,)))
+    assert stage.loud.marks == [True, True]
+    stage.gate.set()
+    qtbot.waitUntil(lambda: not stage.engine.busy)
+    assert stage.loud.marks == [True, True, False, False]
+
+
+def test_a_panel_that_needs_something_else_than_before_is_stale(qtbot, stage):
+    stage.loud._needs = frozenset({"colours"})
+    stage.loud.marks.clear()
+    stage.document.look(View(outputs=(3,)))
+    assert stage.loud.marks == [True]
+    qtbot.waitUntil(lambda: not stage.engine.busy)
+    assert stage.loud.marks == [True, False]
+
+
 def test_a_hidden_panel_costs_nothing_and_is_brought_up_to_date(qtbot, stage):
     stage.loud.hide()
     qtbot.waitUntil(lambda: not stage.engine.busy)

@@ -283,8 +283,8 @@ def test_files_of_the_curves_say_whose_they_are_and_how_they_were_made(show):
         "axes: x, y, z (xyz); method: Principal axis (pca)",
         "levels: RMS over the loudest 100 ms (loudest)",
     ):
-        assert fact in curves.about
-    assert any("clip of the input at place 7: Tone(" in line for line in curves.about)
+        assert fact in curves.about()
+    assert any("clip of the input at place 7: Tone(" in line for line in curves.about())
     heading = " · ".join(curves.heading)
     for words in ("Synthetic 1 (175 mm)", "principal axis", "peak of each input", "one's own"):
         assert words in heading

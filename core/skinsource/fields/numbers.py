@@ -69,7 +69,10 @@ class NumberSpec(Spec):
         if not self.minimum <= value <= self.maximum or value in (-np.inf, np.inf):
             raise Misfit(self.expected)
         if not self.whole:
-            return _as_float(value, self.expected)
+            try:
+                return float(value)
+            except OverflowError:
+                raise Misfit(self.expected) from None
         if value != int(value):
             raise Misfit(self.expected)
         return int(value)
@@ -213,10 +216,3 @@ class PointsSpec(Spec):
         if not isinstance(tree, list) or len(tree) > self.most:
             return tree
         return tuple(tuple(point) if isinstance(point, list) else point for point in tree)
-
-
-def _as_float(value: Any, expected: str) -> float:
-    try:
-        return float(value)
-    except OverflowError:
-        raise Misfit(expected) from None

@@ -18,7 +18,7 @@ from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.signal_panel import NO_OUTPUTS, SignalPanel
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
-from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_of
+from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_later
 
 _LOWEST_HZ = 10.0
 _BAND = f"{BAND_HZ[0]:g} to {BAND_HZ[1]:g} Hz"
@@ -137,7 +137,7 @@ class SpectraPanel(SignalPanel):
                 names=output_names(results["outputs"]),
                 kind="level" if level else "amplitude",
                 scaling=_SCALINGS[span],
-                about=(f"spectrum: {_SCALINGS[span][0]}", *lines_of(results)),
+                about=lines_later(results, f"spectrum: {_SCALINGS[span][0]}"),
                 heading=heading_of(results),
             ),
             synthetic=results["limb"].startswith("synthetic"),

@@ -15,7 +15,7 @@ from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.signal_panel import NO_OUTPUTS, SignalPanel
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
-from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_of
+from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_later
 
 _DELAY = f"{PRE_TRIGGER_DELAY_S * 1e3:.0f} ms"
 _DELAYED_AXIS = XAxis(
@@ -93,7 +93,7 @@ class TracesPanel(SignalPanel):
             x=results["response_time_s"],
             y=results["selected_traces"],
             names=output_names(results["outputs"]),
-            about=lines_of(results),
+            about=lines_later(results),
             heading=heading_of(results),
         )
         self._plot.show_curves(

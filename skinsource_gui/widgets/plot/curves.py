@@ -1,5 +1,6 @@
 """What a plot of signals shows."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -35,7 +36,7 @@ class Curves:
     scaling
         What their height means, beside its unit, longest first.
     about
-        Lines that tell a table of them what they are.
+        Gives lines that tell a table of them what they are.
     heading
         The same for a picture, in parts.
     """
@@ -45,7 +46,7 @@ class Curves:
     names: tuple[CurveName, ...]
     kind: Kind = "amplitude"
     scaling: tuple[str, ...] = ()
-    about: tuple[str, ...] = ()
+    about: Callable[[], tuple[str, ...]] = tuple
     heading: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:

@@ -1,6 +1,7 @@
 """What curves say of themselves in files and pictures: whose they are, and how they were made."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any
 
 from skinsource.choice_words import LIMBS, SCALINGS, signal_words, word_of
@@ -10,10 +11,15 @@ from skinsource.export.description import describe_levels, describe_played, desc
 NEEDS = frozenset({"axes", "inputs", "limb", "limb_data", "method", "scaling", "span"})
 
 
-def lines_of(results: Mapping[str, Any]) -> tuple[str, ...]:
-    """Lines for the head of a table."""
+def lines_later(results: Mapping[str, Any], *first: str) -> Callable[[], tuple[str, ...]]:
+    """What gives lines for the head of a table: written when there is one, not at each edit."""
+    return partial(_lines, {name: results[name] for name in NEEDS}, first)
+
+
+def _lines(results: Mapping[str, Any], first: tuple[str, ...]) -> tuple[str, ...]:
     note, inputs = results["limb_data"].note, results["inputs"]
     return (
+        *first,
         *describe_played(results["limb"], note, results["scaling"], inputs),
         describe_projection(results["axes"], results["method"]),
         describe_levels(results["span"]),

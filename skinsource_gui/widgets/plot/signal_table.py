@@ -24,7 +24,7 @@ def save_table(path: Path, plot: Plot, title: str) -> None:
     unit = "db_re_1_m_per_s2" if curves.kind == "level" else "m_per_s2"
     axis = plot.window.axis
     about = ["SkinSource studio", title, axis.titles[0]]
-    about.extend(curves.about)
+    about.extend(curves.about())
     if plot.words.synthetic:
         about.insert(1, "SYNTHETIC LIMB: computed responses, not measured ones")
     header = [axis.column, *(f"output_{name.number}_{unit}" for name in curves.names)]

@@ -141,7 +141,7 @@ def test_a_drawing_is_saved_as_lines_and_letters(signals, save_to, stacked):
 def test_the_table_holds_all_samples_exactly_whatever_is_zoomed_to(signals, save_to, kind):
     curves = waves(2)
     shown = type(curves)(
-        x=curves.x, y=curves.y, names=curves.names, kind=kind, about=("one", "two")
+        x=curves.x, y=curves.y, names=curves.names, kind=kind, about=lambda: ("one", "two")
     )
     signals.show_curves(shown, synthetic=True)
     signals.set_view(TIME, (0.1, 0.2), stacked=False)
