@@ -1,7 +1,7 @@
 """Fields that hold more than one value: lists, recipes, samples, and what may be absent."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from skinsource.errors import InvalidInputError
@@ -76,6 +76,10 @@ class ListSpec(Spec):
             raise Misfit(f"a tuple of {many}")
         # What is as it was keeps its identity.
         return value if all(a is b for a, b in zip(parts, value, strict=True)) else parts
+
+    def at_rate(self, sample_rate_hz: float) -> "ListSpec":
+        """What is allowed on a limb of this rate, part by part."""
+        return replace(self, of=self.of.at_rate(sample_rate_hz))
 
     def encoded(self, value: tuple[Any, ...]) -> Tree:
         """Return a list of trees."""

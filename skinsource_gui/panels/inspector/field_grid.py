@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from itertools import pairwise
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QWidget
 
@@ -13,6 +13,7 @@ from skinsource_gui.widgets.fields.field_cell import LabelledCell
 #: From this width on, two fields stand side by side.
 WIDE_PX = 440
 _MOST_PAIRS = 2
+_ANY_HEIGHT_PX = 16_777_215
 
 
 class FieldGrid(QWidget):
@@ -47,6 +48,10 @@ class FieldGrid(QWidget):
         for cell in cells:
             cell.label.show()
             cell.show()
+
+    def minimumSizeHint(self) -> QSize:
+        # Wide fields side by side must not keep the grid so wide that they stay there.
+        return super().minimumSizeHint().boundedTo(QSize(WIDE_PX - 1, _ANY_HEIGHT_PX))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

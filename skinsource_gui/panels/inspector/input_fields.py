@@ -49,6 +49,7 @@ class InputFields(QObject):
         self._rate_hz = SAMPLE_RATE_HZ
         self._own: tuple[LabelledCell, ...] = ()
         self._built_for: type[Waveform] | None = None
+        self._length: WordsCell | None = None
         self._several = False
         self._view = View()
         self.grid = FieldGrid()
@@ -71,6 +72,8 @@ class InputFields(QObject):
         if kind is not self._built_for or (len(one.clips) > 1) != self._several:
             self._several = len(one.clips) > 1
             self._build_own(None if clip is None else clip.waveform)
+        if self._length is not None and clip is not None:
+            self._length.words.setText(fixed_length_text(clip.waveform))
         self._amplitude.set_spec(replace(AMPLITUDE, unit=unit))
         pairs = [(other, each) for other in together for each in clips_of(other, view) or (None,)]
         for cell in self._fields():
@@ -115,12 +118,14 @@ class InputFields(QObject):
 
     def _build_own(self, waveform: Waveform | None) -> None:
         old, cells = self._own, []
+        self._length = None
         for name, spec in (specs_of(waveform) if waveform else {}).items():
             cell = FieldCell(name, spec.at_rate(self._rate_hz))
             cell.edited.connect(self.edited)
             cells.append(cell)
         if waveform and fixed_length_text(waveform):
-            cells.append(WordsCell("Duration", fixed_length_text(waveform)))
+            self._length = WordsCell("Duration", fixed_length_text(waveform))
+            cells.append(self._length)
         self._own = tuple(cells)
         self._built_for = type(waveform) if waveform else None
         for cell in cells:

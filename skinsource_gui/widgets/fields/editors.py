@@ -7,11 +7,21 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QCheckBox, QLabel, QLineEdit, QWidget
 
 from skinsource.edits.kinds import KindSpec
-from skinsource.fields import ChoiceSpec, NumberSpec, Spec, SwitchSpec, TextSpec, made_for
+from skinsource.fields import (
+    ChoiceSpec,
+    ListSpec,
+    NumberSpec,
+    PointsSpec,
+    Spec,
+    SwitchSpec,
+    TextSpec,
+    made_for,
+)
 from skinsource.quoting import printable
 from skinsource.signals import BAND_HZ
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.fields.list_editors import NumbersEditor, PointsEditor
 from skinsource_gui.widgets.fields.live_text import LiveText
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.inputs.kind_field import KindField
@@ -205,6 +215,11 @@ def text_editor(spec: TextSpec, parent: QWidget) -> Editor:
     return (TextEditor if spec.reader is None else LiveTextEditor)(spec, parent)
 
 
+def list_editor(spec: ListSpec, parent: QWidget) -> Editor:
+    """Make the editor of a list of numbers; other lists are shown."""
+    return (NumbersEditor if isinstance(spec.of, NumberSpec) else ShownOnly)(spec, parent)
+
+
 #: Which editor is made for which kind of specification.
 EDITORS: dict[type[Spec], Callable[[Any, QWidget], Editor]] = {
     NumberSpec: NumberEditor,
@@ -212,6 +227,8 @@ EDITORS: dict[type[Spec], Callable[[Any, QWidget], Editor]] = {
     KindSpec: KindEditor,
     SwitchSpec: SwitchEditor,
     TextSpec: text_editor,
+    ListSpec: list_editor,
+    PointsSpec: PointsEditor,
     # Curves, samples, …: what has no editor of its own is shown.
     Spec: ShownOnly,
 }

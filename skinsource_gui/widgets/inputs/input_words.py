@@ -1,9 +1,9 @@
 """An input in a few words."""
 
-from skinsource.fields import NumberSpec, specs_of
+from skinsource.fields import ListSpec, NumberSpec, specs_of
 from skinsource.signals import sample_count
 from skinsource.waveforms import Waveform
-from skinsource_gui.widgets.fields.units import LONG_S, value_text
+from skinsource_gui.widgets.fields.units import LONG_S, number_text, value_text
 
 DURATION_FIELD = "duration_s"
 #: What an input without clips plays.
@@ -11,8 +11,13 @@ EMPTY = "nothing yet"
 
 
 def figure_text(waveform: Waveform) -> str:
-    """Title and first number of a waveform: ``"Tone 100 Hz"``, ``"Noise, seed 3"``."""
+    """Title and first number or list of a waveform: ``"Tone 100 Hz"``, ``"Noise, seed 3"``."""
     for name, spec in specs_of(waveform).items():
+        if isinstance(spec, ListSpec) and isinstance(spec.of, NumberSpec):
+            values = getattr(waveform, name)
+            ends = values[:: max(len(values) - 1, 1)]
+            words = "–".join(number_text(one, spec.of.unit, digits=4) for one in ends)
+            return f"{waveform.title} {words} {spec.of.unit}"
         if isinstance(spec, NumberSpec) and name != DURATION_FIELD:
             number = value_text(getattr(waveform, name), spec.unit, digits=4)
             if spec.unit:
@@ -40,4 +45,5 @@ def fixed_length_text(waveform: Waveform) -> str:
         return ""
     count = sample_count(waveform.duration_s)
     samples = "" if count == 1 else f" ({count} samples)"
-    return f"{duration_text(waveform)}{samples}, fixed"
+    fixed = "" if specs_of(waveform) else ", fixed"
+    return f"{duration_text(waveform)}{samples}{fixed}"

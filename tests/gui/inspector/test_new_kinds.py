@@ -16,6 +16,8 @@ from skinsource.response import predict
 from skinsource.spectra import rms
 from skinsource.view import View
 from skinsource.waveforms import Tone
+from skinsource_gui.panels.inspector.field_grid import FieldGrid
+from skinsource_gui.widgets.inputs.input_words import figure_text
 from tests.gui.inspector.bench import Bench, design_of
 
 
@@ -92,3 +94,34 @@ def test_numbers_that_do_not_go_together_are_refused_with_the_reason(qtbot):
     assert bench.edits == []
     assert bench.number("low_hz").value_si == 50.0
     assert bench.words("low_hz_note").text() == "a sweep goes from a lower to a higher frequency."
+
+
+@pytest.mark.parametrize("kind", [waveforms.WaveletTrain, waveforms.Glide, waveforms.Formula])
+def test_fields_that_hold_much_fit_the_panel_whatever_was_shown_before(qtbot, kind):
+    bench = Bench(qtbot, design_of(kind()))
+    grid = bench.panel.findChild(FieldGrid)
+    bench.panel.resize(1000, 460)
+    qtbot.waitUntil(lambda: grid.pairs == 2)
+    bench.panel.resize(300, 460)
+    qtbot.waitUntil(lambda: grid.pairs == 1)
+    qtbot.waitUntil(lambda: grid.width() <= 300)
+
+
+def test_a_length_that_follows_from_other_fields_is_said_anew(qtbot):
+    bench = Bench(qtbot, design_of(waveforms.Gabor()))
+    assert bench.words("fixed_length").text() == "50.9 ms (66 samples)"
+    bench.type("cycles", "8")
+    assert bench.words("fixed_length").text() == "102 ms (132 samples)"
+
+
+@pytest.mark.parametrize(
+    ("waveform", "words"),
+    [
+        (waveforms.WaveletTrain(), "Wavelet train 50–400 Hz"),
+        (waveforms.WaveletTrain((84.1,)), "Wavelet train 84.1 Hz"),
+        (waveforms.Glide(), "Glide"),
+        (waveforms.Gabor(), "Gabor wavelet 100 Hz"),
+    ],
+)
+def test_a_waveform_is_named_with_what_tells_most_of_it(waveform, words):
+    assert figure_text(waveform) == words

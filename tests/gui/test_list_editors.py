@@ -1,0 +1,188 @@
+"""Lists of numbers and points, typed."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QTextCursor
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel, QPushButton, QWidget
+
+from skinsource.errors import InvalidInputError
+from skinsource.fields import ListSpec, NumberSpec, specs_of
+from skinsource.waveforms import Glide, WaveletTrain, frequency_sweep
+from skinsource_gui.theme import DARK
+from skinsource_gui.widgets.fields.field_cell import FieldCell
+from skinsource_gui.widgets.fields.live_text import LiveText
+from skinsource_gui.widgets.fields.sweep_dialog import SweepDialog
+from skinsource_gui.widgets.fields.typed_numbers import (
+    numbers_text,
+    points_text,
+    read_numbers,
+    read_points,
+)
+
+FREQUENCIES = specs_of(WaveletTrain)["frequencies_hz"]
+GAINS = specs_of(WaveletTrain)["gains_db"]
+POINTS = specs_of(Glide)["points"]
+DELAYS = ListSpec(label="Delays", of=NumberSpec(label="Delay", unit="s", minimum=0, maximum=9))
+
+
+@pytest.fixture
+def cell(qtbot):
+    def make(spec, value):
+        one = FieldCell("many", spec)
+        qtbot.addWidget(one)
+        one.told = []
+        one.edited.connect(lambda name, value, gesture: one.told.append(value))
+        one.set_value(value)
+        one.show()
+        qtbot.waitExposed(one)
+        one.line = one.field if isinstance(one.field, LiveText) else one.findChild(LiveText)
+        one.line.setFocus()
+        one.line.moveCursor(QTextCursor.MoveOperation.End)
+        return one
+
+    return make
+
+
+@pytest.mark.parametrize(
+    ("text", "values"),
+    [
+        ("50, 84.1, 400", (50.0, 84.1, 400.0)),
+        ("50 84.1 400", (50.0, 84.1, 400.0)),
+        ("50;84,1;400", (50.0, 84.1, 400.0)),
+        ("50 Hz, 0.4 kHz,", (50.0, 400.0)),
+        ("  75  ", (75.0,)),
+    ],
+)
+def test_numbers_are_read_as_one_writes_them(text, values):
+    assert read_numbers(text, FREQUENCIES) == values
+    assert read_numbers(numbers_text(values, FREQUENCIES), FREQUENCIES) == values
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("50, x", "“x” is not a number"),
+        ("50, 0", "0 Hz is too low"),
+        ("50 ms", "is not a number|not one of its units"),
+        ("", "0 typed. Allowed: 1 to 1000 numbers"),
+    ],
+)
+def test_numbers_that_are_not_allowed_are_refused_in_words(text, words):
+    with pytest.raises(InvalidInputError, match=words):
+        read_numbers(text, FREQUENCIES)
+
+
+def test_times_in_lists_and_points_are_in_milliseconds_throughout():
+    assert numbers_text((0.0, 0.25, 2.5), DELAYS) == "0, 250, 2500"
+    assert read_numbers("0, 250, 2500, 3 s", DELAYS) == (0.0, 0.25, 2.5, 3.0)
+    points = ((0.0, 60.0, 0.0), (2.5, 84.1, 1.0))
+    assert points_text(points, POINTS) == "0 60 0; 2500 84.1 1"
+    assert read_points("0 60 0; 2500, 84.1, 1;", POINTS) == points
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("0 60 0; 100 60", "“100 60” has 2 numbers. Each point has 3: time in ms, frequency in Hz"),
+        ("0 60 0", "1 typed. Allowed: 2 to 2000 points"),
+        ("100 60 0; 50 60 1", "50 comes after 100. Put the points in the order of their time"),
+        ("0 60 0; 100 60 2", "2 is too high"),
+    ],
+)
+def test_points_that_are_not_allowed_are_refused_in_words(text, words):
+    with pytest.raises(InvalidInputError, match=words):
+        read_points(text, POINTS)
+
+
+def test_a_list_is_told_while_it_is_typed_and_stays_as_it_is_typed(cell):
+    one = cell(FREQUENCIES, (50.0, 84.1))
+    assert one.line.text() == "50, 84.1"
+    QTest.keyClicks(one.line, ",70")
+    assert one.told[-1] == (50.0, 84.1, 70.0)
+    one.set_value((50.0, 84.1, 70.0))
+    assert one.line.text() == "50, 84.1,70"
+    one.set_value((60.0,))
+    assert one.line.text() == "60"
+
+
+def test_half_a_list_says_what_is_missing_and_esc_brings_it_back(cell):
+    one = cell(FREQUENCIES, (50.0, 84.1))
+    QTest.keyClicks(one.line, ", 90z")
+    assert one.told[-1] == (50.0, 84.1, 90.0)
+    assert one.note == "Frequency: “z” is not one of its units. Units: Hz, kHz."
+    QTest.keyClick(one.line, Qt.Key.Key_Escape)
+    assert one.line.text() == "50, 84.1"
+    assert one.note == ""
+
+
+def test_what_was_refused_stays_typed_beside_the_reason(cell):
+    one = cell(GAINS, ())
+    assert one.line.text() == ""
+    QTest.keyClicks(one.line, "-3, 2")
+    assert one.told[-1] == (-3.0, 2.0)
+    one.set_value(())
+    one.show_reason("WaveletTrain.gains_db has 2 gains, expected one for each")
+    assert one.line.text() == "-3, 2"
+    assert "has 2 gains" in one.note
+
+
+def test_frequencies_outside_the_band_are_remarked_on(cell):
+    assert cell(FREQUENCIES, (50.0, 600.0)).note == ""
+    assert cell(FREQUENCIES, (20.0, 50.0, 610.0)).note.startswith(
+        "20, 610 Hz: outside the measured"
+    )
+    assert cell(GAINS, (-30.0,)).note == ""
+
+
+def test_a_limb_allows_only_frequencies_below_half_its_rate(cell):
+    one = cell(FREQUENCIES.at_rate(1300.0), (50.0,))
+    QTest.keyClicks(one.line, ", 650")
+    assert "too high" in one.note
+    one.set_spec(FREQUENCIES.at_rate(2000.0))
+    QTest.keyClicks(one.line, ".5")
+    assert one.told[-1] == (50.0, 650.5)
+
+
+def test_points_are_typed_too(cell):
+    one = cell(POINTS, ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0)))
+    one.show_theme(DARK)
+    QTest.keyClicks(one.line, "; 200 80 1")
+    assert one.told[-1] == ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0), (0.2, 80.0, 1.0))
+    assert "time in ms, frequency in Hz, amplitude" in one.line.toolTip()
+
+
+def test_only_frequencies_have_a_sweep(cell):
+    assert cell(GAINS, ()).findChild(QPushButton) is None
+    assert cell(FREQUENCIES, (50.0,)).findChild(QPushButton).text() == "Sweep…"
+
+
+def test_a_sweep_replaces_the_list_once_it_is_accepted(qtbot, cell):
+    one = cell(FREQUENCIES, (400.0, 100.0, 50.0))
+    one.findChild(QPushButton).click()
+    dialog = one.window().findChild(SweepDialog)
+    qtbot.waitUntil(dialog.isVisible)
+    assert dialog.values == frequency_sweep(50.0, 400.0, 3, "logarithmic", "down")
+    assert dialog.findChild(QLabel, "sweep_list").text() == "400, 141.42, 50 Hz"
+    dialog.spacing.choose("linear")
+    dialog.order.choose("up")
+    assert dialog.findChild(QLabel, "sweep_list").text() == "50, 225, 400 Hz"
+    assert one.told == []
+    dialog.accept()
+    assert one.told == [(50.0, 225.0, 400.0)]
+
+
+def test_a_sweep_that_is_cancelled_changes_nothing(qtbot, cell):
+    one = cell(FREQUENCIES, (50.0, 400.0))
+    one.findChild(QPushButton).click()
+    one.window().findChild(SweepDialog).reject()
+    assert one.told == []
+
+
+def test_ends_of_a_sweep_may_be_typed_either_way_round(qtbot):
+    owner = QWidget()
+    qtbot.addWidget(owner)
+    dialog = SweepDialog((100.0, 200.0), FREQUENCIES, owner)
+    dialog.low.set_value(300.0)
+    assert dialog.values == (200.0, 300.0)
+    dialog.close()
