@@ -74,6 +74,7 @@ ARGUMENTS = {
     "duplicate_clips": (ids,),
     "duplicate_inputs": (ids,),
     "fade_clip": (one_id, anything, anything),
+    "group_clips": (ids, st.sampled_from(["sum", "product", "mean"])),
     "insert_time": (anything, anything),
     "join_clips": (ids,),
     "equalise_on_skin": (
@@ -117,6 +118,7 @@ ARGUMENTS = {
     "toggle_mute_clips": (ids,),
     "toggle_selected": (one_id,),
     "toggle_solo": (ids,),
+    "ungroup_clips": (ids,),
     "trim_clip": (one_id, anything, anything),
 }
 steps = st.sampled_from(sorted(ARGUMENTS)).flatmap(

@@ -2,10 +2,15 @@
 
 from dataclasses import dataclass
 
-from skinsource import fields
-from skinsource.effects import Effect, effect_kinds, played_s
+# Clips hold waveforms, and `Layers`, a waveform, holds clips: what is not needed to make the class
+# is looked up in the packages when it is used.
+from skinsource import effects as effect_recipes
+from skinsource import fields, waveforms
+from skinsource.arrays import Floats
+from skinsource.effects.effect import Effect
 from skinsource.fields import ListSpec, NumberSpec, RecipeSpec, SwitchSpec, TextSpec
-from skinsource.waveforms import Tone, Waveform, kinds
+from skinsource.waveforms.tone import Tone
+from skinsource.waveforms.waveform import Waveform
 
 #: Effects in the chain of one clip.
 MAX_EFFECTS = 32
@@ -20,9 +25,11 @@ GAIN = NumberSpec(
     step=0.05,
     hint="How strong beside the other clips of its track; a negative gain turns the polarity",
 )
-WAVEFORM = RecipeSpec(label="Waveform", kinds=kinds)
+WAVEFORM = RecipeSpec(label="Waveform", kinds=lambda: waveforms.kinds())
 EFFECT_LIST = ListSpec(
-    label="Effects", of=RecipeSpec(label="Effect", kinds=effect_kinds), most=MAX_EFFECTS
+    label="Effects",
+    of=RecipeSpec(label="Effect", kinds=lambda: effect_recipes.effect_kinds()),
+    most=MAX_EFFECTS,
 )
 MUTED = SwitchSpec(label="Mute", hint="A muted clip is silent")
 LABEL = TextSpec(label="Label", longest=200, one_line=True)
@@ -66,9 +73,21 @@ class Clip:
     @property
     def duration_s(self) -> float:
         """How long it plays, after its effects."""
-        return played_s(self.waveform, self.effects)
+        return effect_recipes.played_s(self.waveform, self.effects)
 
     @property
     def end_s(self) -> float:
         """When it ends."""
         return self.onset_s + self.duration_s
+
+    def sampled(self, sample_rate_hz: float, shift_s: float = 0.0) -> tuple[int, Floats]:
+        """Sample at or before its onset, and what it plays from there on, before its gain.
+
+        ``shift_s`` later than it says: less than a sample.
+        """
+        first, own_shift_s = effect_recipes.placed(
+            self.waveform, self.effects, self.onset_s + shift_s, sample_rate_hz
+        )
+        return first, effect_recipes.played(
+            self.waveform, self.effects, sample_rate_hz, own_shift_s
+        )

@@ -29,6 +29,7 @@ from skinsource.edits.fragments import (
     fragment_text,
     paste_fragment,
 )
+from skinsource.edits.groups import group_clips, ungroup_clips
 from skinsource.edits.inputs import (
     clear_inputs,
     duplicate_inputs,
@@ -100,6 +101,7 @@ __all__ = [
     "fragment_from",
     "fragment_of",
     "fragment_text",
+    "group_clips",
     "insert_time",
     "join_clips",
     "kept_selection",
@@ -140,5 +142,6 @@ __all__ = [
     "toggle_selected",
     "toggle_solo",
     "trim_clip",
+    "ungroup_clips",
     "value_of",
 ]

@@ -75,8 +75,11 @@ def changed(
     if not chosen:
         return NOTHING_CHOSEN
     try:
-        inputs = tuple(_replaced(one, changes.get(one.id, {})) for one in design.inputs)
-        after = with_clips(replace(design, inputs=inputs), clip_changes or {})
+        inputs = tuple(
+            _with_clips(_replaced(one, changes.get(one.id, {})), clip_changes or {})
+            for one in design.inputs
+        )
+        after = replace(design, inputs=inputs)
     except InvalidInputError as error:
         return refused(error)
     return Edit(label=f"{verb} {inputs_words(chosen)}", design=after, view=view)
@@ -96,7 +99,7 @@ def with_clips(design: Design, changes: dict[int, dict[str, Any]]) -> Design:
 
 
 def _with_clips(one: Input, changes: dict[int, dict[str, Any]]) -> Input:
-    if not any(clip.id in changes for clip in one.clips):
+    if not changes or not any(clip.id in changes for clip in one.clips):
         return one
     clips = tuple(
         replace(clip, **changes[clip.id]) if clip.id in changes else clip for clip in one.clips
@@ -106,5 +109,7 @@ def _with_clips(one: Input, changes: dict[int, dict[str, Any]]) -> Input:
 
 def _replaced(one: Input, changes: dict[str, Any]) -> Input:
     # What does not change keeps its identity.
+    if not changes:
+        return one
     after = replace(one, **changes)
     return one if after == one else after

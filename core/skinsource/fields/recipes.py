@@ -1,7 +1,9 @@
 """Recipes: frozen dataclasses that describe each of their fields."""
 
 import dataclasses
+from collections.abc import Callable
 from typing import Any
+from weakref import WeakKeyDictionary
 
 from skinsource.errors import FileFormatError, InvalidInputError
 from skinsource.fields.spec import Address, Misfit, Spec, Tree
@@ -13,8 +15,18 @@ _NEWER = "Open it with a newer SkinSource studio."
 _DAMAGED = "The content is damaged; go back to an earlier copy."
 
 
-def field(spec: Spec, default: Any = dataclasses.MISSING) -> Any:
-    """Make a dataclass field that is described by ``spec``; without a default it must be given."""
+def field(
+    spec: Spec,
+    default: Any = dataclasses.MISSING,
+    *,
+    factory: Callable[[], Any] | None = None,
+) -> Any:
+    """Make a dataclass field that is described by ``spec``; without a default it must be given.
+
+    A ``factory`` makes the default when it is needed, where it cannot be made with the class.
+    """
+    if factory is not None:
+        return dataclasses.field(default_factory=factory, metadata={"spec": spec})
     return dataclasses.field(default=default, metadata={"spec": spec})
 
 
@@ -92,22 +104,41 @@ def decode(tree: Tree, kinds: tuple[type, ...], at: Address) -> Any:
 
 def nesting(recipe: Any) -> int:
     """How many recipes stand within each other, this one counted."""
-    return 1 + max(
-        (spec.depth(getattr(recipe, name)) for name, spec in _specs(type(recipe))), default=0
-    )
+    specs = _nesting_specs(type(recipe))
+    return 1 + max((spec.depth(getattr(recipe, name)) for name, spec in specs), default=0)
 
 
-def _specs(kind: type) -> tuple[tuple[str, Spec], ...]:
-    return tuple(
-        (field.name, field.metadata["spec"])
-        for field in dataclasses.fields(kind)
-        if "spec" in field.metadata
-    )
+# A design holds a thousand recipes and is made anew with each edit; classes do not change.
+_Specs = tuple[tuple[str, Spec], ...]
+_known: WeakKeyDictionary[type, tuple[_Specs, _Specs]] = WeakKeyDictionary()
+
+
+def _specs(kind: type) -> _Specs:
+    return _both(kind)[0]
+
+
+def _nesting_specs(kind: type) -> _Specs:
+    return _both(kind)[1]
+
+
+def _both(kind: type) -> tuple[_Specs, _Specs]:
+    """Specifications of all fields, and of those that may hold recipes."""
+    found = _known.get(kind)
+    if found is None:
+        specs = tuple(
+            (field.name, field.metadata["spec"])
+            for field in dataclasses.fields(kind)
+            if "spec" in field.metadata
+        )
+        found = _known[kind] = specs, tuple(pair for pair in specs if pair[1].nests)
+    return found
 
 
 def _required(kind: type) -> tuple[str, ...]:
     return tuple(
         field.name
         for field in dataclasses.fields(kind)
-        if field.default is dataclasses.MISSING and "spec" in field.metadata
+        if field.default is dataclasses.MISSING
+        and field.default_factory is dataclasses.MISSING
+        and "spec" in field.metadata
     )

@@ -71,6 +71,11 @@ class Spec(ABC):
         del sample_rate_hz
         return self
 
+    @property
+    def nests(self) -> bool:
+        """Whether a value may hold recipes."""
+        return False
+
     def depth(self, value: Any) -> int:
         """How many recipes within recipes a value holds."""
         del value

@@ -39,6 +39,11 @@ class OptionalSpec(Spec):
         """Return ``None`` for ``None``."""
         return None if tree is None else self.of.decoded(tree, at)
 
+    @property
+    def nests(self) -> bool:
+        """Whether the value may."""
+        return self.of.nests
+
     def depth(self, value: Any) -> int:
         """That of the value."""
         return 0 if value is None else self.of.depth(value)
@@ -91,6 +96,11 @@ class ListSpec(Spec):
             return tree
         return tuple(self.of.decoded(part, at.inside(k)) for k, part in enumerate(tree))
 
+    @property
+    def nests(self) -> bool:
+        """Whether a part may."""
+        return self.of.nests
+
     def depth(self, value: tuple[Any, ...]) -> int:
         """That of the deepest part."""
         return max((self.of.depth(part) for part in value), default=0)
@@ -130,6 +140,11 @@ class RecipeSpec(Spec):
     def decoded(self, tree: Tree, at: Address) -> Any:
         """Return a recipe of the kind that the tree names."""
         return decode(tree, self.kinds(), at)
+
+    @property
+    def nests(self) -> bool:
+        """It does."""
+        return True
 
     def depth(self, value: Any) -> int:
         """One more than that of the fields."""

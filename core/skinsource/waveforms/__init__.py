@@ -16,6 +16,7 @@ from skinsource.waveforms.frequency_sweep import frequency_sweep
 from skinsource.waveforms.gabor import Gabor
 from skinsource.waveforms.glide import Glide
 from skinsource.waveforms.impulse import Impulse
+from skinsource.waveforms.layers import Layers
 from skinsource.waveforms.morlet import Morlet
 from skinsource.waveforms.noise import Noise
 from skinsource.waveforms.pulse_train import PulseTrain
@@ -56,6 +57,7 @@ MORE: tuple[type[Waveform], ...] = (
     FrequencyModulated,
     Drawn,
     Recording,
+    Layers,
 )
 #: Every kind of waveform.
 KINDS: tuple[type[Waveform], ...] = (*COMMON, *MORE)
@@ -81,6 +83,7 @@ __all__ = [
     "Gabor",
     "Glide",
     "Impulse",
+    "Layers",
     "Morlet",
     "Noise",
     "PulseTrain",

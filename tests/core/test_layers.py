@@ -1,0 +1,137 @@
+"""Clips in a group play as one waveform, and what they play is what they play on a track."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from skinsource import edits
+from skinsource.chain import placed_chain
+from skinsource.clips import Clip
+from skinsource.codec import decode, encode
+from skinsource.design import Design, Input
+from skinsource.edits import Refusal
+from skinsource.effects import Trim, played
+from skinsource.errors import FileFormatError, InvalidInputError
+from skinsource.fields import Address
+from skinsource.view import View
+from skinsource.waveforms import KINDS, Layers, Noise, Tap, Tone
+
+RATE_HZ = 1300.0
+TONE = Tone(frequency_hz=77.0, duration_s=0.1, window="none")
+PARTS = (
+    Clip(waveform=TONE, onset_s=0.0103),
+    Clip(waveform=Noise(seed=3), onset_s=0.05, gain=-0.5),
+    Clip(waveform=Tap(), onset_s=0.1, muted=True),
+    Clip(waveform=TONE, effects=(Trim(start_s=0.02, duration_s=0.05),)),
+)
+
+
+def total(*clips: Clip) -> np.ndarray:
+    first, chain = placed_chain(clips, (), RATE_HZ)
+    found = np.zeros(1000)
+    for part in chain.parts:
+        piece = played(part.waveform, part.effects, RATE_HZ, part.shift_s)
+        found[first + part.start :][: piece.size] += part.gain * piece
+    return found
+
+
+@settings(max_examples=50, deadline=None, derandomize=True)
+@given(st.floats(0.0, 0.3), st.permutations(PARTS))
+def test_a_group_plays_what_its_parts_play_there(onset_s, parts):
+    group = Clip(waveform=Layers(parts=tuple(parts)), onset_s=onset_s)
+    alone = [replace(one, onset_s=one.onset_s + onset_s) for one in PARTS]
+    np.testing.assert_allclose(total(group), total(*alone), rtol=0, atol=1e-8)
+
+
+@pytest.mark.parametrize("shift", [0.0, 0.3])
+def test_a_product_is_that_of_the_formulas(shift):
+    slow = Tone(frequency_hz=5.0, duration_s=0.2, window="none", phase_rad=0.5)
+    both = Layers(parts=(Clip(waveform=TONE, gain=2.0), Clip(waveform=slow)), mode="product")
+    found = both.samples(RATE_HZ, shift / RATE_HZ)
+    own_s = (np.arange(found.size) - shift) / RATE_HZ
+    expected = 2.0 * np.sin(2 * np.pi * 77.0 * own_s) * np.sin(2 * np.pi * 5.0 * own_s + 0.5)
+    expected[(own_s < 0) | (own_s >= 0.1 - 1e-9)] = 0.0
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-9)
+    assert both.duration_s == 0.2
+
+
+def test_a_group_of_muted_parts_is_silent_and_as_long():
+    silent = Layers(parts=tuple(replace(one, muted=True) for one in PARTS))
+    assert not silent.samples(RATE_HZ).any()
+    assert silent.samples(RATE_HZ).size == 325
+    assert silent.duration_s == pytest.approx(0.25)
+
+
+def nested(depth: int) -> Layers:
+    found = Layers()
+    for _ in range(depth - 1):
+        found = Layers(parts=(Clip(waveform=found, gain=0.9),))
+    return found
+
+
+def test_groups_stand_in_groups_up_to_a_depth():
+    deep = nested(15)
+    np.testing.assert_allclose(
+        deep.samples(RATE_HZ), 0.9**14 * Tone().samples(RATE_HZ), rtol=1e-12, atol=1e-15
+    )
+    assert decode(encode(deep), KINDS, Address()) == deep
+    with pytest.raises(InvalidInputError, match="recipes within recipes at most 32 deep"):
+        nested(17)
+
+
+def test_a_tree_nested_deeper_is_refused():
+    tree = encode(Clip(waveform=nested(15)))
+    for _ in range(20):
+        tree = {"kind": "Clip", "waveform": {"kind": "Layers", "parts": [tree]}}
+    with pytest.raises(FileFormatError, match="deep"):
+        decode(tree["waveform"], KINDS, Address())
+
+
+@pytest.mark.parametrize(
+    "wrong", [{"parts": ()}, {"parts": (TONE,)}, {"parts": (Clip(),) * 101}, {"mode": "mean"}]
+)
+def test_an_impossible_group_is_refused_by_name(wrong):
+    (name,) = wrong
+    with pytest.raises(InvalidInputError, match=rf"Layers\.{name} is"):
+        Layers(**wrong)
+
+
+DESIGN = Design(
+    limb="any", inputs=(Input(location=1, clips=PARTS), Input(location=2, clips=(Clip(),)))
+)
+VIEW = View(selected_inputs=(1,))
+
+
+def test_clips_that_are_grouped_sound_as_before_and_come_back():
+    grouped = edits.group_clips(DESIGN, VIEW, (1, 2, 3))
+    assert [one.id for one in grouped.design.inputs[0].clips] == [1, 4]
+    assert grouped.design.clip(1).onset_s == 0.0103
+    assert grouped.view.selected_clips == (1,)
+    assert grouped.label == "Group 3 clips"
+    np.testing.assert_allclose(
+        total(*grouped.design.inputs[0].clips), total(*PARTS), rtol=0, atol=1e-8
+    )
+    louder = grouped.design.with_clip(1, gain=2.0)
+    freed = edits.ungroup_clips(louder, VIEW, (1,))
+    back = [replace(one, id=0) for one in freed.design.inputs[0].clips]
+    assert back == [replace(one, gain=2.0 * one.gain) for one in PARTS[:3]] + [PARTS[3]]
+    assert freed.view.selected_clips == tuple(one.id for one in freed.design.inputs[0].clips[:3])
+    assert freed.label == "Ungroup clip"
+
+
+def test_a_product_and_what_has_effects_stay_groups():
+    product = edits.group_clips(DESIGN, VIEW, (1, 2), "product").design
+    assert product.clip(1).waveform.mode == "product"
+    summed = edits.group_clips(DESIGN, VIEW, (1, 2)).design.with_clip(1, effects=(Trim(),))
+    for outcome in (
+        edits.ungroup_clips(product, VIEW, (1,)),
+        edits.ungroup_clips(summed, VIEW, (1,)),
+        edits.ungroup_clips(DESIGN, VIEW, (1,)),
+        edits.group_clips(DESIGN, VIEW, (1, 5)),
+        edits.group_clips(DESIGN, VIEW, ()),
+        edits.group_clips(DESIGN, VIEW, (1, 2), "mean"),
+    ):
+        assert isinstance(outcome, Refusal)
