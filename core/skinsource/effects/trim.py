@@ -24,7 +24,7 @@ LENGTH = NumberSpec(
 )
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Trim:
     """A part of what plays, as it is: samples before it and behind it are left out.
 

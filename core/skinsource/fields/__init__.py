@@ -12,6 +12,7 @@ differently asks `made_for` with a table by class.
 
 from typing import Any
 
+from skinsource.fields.breakpoints import SEGMENTS, Breakpoint, BreakpointsSpec, Segment
 from skinsource.fields.choices_and_texts import BytesSpec, ChoiceSpec, SwitchSpec, TextSpec
 from skinsource.fields.numbers import CurveSpec, NumberSpec, PointsSpec, Range, RangeSpec
 from skinsource.fields.plain import PlainSpec
@@ -46,7 +47,10 @@ def text(default: str, spec: TextSpec) -> Any:
 
 
 __all__ = [
+    "SEGMENTS",
     "Address",
+    "Breakpoint",
+    "BreakpointsSpec",
     "BytesSpec",
     "ChoiceSpec",
     "CurveSpec",
@@ -60,6 +64,7 @@ __all__ = [
     "RangeSpec",
     "RecipeSpec",
     "SamplesSpec",
+    "Segment",
     "Spec",
     "SwitchSpec",
     "TextSpec",

@@ -1,0 +1,171 @@
+"""Curves through breakpoints, and what is done to their points."""
+
+import itertools
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from scipy.interpolate import PchipInterpolator
+
+from skinsource.effects import Envelope
+from skinsource.effects.breakpoints import (
+    curve_at,
+    moved,
+    scaled,
+    with_point,
+    with_segment,
+    without,
+)
+from skinsource.errors import InvalidInputError
+from skinsource.fields import SEGMENTS
+
+LEVELS = st.floats(0.0, 5.0).map(lambda value: round(value, 6))
+KINDS = st.sampled_from(SEGMENTS)
+GRID = np.linspace(-0.1, 1.3, 1401)
+
+
+@st.composite
+def drawn(draw, kinds=KINDS, apart=0.0):
+    times = sorted(draw(st.lists(st.integers(0, 1000), min_size=1, max_size=8)))
+    times = [time / 1000 for time in times]
+    assume(all(b - a >= apart for a, b in itertools.pairwise(times)))
+    return tuple((time, draw(LEVELS), draw(kinds)) for time in times)
+
+
+@given(drawn())
+def test_a_curve_stays_within_the_levels_that_were_drawn(points):
+    levels = [level for _, level, _ in points]
+    found = curve_at(points, GRID)
+    assert np.isfinite(found).all()
+    assert min(levels) <= found.min()
+    assert found.max() <= max(levels)
+    # And so between each two of them.
+    for (x0, y0, _), (x1, y1, _) in itertools.pairwise(points):
+        part = found[(x0 <= GRID) & (x1 > GRID)]
+        assert ((part >= min(y0, y1)) & (part <= max(y0, y1))).all()
+
+
+@given(drawn(apart=0.001))
+def test_a_curve_goes_through_its_points(points):
+    times = np.array([time for time, _, _ in points])
+    assert curve_at(points, times) == pytest.approx([level for _, level, _ in points], abs=1e-12)
+    ends = curve_at(points, np.array([-5.0, 99.0]))
+    assert ends.tolist() == [points[0][1], points[-1][1]]
+
+
+@given(drawn(st.just("smooth"), apart=0.001))
+def test_a_smooth_curve_is_the_monotone_cubic(points):
+    assume(len(points) > 1)
+    times, levels = (np.array([point[k] for point in points]) for k in (0, 1))
+    inside = GRID[(times[0] <= GRID) & (times[-1] >= GRID)]
+    expected = PchipInterpolator(times, levels)(inside)
+    assert curve_at(points, inside) == pytest.approx(expected, abs=1e-9)
+
+
+def test_segments_are_straight_smooth_or_held():
+    points = ((0.0, 0.0, "straight"), (1.0, 2.0, "held"), (2.0, 4.0, "smooth"), (3.0, 0.0))
+    points = Envelope(points).points
+    found = curve_at(points, np.array([0.25, 1.0, 1.99, 2.0, 2.5, 3.0, 4.0]))
+    assert found == pytest.approx([0.5, 2.0, 2.0, 4.0, 2.0, 0.0, 0.0])
+
+
+def test_one_point_is_one_level():
+    assert curve_at(((0.3, 2.0, "smooth"),), GRID).tolist() == [2.0] * GRID.size
+
+
+@pytest.mark.parametrize("kind", SEGMENTS)
+@pytest.mark.parametrize("apart", [0.0, 1e-12, 5e-10])
+def test_two_points_at_one_time_are_a_jump(kind, apart):
+    points = ((0.0, 1.0, kind), (0.5, 1.0, kind), (0.5 + apart, 3.0, kind), (1.0, 3.0, kind))
+    found = curve_at(points, np.array([0.2, 0.499999, 0.5 + 2 * apart, 0.7]))
+    assert found == pytest.approx([1.0, 1.0, 3.0, 3.0])
+    # Of more than two, what lies between does not count.
+    more = (*points[:2], (0.5, 9.0, kind), (0.5, 0.0, kind), *points[2:])
+    assert np.array_equal(curve_at(more, GRID + 1e-6), curve_at(points, GRID + 1e-6))
+
+
+@pytest.mark.parametrize(
+    "points",
+    [
+        *[(), ((0.5, 1.0), (0.4, 1.0)), ((-0.1, 1.0),), ((0.0, -0.1),), ((0.0, 1001.0),)],
+        *[((0.0,),), ((0.0, 1.0, "round"),), ((0.0, 1.0, None),), (("0", 1.0),), 3, [[0, 1]]],
+        *[((0.0, float("nan")),), ((float("inf"), 1.0),), ((0.0, 1.0, "held", 2),), ("ab",)],
+        tuple((0.0, 1.0) for _ in range(10_001)),
+    ],
+)
+def test_points_that_cannot_be_meant_are_refused(points):
+    with pytest.raises(InvalidInputError, match=r"Envelope\.points .* expected 1 to 10000 points"):
+        Envelope(points)
+
+
+def test_ten_thousand_points_are_a_curve():
+    times = np.linspace(0.0, 600.0, 10_000)
+    points = tuple((time, abs(np.sin(time)), "smooth") for time in times.tolist())
+    found = Envelope(points).values_at(np.linspace(0.0, 600.0, 100_000))
+    assert found.max() <= 1.0
+    assert found == pytest.approx(np.abs(np.sin(np.linspace(0.0, 600.0, 100_000))), abs=4e-2)
+
+
+@given(drawn(st.sampled_from(["straight", "held"]), apart=0.001), st.floats(0.0, 1.2))
+def test_a_point_is_added_without_changing_the_curve(points, time_s):
+    after = with_point(points, time_s)
+    assert len(after) == len(points) + 1
+    assert curve_at(after, GRID) == pytest.approx(curve_at(points, GRID), abs=1e-9)
+    assert Envelope(after).points == after
+
+
+@given(drawn(st.just("smooth"), apart=0.01), st.floats(0.0, 1.2))
+def test_a_point_on_a_smooth_curve_lies_on_it_and_bends_it_little(points, time_s):
+    after = with_point(points, time_s)
+    at = np.array([time_s])
+    assert curve_at(after, at) == pytest.approx(curve_at(points, at), abs=1e-9)
+    levels = [level for _, level, _ in points]
+    change = np.abs(curve_at(after, GRID) - curve_at(points, GRID)).max()
+    assert change <= 0.35 * (max(levels) - min(levels)) + 1e-9
+
+
+@given(drawn(), st.sets(st.integers(-1, 9)), st.floats(-2, 2), st.floats(-9, 9))
+def test_moved_points_stay_in_order_and_within_what_is_allowed(points, indices, by_s, by_value):
+    after = moved(points, indices, by_s, by_value)
+    assert Envelope(after).points == after
+    chosen = [k for k in indices if 0 <= k < len(points)]
+    for k in range(len(points)):
+        if k not in chosen:
+            assert after[k] == points[k]
+    steps = {round(after[k][0] - points[k][0], 9) for k in chosen}
+    assert len(steps) <= 1
+    assert all(abs(step) <= abs(by_s) + 1e-9 for step in steps)
+
+
+def test_a_moved_point_stops_at_its_neighbours():
+    points = ((0.0, 1.0, "straight"), (0.5, 1.0, "held"), (1.0, 1.0, "smooth"))
+    assert moved(points, {1}, 0.2, 0.5)[1] == (pytest.approx(0.7), 1.5, "held")
+    assert moved(points, {1}, 9.0, -3.0)[1] == (1.0, 0.0, "held")
+    assert moved(points, {1}, -9.0, 0.0)[1] == (0.0, 1.0, "held")
+    assert [x for x, _, _ in moved(points, {1, 2}, 3.0, 0.0)] == [0.0, 3.5, 4.0]
+    assert moved(points, {0, 1, 2}, -3.0, 0.0) == points
+
+
+@given(drawn(), st.sets(st.integers(0, 9)), st.floats(-1, 3), st.floats(-1, 3))
+def test_scaled_points_stay_in_order(points, indices, factor_t, factor_v):
+    after = scaled(points, indices, (0.3, 1.0), factor_t, factor_v)
+    assert Envelope(after).points == after
+    assert all(after[k] == points[k] for k in range(len(points)) if k not in indices)
+    assert [point[2] for point in after] == [point[2] for point in points]
+
+
+def test_points_are_scaled_about_a_place():
+    points = ((0.0, 1.0, "straight"), (0.2, 2.0, "held"), (0.4, 0.5, "smooth"))
+    after = scaled(points, {0, 1, 2}, (0.0, 1.0), 2.0, 0.5)
+    assert [point[:2] for point in after] == [(0.0, 1.0), (0.4, 1.5), (0.8, 0.75)]
+
+
+def test_points_are_taken_out_but_for_one_and_go_on_otherwise():
+    points = ((0.0, 1.0, "straight"), (0.2, 2.0, "held"))
+    assert without(points, {0}) == points[1:]
+    assert without(points, {0, 1}) == points[:1]
+    assert without(points, {7}) == points
+    assert with_segment(points, 1, "smooth") == (points[0], (0.2, 2.0, "smooth"))
+    with pytest.raises(InvalidInputError, match="choose from straight, smooth, held"):
+        with_segment(points, 1, "wavy")

@@ -1,0 +1,267 @@
+"""What each effect is said to do."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from skinsource.effects import (
+    BandLimit,
+    Envelope,
+    Fade,
+    Rectify,
+    Repeat,
+    Reverse,
+    SoftClip,
+    Stretch,
+    Trim,
+    played,
+    played_s,
+)
+from skinsource.errors import InvalidInputError
+from skinsource.sampling import values_between
+from skinsource.waveforms import Formula, Noise, Tone
+
+RATE_HZ = 1300.0
+TONE = Tone(frequency_hz=100.0, duration_s=0.2, window="none")
+RAMP = Formula(text="t", duration_s=0.1)
+shifts = st.floats(0.0, 0.99)
+signals = st.lists(st.floats(-10.0, 10.0), min_size=1, max_size=60).map(np.array)
+
+
+LENGTHS = st.just(0.0) | st.floats(1e-6, 0.3)
+
+
+def ramp(samples):
+    return Formula(text="1 + t", duration_s=samples / RATE_HZ)
+
+
+@given(signals)
+def test_backwards_twice_is_forwards(samples):
+    duration_s = samples.size / RATE_HZ
+    once = Reverse().applied(samples, RATE_HZ, 0.0, duration_s)
+    twice = Reverse().applied(once, RATE_HZ, 0.0, duration_s)
+    assert np.array_equal(twice[: samples.size], samples)
+    assert not twice[samples.size :].any()
+    assert np.array_equal(once[1:], samples[::-1])
+    assert once[0] == 0.0
+
+
+@given(st.integers(2, 80), shifts)
+def test_backwards_plays_at_each_instant_what_was_as_far_from_the_end(n, shift):
+    found = played(ramp(n), (Reverse(),), RATE_HZ, shift / RATE_HZ)
+    times_s = (np.arange(found.size) - shift) / RATE_HZ
+    inside = (times_s > 1e-9) & (times_s < n / RATE_HZ)
+    assert inside.sum() >= n - 1
+    assert found[inside] == pytest.approx(1 + n / RATE_HZ - times_s[inside], abs=1e-9)
+
+
+@given(signals, shifts)
+def test_a_part_that_is_all_is_all(samples, shift):
+    samples = np.append(samples, 1.0)
+    duration_s = (samples.size - (shift > 0)) / RATE_HZ
+    if shift:
+        samples[0] = 0.0
+    for part in (Trim(), Trim(duration_s=duration_s)):
+        assert np.array_equal(part.applied(samples, RATE_HZ, shift / RATE_HZ, duration_s), samples)
+
+
+@settings(max_examples=60)
+@given(st.floats(0.0, 0.1), st.integers(0, 99))
+def test_two_parts_that_meet_sum_up_to_the_whole(cut_s, percent):
+    """On the grid of the track: each is played from its own exact onset."""
+    onset = percent / 100
+    track = np.zeros(200)
+    for part, start_s in ((Trim(duration_s=cut_s), 0.0), (Trim(start_s=cut_s), cut_s)):
+        place = onset + start_s * RATE_HZ
+        first = int(np.floor(place))
+        found = played(RAMP, (part,), RATE_HZ, (place - first) / RATE_HZ)
+        track[first : first + found.size] += found
+    whole = played(RAMP, (), RATE_HZ, onset / RATE_HZ)
+    assert track[: whole.size] == pytest.approx(whole, abs=1e-8)
+    assert not track[whole.size :].any()
+
+
+def test_a_part_is_cut_at_its_exact_times():
+    part = Trim(start_s=10.5 / RATE_HZ, duration_s=3.25 / RATE_HZ)
+    found = played(RAMP, (part,), RATE_HZ)
+    assert found == pytest.approx((np.arange(4) + 10.5) / RATE_HZ, abs=1e-12)
+    found = played(RAMP, (part,), RATE_HZ, 0.5 / RATE_HZ)
+    assert found == pytest.approx([0.0, *((np.arange(3) + 11) / RATE_HZ)], abs=1e-12)
+    assert played_s(RAMP, (Trim(start_s=0.3),)) == 0.0
+    assert not played(RAMP, (Trim(start_s=0.3),), RATE_HZ).any()
+    assert played_s(RAMP, (Trim(start_s=0.04),)) == pytest.approx(0.06)
+
+
+@pytest.mark.parametrize("shape", ["straight", "smooth", "equal power"])
+@given(in_s=LENGTHS, out_s=LENGTHS, duration_s=st.floats(1e-3, 0.5))
+def test_a_fade_starts_and_ends_at_nothing_and_never_amplifies(shape, in_s, out_s, duration_s):
+    fade = Fade(in_s, out_s, shape)
+    levels = fade.values_at(np.linspace(0.0, duration_s, 301), duration_s)
+    assert levels.min() >= 0.0
+    assert levels.max() <= 1.0
+    assert (levels[0] == 0.0) == (in_s > 2e-9)
+    assert (levels[-1] == 0.0) == (out_s > 2e-9)
+    middle = np.argmax(levels)
+    assert (np.diff(levels[: middle + 1]) >= -1e-12).all()
+    assert (np.diff(levels[middle:]) <= 1e-12).all()
+
+
+def test_fades_have_their_shapes_and_are_placed_exactly():
+    at = np.array([0.0, 0.25, 0.5, 1.0]) * 0.1
+    assert Fade(0.1, 0.0, "straight").values_at(at, 1.0) == pytest.approx([0, 0.25, 0.5, 1])
+    smooth = Fade(0.1, 0.0, "smooth").values_at(at, 1.0)
+    assert smooth == pytest.approx([0, (1 - np.sqrt(0.5)) / 2, 0.5, 1])
+    power = Fade(0.1, 0.0, "equal power").values_at(at, 1.0) ** 2
+    # Crossed with one that ends there, the power stays.
+    out = Fade(0.0, 0.1, "equal power").values_at(at + 0.9, 1.0) ** 2
+    assert power + out == pytest.approx(np.ones(4))
+    one = Formula(text="1", duration_s=0.01)
+    found = played(one, (Fade(0.005, 0.002, "straight"),), RATE_HZ, 0.25 / RATE_HZ)
+    t = (np.arange(14) - 0.25) / RATE_HZ
+    expected = np.clip(t / 0.005, 0, 1) * np.clip((0.01 - t) / 0.002, 0, 1)
+    assert found == pytest.approx(expected, abs=1e-12)
+
+
+def test_fades_that_do_not_fit_are_shortened_alike_and_meet():
+    fade = Fade(0.3, 0.1, "straight")
+    assert fade.values_at(np.array([0.0, 0.1, 0.15, 0.175, 0.2]), 0.2) == pytest.approx(
+        [0, 2 / 3, 1, 0.5, 0]
+    )
+
+
+def test_an_envelope_is_placed_exactly():
+    drawn = Envelope(((0.0, 0.0), (0.05, 1.0)))
+    one = Formula(text="1", duration_s=0.1)
+    found = played(one, (drawn,), RATE_HZ, 0.5 / RATE_HZ)
+    t = (np.arange(131) - 0.5) / RATE_HZ
+    assert found == pytest.approx(np.clip(t / 0.05, 0, 1), abs=1e-12)
+
+
+@pytest.mark.parametrize("factor", [0.5, 0.8, 1.25, 2.0, 3.7])
+def test_a_tape_that_runs_slower_divides_frequencies(factor):
+    tone = Formula(text="sin(2*pi*80*t) * hann()", duration_s=0.3)
+    found = played(tone, (Stretch(factor),), RATE_HZ, 0.3 / RATE_HZ)
+    t = (np.arange(found.size) - 0.3) / RATE_HZ / factor
+    inside = (t >= 0) & (t < 0.3)
+    expected = np.sin(2 * np.pi * 80 * t) * 0.5 * (1 - np.cos(2 * np.pi * t / 0.3)) * inside
+    assert np.abs(found - expected).max() < 5e-6
+    assert played_s(tone, (Stretch(factor),)) == pytest.approx(0.3 * factor)
+
+
+def test_a_fast_tape_folds_nothing():
+    high = Formula(text="sin(2*pi*500*t) * hann()", duration_s=0.3)
+    assert np.abs(played(high, (Stretch(0.5),), RATE_HZ)).max() < 1e-4
+
+
+@pytest.mark.parametrize("factor", [0.6, 1.5, 2.5])
+@pytest.mark.parametrize("frequency_hz", [25.0, 97.0, 400.0, 600.0])
+def test_frequencies_can_stay_whatever_the_length(factor, frequency_hz):
+    tone = Tone(frequency_hz=frequency_hz, duration_s=0.6, window="none")
+    found = played(tone, (Stretch(factor, pitch="stays"),), RATE_HZ)
+    assert found.size == pytest.approx(0.6 * factor * RATE_HZ, abs=1)
+    inner = found[80:-80]
+    t = np.arange(inner.size) / RATE_HZ
+    waves = np.stack([np.sin(2 * np.pi * frequency_hz * t), np.cos(2 * np.pi * frequency_hz * t)])
+    fit, *_ = np.linalg.lstsq(waves.T, inner, rcond=None)
+    assert np.hypot(*fit) == pytest.approx(1.0, abs=0.03)
+    assert np.std(inner - fit @ waves) < 0.05
+
+
+def test_a_length_can_be_given_instead_of_a_factor():
+    assert played_s(TONE, (Stretch(to_s=0.35),)) == pytest.approx(0.35)
+    assert Stretch(to_s=0.35).factor_of(0.2) == pytest.approx(1.75)
+    same = played(TONE, (Stretch(to_s=0.2),), RATE_HZ, 0.3 / RATE_HZ)
+    assert same == pytest.approx(TONE.samples(RATE_HZ, 0.3 / RATE_HZ), abs=1e-8)
+
+
+def test_repeating_plays_again_after_the_gap():
+    found = played(TONE, (Repeat(3, 0.1),), RATE_HZ)
+    one = TONE.samples(RATE_HZ)
+    gap = np.zeros(130)
+    assert np.array_equal(found, np.concatenate((one, gap, one, gap, one)))
+    assert played_s(TONE, (Repeat(3, 0.1),)) == pytest.approx(0.8)
+
+
+def test_what_repeats_between_samples_is_delayed_exactly():
+    burst = Formula(text="gauss(0.05, 0.008) * sin(2*pi*200*t)", duration_s=0.1)
+    found = played(burst, (Repeat(3, 0.0104),), RATE_HZ, 0.2 / RATE_HZ)
+    for number in range(3):
+        t = (np.arange(found.size) - 0.2) / RATE_HZ - number * 0.1104
+        inside = (t >= 0) & (t < 0.1)
+        expected = np.exp(-0.5 * ((t - 0.05) / 0.008) ** 2) * np.sin(400 * np.pi * t)
+        assert np.abs(found - expected)[inside].max() < 1e-5
+
+
+def test_more_than_can_be_held_is_refused_before_it_is_made():
+    with pytest.raises(InvalidInputError, match="expected at most 3600 s"):
+        played(TONE, (Repeat(1000, 60.0),), RATE_HZ)
+    with pytest.raises(InvalidInputError, match="expected at most 3600 s"):
+        Stretch(100.0).applied(np.ones(52_000), RATE_HZ)
+
+
+def test_a_band_keeps_what_lies_in_it_and_removes_the_rest():
+    low, inside, high = (
+        Formula(text=f"sin(2*pi*{f}*t)*hann()", duration_s=1.0) for f in (10, 100, 500)
+    )
+    band = BandLimit(50.0, 200.0)
+    for one in (low, high):
+        taken = one.samples(RATE_HZ)
+        assert np.abs(band.applied(taken, RATE_HZ)).max() < 2e-4
+        assert band.share_removed(taken, RATE_HZ) > 0.999999
+    taken = inside.samples(RATE_HZ)
+    # Without a delay, and without another shape.
+    assert np.abs(band.applied(taken, RATE_HZ) - taken).max() < 1e-4
+    assert band.share_removed(taken, RATE_HZ) < 1e-9
+    assert band.share_removed(np.zeros(10), RATE_HZ) == 0.0
+    both = low.samples(RATE_HZ) + taken
+    assert band.share_removed(both, RATE_HZ) == pytest.approx(0.5, abs=1e-6)
+    noise = Noise(duration_s=1.0, low_hz=0.0, high_hz=650.0).samples(RATE_HZ)
+    assert band.share_removed(noise, RATE_HZ) == pytest.approx(
+        1 - (150 + 0.75 * 25) / 650, abs=0.06
+    )
+
+
+def test_gains_of_a_band_are_as_said():
+    gains = BandLimit(100.0, 200.0).gains_at(np.array([0, 79, 90, 100, 150, 200, 220, 240, 999.0]))
+    assert gains == pytest.approx([0, 0, 0.5, 1, 1, 1, 0.5, 0, 0], abs=1e-12)
+    assert (BandLimit(0.0, 24e3).gains_at(np.linspace(0.0, 24e3, 50)) == 1.0).all()
+    with pytest.raises(InvalidInputError, match=r"low_hz is 300, expected less than high_hz, 300"):
+        BandLimit(300.0, 300.0)
+
+
+@given(signals)
+def test_rectified_samples_are_their_magnitudes_or_what_is_above_nothing(samples):
+    assert np.array_equal(Rectify().applied(samples, RATE_HZ), np.abs(samples))
+    half = Rectify("half").applied(samples, RATE_HZ)
+    assert np.array_equal(half - Rectify("half").applied(-samples, RATE_HZ), samples)
+
+
+@given(signals, st.floats(0.01, 1000.0), st.floats(1e-6, 1000.0))
+def test_soft_clipping_limits_and_keeps_order_and_sign(samples, drive, level):
+    found = SoftClip(drive, level).applied(samples, RATE_HZ)
+    assert np.abs(found).max() <= level
+    assert np.array_equal(found, -SoftClip(drive, level).applied(-samples, RATE_HZ))
+    order = np.argsort(samples, kind="stable")
+    assert (np.diff(found[order]) >= 0).all()
+
+
+def test_soft_clipping_drives_what_is_weak():
+    weak = 1e-4 * TONE.samples(RATE_HZ)
+    assert SoftClip(3.0, 0.5).applied(weak, RATE_HZ) == pytest.approx(3 * weak, rel=1e-6)
+    assert SoftClip(2.0, 0.5).applied(np.array([0.25]), RATE_HZ)[0] == pytest.approx(
+        0.5 * np.tanh(1.0)
+    )
+
+
+def test_values_between_samples_are_those_of_the_signal():
+    chirp = Formula(text="chirp(30, 550)*hann()", duration_s=0.5)
+    samples = chirp.samples(RATE_HZ)
+    places = np.sort(np.random.default_rng(1).uniform(0, samples.size - 1, 500))
+    fine = chirp.samples(RATE_HZ * 64)
+    nearest = np.rint(places * 64).astype(int)
+    found = values_between(samples, nearest / 64)
+    assert np.abs(found - fine[nearest]).max() < 2e-5
+    assert np.abs(values_between(samples, np.arange(samples.size * 1.0)) - samples).max() < 1e-12
+    assert not values_between(samples, np.array([-200.0, samples.size + 200.0])).any()
+    assert not values_between(np.zeros(0), places).any()
