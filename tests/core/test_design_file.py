@@ -23,6 +23,8 @@ from skinsource.design import MAX_INPUTS, Design, Input, track
 from skinsource.design_file import DesignFile, open_design, save_design
 from skinsource.errors import DesignFileError, InvalidInputError, StorageError
 from skinsource.fields import (
+    SEGMENTS,
+    BreakpointsSpec,
     BytesSpec,
     ChoiceSpec,
     CurveSpec,
@@ -142,6 +144,11 @@ def values(spec: fields.Spec) -> st.SearchStrategy:
             SamplesSpec: signals,
             PointsSpec: lambda spec: st.lists(
                 st.tuples(*map(values, spec.columns)), min_size=spec.fewest, max_size=6
+            ).map(lambda points: tuple(sorted(points))),
+            BreakpointsSpec: lambda spec: st.lists(
+                st.tuples(values(spec.x), values(spec.y), st.sampled_from(SEGMENTS)),
+                min_size=1,
+                max_size=6,
             ).map(lambda points: tuple(sorted(points))),
             RecipeSpec: any_of,
         },

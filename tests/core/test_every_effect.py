@@ -10,6 +10,7 @@ import pytest
 from skinsource import fields
 from skinsource.effects import EFFECTS, Effect, Reverse, played, played_s
 from skinsource.fields import ChoiceSpec, NumberSpec
+from skinsource.fields.recipes import decode, encode
 from skinsource.waveforms import Formula, Impulse, Tone
 
 RATE_HZ = 1300.0
@@ -26,7 +27,7 @@ MORE = {
     "Stretch": ({"factor": 0.5}, {"to_s": 0.1}, {"pitch": "stays", "factor": 1.5}),
     "Repeat": ({"times": 3, "gap_s": 0.0101},),
     "BandLimit": ({"low_hz": 0.0, "high_hz": 100.0}, {"low_hz": 110.0}),
-    "Rectify": ({"kind": "half"},),
+    "Rectify": ({"wave": "half"},),
 }
 ALL = [kind(**fields_of) for kind in EFFECTS for fields_of in ({}, *MORE.get(kind.__name__, ()))]
 NAMES = [repr(one)[:60] for one in ALL]
@@ -61,6 +62,11 @@ def test_an_effect_is_a_recipe_with_a_switch_that_describes_its_fields(kind):
     assert kind.__doc__
     off = replace(one, on=False)
     assert np.array_equal(played(BURST, (off,), RATE_HZ), BURST.samples(RATE_HZ))
+
+
+@pytest.mark.parametrize("one", ALL, ids=NAMES)
+def test_it_is_written_and_read_as_the_same(one):
+    assert decode(encode(one), EFFECTS, fields.Address()) == one
 
 
 @pytest.mark.parametrize(("one", "shift"), list(product(ALL, SHIFTS)))

@@ -10,8 +10,8 @@ from skinsource.arrays import Floats
 from skinsource.effects.effect import ON, KeepsTime
 from skinsource.fields import ChoiceSpec
 
-KIND = ChoiceSpec(
-    label="Kind",
+WAVE = ChoiceSpec(
+    label="Wave",
     options=(("full", "Full wave"), ("half", "Half wave")),
     hint="Full: what is below 0 is turned up. Half: it is left out",
 )
@@ -26,13 +26,13 @@ class Rectify(KeepsTime):
 
     Attributes
     ----------
-    kind
+    wave
         ``"full"`` or ``"half"``.
     """
 
     title: ClassVar[str] = "Rectify"
 
-    kind: str = fields.choice("full", KIND)
+    wave: str = fields.choice("full", WAVE)
     on: bool = fields.switch(True, ON)
 
     def __post_init__(self) -> None:
@@ -47,4 +47,4 @@ class Rectify(KeepsTime):
     ) -> Floats:
         """Return the rectified samples, (n_times,)."""
         del sample_rate_hz, shift_s, duration_s
-        return np.abs(samples) if self.kind == "full" else np.maximum(samples, 0.0)
+        return np.abs(samples) if self.wave == "full" else np.maximum(samples, 0.0)
