@@ -10,6 +10,7 @@ from skinsource import fields
 from skinsource.errors import FileFormatError, InvalidInputError
 from skinsource.fields import (
     Address,
+    BreakpointsSpec,
     BytesSpec,
     ChoiceSpec,
     CurveSpec,
@@ -78,6 +79,9 @@ class Everything:
         PointsSpec(label="Course", columns=(UNIT, UNIT, WHOLE), most=3),
         default=((0.0, 1.0, 1), (1.0, 0.0, 1)),
     )
+    drawn: tuple[fields.Breakpoint, ...] = fields.field(
+        BreakpointsSpec(label="Drawn", x=UNIT, y=UNIT, most=3), default=((0.0, 1.0, "held"),)
+    )
     outputs: tuple[int, ...] = fields.field(
         ListSpec(label="Outputs", of=WHOLE, most=3, different=True), default=()
     )
@@ -102,6 +106,7 @@ FULL = Everything(
     ends=(0.25, 1.0),
     envelope=((0.0, -1.0), (0.5, 1e300), (0.5, -0.0)),
     course=((0.0, 0.5, 1), (0.5, 1.0, 2), (0.5, 0.25, 3)),
+    drawn=((0.0, 0.5, "smooth"), (0.5, -0.0, "straight"), (0.5, 1.0, "held")),
     outputs=(3, 1, 2),
     inner=Branch(name="all", parts=(Leaf(), Branch(name="", parts=(Leaf(size=1.0),)))),
     sound=SOUND,
@@ -127,6 +132,7 @@ def test_the_sample_covers_every_kind_of_field():
 
 
 WRONG = {
+    "drawn": [(), ((0.0,),), ((0.0, 1.0, "wavy"),), ((0.5, 1.0), (0.0, 1.0)), "ab", 3],
     "count": [0, 1.5, True, "1", None],
     "shape": ["A", "", None, 1],
     "loud": [0, 1, "yes", None],
