@@ -1,13 +1,9 @@
 """Help > Accuracy and speed, driven by mouse and keyboard, with a made-up benchmark."""
 
-import os
 import sys
-import threading
 from pathlib import Path
 
-import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
@@ -20,98 +16,11 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource.commands.command_line import _parser
-from skinsource.job import Job
 from skinsource.method_comparison.table import read_table
 from skinsource.rendering.check import TraceError
 from skinsource_gui.accuracy_page import accuracy_figures, bench_job
 from skinsource_gui.accuracy_page.picture_view import PictureView
-
-CHILD = """
-import os, sys, time
-from pathlib import Path
-from skinsource.method_comparison.table import Row, write_table
-
-mode, note, picture, folder = sys.argv[1], *map(Path, sys.argv[2:])
-note.write_text(f"{os.getpid()} {folder}")
-print("0/3 S1 direct", flush=True)
-if mode == "hang":
-    time.sleep(600)
-if mode == "fail":
-    sys.exit("skinsource: the disk is full. Make room.")
-about = {"scene": "S1", "precision": "float64", "inputs": 1, "inputs_changed": 1, "samples": 9}
-about |= {"reference": "S1"}
-times = {"t_min_ms": 2.0, "t_median_ms": 3.0, "t_mad_ms": 0.5}
-times |= {"err_window": 1e-12, "err_max": 1e-16}
-rows = [
-    Row(engine="this program", setting="map and 6 traces", promise="kept", **about, **times),
-    Row(engine="direct", setting="exact", failure="would take long", **about),
-    Row(engine="cached spectra", setting="cut", **about, **{**times, "t_min_ms": 10.0}),
-]
-write_table(folder / "work_precision.csv", rows)
-(folder / "report.md").write_text("# Report")
-if mode == "no plot":
-    sys.exit('skinsource: the plot needs matplotlib. Type: pip install "skinsource[bench]"')
-(folder / "work_precision.png").write_bytes(picture.read_bytes())
-print("3 rows")
-"""
-
-
-@pytest.fixture
-def child(tmp_path, monkeypatch):
-    """Choose what the benchmark does: work, fail, hang, no plot; give where it notes itself."""
-    script, note, picture = tmp_path / "child.py", tmp_path / "note", tmp_path / "picture.png"
-    script.write_text(CHILD, encoding="utf-8")
-    image = QImage(800, 1200, QImage.Format.Format_RGB32)
-    image.fill(Qt.GlobalColor.red)
-    image.save(str(picture))
-
-    def choose(mode):
-        words = (sys.executable, str(script), mode, str(note), str(picture))
-        monkeypatch.setattr(bench_job, "COMMAND", words)
-        return note
-
-    choose("work")
-    return choose
-
-
-@pytest.fixture
-def page(window, child):
-    window.actions_by_name["show_accuracy"].trigger()
-    return window.pages.accuracy
-
-
-def find(page, kind, name):
-    return page.findChild(kind, name)
-
-
-def words(page):
-    return find(page, QLabel, "bench_words").text()
-
-
-def press(page, name):
-    QTest.mouseClick(find(page, QPushButton, name), Qt.MouseButton.LeftButton)
-
-
-def measure(page, qtbot):
-    press(page, "measure")
-    qtbot.waitUntil(lambda: not page.run.running, timeout=20_000)
-
-
-def hang(page, child, qtbot):
-    """Start a benchmark that does not end; give its process and its folder."""
-    note = child("hang")
-    press(page, "measure")
-    qtbot.waitUntil(lambda: "0 of 3" in words(page), timeout=20_000)
-    number, _, folder = note.read_text().partition(" ")
-    return int(number), Path(folder)
-
-
-def is_alive(number):
-    try:
-        os.kill(number, 0)
-    except ProcessLookupError:
-        return False
-    return True
+from tests.gui.accuracy_page.bench import find, measure, press, words
 
 
 def test_the_page_leaves_the_window_free_and_fits_a_small_screen(window, page):
@@ -262,86 +171,3 @@ def test_without_matplotlib_the_table_is_shown_and_the_line_to_type(page, child,
     plot = find(page, PictureView, "bench_plot")
     assert plot.words.startswith("The plot needs matplotlib")
     assert 'pip install "skinsource[bench]"' in plot.words
-
-
-def test_a_failure_is_one_sentence_and_leaves_nothing(page, child, qtbot):
-    note = child("fail")
-    measure(page, qtbot)
-    assert words(page).startswith("The measurement gave no results: the disk is full. Make room. ")
-    assert not Path(note.read_text().partition(" ")[2]).exists()
-    assert not find(page, QPushButton, "save_report").isEnabled()
-    assert find(page, QPushButton, "measure").isVisible()
-
-
-def test_a_program_that_cannot_be_started_is_one_sentence(page, monkeypatch, tmp_path, qtbot):
-    monkeypatch.setattr(bench_job, "COMMAND", (str(tmp_path / "nothing"),))
-    measure(page, qtbot)
-    assert words(page).startswith("The measurement gave no results: ")
-    assert not find(page, QPushButton, "cancel_measuring").isVisible()
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="asks for processes as POSIX does")
-@pytest.mark.parametrize("how", ["cancel", "escape", "close", "bar", "window"])
-def test_a_benchmark_ends_with_whoever_wanted_it(window, page, child, qtbot, how, monkeypatch):
-    number, folder = hang(page, child, qtbot)
-    assert is_alive(number)
-    if how == "cancel":
-        press(page, "cancel_measuring")
-    elif how == "escape":
-        QTest.keyClick(page, Qt.Key.Key_Escape)
-    elif how == "close":
-        press(page, "close_page")
-    elif how == "bar":
-        press(window, "cancel_running_job")
-    else:
-        yes = QMessageBox.StandardButton.Yes
-        monkeypatch.setattr(QMessageBox, "question", lambda *_: yes)
-        window.close()
-        # At once, not some time later.
-        assert not is_alive(number)
-    qtbot.waitUntil(lambda: not window.runner.busy, timeout=20_000)
-    assert not is_alive(number)
-    assert not folder.exists()
-    assert not page.run.running
-    if how == "cancel":
-        assert words(page) == "Cancelled. Nothing was kept."
-        assert find(page, QPushButton, "measure").hasFocus()
-
-
-def test_a_benchmark_waits_until_other_work_is_done(window, page, child, qtbot):
-    go_on = threading.Event()
-
-    def work(*, progress, stop):
-        go_on.wait()
-
-    window.runner.add(Job("Exporting levels.csv", work))
-    press(page, "measure")
-    assert words(page) == "Waiting until this is done: Exporting levels.csv."
-    assert page.run.running
-    go_on.set()
-    qtbot.waitUntil(lambda: not page.run.running, timeout=20_000)
-    assert find(page, QTableView, "bench_table").model().rowCount() == 3
-
-
-def test_a_benchmark_that_waits_can_be_taken_back(window, page, child, qtbot):
-    go_on = threading.Event()
-
-    def work(*, progress, stop):
-        go_on.wait()
-
-    window.runner.add(Job("Exporting levels.csv", work))
-    press(page, "measure")
-    press(page, "cancel_measuring")
-    assert words(page) == "Cancelled. Nothing was kept."
-    go_on.set()
-    qtbot.waitUntil(lambda: not window.runner.busy)
-
-
-def test_closing_the_window_removes_what_was_measured(window, page, child, qtbot):
-    note = child("work")
-    measure(page, qtbot)
-    folder = Path(note.read_text().partition(" ")[2])
-    page.close()
-    assert folder.exists()
-    window.close()
-    assert not folder.exists()
