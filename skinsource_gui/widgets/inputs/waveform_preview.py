@@ -38,14 +38,17 @@ def axis_unit(span_s: float) -> tuple[str, float]:
 
 
 class WaveformPreview(QWidget):
-    """Samples of peak 1 over their time, optionally with an axis in milliseconds, or seconds."""
+    """Samples over their time, optionally with an axis in milliseconds, or seconds.
+
+    The height is 1, or the peak where that is more.
+    """
 
     def __init__(self, parent: QWidget | None = None, *, axis: bool = False) -> None:
         super().__init__(parent)
         self._has_axis = axis
         self._theme = LIGHT
         self._samples: Floats | None = None
-        self._sample_rate_hz = 1.0
+        self._sample_rate_hz = self._height = 1.0
         self._words = ""
         self._colour = QColor(LIGHT.text)
         self._flipped = False
@@ -67,13 +70,14 @@ class WaveformPreview(QWidget):
         return None if self._samples is None else self._samples.size / self._sample_rate_hz
 
     def show_samples(self, samples: Floats, sample_rate_hz: float) -> None:
-        """Draw ``samples``, (n_times,), of peak 1."""
+        """Draw ``samples``, (n_times,)."""
         old = self._samples
         same = old is samples or (old is not None and np.array_equal(old, samples))
         self._samples = samples
         if same and not self._words and self._sample_rate_hz == sample_rate_hz:
             return
         self._sample_rate_hz, self._words = sample_rate_hz, ""
+        self._height = max(float(np.abs(samples).max(initial=0.0)), 1.0)
         self.setToolTip("")
         self.update()
 
@@ -138,7 +142,8 @@ class WaveformPreview(QWidget):
             painter.setOpacity(_PALE)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(self._colour, 1))
-        middle, reach = plot.center().y(), plot.height() / 2 * (-1 if self._flipped else 1)
+        sign = -1 if self._flipped else 1
+        middle, reach = plot.center().y(), sign * plot.height() / 2 / self._height
         shown_px = plot.width() * self._samples.size / self._sample_rate_hz / self._span_s()
         columns = max(int(shown_px * self.devicePixelRatioF()), 1)
         points = visible_points(
