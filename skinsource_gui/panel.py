@@ -4,13 +4,14 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, ClassVar
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QPoint, Signal
 from PySide6.QtWidgets import QWidget
 
 from skinsource.design import Design
 from skinsource.view import View
 from skinsource_gui.history import History
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.drop_place import DropPlace
 
 
 class Panel(QWidget):
@@ -73,6 +74,14 @@ class Panel(QWidget):
 
     def show_folder(self, folder: Path) -> None:
         """Take over where the next file is to be suggested."""
+
+    def drop_place(self, at: QPoint) -> DropPlace | None:
+        """Where something that is dropped at ``at`` goes; None: nowhere in particular."""
+        del at
+        return None
+
+    def show_drop(self, at: QPoint | None) -> None:
+        """Show where something would go that is held over ``at``; None: it is elsewhere."""
 
     def showEvent(self, event) -> None:
         super().showEvent(event)

@@ -58,6 +58,10 @@ class Samples:
     def __repr__(self) -> str:
         return f"<{self.values.size} samples at {self.sample_rate_hz:g} Hz, {self.digest[:12]}>"
 
+    def __str__(self) -> str:
+        unit = f", in {self.unit}" if self.unit else ""
+        return f"{self.values.size} at {self.sample_rate_hz:g} Hz{unit}"
+
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Samples) and self.digest == other.digest
 

@@ -1,9 +1,8 @@
 """The main window."""
 
 from collections.abc import Sequence
-from pathlib import Path
 
-from PySide6.QtCore import QEventLoop, Qt
+from PySide6.QtCore import QEventLoop
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMainWindow
 
@@ -13,6 +12,8 @@ from skinsource.view import View
 from skinsource_gui.files.export_actions import ExportActions
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.files.pictures import Draw
+from skinsource_gui.import_page.file_drops import FileDrops
+from skinsource_gui.import_page.import_actions import ImportActions
 from skinsource_gui.panel import Panel
 from skinsource_gui.shell.action_set import ActionSet
 from skinsource_gui.shell.actions import ACTIONS
@@ -69,7 +70,6 @@ class MainWindow(QMainWindow):
         self.setObjectName("studio")
         self.resize(*_LARGEST_AT_FIRST)
         self.setDockNestingEnabled(True)
-        self.setAcceptDrops(True)
         self.preferences = preferences
         self.document = Document(design, view, self)
         self.engine = FirstPaintEngine(graphs_that_share(), self)
@@ -149,6 +149,7 @@ class MainWindow(QMainWindow):
             self.preferences.autosave_s,
             self,
         )
+        self.imports = ImportActions(self.document, self.preferences, lambda: self.theme, self)
         self.running_jobs = RunningJobs(self.runner, self)
         self.levelling = WaveletLevelling(self.document, self.runner, self)
         self.pages = Pages(
@@ -174,6 +175,7 @@ class MainWindow(QMainWindow):
         return {
             "files": self.files,
             "exports": self.exports,
+            "imports": self.imports,
             "keeping": self.keeping,
             "jobs": self.running_jobs,
             "levelling": self.levelling,
@@ -209,6 +211,10 @@ class MainWindow(QMainWindow):
         self.files.done.connect(reports.report)
         self.files.opened.connect(self.layout_of_docks.show_panels)
         self.exports.failed.connect(reports.complain)
+        self.imports.done.connect(reports.report)
+        drops = FileDrops(self, self.panels)
+        drops.design_dropped.connect(self.files.open)
+        drops.recording_dropped.connect(self.imports.open_page)
         self.levelling.failed.connect(reports.complain)
         self.keeping.connect_to(self.conductor, reports)
         for panel in self.panels:
@@ -262,18 +268,6 @@ class MainWindow(QMainWindow):
         regions = (self.notice.buttons, self.setup_bar, *self.panels, self.statusBar())
         return move_focus(self, regions, forward=forward)
 
-    def dragEnterEvent(self, event) -> None:
-        if any(url.isLocalFile() for url in event.mimeData().urls()):
-            event.setDropAction(Qt.DropAction.CopyAction)
-            event.accept()
-
-    def dropEvent(self, event) -> None:
-        # Whoever offers a file to be moved would delete it afterwards.
-        event.setDropAction(Qt.DropAction.CopyAction)
-        event.accept()
-        paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
-        self.files.open(paths[0])
-
     def closeEvent(self, event) -> None:
         if not (self.files.may_lose_changes() and self.running_jobs.may_close()):
             event.ignore()
@@ -283,4 +277,5 @@ class MainWindow(QMainWindow):
         self.engine.close()
         self.running_jobs.end()
         self.pages.end()
+        self.imports.end()
         super().closeEvent(event)

@@ -92,6 +92,7 @@ ARGUMENTS = {
     "mute_inputs": (ids, switches),
     "paste_fragment": (fragments, anything),
     "place_input": (places, switches),
+    "place_waveform": (places, st.sampled_from([Tone(), Tap()]), st.sampled_from([0.0, 0.5, -1.0])),
     "put_inputs_before": (ids, st.integers(-5, 9)),
     "remove_delay": (switches,),
     "remove_clips": (ids,),

@@ -44,6 +44,7 @@ from skinsource.edits.inputs import (
 from skinsource.edits.motions import add_motion
 from skinsource.edits.order import put_inputs_before, shift_inputs
 from skinsource.edits.outputs import select_outputs
+from skinsource.edits.placing import place_waveform
 from skinsource.edits.ruler import (
     add_marker,
     move_marker,
@@ -115,6 +116,7 @@ __all__ = [
     "mute_inputs",
     "paste_fragment",
     "place_input",
+    "place_waveform",
     "put_inputs_before",
     "remove_clips",
     "remove_delay",

@@ -1,10 +1,15 @@
 """Looks at foreign files and takes parts of them, in a process of its own."""
 
-from dataclasses import replace
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError, RecordingError
 from skinsource.files import named
 from skinsource.job import Progress, Stop, never, silent
@@ -12,8 +17,12 @@ from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.quoting import sentence
 from skinsource.recordings.choice import ImportChoice, suggested
 from skinsource.recordings.found import Found, Series
+from skinsource.recordings.reader import Block
 from skinsource.recordings.reading_process import ReadingProcess
 from skinsource.recordings.taking import Taken, taken
+
+# Rounding of a time that somebody typed.
+_LITTLE_S = 1e-12
 
 
 def look(path: Path | str) -> Found:
@@ -69,30 +78,85 @@ def take(
             return take(file, choice, to_hz, progress=progress, stop=stop, process=own)
     found = process.look(file, stop=stop)
     wanted = choice or suggested(found)
-    series = found.one(wanted.series)
-    if series is None:
-        raise RecordingError(
-            f"{named(Path(file.name))}: it has no signal {wanted.series!r:.80}, expected one of "
-            f"{', '.join(one.key for one in found.series[:8])!s:.200}. Choose one of them."
-        )
-    try:
-        return _part(file, found, series, wanted, to_hz, process, progress, stop)
-    except InvalidInputError as error:
-        raise RecordingError(f"{named(Path(file.name))}: {sentence(str(error))}") from error
+    raw = read_part(file, found, wanted, process=process, progress=progress, stop=stop)
+    return raw.taken(wanted, to_hz)
 
 
-def _part(
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class RawPart:
+    """A part of a file as the file has it: what need not be read again for another unit or scale.
+
+    Attributes
+    ----------
+    path, name
+        The file; what the signal is called.
+    values, stamps_s
+        Numbers, (n,), and when each was; None where the rate says so.
+    rate_hz
+        The rate, where the file or the choice says it.
+    read_for
+        What of the choice decided what was read.
+    """
+
+    path: Path
+    name: str
+    values: NDArray[Any]
+    stamps_s: Floats | None
+    rate_hz: float | None
+    read_for: tuple[object, ...]
+
+    @property
+    def n_missing(self) -> int:
+        """Numbers that are not there, or not finite."""
+        return self.values.size - int(np.count_nonzero(np.isfinite(self.values)))
+
+    def taken(self, choice: ImportChoice, to_hz: float) -> Taken:
+        """What ``choice`` makes of it; raises `RecordingError`."""
+        try:
+            wanted = replace(choice, rate_hz=self.rate_hz)
+            return taken(self.values, wanted, to_hz, name=self.name, stamps_s=self.stamps_s)
+        except InvalidInputError as error:
+            raise _about(self.path, error) from error
+
+
+def read_for(choice: ImportChoice) -> tuple[object, ...]:
+    """What of a choice decides what is read."""
+    stamps = (choice.time, choice.time_unit_s) if choice.time else (choice.rate_hz,)
+    return (choice.series, choice.start_s, choice.duration_s, *stamps)
+
+
+def read_part(
     path: Path,
     found: Found,
-    series: Series,
     choice: ImportChoice,
-    to_hz: float,
+    *,
     process: ReadingProcess,
-    progress: Progress,
-    stop: Stop,
-) -> Taken:
-    several = len(found.signals()) > 1
-    name = f"{path.name}, {series.name}" if several else path.name
+    progress: Progress = silent,
+    stop: Stop = never,
+) -> RawPart:
+    """Read the part of a file that ``choice`` means; raises what `take` raises."""
+    series = found.one(choice.series)
+    if series is None:
+        keys = ", ".join(one.key for one in found.series[:8])
+        raise RecordingError(
+            f"{named(Path(path.name))}: it has no signal {choice.series!r:.80}, expected one of "
+            f"{keys:.200}. Choose one of them."
+        )
+    read = partial(process.read, path, progress=progress, stop=stop)
+    try:
+        return _read(path, found, series, choice, read)
+    except InvalidInputError as error:
+        raise _about(path, error) from error
+
+
+def _read(
+    path: Path, found: Found, series: Series, choice: ImportChoice, read: Callable[..., Block]
+) -> RawPart:
+    part: dict[str, Any] = {
+        "path": path,
+        "name": f"{path.name}, {series.name}" if len(found.signals()) > 1 else path.name,
+        "read_for": read_for(choice),
+    }
     if choice.time is None:
         rate_hz = choice.rate_hz or found.rate_of(series)
         if rate_hz is None:
@@ -100,16 +164,21 @@ def _part(
         start = round(choice.start_s * rate_hz)
         end = min(start + max(round(choice.duration_s * rate_hz), 1), series.n_samples)
         _check_part(start, end, series.n_samples / rate_hz)
-        values = process.read(path, [series.key], start, end, progress=progress, stop=stop)[0]
-        return taken(values, replace(choice, rate_hz=rate_hz), to_hz, name=name)
-    stamps = process.read(path, [choice.time], 0, series.n_samples, progress=progress, stop=stop)
+        values = read([series.key], start, end)[0]
+        return RawPart(values=values, stamps_s=None, rate_hz=rate_hz, **part)
+    stamps = read([choice.time], 0, series.n_samples)[0]
     # 64-bit also where the file has fewer digits: their differences are what counts.
-    since_s = (stamps[0].astype(np.float64) - stamps[0][0]) * choice.time_unit_s
-    start = int(np.searchsorted(since_s, choice.start_s - 1e-12))
-    end = int(np.searchsorted(since_s, choice.start_s + choice.duration_s - 1e-12))
+    since_s = (stamps.astype(np.float64) - float(stamps[0])) * choice.time_unit_s
+    start, end = np.searchsorted(
+        since_s, (choice.start_s - _LITTLE_S, choice.start_s + choice.duration_s - _LITTLE_S)
+    ).tolist()
     _check_part(start, end, float(since_s[-1]))
-    values = process.read(path, [series.key], start, end, progress=progress, stop=stop)[0]
-    return taken(values, choice, to_hz, name=name, stamps_s=since_s[start:end])
+    values = read([series.key], start, end)[0]
+    return RawPart(values=values, stamps_s=since_s[start:end], rate_hz=None, **part)
+
+
+def _about(path: Path, error: InvalidInputError) -> RecordingError:
+    return RecordingError(f"{named(Path(path.name))}: {sentence(str(error))}")
 
 
 def _check_part(start: int, end: int, lasts_s: float) -> None:

@@ -17,6 +17,10 @@ from skinsource.samples import Samples
 from skinsource.waveforms import Recording
 
 _MOST_NAME = 200
+# Shares of the energy that are smaller are what edges ring.
+_NOTED_LOSS = 0.01
+# Of the largest deviation from it.
+_NOTED_OFFSET = 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -87,9 +91,12 @@ def taken(
         mean = float(np.mean(signal, dtype=np.float64))
         if mean:
             signal = np.subtract(signal, mean, dtype=np.float64)
-            notes.append(f"An offset of {mean:.4g}{_with_unit(choice)} was taken off.")
+        if abs(mean) > _NOTED_OFFSET * float(np.abs(signal).max()):
+            words = f"{mean:.4g}{_with_unit(choice)}".replace("-", "−")
+            notes.append(f"An offset of {words} was taken off.")
     ratio = Fraction(to_hz).limit_denominator(10_000) / rate
     found = by_ratio(signal, ratio, min(float(rate), to_hz))
+    _note_loss(signal, found, ratio, to_hz, notes)
     found, unit = _in_drive_units(found, choice, to_hz, notes)
     return Taken(
         samples=Samples(values=found, sample_rate_hz=to_hz, unit=unit),
@@ -126,6 +133,19 @@ def _complete(values: NDArray[Any], choice: ImportChoice, notes: list[str]) -> N
         )
     notes.append(f"{absent} missing numbers count as 0, the first is number {first}.")
     return np.where(there, values, values.dtype.type(0))
+
+
+def _note_loss(
+    before: NDArray[Any], after: Floats, ratio: Fraction, to_hz: float, notes: list[str]
+) -> None:
+    """Say how much of the energy lay above what the new rate can hold."""
+    there = float(np.vdot(before, before))
+    if ratio < 1 and there > 0.0:
+        lost = 1.0 - float(np.vdot(after, after)) / float(ratio) / there
+        if lost >= _NOTED_LOSS:
+            notes.append(
+                f"{100.0 * lost:.0f} % of its energy was above {to_hz / 2:g} Hz and is gone."
+            )
 
 
 def _in_drive_units(

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import ClassVar
 
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtWidgets import QMenu, QVBoxLayout, QWidget
 
 from skinsource import edits
@@ -17,8 +17,9 @@ from skinsource_gui.panels.hand.hand_diagram import HandDiagram
 from skinsource_gui.panels.hand.hand_drawing import palmar_drawing
 from skinsource_gui.panels.hand.hand_picture import Mark
 from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.widgets.drop_place import DropPlace
 from skinsource_gui.widgets.inputs.input_words import EMPTY
-from skinsource_gui.widgets.inputs.inputs_menu import InputEdit, fill_inputs_menu
+from skinsource_gui.widgets.inputs.inputs_menu import fill_inputs_menu
 from skinsource_gui.widgets.key_table import key_text
 
 
@@ -39,7 +40,7 @@ class HandPanel(Panel):
         self.diagram.select_requested.connect(self._select)
         self.diagram.move_requested.connect(self._move)
         self.diagram.toggle_requested.connect(self._toggle)
-        self.diagram.all_requested.connect(self._select_all)
+        self.diagram.all_requested.connect(partial(self._edit, edits.select_all_inputs))
         self.diagram.remove_requested.connect(self._remove)
         self.diagram.menu_requested.connect(self._open_menu)
         layout = QVBoxLayout(self)
@@ -55,6 +56,14 @@ class HandPanel(Panel):
         self._theme = theme
         self.diagram.show_theme(theme)
         self._show_inputs()
+
+    def drop_place(self, at: QPoint) -> DropPlace | None:
+        site = self.diagram.stage.site_at(QPointF(self.diagram.mapFrom(self, at)))
+        return None if site is None else DropPlace(location=site)
+
+    def show_drop(self, at: QPoint | None) -> None:
+        place = None if at is None else self.drop_place(at)
+        self.diagram.stage.change(hovered=None if place is None else place.location)
 
     def _show_inputs(self) -> None:
         if self._design is None:
@@ -84,9 +93,6 @@ class HandPanel(Panel):
     def _toggle(self, index: int) -> None:
         for one in self._together(index, alone=True):
             self._edit(edits.toggle_selected, one)
-
-    def _select_all(self) -> None:
-        self._edit(edits.select_all_inputs)
 
     def _add(self, site: int, besides: bool = False) -> None:
         self._edit(edits.place_input, site, besides)
@@ -121,11 +127,8 @@ class HandPanel(Panel):
         menu.addSeparator()
         ids = () if index is None else self._together(index)
         chosen = [one for one in self._design.inputs if one.id in ids] if self._design else []
-        fill_inputs_menu(menu, chosen, partial(self._edit_chosen, ids), place="hand")
+        fill_inputs_menu(menu, chosen, lambda edit: self._edit(edit, ids), place="hand")
         menu.popup(at)
-
-    def _edit_chosen(self, ids: tuple[int, ...], edit: InputEdit) -> None:
-        self._edit(edit, ids)
 
 
 def _titles(one: Input) -> list[str]:

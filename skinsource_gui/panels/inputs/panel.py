@@ -16,6 +16,7 @@ from skinsource_gui.panels.inputs.list_edits import ListEdits
 from skinsource_gui.panels.inputs.list_selection import ListSelection
 from skinsource_gui.panels.inputs.row_state import RowState
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.drop_place import DropPlace
 from skinsource_gui.widgets.inputs.inputs_menu import ENTRIES, ORDER, fill_inputs_menu
 from skinsource_gui.widgets.lateness import Lateness
 
@@ -103,6 +104,10 @@ class InputsPanel(Panel):
         self._rows.show_theme(theme)
         self._empty.setStyleSheet(f"color: {theme.dim};")
         self._foot.setStyleSheet(f"color: {theme.error};")
+
+    def drop_place(self, at: QPoint) -> DropPlace | None:
+        under = [row for row in self._rows.rows if row.rect().contains(row.mapFrom(self, at))]
+        return DropPlace(input_id=under[0].id) if under and self._list.isVisible() else None
 
     def _connect(self) -> None:
         rows, keys, mouse = self._rows.signals, self._rows.keys, self._rows.mouse

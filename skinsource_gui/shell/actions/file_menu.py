@@ -31,6 +31,15 @@ FILE: tuple[ActionSpec, ...] = (
         keywords="recover restore autosave crash lost backup",
     ),
     action(
+        "import_recording",
+        "File",
+        "Import recording…",
+        "Place a signal from a WAV, FLAC, CSV, NPY, MATLAB, HDF5 or other file",
+        "Ctrl+I",
+        command="imports.ask_and_import",
+        keywords="open load wav flac aiff ogg csv tsv npy npz mat matlab hdf5 audio",
+    ),
+    action(
         "save_design",
         "File",
         "Save",

@@ -11,6 +11,7 @@ from skinsource.fields import (
     ChoiceSpec,
     ListSpec,
     NumberSpec,
+    OptionalSpec,
     PointsSpec,
     Spec,
     SwitchSpec,
@@ -24,6 +25,7 @@ from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.list_editors import NumbersEditor, PointsEditor
 from skinsource_gui.widgets.fields.live_text import LiveText
 from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.fields.units import value_text
 from skinsource_gui.widgets.inputs.kind_field import KindField
 from skinsource_gui.widgets.tooltips import tooltip
 
@@ -204,10 +206,17 @@ class ShownOnly(_Plain):
         self.field = QLabel(parent)
         self.field.setAccessibleName(spec.label)
         self.field.setToolTip(tooltip(spec.label, spec.hint))
+        of = spec.of if isinstance(spec, OptionalSpec) else spec
+        self._unit = of.unit if isinstance(of, NumberSpec) else None
 
     def set_value(self, value: object) -> None:
         """Show a value in words."""
-        self.field.setText(printable(value) if value not in (None, ()) else "none")
+        if value in (None, ()):
+            self.field.setText("none")
+        elif self._unit is not None and isinstance(value, float):
+            self.field.setText(value_text(value, self._unit, 6))
+        else:
+            self.field.setText(printable(value))
 
 
 def text_editor(spec: TextSpec, parent: QWidget) -> Editor:

@@ -1,6 +1,7 @@
 """An input in a few words."""
 
 from skinsource.fields import ListSpec, NumberSpec, specs_of
+from skinsource.quoting import printable
 from skinsource.signals import sample_count
 from skinsource.waveforms import Waveform
 from skinsource_gui.widgets.fields.units import LONG_S, number_text, value_text
@@ -11,7 +12,10 @@ EMPTY = "nothing yet"
 
 
 def figure_text(waveform: Waveform) -> str:
-    """Title and first number or list of a waveform: ``"Tone 100 Hz"``, ``"Noise, seed 3"``."""
+    """Title and first number or list of a waveform, ``"Tone 100 Hz"``; of a recording its name."""
+    name = getattr(waveform, "name", "")
+    if name:
+        return printable(name)
     for name, spec in specs_of(waveform).items():
         if isinstance(spec, ListSpec) and isinstance(spec.of, NumberSpec):
             values = getattr(waveform, name)

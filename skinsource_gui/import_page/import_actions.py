@@ -1,0 +1,87 @@
+"""Importing recordings: asks for a file, opens the page, and places what was chosen."""
+
+import importlib
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from skinsource.limb import SAMPLE_RATE_HZ
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.drop_place import DropPlace
+
+
+class ImportActions(QObject):
+    """Imports recordings into the open design.
+
+    Parameters
+    ----------
+    document, preferences
+        Where recordings go; where files were last looked for.
+    theme
+        Gives the colours in use.
+    window
+        In front of which pages open; also the parent.
+    """
+
+    #: What went well, in a few words.
+    done = Signal(str)
+
+    def __init__(
+        self,
+        document: Document,
+        preferences: Preferences,
+        theme: Callable[[], Theme],
+        window: QWidget,
+    ) -> None:
+        super().__init__(window)
+        self._document, self._preferences = document, preferences
+        self._theme, self._window = theme, window
+        self._pages: list[Any] = []
+
+    @property
+    def pages(self) -> tuple[Any, ...]:
+        """The pages that are open."""
+        return tuple(self._pages)
+
+    def ask_and_import(self) -> None:
+        """Ask for a file, and open the page on it."""
+        readers = importlib.import_module("skinsource.recordings.readers")
+        kinds = " ".join(f"*{ending}" for ending in readers.endings())
+        name, _ = QFileDialog.getOpenFileName(
+            self._window,
+            "Import a recording",
+            str(self._preferences.folder),
+            f"Recordings ({kinds});;All files (*)",
+        )
+        if name:
+            self.open_page(Path(name))
+
+    def open_page(self, path: Path, place: DropPlace | None = None) -> None:
+        """Open the page on a file that shall go to ``place``, or where the user says."""
+        # Few import anything; the start of the studio shall not wait for it.
+        page_module = importlib.import_module("skinsource_gui.import_page.page")
+        placing = importlib.import_module("skinsource_gui.import_page.placing")
+        places = placing.options(self._document.design, self._document.view, place)
+        onset_s = place.onset_s if place else 0.0
+        page = page_module.ImportPage(path, SAMPLE_RATE_HZ, places, self._theme(), self._window)
+
+        def put(recording: Any, option: str) -> None:
+            design, view = self._document.design, self._document.view
+            self._document.apply(placing.placed(design, view, option, onset_s, recording), None)
+            self._preferences.folder = path.absolute().parent
+            self.done.emit(f"Imported {path.name}")
+
+        page.chosen.connect(put)
+        page.finished.connect(lambda: self._pages.remove(page))
+        self._pages.append(page)
+        page.show()
+
+    def end(self) -> None:
+        """Close all pages."""
+        for page in self.pages:
+            page.reject()

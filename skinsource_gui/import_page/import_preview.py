@@ -1,0 +1,91 @@
+"""What a recording will be: its waveform, its spectrum, and some numbers."""
+
+import numpy as np
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+
+from skinsource.recordings import Taken
+from skinsource.spectra import share_outside_band
+from skinsource_gui.import_page.spectrum_preview import SpectrumPreview
+from skinsource_gui.theme import UNIT_PX, Theme, tabular
+from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
+
+
+class ImportPreview(QWidget):
+    """Shows a `Taken`, or a sentence that says why there is none."""
+
+    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("import_preview")
+        self._waveform = WaveformPreview(axis=True)
+        self._spectrum = SpectrumPreview()
+        self._numbers, self._notes = QLabel(), QLabel()
+        self._numbers.setObjectName("import_numbers")
+        self._numbers.setFont(tabular(self._numbers.font()))
+        self._notes.setObjectName("import_notes")
+        for label in (self._numbers, self._notes):
+            label.setWordWrap(True)
+            label.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
+        self._waveform.setMinimumHeight(120)
+        self._spectrum.setMinimumHeight(120)
+        self._numbers.setMinimumHeight(2 * self.fontMetrics().lineSpacing())
+        self._notes.setMinimumHeight(3 * self.fontMetrics().lineSpacing())
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(UNIT_PX)
+        column.addWidget(self._waveform, 1)
+        column.addWidget(self._spectrum, 1)
+        column.addWidget(self._numbers)
+        column.addWidget(self._notes)
+        self.show_theme(theme)
+
+    @property
+    def words(self) -> str:
+        """All that is said below the pictures, or in their place."""
+        return " ".join((self._waveform.words, self._numbers.text(), self._notes.text())).strip()
+
+    def sizeHint(self) -> QSize:
+        return QSize(440, 420)
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self._waveform.show_theme(theme)
+        self._waveform.set_look(QColor(theme.text))
+        self._spectrum.show_theme(theme)
+        self._notes.setStyleSheet(f"color: {theme.dim};")
+
+    def show_taken(self, taken: Taken) -> None:
+        """Show what will be imported."""
+        samples = taken.samples
+        peak = float(np.abs(samples.values).max())
+        rate = samples.sample_rate_hz
+        self._waveform.show_samples(samples.values / (peak or 1.0), rate)
+        self._spectrum.show_samples(samples.values, rate)
+        rms = float(np.sqrt(np.mean(samples.values**2)))
+        unit = f" {samples.unit}" if samples.unit else ""
+        outside = share_outside_band(samples.values, rate)
+        self._numbers.setText(
+            f"{samples.duration_s:.4g} s · peak {peak:.3g}{unit} · RMS {rms:.3g}{unit} · "
+            f"{samples.values.size} samples at {rate:g} Hz\n"
+            f"{_percent(outside)} of the energy lies outside the measured band, 25 to 600 Hz"
+        )
+        self._notes.setText(" ".join(taken.notes))
+        self.set_pale(False)
+
+    def show_words(self, words: str) -> None:
+        """Show nothing, and say why."""
+        self._waveform.show_words(words)
+        self._spectrum.show_samples(None)
+        self._numbers.clear()
+        self._notes.clear()
+
+    def set_pale(self, pale: bool) -> None:
+        """Whether something newer is on its way."""
+        self._waveform.set_pale(pale)
+
+
+def _percent(share: float) -> str:
+    if share < 0.001:
+        return "Less than 0.1 %"
+    return f"{100.0 * share:.1f} %" if share < 0.1 else f"{100.0 * share:.0f} %"

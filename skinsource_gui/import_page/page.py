@@ -1,0 +1,212 @@
+"""The page on which a recording is looked at and chosen, before it is placed."""
+
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.fields import ChoiceSpec
+from skinsource.files import named
+from skinsource.recordings import Found, ImportChoice, Taken
+from skinsource.recordings.importing import RawPart
+from skinsource_gui.import_page.choice_form import ASSUMED_RATE_HZ, ChoiceForm
+from skinsource_gui.import_page.import_preview import ImportPreview
+from skinsource_gui.import_page.reading_worker import ReadingWorker
+from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
+
+_LEFT_PX = 300
+_READING = "Reading…"
+_ASSUMED = f"The file does not say its sample rate; {ASSUMED_RATE_HZ:g} Hz is assumed."
+
+
+class ImportPage(QDialog):
+    """Shows what a file holds, asks what it leaves open, and shows what will come of it.
+
+    Parameters
+    ----------
+    path
+        The file.
+    to_hz
+        The rate of the design.
+    places
+        Name and words of each place it can go to, the likeliest one first.
+    theme
+        Colours.
+    """
+
+    #: `skinsource.waveforms.Recording`; the name of its place.
+    chosen = Signal(object, str)
+
+    def __init__(
+        self,
+        path: Path,
+        to_hz: float,
+        places: tuple[tuple[str, str], ...],
+        theme: Theme,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setObjectName("import_page")
+        self.setWindowTitle(f"Import {named(Path(path.name))}")
+        self.resize(820, 520)
+        self._theme = theme
+        self._form: ChoiceForm | None = None
+        self._taken: Taken | None = None
+        self._about, self._warning = QLabel(_READING), QLabel(_ASSUMED)
+        self._place = ChoiceField(ChoiceSpec(label="Goes to", options=places))
+        self._preview = ImportPreview(theme)
+        self._bar = QProgressBar()
+        self._buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        )
+        self._name_parts()
+        self._lay_out()
+        self._worker = ReadingWorker(path, to_hz, self)
+        self._connect()
+        self._worker.look()
+
+    @property
+    def form(self) -> ChoiceForm | None:
+        """The fields, once it is known what the file holds."""
+        return self._form
+
+    @property
+    def preview(self) -> ImportPreview:
+        """What is shown of the recording."""
+        return self._preview
+
+    @property
+    def busy(self) -> bool:
+        """Whether something is read or shown that was not asked for last."""
+        return self._bar.isVisible()
+
+    @property
+    def ready(self) -> bool:
+        """Whether what is shown is what will be imported."""
+        return self._import_button.isEnabled()
+
+    def done(self, result: int) -> None:
+        """Close it, with or without a recording."""
+        taken, place = self._taken, self._place.value
+        self._worker.close()
+        super().done(result)
+        if result == QDialog.DialogCode.Accepted and taken is not None:
+            self.chosen.emit(taken.waveform, place)
+
+    def _name_parts(self) -> None:
+        self._import_button = self._buttons.button(QDialogButtonBox.StandardButton.Ok)
+        self._import_button.setText("Import")
+        self._import_button.setEnabled(False)
+        self._about.setObjectName("import_about")
+        self._warning.setObjectName("import_warning")
+        self._place.setObjectName("import_place")
+        for label in (self._about, self._warning):
+            label.setWordWrap(True)
+        self._warning.setStyleSheet(f"color: {self._theme.warning};")
+        self._warning.hide()
+        self._bar.setObjectName("import_progress")
+        self._bar.setAccessibleName("Progress of reading")
+        self._bar.setTextVisible(False)
+        self._bar.setRange(0, 0)
+        # Room is kept for it, so that nothing moves.
+        policy = self._bar.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self._bar.setSizePolicy(policy)
+
+    def _lay_out(self) -> None:
+        left = QWidget()
+        left.setFixedWidth(_LEFT_PX)
+        self._left = QVBoxLayout(left)
+        self._left.setContentsMargins(0, 0, 0, 0)
+        self._left.setSpacing(UNIT_PX)
+        self._left.addWidget(self._about)
+        self._left.addWidget(self._warning)
+        self._left.addStretch(1)
+        self._left.addWidget(QLabel("Goes to"))
+        self._left.addWidget(self._place)
+        columns = QHBoxLayout()
+        columns.setSpacing(2 * UNIT_PX)
+        columns.addWidget(left)
+        columns.addWidget(self._preview, 1)
+        rows = QVBoxLayout(self)
+        rows.addLayout(columns, 1)
+        rows.addWidget(self._bar)
+        rows.addWidget(self._buttons)
+        self._preview.show_words(_READING)
+
+    def _connect(self) -> None:
+        worker = self._worker
+        worker.looked.connect(self._show_found)
+        worker.read.connect(self._show_read)
+        worker.taken.connect(self._show_taken)
+        worker.failed.connect(self._show_failed)
+        worker.progressed.connect(self._show_progress)
+        self._buttons.accepted.connect(self.accept)
+        self._buttons.rejected.connect(self.reject)
+
+    def _show_found(self, found: Found) -> None:
+        self._about.setText(about(found))
+        self._form = ChoiceForm(found, self._theme, self)
+        self._form.changed.connect(self._want)
+        self._left.insertWidget(2, self._form)
+        self._want(self._form.choice)
+
+    def _want(self, choice: ImportChoice) -> None:
+        self._taken = None
+        self._import_button.setEnabled(False)
+        self._warning.setVisible(self._form is not None and self._form.assumes_rate)
+        self._preview.set_pale(True)
+        self._bar.show()
+        self._bar.setRange(0, 0)
+        self._worker.take(choice)
+
+    def _show_read(self, raw: RawPart) -> None:
+        if self._form is not None:
+            self._form.show_missing(raw.n_missing)
+
+    def _show_taken(self, choice: ImportChoice, taken: Taken) -> None:
+        if self._form is None or choice != self._form.choice:
+            return
+        self._taken = taken
+        self._bar.hide()
+        self._preview.show_taken(taken)
+        self._import_button.setEnabled(True)
+        self._import_button.setDefault(True)
+
+    def _show_failed(self, choice: ImportChoice | None, words: str) -> None:
+        if choice is None:
+            self._about.setText("This file cannot be imported.")
+        elif self._form is None or choice != self._form.choice:
+            return
+        self._bar.hide()
+        self._preview.show_words(words)
+
+    def _show_progress(self, done: int, total: int) -> None:
+        self._bar.setRange(0, 1000)
+        self._bar.setValue(1000 * done // max(total, 1))
+
+
+def about(found: Found) -> str:
+    """What a file says about itself, in a few lines."""
+    signals = found.signals()
+    one = signals[0]
+    rate_hz = found.rate_of(one)
+    many = f"{len(signals)} signals" if len(signals) > 1 else "one signal"
+    words = [f"{found.format}, {many} of {one.n_samples} samples"]
+    if rate_hz is not None:
+        words.append(f"{rate_hz:g} Hz, {one.n_samples / rate_hz:.4g} s")
+    if one.unit:
+        words.append(f"in {one.unit}")
+    # Numbers stay with their units.
+    facts = ", ".join(one.replace(" Hz", "\u00a0Hz").replace(" s", "\u00a0s") for one in words)
+    return facts + "." + "".join(f"\n{note}" for note in found.notes[:3])

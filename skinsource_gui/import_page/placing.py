@@ -1,0 +1,47 @@
+"""Where a recording goes, in words and as an edit."""
+
+from skinsource import edits
+from skinsource.design import Design
+from skinsource.edits import Edit, Refusal
+from skinsource.edits.edit import place_words
+from skinsource.locations import INPUTS
+from skinsource.view import View
+from skinsource.waveforms import Recording
+from skinsource_gui.widgets.drop_place import DropPlace
+
+#: Where nothing is selected and nobody says where.
+_USUAL = 7
+
+
+def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[str, str], ...]:
+    """Name and words of each place, the likeliest one first."""
+    found = [_track(design, one.id) for one in design.inputs if one.id in _tracks(view, place)]
+    first = _USUAL
+    if place is not None and place.location is not None:
+        first = place.location
+    elif view.selected_input in design.ids:
+        first = design.input(view.selected_input).location
+    locations = [first, *(k for k in range(1, len(INPUTS) + 1) if k != first)]
+    new = [(f"new {k}", f"A new input at {place_words(k)}") for k in locations]
+    by_place = place is not None and place.location is not None and place.input_id is None
+    return (*new, *found) if by_place else (*found, *new)
+
+
+def _tracks(view: View, place: DropPlace | None) -> set[int]:
+    dropped = {place.input_id} if place and place.input_id is not None else set()
+    return dropped or set(view.selected_inputs[-1:])
+
+
+def _track(design: Design, id: int) -> tuple[str, str]:
+    where = place_words(design.input(id).location)
+    return f"track {id}", f"A clip on input {design.index_of(id) + 1}, at {where}"
+
+
+def placed(
+    design: Design, view: View, option: str, onset_s: float, recording: Recording
+) -> Edit | Refusal:
+    """The edit that puts ``recording`` where ``option`` says."""
+    what, _, number = option.partition(" ")
+    if what == "track":
+        return edits.add_clip(design, view, int(number), onset_s, recording)
+    return edits.place_waveform(design, view, int(number), recording, onset_s)

@@ -1,0 +1,225 @@
+"""Importing a recording in the studio: the page, drops, and what comes of it."""
+
+import numpy as np
+import pytest
+import soundfile
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDragLeaveEvent, QDragMoveEvent, QDropEvent
+from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
+
+from skinsource.recordings import take
+from skinsource.waveforms import Recording
+from skinsource_gui.import_page import placing
+from skinsource_gui.widgets.drop_place import DropPlace
+
+NO_KEYS = Qt.KeyboardModifier.NoModifier
+
+
+@pytest.fixture
+def sound(tmp_path):
+    """Half a second of 150 Hz and of its half, at 48 kHz."""
+    tone = 0.8 * np.sin(2.0 * np.pi * 150.0 * np.arange(24_000) / 48_000) * np.hanning(24_000)
+    soundfile.write(tmp_path / "tap.wav", np.stack([tone, 0.5 * tone], axis=1), 48_000)
+    return tmp_path / "tap.wav"
+
+
+@pytest.fixture
+def page_on(window, qtbot):
+    """Open the page on a file, and wait until it shows what it can."""
+    opened = []
+
+    def open_on(path, place=None):
+        window.imports.open_page(path, place)
+        page = window.imports.pages[-1]
+        opened.append(page)
+        qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
+        QApplication.processEvents()
+        return page
+
+    return open_on
+
+
+def drop(window, path, at, kind=QDropEvent):
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(path))])
+    where = QPointF(at) if kind is QDropEvent else at
+    event = kind(where, Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton, NO_KEYS)
+    QApplication.sendEvent(window, event)
+    return event
+
+
+def site(window, number):
+    diagram = window.panel("hand").diagram
+    return diagram.mapTo(window, diagram.site_centre(number))
+
+
+def choose(page, qtbot, name, option):
+    page.form.findChild(object, f"import_{name}").choose(option)
+    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
+    QApplication.processEvents()
+
+
+def test_what_is_shown_is_placed_in_one_step(window, settle, page_on, sound):
+    before, steps = window.document.design, window.document.undo_stack.count()
+    page = page_on(sound, DropPlace(location=13))
+    assert page.ready
+    assert "0.5 s" in page.preview.words
+    page.accept()
+    design = window.document.design
+    new = design.inputs[-1]
+    assert (new.location, len(design.inputs)) == (13, len(before.inputs) + 1)
+    (clip,) = new.clips
+    expected = take(sound)
+    assert clip.waveform == expected.waveform
+    assert clip.waveform.name == "tap.wav, channel 1"
+    assert clip.waveform.source_rate_hz == 48_000
+    assert window.document.view.selected_inputs == (new.id,)
+    assert window.document.undo_stack.count() == steps + 1
+    settle()
+    window.do("undo")
+    assert window.document.design == before
+
+
+def test_only_what_the_file_leaves_open_is_asked(page_on, sound, tmp_path):
+    form = page_on(sound).form
+    shown = {w.objectName() for w in form.children() if w.isWidgetType() and w.isVisible()}
+    asked = {name for name in shown if name.startswith("import_")}
+    assert asked == {
+        "import_signal", "import_unit", "import_scale", "import_offset", "import_start",
+        "import_duration",
+    }  # fmt: skip
+    rows = "\n".join(f"{k / 1300:.6f},{np.sin(k):.6f}" for k in range(500))
+    (tmp_path / "a.csv").write_text(f"time [s],acc [g]\n{rows}\n")
+    form = page_on(tmp_path / "a.csv").form
+    shown = {w.objectName() for w in form.children() if w.isWidgetType() and w.isVisible()}
+    assert "import_unit" not in shown
+    assert "import_rate" not in shown
+    assert form.choice.unit == "g"
+    assert form.choice.time == "0"
+
+
+def test_choices_change_what_is_shown_and_placed(window, page_on, qtbot, sound):
+    page = page_on(sound)
+    choose(page, qtbot, "signal", "1")
+    choose(page, qtbot, "unit", "g")
+    choose(page, qtbot, "scale", "keep")
+    assert "peak 3.89" in page.preview.words
+    assert "m/s²" in page.preview.words
+    page.accept()
+    waveform = window.document.design.inputs[-1].clips[-1].waveform
+    assert waveform.samples.unit == "m/s²"
+    assert waveform.name == "tap.wav, channel 2"
+    assert np.abs(waveform.samples.values).max() == pytest.approx(0.4 * 9.80665, rel=0.02)
+
+
+def test_a_rate_that_is_assumed_is_said_so_until_it_is_typed(page_on, qtbot, tmp_path):
+    np.save(tmp_path / "raw.npy", np.sin(np.arange(2600) * 0.3))
+    page = page_on(tmp_path / "raw.npy")
+    warning = page.findChild(object, "import_warning")
+    assert warning.isVisible()
+    assert "1300" in warning.text()
+    field = page.form.findChild(object, "import_rate")
+    field.set_value(2600.0)
+    field.edited.emit(2600.0, None)
+    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
+    QApplication.processEvents()
+    assert not warning.isVisible()
+    assert page.preview.words.startswith("1 s")
+
+
+def test_missing_numbers_are_a_choice(page_on, qtbot, tmp_path):
+    values = np.sin(np.arange(2600) * 0.3)
+    values[7] = np.nan
+    np.save(tmp_path / "raw.npy", values)
+    page = page_on(tmp_path / "raw.npy")
+    assert not page.ready
+    assert "the first is number 8" in page.preview.words
+    box = page.form.findChild(object, "import_missing")
+    assert box.isVisible()
+    box.setChecked(True)
+    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
+    QApplication.processEvents()
+    assert page.ready
+    assert "1 missing numbers count as 0" in page.preview.words
+
+
+def test_a_file_that_is_none_says_why_and_imports_nothing(window, page_on, tmp_path):
+    (tmp_path / "bad.wav").write_bytes(b"RIFF\x10\0\0\0WAVEnothing here")
+    before = window.document.design
+    page = page_on(tmp_path / "bad.wav")
+    assert not page.ready
+    assert "bad.wav: cannot be read" in page.preview.words
+    page.reject()
+    assert window.document.design is before
+
+
+def test_a_page_that_is_closed_while_it_reads_leaves_nothing(window, sound):
+    window.imports.open_page(sound)
+    page = window.imports.pages[-1]
+    page.reject()
+    QApplication.processEvents()
+    assert window.imports.pages == ()
+
+
+@pytest.mark.parametrize("where", ["site", "row", "elsewhere"])
+def test_a_file_that_is_dropped_goes_where_it_was_dropped(window, qtbot, sound, where):
+    first = window.document.design.inputs[0]
+    row = window.findChild(QWidget, "input_rows").rows[0]
+    at = {
+        "site": site(window, 13),
+        "row": row.mapTo(window, row.rect().center()),
+        "elsewhere": window.panel("traces").mapTo(window, QPoint(50, 50)),
+    }[where]
+    assert drop(window, sound, at, QDragEnterEvent).isAccepted()
+    assert drop(window, sound, at).isAccepted()
+    (page,) = window.imports.pages
+    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
+    QApplication.processEvents()
+    page.accept()
+    inputs = window.document.design.inputs
+    if where == "site":
+        assert inputs[-1].location == 13
+        assert isinstance(inputs[-1].clips[0].waveform, Recording)
+    else:
+        # The start design's only input is the selected one.
+        assert [one.id for one in inputs] == [first.id]
+        assert isinstance(inputs[0].clips[-1].waveform, Recording)
+
+
+def test_a_site_lights_up_while_a_recording_is_held_over_it(window, sound, tmp_path):
+    stage = window.panel("hand").diagram.stage
+    at = site(window, 13)
+    drop(window, sound, at, QDragEnterEvent)
+    drop(window, sound, at, QDragMoveEvent)
+    assert stage.state.hovered == 13
+    QApplication.sendEvent(window, QDragLeaveEvent())
+    assert stage.state.hovered is None
+    drop(window, tmp_path / "a.skinsource", at, QDragEnterEvent)
+    assert stage.state.hovered is None
+
+
+def test_the_menu_asks_for_a_file(window, monkeypatch, qtbot, sound):
+    asked = []
+
+    def answer(_parent, title, _folder, kinds):
+        asked.append((title, kinds))
+        return str(sound), kinds
+
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", answer)
+    window.do("import_recording")
+    assert "*.wav" in asked[0][1]
+    assert "*.mat" in asked[0][1]
+    (page,) = window.imports.pages
+    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
+    page.reject()
+
+
+def test_places_begin_with_the_likeliest(window):
+    design, view = window.document.design, window.document.view
+    one = design.inputs[0]
+    names = [name for name, _ in placing.options(design, view, DropPlace(location=4))]
+    assert names[0] == "new 4"
+    assert len(names) == len(set(names)) == 21
+    assert placing.options(design, view, DropPlace(input_id=one.id))[0][0] == f"track {one.id}"
+    nothing = placing.options(design.without_input(0), view, None)
+    assert [name for name, _ in nothing][:2] == ["new 7", "new 1"]
