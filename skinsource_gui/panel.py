@@ -1,6 +1,6 @@
 """What every panel is."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.design import Design
 from skinsource.view import View
+from skinsource_gui.compared import Compared
 from skinsource_gui.history import History
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.drop_place import DropPlace
@@ -36,6 +37,8 @@ class Panel(QWidget):
     visibility_changed = Signal()
     #: How many steps of the history shall be done.
     step_wanted = Signal(int)
+    #: Number of the snapshot that shall be shown.
+    snapshot_wanted = Signal(int)
     #: A sentence that says why something the user asked this panel for was not done.
     failed = Signal(str)
     #: A file that the user asked this panel for was written there, `Path`.
@@ -49,6 +52,11 @@ class Panel(QWidget):
     @property
     def needs(self) -> frozenset[str]:
         """Names of the quantities that `show_results` draws."""
+        return frozenset()
+
+    @property
+    def needs_of_snapshots(self) -> frozenset[str]:
+        """Names of the quantities of each snapshot that `show_snapshots` draws; none: not told."""
         return frozenset()
 
     def show_state(self, design: Design, view: View) -> None:
@@ -65,6 +73,9 @@ class Panel(QWidget):
 
     def show_problem(self, reason: str) -> None:
         """Empty the picture and say why there is none."""
+
+    def show_snapshots(self, compared: Sequence[Compared]) -> None:
+        """Draw the designs side by side; called while it is visible."""
 
     def show_history(self, history: History) -> None:
         """Take over what was done; called while it is visible, where it lists that."""

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from skinsource import choice_words, fields
+from skinsource.comparing import NUMBERS, Snapshot
 from skinsource.errors import InvalidInputError
 from skinsource.fields import (
     ChoiceSpec,
@@ -12,8 +13,10 @@ from skinsource.fields import (
     PlainSpec,
     Range,
     RangeSpec,
+    RecipeSpec,
     SwitchSpec,
 )
+from skinsource.fields.spec import Misfit
 from skinsource.limb import MOST_PLACES
 from skinsource.loudest_window import Span
 from skinsource.projection import Axes, Method
@@ -56,6 +59,30 @@ PANELS = PlainSpec(label="Settings of panels")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class SnapshotSpec(RecipeSpec):
+    """A snapshot: it was looked through when it was made, and cannot have changed since.
+
+    A view is made anew at each look.
+    """
+
+    def checked(self, value: Any) -> Any:
+        """Return ``value`` itself."""
+        if not isinstance(value, Snapshot):
+            raise Misfit("a Snapshot")
+        return value
+
+
+SNAPSHOTS = ListSpec(
+    label="Snapshots",
+    of=SnapshotSpec(label="Snapshot", kinds=lambda: (Snapshot,)),
+    most=1 + len(NUMBERS),
+)
+LEVELS_MATCHED = SwitchSpec(
+    label="Match levels", hint="Snapshots are shown as loud as each other at the loudest output"
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class View:
     """What is looked at.
 
@@ -80,6 +107,11 @@ class View:
         Whether time axes are shifted by the pre-trigger delay of the responses.
     time_range_s
         Zoom of time axes; ``None``: everything.
+    snapshots
+        Designs to compare with, each under a number of its own; the one that was stored or shown
+        last stands last.
+    levels_matched
+        Whether they are shown as loud as each other.
     panels
         What only one panel looks at, see `skinsource.panel_settings`.
     """
@@ -93,10 +125,17 @@ class View:
     playhead_s: float = fields.number(0.0, PLAYHEAD)
     delay_removed: bool = fields.switch(False, DELAY_REMOVED)
     time_range_s: Range | None = fields.interval(None, TIME_RANGE)
+    snapshots: tuple[Snapshot, ...] = fields.field(SNAPSHOTS, ())
+    levels_matched: bool = fields.switch(True, LEVELS_MATCHED)
     panels: PanelFields = fields.field(PANELS, ())
 
     def __post_init__(self) -> None:
         fields.check(self)
+        numbers = [one.number for one in self.snapshots]
+        if len(set(numbers)) < len(numbers):
+            raise InvalidInputError(
+                f"View.snapshots have the numbers {numbers}, expected different ones"
+            )
         if not _is_table(self.panels) or not all(_is_table(held) for _, held in self.panels):
             raise InvalidInputError(
                 f"View.panels is {quoted(self.panels)}, expected pairs of a panel's name and its "

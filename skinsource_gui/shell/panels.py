@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, fields
 
 from skinsource.fields import specs_of
 from skinsource_gui.panel import Panel
+from skinsource_gui.panels.compare.panel import ComparePanel
 from skinsource_gui.panels.frequency_and_amplitude.panel import FrequencyAndAmplitudePanel
 from skinsource_gui.panels.hand.panel import HandPanel
 from skinsource_gui.panels.history.panel import HistoryPanel
@@ -70,6 +71,7 @@ PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(
         panel=SpectraPanel, settings=SpectraSettings, places=_places(Place(2, 37), Place(1), None)
     ),
-    # No arrangement has room for it: View > Panels brings it.
+    # No arrangement has room for these: View > Panels brings them.
+    PanelSpec(panel=ComparePanel, places=_places(None, None, None)),
     PanelSpec(panel=HistoryPanel, places=_places(None, None, None)),
 )

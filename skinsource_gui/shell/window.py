@@ -37,6 +37,7 @@ from skinsource_gui.shell.running_jobs import RunningJobs
 from skinsource_gui.shell.setup_bar import SetupBar
 from skinsource_gui.shell.shortcuts_in_fields import ShortcutsInFields
 from skinsource_gui.shell.window_frame import WindowFrame
+from skinsource_gui.state.comparison import Comparison
 from skinsource_gui.state.conductor import Conductor
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.first_paint_engine import FirstPaintEngine
@@ -93,6 +94,7 @@ class MainWindow(QMainWindow):
         self._build()
         needs = self.status_line.needs
         self.conductor = Conductor(self.document, self.engine, self.panels, needs)
+        self.comparison.begin()
         Historian(self.document, self.panels)
         self._connect()
         self.appearance.apply()
@@ -140,6 +142,7 @@ class MainWindow(QMainWindow):
         self.exports = ExportActions(
             self.document, self.preferences, self.files, self.runner, self._drawer_of, self
         )
+        self.comparison = Comparison(self.document, self.engine, self.panels)
         self.keeping = Keeping(
             self.document,
             self.engine,
@@ -177,6 +180,7 @@ class MainWindow(QMainWindow):
             "exports": self.exports,
             "imports": self.imports,
             "keeping": self.keeping,
+            "comparison": self.comparison,
             "jobs": self.running_jobs,
             "levelling": self.levelling,
             "steps": self.document.undo_stack,
@@ -216,6 +220,7 @@ class MainWindow(QMainWindow):
         drops.design_dropped.connect(self.files.open)
         drops.recording_dropped.connect(self.imports.open_page)
         self.levelling.failed.connect(reports.complain)
+        self.comparison.done.connect(reports.report)
         self.keeping.connect_to(self.conductor, reports)
         for panel in self.panels:
             panel.action_wanted.connect(self.do)

@@ -38,6 +38,7 @@ class Document(QObject):
         self._design = self._saved = design
         self._view = _existing(view or View(), design)
         self._path: Path | None = None
+        self._saved_view = self._view
         self._was_modified = self._lost = self._read_only = self._on_the_way = False
         self.undo_stack = QUndoStack(self)
         self.undo_stack.setUndoLimit(MOST_STEPS)
@@ -65,8 +66,10 @@ class Document(QObject):
 
     @property
     def modified(self) -> bool:
-        """Whether there are edits that no file holds; choosing outputs is none."""
-        return self._lost or (not self.undo_stack.isClean() and self._design != self._saved)
+        """Whether there are edits, or snapshots, that no file holds; choosing outputs is none."""
+        if self._lost or self.undo_stack.isClean():
+            return self._lost
+        return self._design != self._saved or not _same_snapshots(self._view, self._saved_view)
 
     def apply(self, outcome: Edit | Refusal, gesture: int | None = None) -> None:
         """Take over what an edit leads to, or tell why there was none.
@@ -103,6 +106,7 @@ class Document(QObject):
         self._read_only = read_only
         self._saved, self._path = design, path
         self._design, self._view = design, _existing(view, design)
+        self._saved_view = self._view
         self.jumped.emit()
         self.changed.emit()
         self._was_modified = self._lost = False
@@ -111,6 +115,7 @@ class Document(QObject):
     def mark_saved(self, path: Path) -> None:
         """Note that ``path`` holds the present design."""
         self._path, self._saved, self._read_only = path, self._design, False
+        self._saved_view = self._view
         self.undo_stack.setClean()
         self._was_modified = self._lost = False
         self.title_changed.emit()
@@ -160,7 +165,9 @@ class _Step:
 
     def is_same(self, other: "_Step") -> bool:
         """Whether the history need not tell them apart."""
-        return self.design == other.design and self.view.outputs == other.view.outputs
+        mine, theirs = self.view, other.view
+        same = mine.outputs == theirs.outputs and mine.snapshots == theirs.snapshots
+        return same and self.design == other.design
 
     def is_before(self, other: "_Step") -> bool:
         """Whether ``other`` goes on from this one, with the same inputs and clips selected."""
@@ -177,6 +184,7 @@ class _Step:
             outputs=self.view.outputs,
             selected_inputs=self.view.selected_inputs,
             selected_clips=self.view.selected_clips,
+            snapshots=self.view.snapshots,
         )
 
 
@@ -217,6 +225,13 @@ class _Swap(QUndoCommand):
         self.setText(newer.text())
         self.setObsolete(self._before.is_same(self._after))
         return True
+
+
+def _same_snapshots(view: View, other: View) -> bool:
+    """Whether both keep the same designs under the same numbers, in whatever order."""
+    return view.snapshots == other.snapshots or {
+        one.number: one.design for one in view.snapshots
+    } == {one.number: one.design for one in other.snapshots}
 
 
 def _existing(view: View, design: Design) -> View:

@@ -202,6 +202,18 @@ WIDGET_KEYS: dict[str, tuple[str, tuple[KeyHint, ...]]] = {
             KeyHint(name="empty", words="Delete", means="type it anew", keys=("Del", "Backspace")),
         ),
     ),
+    "snapshot": (
+        "On a card of a snapshot",
+        (
+            KeyHint(
+                name="act",
+                words="Enter or Space",
+                means="show the snapshot, or store one where there is none",
+                keys=_ENTER,
+            ),
+            KeyHint(name="forget", words="Delete", means="forget it", keys=("Del", "Backspace")),
+        ),
+    ),
     "history": (
         "In the history",
         (

@@ -51,6 +51,7 @@ steps_down = st.integers(-3, 3) | anything
 waveforms = st.sampled_from([Tone(frequency_hz=33.0), Tap(), None])
 curves = st.lists(st.tuples(st.floats(0, 2), st.floats(0, 2)), max_size=3).map(tuple)
 switches = st.booleans()
+numbers = st.integers(-1, 5)
 motions = st.sampled_from([*(kind() for kind in MOTIONS), Alternation(rounds=200), None])
 #: What is handed to each edit, after design and view.
 ARGUMENTS = {
@@ -86,6 +87,8 @@ ARGUMENTS = {
     "look_along": (st.sampled_from(["x", "yz", "xyz", "", "zyx"]),),
     "look_by_method": (st.sampled_from(["mag", "pca", "other"]),),
     "move_clips": (ids, anything, steps_down),
+    "forget_snapshot": (numbers,),
+    "match_levels": (st.sampled_from([True, False, None]),),
     "move_inputs": (ids, places),
     "move_marker": (one_id, anything),
     "move_playhead": (anything,),
@@ -112,6 +115,8 @@ ARGUMENTS = {
     "select_inputs": (ids,),
     "select_outputs": (st.lists(st.integers(0, 73), max_size=4),),
     "select_through": (st.none() | one_id, one_id),
+    "show_snapshot": (numbers, st.sampled_from([1.0, 0.3, 1e9, -1.0])),
+    "store_snapshot": (numbers,),
     "shift_inputs": (ids, switches),
     "solo_inputs": (ids, switches),
     "toggle_clip": (one_id,),

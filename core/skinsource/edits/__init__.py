@@ -68,6 +68,12 @@ from skinsource.edits.setup import (
     look_by_method,
     remove_delay,
 )
+from skinsource.edits.snapshots import (
+    forget_snapshot,
+    match_levels,
+    show_snapshot,
+    store_snapshot,
+)
 from skinsource.edits.times import insert_time, remove_time
 from skinsource.edits.values import (
     change_field,
@@ -99,6 +105,7 @@ __all__ = [
     "equalise_on_skin",
     "fade_clip",
     "fields_of",
+    "forget_snapshot",
     "fragment_from",
     "fragment_of",
     "fragment_text",
@@ -109,6 +116,7 @@ __all__ = [
     "level_over",
     "look_along",
     "look_by_method",
+    "match_levels",
     "move_clips",
     "move_inputs",
     "move_marker",
@@ -135,8 +143,10 @@ __all__ = [
     "set_gain_curve",
     "set_loop",
     "shift_inputs",
+    "show_snapshot",
     "solo_inputs",
     "split_clips",
+    "store_snapshot",
     "stretch_clip",
     "toggle_clip",
     "toggle_mute",

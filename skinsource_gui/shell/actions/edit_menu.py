@@ -7,6 +7,7 @@ from skinsource.design import Design, Input
 from skinsource.edits import Edit, Refusal
 from skinsource.view import View
 from skinsource_gui.shell.action_spec import ActionSpec, action
+from skinsource_gui.shell.actions.snapshot_actions import SNAPSHOTS
 from skinsource_gui.state.wavelet_levelling import selected_train
 from skinsource_gui.widgets.key_table import key_text
 
@@ -184,4 +185,5 @@ EDIT: tuple[ActionSpec, ...] = (
         keywords="deselect sensors clear",
         separated=True,
     ),
+    *SNAPSHOTS,
 )

@@ -107,7 +107,7 @@ def paint_small_map(
         Levels of the lowest and highest colour, and the colours; as usual unless given.
     """
     limb_map = shown.limb_map
-    frame = fitted(_bounds(limb_map.outline), area, up=True)
+    frame = small_frame(limb_map, area)
     outline = QPainterPath()
     outline.addPolygon(QPolygonF([QPointF(x, y) for x, y in frame.to_screen(limb_map.outline)]))
     outline.closeSubpath()
@@ -123,6 +123,11 @@ def paint_small_map(
     if design is not None:
         _paint_inputs(painter, frame, limb_map, design, theme)
     painter.restore()
+
+
+def small_frame(limb_map: LimbMap, area: QRectF) -> Frame:
+    """Where `paint_small_map` draws a map."""
+    return fitted(_bounds(limb_map.outline), area, up=True)
 
 
 def _paint_levels(

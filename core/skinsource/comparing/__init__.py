@@ -1,0 +1,25 @@
+"""Designs side by side: snapshots, alike in level, and how their levels differ."""
+
+from skinsource.comparing.difference import difference_db, loudest_db, matching_gain
+from skinsource.comparing.snapshot import (
+    EDITED,
+    NUMBERS,
+    Snapshot,
+    louder,
+    other_than,
+    reference,
+    shown,
+)
+
+__all__ = [
+    "EDITED",
+    "NUMBERS",
+    "Snapshot",
+    "difference_db",
+    "louder",
+    "loudest_db",
+    "matching_gain",
+    "other_than",
+    "reference",
+    "shown",
+]

@@ -1,0 +1,75 @@
+"""Snapshots of the design, and going from one to another."""
+
+from dataclasses import replace
+
+from skinsource.comparing import EDITED, NUMBERS, Snapshot, shown
+from skinsource.design import Design
+from skinsource.edits.edit import Edit, Refusal, refused
+from skinsource.errors import InvalidInputError
+from skinsource.quoting import quoted
+from skinsource.view import View
+
+_NONE = Refusal(sentence="Nothing is stored to compare with; store a snapshot with Ctrl+1 to 4.")
+
+
+def store_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
+    """Keep the design as it is now under a number; what was kept under it goes."""
+    if number not in NUMBERS:
+        return Refusal(
+            sentence=f"No snapshot has the number {quoted(number)}; choose {NUMBERS[0]} to "
+            f"{NUMBERS[-1]}."
+        )
+    try:
+        kept = (*_without(view, number), Snapshot(number=number, design=design))
+        after = replace(view, snapshots=kept)
+    except InvalidInputError as error:
+        return refused(error)
+    return Edit(label=f"Store snapshot {number}", design=design, view=after)
+
+
+def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) -> Edit | Refusal:
+    """Put a snapshot in place of the design, with all amplitudes times ``gain``.
+
+    A design that is no snapshot is kept under the number 0, so that the way back leads to it.
+    """
+    wanted = next((one for one in view.snapshots if one.number == number), None)
+    if wanted is None:
+        return _NONE
+    kept = view.snapshots
+    if shown(kept, design) is None:
+        if number == EDITED:
+            return Refusal(
+                sentence="What was edited before would replace the present design unseen; store "
+                "that first."
+            )
+        kept = (*_without(view, EDITED), Snapshot(number=EDITED, design=design))
+    try:
+        now = replace(wanted, gain=gain)
+        played = now.played
+        after = replace(view, snapshots=(*(one for one in kept if one.number != number), now))
+    except InvalidInputError as error:
+        return refused(error)
+    name = f"snapshot {number}" if number != EDITED else "what was edited"
+    return Edit(label=f"Show {name}", design=played, view=after)
+
+
+def forget_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
+    """Forget what is kept under a number."""
+    left = _without(view, number)
+    if len(left) == len(view.snapshots):
+        return _NONE
+    name = f"snapshot {number}" if number != EDITED else "what was edited"
+    return Edit(label=f"Forget {name}", design=design, view=replace(view, snapshots=left))
+
+
+def match_levels(design: Design, view: View, on: bool) -> Edit | Refusal:
+    """Show snapshots as loud as each other, or as loud as they were stored."""
+    try:
+        after = replace(view, levels_matched=on)
+    except InvalidInputError as error:
+        return refused(error)
+    return Edit(label="Match levels", design=design, view=after)
+
+
+def _without(view: View, number: int) -> tuple[Snapshot, ...]:
+    return tuple(one for one in view.snapshots if one.number != number)

@@ -1,0 +1,34 @@
+"""A snapshot and what is predicted for it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from skinsource.comparing import EDITED, Snapshot
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Compared:
+    """One of the designs side by side.
+
+    Attributes
+    ----------
+    snapshot
+        The design and its number; 0: what is edited, or was when another one was shown.
+    values
+        Quantities by name, of the design as it was stored; None while they are not known.
+    problem
+        Why there are none.
+    gain
+        Factor with which it is shown now, so that it is as loud as the others.
+    """
+
+    snapshot: Snapshot
+    values: Mapping[str, Any] | None = None
+    problem: str = ""
+    gain: float = 1.0
+
+    @property
+    def name(self) -> str:
+        """What a card calls it."""
+        return "Edited" if self.snapshot.number == EDITED else str(self.snapshot.number)

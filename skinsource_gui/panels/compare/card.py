@@ -1,0 +1,164 @@
+"""A snapshot as a card: its map, its number, how loud it is."""
+
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter, QPen
+from PySide6.QtWidgets import QAbstractButton, QMenu, QSizePolicy, QWidget
+
+from skinsource_gui.compared import Compared
+from skinsource_gui.panels.compare.card_words import gain_words, level_words, sentence
+from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
+from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.map.small_map import Range, SmallMap, paint_small_map
+
+_PLACE = "snapshot"
+_RADIUS_PX, _FRAME_PX, _TALLEST_PX = 4, 2, 200
+
+
+class Card(QAbstractButton):
+    """Shows a snapshot, and is clicked to have it in the window; an empty one stores.
+
+    Parameters
+    ----------
+    number
+        Of the snapshot; 0: what is edited.
+    parent
+        As in Qt.
+    """
+
+    #: What is wanted of this number: ``"show"``, ``"store"`` or ``"forget"``.
+    wanted = Signal(int, str)
+
+    def __init__(self, number: int, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.number = number
+        self._theme: Theme = LIGHT
+        self._compared: Compared | None = None
+        self._map: SmallMap | None = None
+        self._range_db: Range | None = None
+        self._present = False
+        self.setObjectName(f"snapshot_card_{number}")
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.customContextMenuRequested.connect(self._open_menu)
+        self.clicked.connect(self._act)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Expanding)
+        self.setMaximumHeight(_TALLEST_PX)
+        self.show_snapshot(None, None, None, present=False)
+
+    @property
+    def compared(self) -> Compared | None:
+        """The snapshot that it shows; None: empty."""
+        return self._compared
+
+    @property
+    def present(self) -> bool:
+        """Whether it is in the window."""
+        return self._present
+
+    def show_snapshot(
+        self,
+        compared: Compared | None,
+        shown: SmallMap | None,
+        range_db: Range | None,
+        *,
+        present: bool,
+    ) -> None:
+        """Take over what to show; None: nothing is stored."""
+        self._compared, self._map, self._range_db = compared, shown, range_db
+        self._present = present
+        words = (
+            f"Snapshot {self.number}: nothing stored; click, or press Ctrl+{self.number}, to store"
+            if compared is None
+            else sentence(compared, present=present)
+        )
+        self.setAccessibleName(words)
+        self.setToolTip(words)
+        self.update()
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self._theme = theme
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        line = self.fontMetrics().height()
+        widest = self.fontMetrics().horizontalAdvance("−188.8 dB")
+        return QSize(widest + UNIT_PX, 3 * line + 11 * UNIT_PX)
+
+    def minimumSizeHint(self) -> QSize:
+        return self.sizeHint()
+
+    def event(self, event: QEvent) -> bool:
+        if (
+            event.type() == QEvent.Type.ShortcutOverride
+            and isinstance(event, QKeyEvent)
+            and meant(_PLACE, event)
+        ):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        means = meant(_PLACE, event)
+        if means == "forget" and self._compared is not None:
+            self.wanted.emit(self.number, "forget")
+        elif means == "act":
+            self._act()
+        else:
+            super().keyPressEvent(event)
+
+    def paintEvent(self, event) -> None:
+        painter, theme = QPainter(self), self._theme
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        frame = QRectF(self.rect()).adjusted(1, 1, -1, -1)
+        marked = self._present or self.hasFocus()
+        line = QPen(QColor(theme.accent if marked else theme.border), _FRAME_PX if marked else 1)
+        if self._compared is None:
+            line.setStyle(Qt.PenStyle.DashLine)
+        painter.setPen(line)
+        painter.setBrush(QColor(theme.base))
+        painter.drawRoundedRect(frame, _RADIUS_PX, _RADIUS_PX)
+        if self.hasFocus() and self._present:
+            painter.setPen(QPen(QColor(theme.text), 1))
+            painter.drawRoundedRect(frame.adjusted(3, 3, -3, -3), _RADIUS_PX, _RADIUS_PX)
+        self._paint_inside(painter, frame.adjusted(4, 3, -4, -3))
+        painter.end()
+
+    def _paint_inside(self, painter: QPainter, area: QRectF) -> None:
+        theme, compared = self._theme, self._compared
+        line = self.fontMetrics().height()
+        centre = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignVCenter
+        heading = QFont(self.font())
+        heading.setBold(True)
+        painter.setFont(heading)
+        painter.setPen(QColor(theme.text if compared else theme.dim))
+        name = compared.name if compared else str(self.number)
+        painter.drawText(QRectF(area.left(), area.top(), area.width(), line), centre, name)
+        painter.setFont(tabular(self.font()))
+        if compared is None:
+            painter.drawText(area, centre, f"Ctrl+{self.number}")
+            return
+        below = QRectF(area.left(), area.bottom() - 2 * line, area.width(), line)
+        painter.drawText(below, centre, level_words(compared))
+        painter.setPen(QColor(theme.dim))
+        painter.drawText(below.translated(0, line), centre, gain_words(compared))
+        if self._map is not None:
+            room = area.adjusted(0, line, 0, -2 * line)
+            design = compared.snapshot.design
+            paint_small_map(painter, room, self._map, design, theme, self._range_db)
+
+    def _act(self) -> None:
+        self.wanted.emit(self.number, "show" if self._compared else "store")
+
+    def _open_menu(self, at) -> None:
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        if self._compared is not None:
+            menu.addAction("Show it", lambda: self.wanted.emit(self.number, "show"))
+        if self.number:
+            menu.addAction(
+                "Store the present design here", lambda: self.wanted.emit(self.number, "store")
+            )
+        if self._compared is not None and not (self._present and not self.number):
+            menu.addAction("Forget it", lambda: self.wanted.emit(self.number, "forget"))
+        menu.popup(self.mapToGlobal(at))

@@ -1,0 +1,69 @@
+"""What is said of snapshots."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from skinsource.comparing import EDITED, loudest_db
+from skinsource.decibels import FLOOR_DB
+from skinsource_gui.compared import Compared
+from skinsource_gui.widgets.fields.level_text import minus
+
+_UNIT = "dB re 1 m/s²"
+
+
+def played_db(compared: Compared) -> float | None:
+    """Level of the loudest output of a snapshot as it is shown, dB; None: not known."""
+    if compared.values is None:
+        return None
+    stored = loudest_db(compared.values["output_levels_db"])
+    return stored if stored <= FLOOR_DB else stored + gain_db(compared)
+
+
+def gain_db(compared: Compared) -> float:
+    """How much louder than it was stored it is shown, dB."""
+    return float(20.0 * np.log10(compared.gain))
+
+
+def level_words(compared: Compared) -> str:
+    """Level of the loudest output, "−12.3 dB"; "…" while it is not known."""
+    level = played_db(compared)
+    if level is None:
+        return "–" if compared.problem else "…"
+    return "silent" if level <= FLOOR_DB else minus(f"{level:.1f} dB")
+
+
+def gain_words(compared: Compared) -> str:
+    """How much louder it is shown than it was stored, "+3.2 dB"; empty where it is as stored."""
+    change = gain_db(compared)
+    return "" if round(change, 1) == 0.0 else minus(f"{change:+.1f} dB")
+
+
+def title(compared: Compared) -> str:
+    """What a sentence calls it."""
+    number = compared.snapshot.number
+    return "edited" if number == EDITED else f"snapshot {number}"
+
+
+def matching_words(compared: Sequence[Compared], *, matched: bool) -> str:
+    """By what quantity the designs are alike, and how much of it they have."""
+    known = [one for one in compared if played_db(one) is not None]
+    if len(known) < 2:
+        return ""
+    if not matched:
+        return "As loud as they were stored"
+    return f"Alike at the loudest output: {level_words(known[0])[:-3]} {_UNIT}"
+
+
+def sentence(compared: Compared, *, present: bool) -> str:
+    """All that a card shows, to be read aloud."""
+    name = title(compared)
+    gain = gain_words(compared)
+    parts = [
+        f"{name[:1].upper()}{name[1:]}",
+        f"loudest output {level_words(compared)}",
+        f"shown {gain} louder than stored" if gain else "",
+        "in the window" if present else "",
+        compared.problem,
+    ]
+    return ", ".join(part for part in parts if part)

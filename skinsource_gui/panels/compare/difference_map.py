@@ -1,0 +1,143 @@
+"""A map of how much louder one design is than another."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QHelpEvent, QImage, QPainter, QPen
+from PySide6.QtWidgets import QToolTip, QWidget
+
+from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
+from skinsource_gui.widgets.fields.level_text import minus, output_text
+from skinsource_gui.widgets.map.colour_maps import colour_table
+from skinsource_gui.widgets.map.small_map import SmallMap, paint_small_map, small_frame
+
+#: Ends of the scale, dB.
+_ENDS_DB = (1.0, 2.0, 3.0, 6.0, 10.0, 20.0, 30.0, 60.0)
+_COLOURS = "CET-D1A"
+_REACH_PX = 10.0
+_SCALE_PX = 10
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Difference:
+    """What the map shows.
+
+    Attributes
+    ----------
+    shown
+        Differences in dB, in place of levels; None: nothing can be shown.
+    heading, words
+        What minus what, and what else one should know; without a map: why there is none.
+    """
+
+    shown: SmallMap | None = None
+    heading: str = ""
+    words: str = ""
+
+    @property
+    def end_db(self) -> float:
+        """Largest difference that the colours tell, dB."""
+        largest = 0.0
+        if self.shown is not None and self.shown.levels_db is not None:
+            largest = float(np.max(np.abs(self.shown.levels_db)))
+        return next((end for end in _ENDS_DB if largest <= end), _ENDS_DB[-1])
+
+
+class DifferenceMap(QWidget):
+    """The map, and below it a scale with zero in its middle."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._theme: Theme = LIGHT
+        self._difference = Difference()
+        self._table = colour_table(_COLOURS)
+        self.setObjectName("difference_map")
+        self.setMinimumSize(180, 160)
+
+    @property
+    def difference(self) -> Difference:
+        """What is shown."""
+        return self._difference
+
+    def show_difference(self, difference: Difference) -> None:
+        """Take over what to show."""
+        self._difference = difference
+        words = f"{difference.heading}. {difference.words}".strip(". ")
+        self.setAccessibleName(words)
+        self.update()
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self._theme = theme
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        return QSize(240, 320)
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            words = self.words_at(QPointF(event.pos()))
+            QToolTip.showText(event.globalPos(), words, self)
+            return True
+        return super().event(event)
+
+    def words_at(self, point: QPointF) -> str:
+        """The difference at the output under the pointer; empty where there is none."""
+        shown = self._difference.shown
+        if shown is None or shown.levels_db is None:
+            return ""
+        places = small_frame(shown.limb_map, self._areas()[1]).to_screen(
+            shown.limb_map.output_positions
+        )
+        ways = np.hypot(*(places - (point.x(), point.y())).T)
+        nearest = int(np.nanargmin(ways))
+        if not ways[nearest] <= _REACH_PX:
+            return ""
+        return f"{output_text(nearest + 1)}: {minus(f'{shown.levels_db[nearest]:+.1f} dB')}"
+
+    def paintEvent(self, event) -> None:
+        painter, theme, difference = QPainter(self), self._theme, self._difference
+        painter.setFont(tabular(self.font()))
+        top, area, bottom = self._areas()
+        flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+        if difference.shown is None:
+            painter.setPen(QColor(theme.dim))
+            painter.drawText(QRectF(self.rect()), flags, difference.words)
+            painter.end()
+            return
+        painter.setPen(QColor(theme.text))
+        painter.drawText(top, flags, difference.heading)
+        end = difference.end_db
+        paint_small_map(painter, area, difference.shown, None, theme, (-end, end), self._table)
+        self._paint_scale(painter, bottom, end)
+        painter.end()
+
+    def _areas(self) -> tuple[QRectF, QRectF, QRectF]:
+        """Room for the heading, the map and the scale."""
+        line = self.fontMetrics().height()
+        room = QRectF(self.rect())
+        top = QRectF(room.left(), room.top(), room.width(), line)
+        below = 2 * line + _SCALE_PX + UNIT_PX // 2
+        bottom = QRectF(room.left(), room.bottom() - below, room.width(), below)
+        area = room.adjusted(UNIT_PX, line + UNIT_PX // 2, -UNIT_PX, -below - UNIT_PX // 2)
+        return top, area, bottom
+
+    def _paint_scale(self, painter: QPainter, area: QRectF, end_db: float) -> None:
+        theme, line = self._theme, self.fontMetrics().height()
+        width = min(area.width() - 8 * UNIT_PX, 30.0 * UNIT_PX)
+        ramp = QRectF(area.center().x() - width / 2, area.top(), width, _SCALE_PX)
+        row = np.ascontiguousarray(self._table)
+        image = QImage(row.data, len(row), 1, 4 * len(row), QImage.Format.Format_RGB32)
+        painter.drawImage(ramp, image)
+        painter.setPen(QPen(QColor(theme.border), 1))
+        painter.drawRect(ramp)
+        painter.setPen(QColor(theme.text))
+        centre = Qt.AlignmentFlag.AlignCenter
+        for part in (-1.0, -0.5, 0.0, 0.5, 1.0):
+            x = ramp.center().x() + part * width / 2
+            words = minus(f"{part * end_db:+g}") if part else "0"
+            painter.drawText(QRectF(x - 30, ramp.bottom(), 60, line), centre, words)
+        painter.setPen(QColor(theme.dim))
+        words = QRectF(area.left(), ramp.bottom() + line, area.width(), line)
+        painter.drawText(words, centre, self._difference.words)

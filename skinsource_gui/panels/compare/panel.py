@@ -1,0 +1,187 @@
+"""Panel of snapshots side by side, and of what makes them differ."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import ClassVar
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtWidgets import QBoxLayout, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+
+from skinsource import edits
+from skinsource.comparing import EDITED, NUMBERS, difference_db, other_than, shown
+from skinsource.design import Design
+from skinsource.view import View
+from skinsource_gui.compared import Compared
+from skinsource_gui.panel import Panel
+from skinsource_gui.panels.compare.card import Card
+from skinsource_gui.panels.compare.card_words import gain_db, matching_words, played_db, title
+from skinsource_gui.panels.compare.difference_map import Difference, DifferenceMap
+from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.map.small_map import SPAN_DB, Range, SmallMap, SmallMaps
+
+_NEEDS = frozenset({"limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db"})
+_NOTHING = "Store the design with Ctrl+1 to Ctrl+4, change it, and press X to go to and fro."
+_BESIDE_PX = 620
+_ALIKE = "The other snapshots are the design in the window."
+
+
+class ComparePanel(Panel):
+    """A card for each snapshot, and the difference between the last two that were shown."""
+
+    title: ClassVar[str] = "Compare"
+    name: ClassVar[str] = "compare"
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._design: Design | None = None
+        self._view = View()
+        self._maps = SmallMaps()
+        self.match = self._button("match_levels_button", "Match levels")
+        self.match.setCheckable(True)
+        self.match.setToolTip("Show snapshots as loud as each other at their loudest output")
+        self.match.clicked.connect(self._match)
+        self.toggle = self._button("toggle_snapshots_button", "Compare (X)")
+        self.toggle.setToolTip("Show the other one of the last two that were shown")
+        self.toggle.clicked.connect(self._toggle)
+        self.words = QLabel()
+        self.words.setObjectName("matching_words")
+        self.cards = [Card(number, self) for number in (EDITED, *NUMBERS)]
+        self.map = DifferenceMap(self)
+        self._lay_out()
+        for card in self.cards:
+            card.wanted.connect(self._act)
+        self.setMinimumSize(400, 240)
+        self.setFocusProxy(self.cards[1])
+        self.show_snapshots(())
+
+    @property
+    def needs(self) -> frozenset[str]:
+        return _NEEDS
+
+    @property
+    def needs_of_snapshots(self) -> frozenset[str]:
+        return _NEEDS
+
+    def sizeHint(self) -> QSize:
+        return QSize(420, 480)
+
+    def show_state(self, design: Design, view: View) -> None:
+        self._design, self._view = design, view
+        self.match.setChecked(view.levels_matched)
+        self.toggle.setEnabled(other_than(view.snapshots, design) is not None)
+
+    def show_snapshots(self, compared: Sequence[Compared]) -> None:
+        matched = self._view.levels_matched
+        self.words.setText(matching_words(compared, matched=matched))
+        present = self._present(compared)
+        levels = [played_db(one) for one in compared]
+        loudest = max((level for level in levels if level is not None), default=0.0)
+        for card in self.cards:
+            one = next((one for one in compared if one.snapshot.number == card.number), None)
+            card.setVisible(card.number != EDITED or one is not None)
+            small, range_db = self._map_of(one, loudest)
+            card.show_snapshot(one, small, range_db, present=one is not None and one is present)
+        self.map.show_difference(self._difference(compared, present))
+
+    def show_problem(self, reason: str) -> None:
+        self.map.show_difference(Difference(words=reason))
+
+    def show_theme(self, theme: Theme) -> None:
+        self.words.setStyleSheet(f"color: {theme.dim};")
+        for part in (*self.cards, self.map):
+            part.show_theme(theme)
+
+    def resizeEvent(self, event) -> None:
+        super().resizeEvent(event)
+        beside = event.size().width() >= _BESIDE_PX
+        way = QBoxLayout.Direction.LeftToRight if beside else QBoxLayout.Direction.TopToBottom
+        self._halves.setDirection(way)
+
+    def _lay_out(self) -> None:
+        bar = QHBoxLayout()
+        bar.setSpacing(UNIT_PX // 2)
+        bar.addWidget(self.match)
+        bar.addWidget(self.toggle)
+        bar.addStretch(1)
+        row = QHBoxLayout()
+        row.setSpacing(UNIT_PX // 2)
+        for card in self.cards:
+            row.addWidget(card)
+        row.addStretch(1)
+        upper = QVBoxLayout()
+        upper.setSpacing(UNIT_PX // 2)
+        upper.addLayout(bar)
+        upper.addLayout(row, 1)
+        upper.addWidget(self.words)
+        upper.addStretch(0)
+        # The map stands beside the cards where the panel is wide enough, below them otherwise.
+        self._halves = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
+        self._halves.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
+        self._halves.setSpacing(UNIT_PX // 2)
+        self._halves.addLayout(upper)
+        self._halves.addWidget(self.map, 1)
+
+    def _button(self, name: str, words: str) -> QToolButton:
+        button = QToolButton(self)
+        button.setObjectName(name)
+        button.setText(words)
+        button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        return button
+
+    def _present(self, compared: Sequence[Compared]) -> Compared | None:
+        """What is in the window."""
+        if self._design is None:
+            return None
+        held = shown(self._view.snapshots, self._design)
+        number = EDITED if held is None else held.number
+        return next((one for one in compared if one.snapshot.number == number), None)
+
+    def _map_of(
+        self, one: Compared | None, loudest_db: float
+    ) -> tuple[SmallMap | None, Range | None]:
+        """The map of a card, in colours that mean the same on all of them."""
+        if one is None or one.values is None:
+            return None, None
+        top = loudest_db - gain_db(one)
+        return self._maps.map_of(one.values), (top - SPAN_DB, top)
+
+    def _difference(self, compared: Sequence[Compared], present: Compared | None) -> Difference:
+        wanted = None if self._design is None else other_than(self._view.snapshots, self._design)
+        if wanted is None or present is None:
+            return Difference(words=_ALIKE if self._view.snapshots else _NOTHING)
+        other = next((one for one in compared if one.snapshot.number == wanted.number), None)
+        if other is None or other.values is None or present.values is None:
+            return Difference(words="" if other is None else other.problem or present.problem)
+        if other.snapshot.design.limb != present.snapshot.design.limb:
+            return Difference(words="Designs on different limbs have no difference map.")
+        name = title(present)
+        heading = f"{name[:1].upper()}{name[1:]} minus {title(other)}"
+        words = "dB, levels matched" if self._view.levels_matched else "dB, as stored"
+        if present.values["limb_data"].synthetic:
+            words = f"{words}, synthetic limb"
+        return Difference(shown=self._minus(present, other), heading=heading, words=words)
+
+    def _minus(self, present: Compared, other: Compared) -> SmallMap:
+        small = self._maps.map_of(present.values or {})
+        loudest = [level for level in (played_db(present), played_db(other)) if level is not None]
+        # Both are played: the first one's gain is taken off the other.
+        gain, top = other.gain / present.gain, max(loudest) - gain_db(present)
+        levels, field = (
+            difference_db(present.values[name], other.values[name], gain=gain, loudest_db=top)
+            for name in ("output_levels_db", "surface_levels_db")
+        )
+        return replace(small, levels_db=levels, field_levels_db=field)
+
+    def _act(self, number: int, what: str) -> None:
+        if what == "store":
+            self.action_wanted.emit(f"store_snapshot_{number}")
+        elif what == "show":
+            self.snapshot_wanted.emit(number)
+        elif self._design is not None:
+            self.edited.emit(edits.forget_snapshot(self._design, self._view, number), None)
+
+    def _match(self) -> None:
+        self.action_wanted.emit("match_levels")
+
+    def _toggle(self) -> None:
+        self.action_wanted.emit("toggle_snapshots")

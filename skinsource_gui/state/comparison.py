@@ -1,0 +1,238 @@
+"""Snapshots of the design: stored, shown in turn, and predicted side by side."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from skinsource import edits
+from skinsource.comparing import (
+    EDITED,
+    Snapshot,
+    loudest_db,
+    matching_gain,
+    other_than,
+    reference,
+    shown,
+)
+from skinsource.edits import Refusal
+from skinsource.errors import SkinSourceError
+from skinsource.quantities import sources
+from skinsource.view import View
+from skinsource_gui.compared import Compared
+from skinsource_gui.panel import Panel
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request, Slot
+
+_LEVELS = frozenset({"output_levels_db"})
+#: What levels depend on.
+_DEPENDS_ON = ("limb", "inputs", "scaling", "axes", "method", "span")
+# Number under which the results of the window are remembered.
+_PRESENT = -1
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Known:
+    """What was predicted, or why it could not be.
+
+    ``key`` is what it depends on.
+    """
+
+    key: tuple[Any, ...]
+    found: Mapping[str, Any] | str
+
+    @property
+    def values(self) -> Mapping[str, Any] | None:
+        return None if isinstance(self.found, str) else self.found
+
+    @property
+    def problem(self) -> str:
+        return self.found if isinstance(self.found, str) else ""
+
+    def holds(self, wanted: frozenset[str]) -> bool:
+        """Whether nothing of ``wanted`` is missing."""
+        return isinstance(self.found, str) or wanted <= self.found.keys()
+
+
+class Comparison(QObject):
+    """Has the engine predict each snapshot in a slot of its own, while somebody wants to know.
+
+    Parameters
+    ----------
+    document, engine
+        Whose snapshots, and who predicts; the document is also the parent.
+    panels
+        Of which those that compare are told.
+    """
+
+    #: What was done, in a few words.
+    done = Signal(str)
+
+    def __init__(self, document: Document, engine: Engine, panels: Sequence[Panel]) -> None:
+        super().__init__(document)
+        self._document, self._engine = document, engine
+        self._panels = [panel for panel in panels if panel.needs_of_snapshots]
+        self._asked: dict[int, Request] = {}
+        self._known: dict[int, _Known] = {}
+        self._then: Callable[[], None] | None = None
+
+    def begin(self) -> None:
+        """Follow the document, after those who show it in the window: they ask for that."""
+        self._document.changed.connect(self._follow)
+        self._engine.finished.connect(self._note)
+        self._engine.rested.connect(self._ask)
+        for panel in self._panels:
+            panel.visibility_changed.connect(self._follow)
+            panel.snapshot_wanted.connect(self.show)
+
+    def store(self, number: str) -> None:
+        """Keep the present design under a number."""
+        document = self._document
+        document.apply(edits.store_snapshot(document.design, document.view, int(number)))
+        self.done.emit(f"Stored snapshot {number}; X shows the one before, and this again")
+
+    def toggle(self) -> None:
+        """Show the other one of the last two that were shown."""
+        document = self._document
+        other = other_than(document.view.snapshots, document.design)
+        if other is None:
+            words = "There is nothing to compare with yet; store a snapshot with Ctrl+1 to Ctrl+4."
+            document.apply(Refusal(sentence=words))
+        else:
+            self.show(other.number)
+
+    def show(self, number: int) -> None:
+        """Put a snapshot in place of the design, as loud as the others where that is wanted."""
+        document = self._document
+        asked = document.design, document.view
+        if not document.view.levels_matched:
+            document.apply(edits.show_snapshot(*asked, number))
+            return
+
+        def show_matched() -> None:
+            if (document.design, document.view.snapshots) == (asked[0], asked[1].snapshots):
+                gain = self._gain(number)
+                document.apply(edits.show_snapshot(document.design, document.view, number, gain))
+
+        self._then = show_matched
+        self._ask()
+
+    def _together(self) -> tuple[Snapshot, ...]:
+        """All snapshots, and the present design as what is edited if it is none of them."""
+        design, snapshots = self._document.design, self._document.view.snapshots
+        if shown(snapshots, design) is not None:
+            return snapshots
+        stored = (one for one in snapshots if one.number != EDITED)
+        return (*stored, Snapshot(number=EDITED, design=design))
+
+    def _follow(self) -> None:
+        numbers = {one.number for one in self._together()}
+        for gone in self._known.keys() - numbers - {_PRESENT}:
+            del self._known[gone]
+        wanted = numbers if self._visible() or self._then else set()
+        for gone in self._asked.keys() - wanted:
+            del self._asked[gone]
+            self._engine.release(_slot(gone))
+        if wanted:
+            self._ask()
+            self._tell()
+
+    def _visible(self) -> list[Panel]:
+        return [panel for panel in self._panels if panel.isVisible()]
+
+    def _ask(self) -> None:
+        """Have predicted what is not known yet; do what waits for it, once nothing is unknown."""
+        if not (self._then or self._visible()):
+            return
+        wanted = _LEVELS.union(*(panel.needs_of_snapshots for panel in self._visible()))
+        complete = True
+        for one in self._together():
+            if self._found(one, wanted) is not None:
+                continue
+            complete = False
+            if one.design is self._document.design and self._engine.busy:
+                continue  # the window is about to show it
+            request = Request(wanted, self._given(one), slot=_slot(one.number))
+            if self._asked.get(one.number) != request:
+                self._asked[one.number] = request
+                self._engine.request(request)
+        if complete and self._then is not None:
+            then, self._then = self._then, None
+            then()
+
+    def _given(self, one: Snapshot) -> dict[str, Any]:
+        # Of the view only what levels depend on: the rest changes while one looks around.
+        view = self._document.view
+        seen = View(axes=view.axes, method=view.method, span=view.span, selected_inputs=())
+        return sources(one.design, seen)
+
+    def _found(self, one: Snapshot, wanted: frozenset[str]) -> _Known | None:
+        """What is known of a snapshot as it was stored, whoever asked for it."""
+        key = _key(self._given(one))
+        for number in (one.number, *self._known):
+            known = self._known.get(number)
+            if known is not None and known.key == key and known.holds(wanted):
+                self._known[one.number] = known
+                return known
+        return None
+
+    def _note(self, outcome: Outcome) -> None:
+        request = outcome.request
+        number = next((n for n, asked in self._asked.items() if asked is request), None)
+        if request.place == (FIRST_SLOT, Purpose.SHOW) and outcome.values is not None:
+            number = _PRESENT
+        if number is None:
+            return
+        found = _reason(outcome.error) if outcome.values is None else outcome.values
+        self._known[number] = _Known(_key(request.given), found)
+        self._ask()
+        self._tell()
+
+    def _tell(self) -> None:
+        for panel in self._visible():
+            panel.show_snapshots(self._compared())
+
+    def _compared(self) -> tuple[Compared, ...]:
+        found = []
+        matched = self._document.view.levels_matched
+        for one in sorted(self._together(), key=lambda one: one.number):
+            known = self._found(one, _LEVELS)
+            found.append(
+                Compared(
+                    snapshot=one,
+                    values=known.values if known else None,
+                    problem=known.problem if known else "",
+                    gain=self._gain(one.number) if matched else 1.0,
+                )
+            )
+        return tuple(found)
+
+    def _gain(self, number: int) -> float:
+        """Factor with which a snapshot is as loud as the one that others are matched to."""
+        together = self._together()
+        this = next((one for one in together if one.number == number), None)
+        levels = [self._loudest_db(one) for one in (this, reference(together))]
+        return 1.0 if None in levels else matching_gain(*levels)
+
+    def _loudest_db(self, one: Snapshot | None) -> float | None:
+        known = None if one is None else self._found(one, _LEVELS)
+        return (
+            None
+            if known is None or known.values is None
+            else loudest_db(known.values["output_levels_db"])
+        )
+
+
+def _key(given: Mapping[str, Any]) -> tuple[Any, ...]:
+    return tuple(given[name] for name in _DEPENDS_ON)
+
+
+def _slot(number: int) -> Slot:
+    return Slot(f"snapshot {number}")
+
+
+def _reason(error: Exception | None) -> str:
+    if isinstance(error, SkinSourceError):
+        return str(error)
+    return f"The studio made a mistake: {type(error).__name__}: {error}"

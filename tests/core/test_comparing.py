@@ -1,0 +1,206 @@
+"""Snapshots side by side: alike in level, and how they differ."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import skinsource as ss
+from skinsource import edits
+from skinsource.comparing import (
+    EDITED,
+    Snapshot,
+    difference_db,
+    louder,
+    loudest_db,
+    matching_gain,
+    other_than,
+    reference,
+    shown,
+)
+from skinsource.decibels import FLOOR_DB
+from skinsource.design import Design, track
+from skinsource.design_file import open_design, save_design
+from skinsource.edits import Edit, Refusal
+from skinsource.errors import InvalidInputError
+from skinsource.view import View
+from skinsource.waveforms import Noise, Tone
+
+DESIGN = Design(
+    limb="synthetic-1",
+    inputs=(
+        track(location=7, waveform=Tone(), amplitude=0.7),
+        track(location=12, waveform=Noise(), onset_s=0.05, amplitude=-0.2),
+    ),
+)
+OTHER = DESIGN.with_input(0, amplitude=0.123).with_input(1, location=3)
+THIRD = DESIGN.with_input(0, location=9)
+levels = st.lists(st.floats(-200.0, 60.0), min_size=3, max_size=3).map(np.array)
+
+
+def apply(design, view, outcome):
+    assert isinstance(outcome, Edit), outcome
+    return outcome.design, outcome.view
+
+
+def store(design, view, number):
+    return apply(design, view, edits.store_snapshot(design, view, number))
+
+
+def toggle(design, view):
+    other = other_than(view.snapshots, design)
+    return apply(design, view, edits.show_snapshot(design, view, other.number))
+
+
+@pytest.mark.parametrize("scaling", ["upstream", "relative", "probe"])
+def test_a_louder_design_is_so_much_louder_everywhere(scaling):
+    design = replace(DESIGN, scaling=scaling)
+    before = ss.evaluate(design, "output_levels_db")["output_levels_db"]
+    after = ss.evaluate(louder(design, 0.5), "output_levels_db")["output_levels_db"]
+    np.testing.assert_allclose(after, before + 20 * np.log10(0.5), rtol=0, atol=1e-9)
+
+
+def test_a_matched_design_has_the_level_of_the_other_at_its_loudest_output():
+    mine, theirs = (
+        loudest_db(ss.evaluate(one, "output_levels_db")["output_levels_db"])
+        for one in (DESIGN, OTHER)
+    )
+    matched = louder(OTHER, matching_gain(theirs, mine))
+    level = loudest_db(ss.evaluate(matched, "output_levels_db")["output_levels_db"])
+    assert level == pytest.approx(mine, abs=1e-9)
+
+
+def test_a_gain_of_one_changes_nothing_and_too_large_ones_are_refused():
+    assert louder(DESIGN, 1.0) is DESIGN
+    assert matching_gain(-12.3, -12.3) == 1.0
+    assert matching_gain(FLOOR_DB, -12.3) == matching_gain(-12.3, FLOOR_DB) == 1.0
+    assert matching_gain(-20.0, 0.0) == pytest.approx(10.0, rel=1e-15)
+    with pytest.raises(InvalidInputError):
+        louder(DESIGN, 1e6)
+    with pytest.raises(InvalidInputError):
+        loudest_db([])
+
+
+@given(mine=levels, theirs=levels, gain=st.floats(0.01, 100.0))
+def test_differences_turn_their_sign_when_designs_change_places(mine, theirs, gain):
+    there = difference_db(mine, theirs, gain=gain)
+    back = difference_db(theirs + 20 * np.log10(gain), mine)
+    np.testing.assert_allclose(there, -back, rtol=0, atol=1e-9)
+    assert np.abs(there).max() <= 60.0 + 1e-9
+
+
+def test_what_lies_far_below_the_loudest_makes_no_difference():
+    mine = np.array([0.0, -30.0, -100.0, FLOOR_DB, np.nan])
+    theirs = np.array([-6.0, -20.0, -70.0, -50.0, np.nan])
+    expected = [6.0, -10.0, 0.0, -10.0, np.nan]
+    np.testing.assert_array_equal(difference_db(mine, theirs), expected)
+    # A tenth as loud: 6 dB below becomes 26.
+    found = difference_db(mine, theirs, gain=0.1)
+    np.testing.assert_allclose(found, [26.0, 10.0, 0.0, 0.0, np.nan], atol=1e-12)
+    np.testing.assert_allclose(difference_db(mine, theirs, loudest_db=-40.0)[2], -30.0)
+
+
+def test_a_snapshot_takes_the_place_of_the_one_with_its_number_and_stands_last():
+    view = View()
+    for design, number in ((DESIGN, 1), (OTHER, 2), (THIRD, 1)):
+        found, view = store(design, view, number)
+        assert found is design
+    assert [(one.number, one.design) for one in view.snapshots] == [(2, OTHER), (1, THIRD)]
+
+
+@pytest.mark.parametrize("number", [0, 5, -1, None, "1"])
+def test_other_numbers_are_refused(number):
+    assert isinstance(edits.store_snapshot(DESIGN, View(), number), Refusal)
+    assert isinstance(edits.show_snapshot(DESIGN, View(), number), Refusal)
+    assert isinstance(edits.forget_snapshot(DESIGN, View(), number), Refusal)
+
+
+def test_one_key_goes_to_and_fro_between_the_last_two():
+    design, view = store(DESIGN, View(), 1)
+    design, view = store(OTHER, view, 2)
+    design, view = store(THIRD, view, 3)
+    seen = []
+    for _ in range(4):
+        design, view = toggle(design, view)
+        seen.append(design)
+    assert seen == [OTHER, THIRD, OTHER, THIRD]
+    design, view = apply(design, view, edits.show_snapshot(design, view, 1))
+    assert toggle(design, view)[0] == THIRD
+
+
+def test_what_was_edited_comes_back():
+    _, view = store(DESIGN, View(), 1)
+    design, view = toggle(OTHER, view)
+    assert design == DESIGN
+    design, view = toggle(design, view)
+    assert design == OTHER
+    # Edited once more, the way leads to what was stored, not to what was edited before.
+    design, view = toggle(THIRD, view)
+    assert design == DESIGN
+    assert toggle(design, view)[0] == THIRD
+    refused = edits.show_snapshot(OTHER, view, EDITED)
+    assert isinstance(refused, Refusal)
+    assert "store that first" in refused.sentence
+
+
+def test_with_levels_matched_the_way_back_leads_to_the_same_numbers():
+    _, view = store(DESIGN, View(), 1)
+    _, view = store(OTHER, view, 2)
+    there = edits.show_snapshot(OTHER, view, 1, 1.0)
+    back = edits.show_snapshot(there.design, there.view, 2, 1 / 3)
+    assert back.design == louder(OTHER, 1 / 3)
+    assert shown(back.view.snapshots, back.design).number == 2
+    assert other_than(back.view.snapshots, back.design).number == 1
+    assert [one.design for one in back.view.snapshots] == [DESIGN, OTHER]
+    assert isinstance(edits.show_snapshot(DESIGN, view, 2, 1e7), Refusal)
+
+
+def test_others_are_matched_to_the_lowest_number_and_what_is_edited_is_left_alone():
+    three = tuple(Snapshot(number=number, design=DESIGN) for number in (3, 1, 2))
+    assert reference(three).number == 1
+    assert reference((*three, Snapshot(design=DESIGN))).number == EDITED
+    assert reference(()) is None
+
+
+def test_a_snapshot_is_forgotten_and_the_design_stays():
+    design, view = store(DESIGN, View(), 1)
+    design, view = apply(design, view, edits.forget_snapshot(design, view, 1))
+    assert (design, view) == (DESIGN, View())
+
+
+def test_snapshots_lie_in_the_file_of_the_design(tmp_path):
+    _, view = store(DESIGN, View(levels_matched=False), 1)
+    design, view = toggle(OTHER, view)
+    save_design(tmp_path / "a.skinsource", design, view)
+    content = open_design(tmp_path / "a.skinsource")
+    assert (content.design, content.view) == (design, view)
+    assert toggle(content.design, content.view)[0] == OTHER
+
+
+def test_a_number_is_taken_once():
+    twice = (Snapshot(number=1, design=DESIGN), Snapshot(number=1, design=OTHER))
+    with pytest.raises(InvalidInputError, match="different ones"):
+        View(snapshots=twice)
+    with pytest.raises(InvalidInputError):
+        View(snapshots=(DESIGN,))
+
+
+actions = st.lists(st.sampled_from(["edit", "toggle", 1, 2]), max_size=20)
+
+
+@given(actions=actions)
+def test_whatever_is_done_two_turns_of_the_key_lead_back(actions):
+    design, view, amplitude = DESIGN, View(), 1.0
+    for what in actions:
+        if what == "edit":
+            amplitude += 1.0
+            design = design.with_input(0, amplitude=amplitude)
+        elif what == "toggle" and other_than(view.snapshots, design):
+            before = design
+            design, view = toggle(design, view)
+            assert design != before
+            assert toggle(design, view)[0] == before
+        elif what != "toggle":
+            design, view = store(design, view, what)
