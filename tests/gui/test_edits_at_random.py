@@ -108,6 +108,7 @@ ARGUMENTS = {
     "select_clips": (ids,),
     "set_clips": (ids, names, anything),
     "set_gain_curve": (one_id, curves),
+    "set_glide_curve": (one_id, st.sampled_from(["frequency", "amplitude", ""]), curves),
     "set_loop": (curves.map(lambda points: points[0] if points else None),),
     "split_clips": (ids, anything),
     "stretch_clip": (one_id, anything, anything),

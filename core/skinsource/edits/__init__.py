@@ -29,6 +29,7 @@ from skinsource.edits.fragments import (
     fragment_text,
     paste_fragment,
 )
+from skinsource.edits.glides import set_glide_curve
 from skinsource.edits.groups import group_clips, ungroup_clips
 from skinsource.edits.inputs import (
     clear_inputs,
@@ -141,6 +142,7 @@ __all__ = [
     "select_through",
     "set_clips",
     "set_gain_curve",
+    "set_glide_curve",
     "set_loop",
     "shift_inputs",
     "show_snapshot",

@@ -8,7 +8,7 @@ from skinsource.errors import InvalidInputError
 from skinsource.fields import ChoiceSpec, NumberSpec, SamplesSpec, Spec, specs_of
 from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.samples import Samples
-from skinsource.waveforms import Waveform, kinds
+from skinsource.waveforms import Glide, Waveform, kinds
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,7 +39,7 @@ def as_kind(waveform: Waveform, kind: type[Waveform]) -> Waveform:
     if kind is type(waveform):
         return waveform
     present = specs_of(waveform)
-    found: Any = kind()
+    found: Any = Glide.like(waveform) if kind is Glide else kind()
     for field, spec in specs_of(kind).items():
         change: dict[str, Any] = {}
         if isinstance(spec, SamplesSpec):

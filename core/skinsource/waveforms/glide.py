@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise
 from math import ceil, pi
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,6 +68,15 @@ class Glide:
     def duration_s(self) -> float:
         """Time of the last point."""
         return self.points[-1][0]
+
+    @classmethod
+    def like(cls, waveform: Any) -> "Glide":
+        """A glide with the frequency of a waveform that has one, or two, and with its length."""
+        low_hz: Any = getattr(waveform, "start_hz", getattr(waveform, "frequency_hz", None))
+        high_hz: Any = getattr(waveform, "end_hz", low_hz)
+        if low_hz is None or waveform.duration_s < _SHORTEST_S:
+            return cls()
+        return cls(((0.0, low_hz, 1.0), (waveform.duration_s, high_hz, 1.0)))
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), within the drawn amplitude of peak 1 or less."""
