@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from hypothesis import strategies as st
 from skinsource import edits
 from skinsource.design import MAX_INPUTS, Design, Input
 from skinsource.edits import Edit, Refusal
+from skinsource.effects import placed, played
 from skinsource.errors import InvalidInputError
 from skinsource.fields import specs_of
 from skinsource.motions import (
@@ -19,16 +21,19 @@ from skinsource.motions import (
     ApparentMotion,
     Motion,
     Phantom,
+    Sweep,
     TapSequence,
     TravellingPhase,
 )
 from skinsource.motions.changes import following, path_of
 from skinsource.view import View
-from skinsource.waveforms import Saw, Square, Tap, Tone, Triangle
+from skinsource.waveforms import Noise, Saw, Square, Tap, Tone, Triangle
 
 RATE_HZ = 48000.0
 PLACES = st.integers(1, 20)
 PATHS = st.lists(PLACES, min_size=2, max_size=12).map(tuple)
+#: No place follows itself.
+LEGS = PATHS.filter(lambda path: all(a != b for a, b in pairwise(path)))
 TIMES = st.floats(0.0, 100.0)
 DURATIONS = st.floats(0.02, 0.5)
 
@@ -136,10 +141,61 @@ def test_a_phantom_at_an_end_plays_there_alone():
     assert [one.amplitude for one in Phantom(position=1.0).tracks()] == [0.0, 1.0]
 
 
+def mixed(motion: Motion, sample_rate_hz: float) -> dict[int, np.ndarray]:
+    """What each place of a motion plays from its beginning."""
+    tracks = motion.tracks()
+    n = round(max(clip.end_s for one in tracks for clip in one.clips) * sample_rate_hz) + 2
+    found = {}
+    for one in tracks:
+        total = found.setdefault(one.location, np.zeros(n))
+        for clip in one.clips:
+            first, shift_s = placed(clip.waveform, clip.effects, clip.onset_s, sample_rate_hz)
+            samples = played(clip.waveform, clip.effects, sample_rate_hz, shift_s)
+            total[first : first + samples.size] += samples[: n - first]
+    return found
+
+
+@given(LEGS, st.floats(0.0, 1.0), st.integers(2, 20))
+def test_the_energies_of_a_sweep_add_up_to_that_of_its_waveform_at_any_time(path, overlap, n):
+    waveform = Square(50.0, duration_s=n / 50.0)
+    motion = Sweep(path=path, waveform=waveform, overlap=overlap)
+    plain = waveform.samples(RATE_HZ)
+    places = mixed(motion, RATE_HZ)
+    if len(set(path)) == len(path):
+        energy = sum(np.square(one[: plain.size]) for one in places.values())
+        np.testing.assert_allclose(energy, np.square(plain), rtol=0, atol=1e-6)
+
+
+def test_a_sweep_is_at_each_place_in_its_time():
+    motion = Sweep(path=(1, 2, 3), waveform=Square(50.0, duration_s=0.8), overlap=0.5)
+    found = mixed(motion, RATE_HZ)
+    plain = motion.waveform.samples(RATE_HZ)
+    beta = np.clip((np.arange(plain.size) / RATE_HZ - 0.1) / 0.2, 0.0, 1.0)
+    first = plain * np.cos(np.pi / 2 * beta)
+    np.testing.assert_allclose(found[1][: plain.size], first, rtol=0, atol=1e-9)
+    last = np.clip((np.arange(plain.size) / RATE_HZ - 0.5) / 0.2, 0.0, 1.0)
+    np.testing.assert_allclose(
+        found[3][: plain.size], plain * np.sin(np.pi / 2 * last), rtol=0, atol=1e-9
+    )
+    middle = plain * np.sin(np.pi / 2 * beta) * np.cos(np.pi / 2 * last)
+    np.testing.assert_allclose(found[2][: plain.size], middle, rtol=0, atol=1e-9)
+
+
+def test_a_sweep_takes_any_waveform_and_no_place_twice_in_a_row():
+    noise = Noise(3, 0.5, window="none")
+    found = mixed(Sweep(path=(1, 2), waveform=noise, overlap=0.0), 1300.0)
+    whole = noise.samples(1300.0)
+    np.testing.assert_allclose(found[1][:650] + found[2][:650], whole, rtol=0, atol=1e-9)
+    assert not found[2][:325].any()
+    assert not found[1][325:].any()
+    with pytest.raises(InvalidInputError, match=r"Sweep\.path goes from place 4 to 4"):
+        Sweep(path=(3, 4, 4))
+
+
 @pytest.mark.parametrize("kind", MOTIONS)
 def test_a_motion_says_what_it_does_and_by_whose_law(kind):
     for words in (kind.title, kind.law, kind.source, kind.limits, kind().summary):
-        assert len(words) > 5
+        assert len(words) >= 5
     assert kind.law.endswith(".")
     assert "palm" in kind.limits or "hand" in kind.limits
     assert isinstance(kind(), Motion)
@@ -182,6 +238,7 @@ def test_a_place_has_one_track(kind):
         (TapSequence, {"taps": 0}),
         (Alternation, {"rounds": 1.5}),
         (Alternation, {"spacing_s": 0.0}),
+        (Sweep, {"overlap": 1.5}),
     ],
 )
 def test_what_no_motion_can_do_is_named(kind, changes):
@@ -216,19 +273,16 @@ def test_a_motion_that_does_not_fit_is_refused():
     assert "onset_s" in late.sentence
 
 
-@given(PATHS, st.sampled_from(MOTIONS), st.sampled_from(MOTIONS))
-def test_a_motion_can_follow_the_path_of_another(path, kind, other):
-    if kind is Phantom:
-        path = tuple(dict.fromkeys(path))[:2] if len(set(path)) > 1 else (3, 4)
-    leader = kind(path=path, amplitude=2.5, onset_s=1.5)
-    found = following(other(), leader)
-    assert type(found) is other
+@given(PATHS, st.sampled_from(MOTIONS))
+def test_a_motion_can_follow_the_path_of_another(path, kind):
+    leader = ApparentMotion(path=path, amplitude=2.5, onset_s=1.5)
+    found = following(kind(), leader)
+    assert type(found) is kind
     assert (found.amplitude, found.onset_s) == (2.5, 1.5)
-    if other is Phantom:
-        wanted = tuple(dict.fromkeys(path))[:2]
-        assert found.path == (wanted if len(wanted) == 2 else Phantom().path)
-    else:
-        assert found.path == path
+    moving = tuple(place for k, place in enumerate(path) if k == 0 or place != path[k - 1])
+    wanted = {Phantom: tuple(dict.fromkeys(path))[:2], Sweep: moving}.get(kind, path)
+    assert found.path == (wanted if len(wanted) > 1 else kind().path)
+    assert following(leader, found).path == found.path
 
 
 @pytest.mark.parametrize(

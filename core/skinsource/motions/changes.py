@@ -1,10 +1,11 @@
 """From one motion to another."""
 
+from contextlib import suppress
 from dataclasses import replace
+from itertools import groupby
 from typing import Any
 
 from skinsource.errors import InvalidInputError
-from skinsource.fields import specs_of
 from skinsource.motions.motion import Motion
 from skinsource.quoting import quoted
 
@@ -27,18 +28,16 @@ def with_field(motion: Motion, name: str, value: Any) -> Motion:
 def following(motion: Motion, other: Motion) -> Motion:
     """Return ``motion`` along the path of ``other``, as strong and as late.
 
-    A phantom takes the first two different places.
+    What it cannot do of the path is left out: a sweep does not stay at a place, and a phantom lies
+    between the first two different ones.
     """
-    shared = {name: getattr(other, name) for name in _SHARED}
-    path: Any = specs_of(type(motion))["path"]
-    places = other.path
-    if path.different:
-        places = tuple(dict.fromkeys(places))[: path.most]
-    recipe: Any = replace(motion, **shared)  # type: ignore[type-var]
-    try:
-        return replace(recipe, path=places)
-    except InvalidInputError:
-        return recipe
+    recipe: Any = motion
+    recipe = replace(recipe, **{name: getattr(other, name) for name in _SHARED})
+    moving = tuple(place for place, _ in groupby(other.path))
+    for path in (other.path, moving, tuple(dict.fromkeys(moving))[:2]):
+        with suppress(InvalidInputError):
+            return replace(recipe, path=path)
+    return recipe
 
 
 def path_of(text: str) -> tuple[int, ...]:
