@@ -8,10 +8,10 @@ from PySide6.QtCore import QMessageLogContext, QtMsgType, qInstallMessageHandler
 from skinsource.errors import SkinSourceError
 from skinsource.export import export_levels, export_traces
 from skinsource.files import make_folder
-from skinsource_gui.files.pictures import save_picture
 from skinsource_gui.shell.app import make_application, make_window
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.widgets.pictures.picture_file import save_picture
 
 _SIZE_PX = (1600, 940)
 

@@ -17,12 +17,12 @@ from skinsource.job import Job
 from skinsource.view import View
 from skinsource_gui.files.exports import EXPORTS, ExportSpec
 from skinsource_gui.files.file_actions import FileActions
-from skinsource_gui.files.picture_options import PictureOptions, ask_picture_options
-from skinsource_gui.files.pictures import Draw, save_drawing
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.status.error_label import VISIBLE
+from skinsource_gui.widgets.pictures.picture_file import Draw, save_drawing
+from skinsource_gui.widgets.pictures.picture_options import PictureOptions, ask_picture_options
 
 _log = logging.getLogger(__name__)
 _Answer = QMessageBox.StandardButton

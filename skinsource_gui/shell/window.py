@@ -11,7 +11,6 @@ from skinsource.quantities import graphs_that_share
 from skinsource.view import View
 from skinsource_gui.files.export_actions import ExportActions
 from skinsource_gui.files.file_actions import FileActions
-from skinsource_gui.files.pictures import Draw
 from skinsource_gui.import_page.file_drops import FileDrops
 from skinsource_gui.import_page.import_actions import ImportActions
 from skinsource_gui.panel import Panel
@@ -51,6 +50,7 @@ from skinsource_gui.status.job_bar import JobBar
 from skinsource_gui.status.limb_note import LimbNote
 from skinsource_gui.status.status_line import StatusLine
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.pictures.picture_file import Draw
 
 _LARGEST_AT_FIRST = (1600, 940)
 _PREPARING = "Preparing…"

@@ -10,10 +10,11 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QMessageBox
 from skinsource.design import track
 from skinsource.design_file import open_design, save_design
 from skinsource_gui.files import export_actions
-from skinsource_gui.files.picture_options import PictureDialog, PictureOptions
 from skinsource_gui.theme import DARK
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.pictures.picture_options import PictureDialog, PictureOptions
+from skinsource_gui.widgets.plot import signal_exports
 from skinsource_gui.widgets.plot.signal_view import SignalView
 
 NO_KEYS = Qt.KeyboardModifier.NoModifier
@@ -33,9 +34,10 @@ def answers(monkeypatch):
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (answer("save"), ""))
     monkeypatch.setattr(QMessageBox, "question", lambda *_: answer("question"))
     given["picture"] = lambda options: options
-    monkeypatch.setattr(
-        export_actions, "ask_picture_options", lambda _, options: given["picture"](options)
-    )
+    for asking in (export_actions, signal_exports):
+        monkeypatch.setattr(
+            asking, "ask_picture_options", lambda _, options: given["picture"](options)
+        )
     given["asked"] = asked
     return given
 

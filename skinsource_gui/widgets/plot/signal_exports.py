@@ -1,19 +1,21 @@
 """What a plot shows, taken elsewhere: a picture, or its numbers."""
 
 from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from skinsource.errors import SkinSourceError
+from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
+from skinsource_gui.widgets.pictures.picture_options import PictureOptions, ask_picture_options
 from skinsource_gui.widgets.plot.plot import Plot
-from skinsource_gui.widgets.plot.signal_picture import save_picture, signal_picture
+from skinsource_gui.widgets.plot.signal_picture import draw_signals, usual_size
 from skinsource_gui.widgets.plot.signal_table import save_table
 
-Write = Callable[[Path, Plot, str], None]
-
-_PICTURES = "PNG picture (*.png);;SVG drawing (*.svg)"
+_PICTURES = "PNG picture (*.png);;SVG drawing (*.svg);;PDF page (*.pdf)"
 _TABLES = "CSV (*.csv)"
 
 
@@ -35,22 +37,35 @@ class SignalExports(QObject):
         super().__init__(parent)
         self._plot, self._title, self._parent = plot, title, parent
         self.folder = Path()
+        self._options: PictureOptions | None = None
 
     def copy_picture(self) -> None:
         """Put a picture on the clipboard."""
-        QApplication.clipboard().setImage(signal_picture(self._plot))
+        size, draw = usual_size(self._plot), partial(draw_signals, plot=self._plot)
+        picture = drawn_image(draw, size.width(), size.height())
+        QApplication.clipboard().setImage(picture)
 
     def save_picture(self) -> None:
-        """Ask for a file, and write a picture to it."""
+        """Ask for size, colours and a file, and write a picture to it."""
+        size = usual_size(self._plot)
+        usual = PictureOptions(width_px=size.width(), height_px=size.height())
+        options = ask_picture_options(self._parent, self._options or usual)
+        if options is None:
+            return
         path = self._ask("Save picture", f"{self._plot.objectName()}.png", _PICTURES)
-        if path is not None:
-            self._write(path, save_picture)
+        if path is None:
+            return
+        # Who left the size as it was gets the plot as it will be then.
+        self._options = None if replace(options, colours=usual.colours) == usual else options
+        draw = partial(draw_signals, plot=self._plot, theme=options.theme)
+        width, height = options.width_px, options.height_px
+        self._write(path, partial(save_drawing, path, draw, width, height, title=self._title))
 
     def save_data(self) -> None:
         """Ask for a file, and write the curves to it as a table."""
         path = self._ask("Export data", f"{self._plot.objectName()}.csv", _TABLES)
         if path is not None:
-            self._write(path, save_table)
+            self._write(path, partial(save_table, path, self._plot, self._title))
 
     def _ask(self, title: str, name: str, kinds: str) -> Path | None:
         chosen, kind = QFileDialog.getSaveFileName(
@@ -61,11 +76,12 @@ class SignalExports(QObject):
         path = Path(chosen)
         if path.suffix:
             return path
-        return path.with_name(path.name + (".svg" if "svg" in kind else Path(name).suffix))
+        endings = (end for end in (".svg", ".pdf") if end[1:] in kind)
+        return path.with_name(path.name + next(endings, Path(name).suffix))
 
-    def _write(self, path: Path, write: Write) -> None:
+    def _write(self, path: Path, write: Callable[[], None]) -> None:
         try:
-            write(path, self._plot, self._title)
+            write()
         except SkinSourceError as error:
             self.failed.emit(str(error))
         else:

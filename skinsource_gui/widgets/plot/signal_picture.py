@@ -1,70 +1,53 @@
-"""Pictures of a plot, for papers and slides: light, whole, with a legend, without a crosshair."""
+"""Pictures of a plot, for papers and slides: whole, with a legend, without a crosshair."""
 
 from dataclasses import replace
 from math import ceil
-from pathlib import Path
 
-from PySide6.QtCore import QBuffer, QIODevice, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter
-from PySide6.QtSvg import QSvgGenerator
+from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 
-from skinsource.files import write_bytes
-from skinsource_gui.theme import LIGHT, UNIT_PX
+from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.plot.plot import Plot
 
 _SCALE = 2
 _SWATCH_PX = 16
 
 
-def signal_picture(plot: Plot) -> QImage:
-    """What ``plot`` shows, in the light theme, at twice its size on the screen."""
-    copy, legend_px = _copy_of(plot)
-    size = QSize(copy.width(), copy.height() + legend_px)
-    image = QImage(size * _SCALE, QImage.Format.Format_RGB32)
-    image.setDevicePixelRatio(_SCALE)
-    image.fill(QColor(LIGHT.base))
-    painter = QPainter(image)
-    _paint(painter, copy, legend_px)
-    painter.end()
+def usual_size(plot: Plot) -> QSize:
+    """Of a picture of what ``plot`` shows, px: twice as large as on the screen, with its legend."""
+    copy = _copy_of(plot, plot.size(), LIGHT)
+    size = QSize(copy.width(), copy.height() + _head_px(copy)) * _SCALE
     copy.deleteLater()
-    return image
+    return size
 
 
-def save_picture(path: Path, plot: Plot, title: str) -> None:
-    """Write a picture to ``path``: a drawing where it ends in ``.svg``, else a PNG.
-
-    Raises
-    ------
-    StorageError
-        The folder cannot be written, or the disk is full.
-    """
-    buffer = QBuffer()
-    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-    if path.suffix.lower() == ".svg":
-        _draw_svg(buffer, plot, title)
-    else:
-        signal_picture(plot).save(buffer, "PNG")
-    write_bytes(path, bytes(buffer.data().data()))
-
-
-def _draw_svg(buffer: QBuffer, plot: Plot, title: str) -> None:
-    copy, legend_px = _copy_of(plot)
-    generator = QSvgGenerator()
-    generator.setOutputDevice(buffer)
-    generator.setTitle(title)
-    generator.setSize(QSize(copy.width(), copy.height() + legend_px))
-    generator.setViewBox(QRect(0, 0, copy.width(), copy.height() + legend_px))
-    painter = QPainter(generator)
-    painter.fillRect(generator.viewBoxF(), QColor(LIGHT.base))
-    _paint(painter, copy, legend_px)
-    painter.end()
+def draw_signals(
+    painter: QPainter, width: int, height: int, *, plot: Plot, theme: Theme = LIGHT
+) -> None:
+    """Draw what ``plot`` shows, ``width`` by ``height`` px; words grow with the picture."""
+    usual = usual_size(plot) / _SCALE
+    scale = min(width / usual.width(), height / usual.height())
+    room = QSize(round(width / scale), round(height / scale))
+    # As wide as it will be, so that the head takes as many lines as it needs there.
+    copy = _copy_of(plot, room, theme)
+    head_px = _head_px(copy)
+    copy.resize(room.width(), max(room.height() - head_px, copy.minimumHeight()))
+    painter.save()
+    painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
+    painter.scale(scale, scale)
+    _paint_head(painter, copy)
+    painter.translate(0, head_px)
+    whole = QRectF(copy.rect())
+    copy.scene().render(painter, whole, whole)
+    painter.restore()
     copy.deleteLater()
 
 
-def _copy_of(plot: Plot) -> tuple[Plot, int]:
+def _copy_of(plot: Plot, size: QSize, theme: Theme) -> Plot:
     # A plot of its own: the one on the screen keeps its colours, its crosshair and its picture.
     copy = Plot()
-    copy.resize(plot.size())
+    copy.set_theme(theme)
+    copy.resize(size)
     copy.set_view(plot.window.axis, plot.zoom, stacked=plot.stacked)
     copy.set_words(replace(plot.words, stale=False))
     if plot.curves is not None:
@@ -72,21 +55,18 @@ def _copy_of(plot: Plot) -> tuple[Plot, int]:
     for item in copy.scene().items():
         # As lines and letters, not as pictures of them.
         item.setCacheMode(item.CacheMode.NoCache)
-    n_lines = len(_heading_lines(copy)) + len(_legend_lines(copy))
-    return copy, ceil(n_lines * _line_px(copy)) + UNIT_PX // 2
+    return copy
 
 
-def _paint(painter: QPainter, plot: Plot, legend_px: int) -> None:
-    _paint_head(painter, plot)
-    painter.translate(0, legend_px)
-    room = QRectF(plot.rect())
-    plot.scene().render(painter, room, room)
+def _head_px(plot: Plot) -> int:
+    n_lines = len(_heading_lines(plot)) + len(_legend_lines(plot))
+    return ceil(n_lines * _line_px(plot)) + UNIT_PX // 2
 
 
 def _paint_head(painter: QPainter, plot: Plot) -> None:
     line_px = _line_px(plot)
     painter.setFont(plot.words_font)
-    painter.setPen(QColor(LIGHT.text))
+    painter.setPen(QColor(plot.theme.text))
     heading = _heading_lines(plot)
     for row, words in enumerate(heading):
         room = QRectF(UNIT_PX, row * line_px, plot.width(), line_px)
@@ -94,9 +74,9 @@ def _paint_head(painter: QPainter, plot: Plot) -> None:
     for row, line in enumerate(_legend_lines(plot), start=len(heading)):
         middle = (row + 0.5) * line_px
         for left, rank, text in line:
-            painter.setPen(LIGHT.output_pen(rank, 2.0))
+            painter.setPen(plot.theme.output_pen(rank, 2.0))
             painter.drawLine(left, int(middle), left + _SWATCH_PX, int(middle))
-            painter.setPen(QColor(LIGHT.text))
+            painter.setPen(QColor(plot.theme.text))
             room = QRectF(left + _SWATCH_PX + 4, row * line_px, plot.width(), line_px)
             painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, text)
 

@@ -11,6 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMenu
 
 from skinsource_gui.theme import DARK, LIGHT
+from skinsource_gui.widgets.plot import signal_exports
 from tests.gui.signal_view.bench import TIME, waves
 
 
@@ -32,9 +33,12 @@ def choose(signals, words):
 
 @pytest.fixture
 def save_to(monkeypatch, tmp_path):
-    """Answer the question for a file with this name."""
+    """Answer the questions for size and colours, as they are unless given, and for a file."""
 
-    def answer(name, kind=""):
+    def answer(name, kind="", **options):
+        monkeypatch.setattr(
+            signal_exports, "ask_picture_options", lambda _, usual: replace(usual, **options)
+        )
         path = tmp_path / name
         monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), kind))
         return path
@@ -115,6 +119,40 @@ def test_a_picture_is_saved_as_png(signals, save_to):
     path = save_to("traces.png")
     choose(signals, "Save picture")
     assert QImage(str(path)).width() == 2 * signals.plot.width()
+
+
+@pytest.mark.parametrize("size", [(900, 300), (1600, 1200), (300, 900)])
+def test_a_picture_has_the_size_and_the_colours_that_were_asked_for(signals, save_to, size):
+    signals.show_curves(waves(3), synthetic=True)
+    path = save_to("traces.png", width_px=size[0], height_px=size[1], colours="dark")
+    choose(signals, "Save picture")
+    picture = QImage(str(path))
+    assert (picture.width(), picture.height()) == size
+    corners = {picture.pixelColor(x, y).name() for x in (0, size[0] - 1) for y in (0, size[1] - 1)}
+    assert corners == {DARK.base}
+    # Its frame reaches to where it should.
+    lower = [picture.pixelColor(x, int(0.8 * size[1])).name() for x in range(size[0])]
+    assert len(set(lower[size[0] // 2 :])) > 1
+
+
+def test_size_and_colours_are_offered_again_and_none_is_no_picture(signals, save_to, monkeypatch):
+    signals.show_curves(waves(2), synthetic=False)
+    save_to("traces.png", width_px=777, colours="dark")
+    choose(signals, "Save picture")
+    offered = []
+    monkeypatch.setattr(
+        signal_exports, "ask_picture_options", lambda _, usual: offered.append(usual)
+    )
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: pytest.fail("not asked for"))
+    choose(signals, "Save picture")
+    assert (offered[0].width_px, offered[0].colours) == (777, "dark")
+
+
+def test_a_page_is_saved_as_pdf(signals, save_to):
+    signals.show_curves(waves(2), synthetic=False)
+    path = save_to("traces", "PDF page (*.pdf)").with_suffix(".pdf")
+    choose(signals, "Save picture")
+    assert path.read_bytes().startswith(b"%PDF")
 
 
 @pytest.mark.parametrize("stacked", [False, True])

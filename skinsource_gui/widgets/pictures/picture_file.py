@@ -31,7 +31,9 @@ def save_picture(path: Path, picture: QImage | QPixmap) -> None:
     write_bytes(path, bytes(buffer.data().data()))
 
 
-def save_drawing(path: Path, draw: Draw, width: int, height: int) -> None:
+def save_drawing(
+    path: Path, draw: Draw, width: int, height: int, *, title: str = "SkinSource"
+) -> None:
     """Write what ``draw`` draws to ``path``, as its ending says: PNG, or lines as SVG or PDF.
 
     Parameters
@@ -42,6 +44,8 @@ def save_drawing(path: Path, draw: Draw, width: int, height: int) -> None:
         Draws the picture.
     width, height
         Of the picture, px; 96 of them are an inch of a page.
+    title
+        What readers of drawings and pages are told.
 
     Raises
     ------
@@ -55,7 +59,7 @@ def save_drawing(path: Path, draw: Draw, width: int, height: int) -> None:
         return
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-    write(buffer, draw, width, height)
+    write(buffer, draw, width, height, title)
     write_bytes(path, bytes(buffer.data().data()))
 
 
@@ -68,20 +72,21 @@ def drawn_image(draw: Draw, width: int, height: int) -> QImage:
     return image
 
 
-def _svg(device: QIODevice, draw: Draw, width: int, height: int) -> None:
+def _svg(device: QIODevice, draw: Draw, width: int, height: int, title: str) -> None:
     drawing = QSvgGenerator()
     drawing.setOutputDevice(device)
     drawing.setResolution(_PER_INCH)
     drawing.setSize(QSize(width, height))
     drawing.setViewBox(QRect(0, 0, width, height))
-    drawing.setTitle("SkinSource")
+    drawing.setTitle(title)
     painter = QPainter(drawing)
     draw(painter, width, height)
     painter.end()
 
 
-def _pdf(device: QIODevice, draw: Draw, width: int, height: int) -> None:
+def _pdf(device: QIODevice, draw: Draw, width: int, height: int, title: str) -> None:
     page = QPdfWriter(device)
+    page.setTitle(title)
     page.setResolution(_PER_INCH)
     points = QSizeF(width, height) * _POINTS / _PER_INCH
     page.setPageSize(QPageSize(points, QPageSize.Unit.Point))

@@ -1,0 +1,1 @@
+"""Pictures that are saved: how large, in which colours, and as what."""
