@@ -17,7 +17,6 @@ from skinsource_gui.panels.skin.skin_map import SkinMap
 from skinsource_gui.theme import LIGHT
 from skinsource_gui.widgets.map.colour_maps import colour_indices, colour_table
 from skinsource_gui.widgets.map.field_image import FieldImage
-from skinsource_gui.widgets.pictures.picture_file import save_drawing
 from tests.gui.skin.bench import (
     SEED,
     pixel,
