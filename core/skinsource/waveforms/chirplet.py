@@ -1,7 +1,7 @@
 """A tone within a Gaussian whose frequency rises or falls."""
 
 from dataclasses import dataclass
-from fractions import Fraction
+from decimal import Decimal, localcontext
 from math import pi
 from typing import ClassVar
 
@@ -13,7 +13,7 @@ from skinsource.errors import InvalidInputError
 from skinsource.fields import NumberSpec
 from skinsource.sampling import shift_of
 from skinsource.signals import sample_count
-from skinsource.synthesis.bent_turns import bent_turns
+from skinsource.synthesis.bent_turns import DIGITS, bent_turns
 from skinsource.synthesis.burst import refuse_aliases
 from skinsource.synthesis.centred import about_middle, begun
 from skinsource.waveforms.common import CENTRE
@@ -90,11 +90,13 @@ class Chirplet:
         shift_s = shift_of(shift_s, sample_rate_hz)
         n = sample_count(self.duration_s, sample_rate_hz)
         time_s = about_middle(n, sample_rate_hz, shift_s)
+        with localcontext(prec=DIGITS):
+            first = Decimal(1 - n) / (2 * Decimal(sample_rate_hz)) - Decimal(shift_s)
         phase = bent_turns(
-            Fraction(0),
-            Fraction(self.frequency_hz),
-            Fraction(self.rate_hz_per_s),
-            Fraction(1 - n, 2) / Fraction(sample_rate_hz) - Fraction(shift_s),
+            Decimal(0),
+            Decimal(self.frequency_hz),
+            Decimal(self.rate_hz_per_s),
+            first,
             time_s.size,
             sample_rate_hz,
         )

@@ -1,7 +1,7 @@
 """A tone whose frequency and amplitude are drawn."""
 
 from dataclasses import dataclass, replace
-from fractions import Fraction
+from decimal import Decimal, localcontext
 from itertools import pairwise
 from math import ceil, pi
 from typing import Any, ClassVar
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from skinsource import fields
 from skinsource.errors import InvalidInputError
 from skinsource.fields import NumberSpec, PointsSpec
-from skinsource.synthesis.bent_turns import bent_turns
+from skinsource.synthesis.bent_turns import DIGITS, bent_turns
 from skinsource.synthesis.burst import refuse_aliases
 from skinsource.waveforms.common import LONGEST_S
 from skinsource.waveforms.instants import count_of
@@ -83,25 +83,27 @@ class Glide:
         refuse_aliases("frequency_hz", max(hz for _, hz, _ in self.points), sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
         found = np.zeros(n)
-        rate, shift = Fraction(sample_rate_hz), Fraction(shift_s)
-        turned = Fraction(0)
+        rate, shift = Decimal(sample_rate_hz), Decimal(shift_s)
+        turned = Decimal(0)
         first = 1 if shift_s else 0
         for before, after in pairwise(((0.0, *self.points[0][1:]), *self.points)):
-            (start, low, _), (end, high, _) = (tuple(map(Fraction, one)) for one in (before, after))
-            until = min(ceil((end + shift) * rate), n)
-            if until > first:
+            with localcontext(prec=DIGITS):
+                (start, low, _), (end, high, _) = (map(Decimal, one) for one in (before, after))
+                began, until = turned, min(ceil((end + shift) * rate), n)
+                turned = (turned + (low + high) / 2 * (end - start)) % 1
+                if until <= first:
+                    continue
                 course = low, (high - low) / (end - start), first / rate - shift - start
-                found[first:until] = _stretch(
-                    turned, course, (before, after), until - first, sample_rate_hz
-                )
-                first = until
-            turned = (turned + (low + high) / 2 * (end - start)) % 1
+            found[first:until] = _stretch(
+                began, course, (before, after), until - first, sample_rate_hz
+            )
+            first = until
         return found
 
 
 def _stretch(
-    turned: Fraction,
-    course: tuple[Fraction, Fraction, Fraction],
+    turned: Decimal,
+    course: tuple[Decimal, Decimal, Decimal],
     ends: tuple[Point, Point],
     n: int,
     rate_hz: float,

@@ -1,7 +1,7 @@
 """Wavelets of several frequencies, one after the other."""
 
 from dataclasses import dataclass
-from fractions import Fraction
+from decimal import Decimal, localcontext
 from math import ceil, floor, pi
 from typing import ClassVar, Literal
 
@@ -12,7 +12,7 @@ from skinsource import fields
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
 from skinsource.fields import ChoiceSpec, ListSpec, NumberSpec
-from skinsource.synthesis.bent_turns import bent_turns
+from skinsource.synthesis.bent_turns import DIGITS, bent_turns
 from skinsource.synthesis.burst import refuse_aliases
 from skinsource.waveforms.common import CENTRE, CYCLES, refuse_length
 from skinsource.waveforms.frequency_sweep import MOST
@@ -145,17 +145,18 @@ class WaveletTrain:
         refuse_aliases("frequencies_hz", max(self.frequencies_hz), sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
         found = np.zeros(n)
-        rate = Fraction(sample_rate_hz)
+        rate, shift = Decimal(sample_rate_hz), Decimal(shift_s)
         for frequency_hz, middle_s, gain in zip(
             self.frequencies_hz, self.middles_s(), self.gains(), strict=True
         ):
             # Both ends belong to it, however the length of the train is rounded.
-            reach = Fraction(self._reach_s(frequency_hz) * (1.0 + 1e-9))
-            middle = Fraction(middle_s) + Fraction(shift_s)
-            first = max(ceil((middle - reach) * rate), 1 if shift_s else 0)
-            after = min(floor((middle + reach) * rate) + 1, n)
-            if first < after:
+            reach = Decimal(self._reach_s(frequency_hz) * (1.0 + 1e-9))
+            with localcontext(prec=DIGITS):
+                middle = Decimal(middle_s) + shift
+                first = max(ceil((middle - reach) * rate), 1 if shift_s else 0)
+                after = min(floor((middle + reach) * rate) + 1, n)
                 start = first / rate - middle
+            if first < after:
                 found[first:after] += gain * self._wavelet(
                     frequency_hz, start, after - first, sample_rate_hz
                 )
@@ -178,13 +179,13 @@ class WaveletTrain:
         }
         return periods[self.family] / frequency_hz
 
-    def _wavelet(self, frequency_hz: float, start: Fraction, n: int, rate_hz: float) -> Floats:
+    def _wavelet(self, frequency_hz: float, start: Decimal, n: int, rate_hz: float) -> Floats:
         """Samples of one wavelet from the time ``start`` after its middle on, (n,)."""
         time_s = float(start) + np.arange(n) / rate_hz
         if self.family == "ricker":
             a = np.square(pi * frequency_hz * time_s)
             return (1.0 - 2.0 * a) * np.exp(-a)
-        phase = bent_turns(Fraction(0), Fraction(frequency_hz), Fraction(0), start, n, rate_hz)
+        phase = bent_turns(Decimal(0), Decimal(frequency_hz), Decimal(0), start, n, rate_hz)
         phase *= 2.0 * pi
         if self.family == "hann":
             turn = time_s * (frequency_hz / self.cycles)
