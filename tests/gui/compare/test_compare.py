@@ -12,6 +12,7 @@ import skinsource as ss
 from skinsource.comparing import loudest_db
 from skinsource.design import track
 from skinsource.design_file import open_design
+from skinsource.waveforms import Tone
 from skinsource_gui.state.engine import FIRST_SLOT
 from skinsource_gui.widgets.map.small_map import small_frame
 
@@ -179,6 +180,29 @@ def test_the_map_shows_how_much_louder_the_design_is(window, panel, settle):
     np.testing.assert_allclose(difference.shown.levels_db, expected, rtol=0, atol=1e-6)
     field = difference.shown.field_levels_db
     assert np.nanmax(np.abs(field)) <= np.abs(expected).max() + 1e-6
+
+
+def test_the_map_compares_snapshots_as_they_are_played(window, panel, settle):
+    # Far from a high tone the skin hardly moves: 60 dB below the loudest, nothing counts.
+    window.document.edit(
+        "f", window.document.design.with_clip(1, waveform=Tone(frequency_hz=500.0))
+    )
+    window.do("store_snapshot_1")
+    two_places(window)
+    window.do("store_snapshot_2")
+    window.do("toggle_snapshots")
+    settle()
+    window.do("toggle_snapshots")
+    settle()
+    stored = window.document.view.snapshots
+    assert [(one.number, one.gain < 0.9) for one in stored] == [(1, False), (2, True)]
+    mine, theirs = levels(window.document.design), levels(stored[0].design)
+    floor = mine.max() - 60.0
+    assert (theirs < floor).any()
+    expected = np.maximum(mine, floor) - np.maximum(theirs, floor)
+    assert panel.map.difference.heading == "Snapshot 2 minus snapshot 1"
+    found = panel.map.difference.shown.levels_db
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-6)
 
 
 def test_words_under_the_pointer_name_the_output_and_its_difference(window, panel, settle):
