@@ -30,6 +30,8 @@ class ImportActions(QObject):
 
     #: What went well, in a few words.
     done = Signal(str)
+    #: What follows might end the studio: unsaved work is to be kept now.
+    risk_ahead = Signal()
 
     def __init__(
         self,
@@ -63,6 +65,7 @@ class ImportActions(QObject):
 
     def open_page(self, path: Path, place: DropPlace | None = None) -> None:
         """Open the page on a file that shall go to ``place``, or where the user says."""
+        self.risk_ahead.emit()
         # Few import anything; the start of the studio shall not wait for it.
         page_module = importlib.import_module("skinsource_gui.import_page.page")
         placing = importlib.import_module("skinsource_gui.import_page.placing")

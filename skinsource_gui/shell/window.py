@@ -216,6 +216,7 @@ class MainWindow(QMainWindow):
         self.files.opened.connect(self.layout_of_docks.show_panels)
         self.exports.failed.connect(reports.complain)
         self.imports.done.connect(reports.report)
+        self.imports.risk_ahead.connect(self.keeping.autosave.keep_now)
         drops = FileDrops(self, self.panels)
         drops.design_dropped.connect(self.files.open)
         drops.recording_dropped.connect(self.imports.open_page)

@@ -110,6 +110,14 @@ def test_a_copy_is_kept_before_a_job_and_before_another_limb(window, qtbot, user
     assert open_design(copies(user_data)[-1]).design.limb == "synthetic-1"
 
 
+def test_a_copy_is_kept_before_a_recording_is_read(window, user_data, tmp_path):
+    edit(window, 2.5)
+    (tmp_path / "a.csv").write_text("1\n2\n")
+    window.imports.open_page(tmp_path / "a.csv")
+    assert kept_amplitudes(user_data) == [2.5]
+    window.imports.end()
+
+
 def test_a_window_that_closes_leaves_no_copy(quick, make_window, qtbot, user_data, discard):
     window = make_window()
     edit(window, 2.5)
