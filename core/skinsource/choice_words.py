@@ -106,8 +106,8 @@ SCALINGS = (
     Word(
         name="upstream",
         title="Peak of each input",
-        sentence="Each input alone reaches its "
-        "amplitude as largest skin acceleration, in m/s², as in the published toolbox.",
+        sentence="Each input alone reaches its amplitude, in m/s², as its largest acceleration "
+        "at any output, on any one axis, as in the published toolbox.",
     ),
     Word(
         name="relative",

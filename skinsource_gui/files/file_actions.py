@@ -13,6 +13,7 @@ from skinsource.files import is_there, named
 from skinsource.view import View
 from skinsource_gui.files.file_on_disk import FileOnDisk
 from skinsource_gui.files.held_file import HeldFile, may_have_ended, who_has
+from skinsource_gui.files.recent_files import RecentFiles
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
 
@@ -46,6 +47,7 @@ class FileActions(QObject):
     ):
         super().__init__(window)
         self._document, self._preferences, self._window = document, preferences, window
+        self.recent = RecentFiles(preferences)
         self._arrangement = arrangement
         self._on_disk, self._told = FileOnDisk(), "same"
         self.held = HeldFile()
@@ -75,7 +77,7 @@ class FileActions(QObject):
         try:
             content = open_design(path)
         except SkinSourceError as error:
-            self._preferences.forget_file(path)
+            self.recent.forget(path)
             self.recent_changed.emit()
             self.failed.emit(str(error))
             return
@@ -86,7 +88,7 @@ class FileActions(QObject):
         self.held.keep_only(path)
         self._document.start_over(content.design, content.view, path, read_only=other is not None)
         self._on_disk, self._told = on_disk, "same"
-        self._preferences.remember_file(path)
+        self.recent.remember(path)
         self._note_folder(path)
         self.recent_changed.emit()
         self.opened.emit(content.layout)
@@ -210,7 +212,7 @@ class FileActions(QObject):
         self.held.keep_only(path)
         self._document.mark_saved(path)
         self._note_file(path)
-        self._preferences.remember_file(path)
+        self.recent.remember(path)
         self.recent_changed.emit()
         self.note_written(path)
         return True

@@ -14,13 +14,17 @@ from skinsource_gui.widgets.key_table import WIDGET_KEYS
 _MOUSE = (
     ("Click a place on the hand", "place an input there, or select the one that is there"),
     ("Drag an input to another place", "move it"),
-    ("Ctrl or Shift and click an input", "edit several together, on the hand and in the list"),
-    ("Ctrl, Shift and click on the hand", "one more input at the same place"),
+    ("Ctrl or Shift and click an input", "add it to the selected ones, or take it out"),
+    ("Ctrl or Shift and click an empty place", "place an input and select it besides the others"),
+    ("Ctrl+Shift and click an input", "place one more at the same place"),
+    ("Right button on an input", "mute, solo, duplicate, remove it; in the list also move it"),
     ("Drag a row of the list", "reorder the inputs"),
-    ("Drag or turn the wheel on a number", "change it; Ctrl makes it fine"),
-    ("Double click a number", "type it, with or without its unit"),
-    ("Click a sensor on the skin map", "select that output; Shift adds, a frame selects many"),
-    ("Turn the wheel on a map or plot", "zoom at the cursor; a double click shows all"),
+    ("Drag on a number, or turn the wheel", "change it; with Ctrl finely, with Shift coarsely"),
+    ("Double-click a number", "type it, with or without its unit"),
+    ("Click an output on the skin map", "select it; with Ctrl or Shift add it, or take it away"),
+    ("Drag across the skin map", "select all outputs in the frame"),
+    ("Right button on the map or a plot", "show all of it, copy, save or export it"),
+    ("Turn the wheel on the map or a plot", "zoom at the pointer; a double-click shows all of it"),
     ("Drag across a plot", "zoom to that stretch"),
 )
 _KEYS = (

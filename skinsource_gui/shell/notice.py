@@ -9,6 +9,8 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QMainWindow, QPushButton, QTo
 
 from skinsource_gui.theme import UNIT_PX, Theme
 
+#: How long good news stay, which nobody need close; bad ones stay until they are dealt with.
+PASSING_MS = 5000
 #: What can be done about it: words of the button, and what it does.
 Choice = tuple[str, Callable[[], object]]
 

@@ -6,7 +6,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
-from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.files.recent_files import RecentFiles
 
 
 class RecentMenu(QMenu):
@@ -15,17 +15,17 @@ class RecentMenu(QMenu):
     #: The path of the file that was chosen.
     chosen = Signal(object)
 
-    def __init__(self, preferences: Preferences, parent: QWidget) -> None:
+    def __init__(self, recent: RecentFiles, parent: QWidget) -> None:
         super().__init__("Open recent", parent)
         self.setObjectName("open_recent")
         self.setToolTipsVisible(True)
-        self._preferences = preferences
+        self._recent = recent
         self.aboutToShow.connect(self._fill)
         self.triggered.connect(self._choose)
 
     def _fill(self) -> None:
         self.clear()
-        for path in self._preferences.recent_files:
+        for path in self._recent.paths:
             entry = self.addAction(path.name)
             entry.setToolTip(str(path))
             entry.setData(str(path))

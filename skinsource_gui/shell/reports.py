@@ -7,14 +7,13 @@ from PySide6.QtWidgets import QStatusBar
 
 from skinsource.design import Design
 from skinsource.errors import SkinSourceError
-from skinsource_gui.shell.notice import Notice
+from skinsource_gui.shell.notice import PASSING_MS, Notice
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Outcome
 from skinsource_gui.status.accuracy import Accuracy
 from skinsource_gui.status.status_line import StatusLine
 
 _log = logging.getLogger(__name__)
-_REPORT_MS = 5000
 
 
 class Reports(QObject):
@@ -53,7 +52,7 @@ class Reports(QObject):
     def report(self, words: str) -> None:
         """Show what went well, for some seconds."""
         self._notice.be_quiet()
-        self._status_bar.showMessage(words, _REPORT_MS)
+        self._status_bar.showMessage(words, PASSING_MS)
 
     def show_impossible(self, reason: str) -> None:
         """Say why there are no results."""

@@ -193,7 +193,7 @@ class MainWindow(QMainWindow):
 
     def _build(self) -> None:
         actions = self.actions_by_name
-        recent = RecentMenu(self.preferences, self)
+        recent = RecentMenu(self.files.recent, self)
         recent.chosen.connect(self.files.open)
         shown = [dock.toggleViewAction() for dock in self.docks.values()]
         fill_menu_bar(self.menuBar(), ACTIONS, actions, recent, shown)

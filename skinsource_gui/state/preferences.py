@@ -14,7 +14,6 @@ from skinsource.files.assets import config_folder, user_folder
 AUTOSAVE_S = 30.0
 
 _LEAST_AUTOSAVE_S, _MOST_AUTOSAVE_S = 0.05, 3600.0
-_RECENT_FILES = 10
 _NAME = "studio.ini"
 _MOST_BYTES = 2**20
 
@@ -117,20 +116,14 @@ class Preferences:
         self._settings.setValue("arrangement", name)
 
     @property
-    def recent_files(self) -> list[Path]:
-        """Files that were opened or saved, newest first."""
+    def recent_names(self) -> list[str]:
+        """What is remembered of recent files, as they stand."""
         found = self._settings.value("recent", [])
-        names = [found] if isinstance(found, str) else list(found or [])
-        return [Path(name) for name in names]
+        return [found] if isinstance(found, str) else list(found or [])
 
-    def remember_file(self, path: Path) -> None:
-        """Put ``path`` at the front of the recent files."""
-        others = [known for known in self.recent_files if known != path]
-        self._settings.setValue("recent", [str(p) for p in (path, *others)][:_RECENT_FILES])
-
-    def forget_file(self, path: Path) -> None:
-        """Take ``path`` out of the recent files."""
-        self._settings.setValue("recent", [str(p) for p in self.recent_files if p != path])
+    @recent_names.setter
+    def recent_names(self, names: list[str]) -> None:
+        self._settings.setValue("recent", names)
 
     @property
     def folder(self) -> Path:

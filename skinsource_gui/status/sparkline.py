@@ -6,6 +6,7 @@ from PySide6.QtCore import QEvent, QRect, QSize, Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
+from skinsource_gui.status.pause import PAUSE_MS
 from skinsource_gui.theme import LIGHT, Theme
 
 #: One frame of most screens.
@@ -13,8 +14,6 @@ FRAME_S = 0.016
 #: What the full height means; slower ones are cut, and have the colour of a warning anyway.
 _TOP_S = 2.0 * FRAME_S
 _SIZE = QSize(100, 16)
-#: Times arrive with every frame; nobody can read them so fast.
-_PAUSE_MS = 250
 
 
 class Sparkline(QWidget):
@@ -34,7 +33,7 @@ class Sparkline(QWidget):
         self._about = about
         self._theme = LIGHT
         self._times_s: Sequence[float] = ()
-        self._pause = QTimer(self, singleShot=True, interval=_PAUSE_MS)
+        self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
         self._pause.timeout.connect(self._paint_again)
         self._waits = False
 

@@ -11,14 +11,13 @@ from skinsource_gui.status import scope
 from skinsource_gui.status.edit_times import EditTime
 from skinsource_gui.status.error_label import ErrorLabel
 from skinsource_gui.status.fitting_label import FittingLabel
+from skinsource_gui.status.pause import PAUSE_MS
 from skinsource_gui.status.scope import Scope, felt_words, scope_of
 from skinsource_gui.status.sparkline import FRAME_S, Sparkline
 from skinsource_gui.status.timing_label import TimingLabel
 from skinsource_gui.theme import UNIT_PX, Theme, tabular
 from skinsource_gui.widgets.lateness import Lateness
 
-# Numbers that change faster cannot be read.
-_PAUSE_MS = 250
 _OLDER = "The panels show the design before the last edits"
 
 
@@ -52,7 +51,7 @@ class StatusLine(QWidget):
         self._heard = ""
         self._lateness = Lateness(self)
         self._lateness.changed.connect(self._follow_lateness)
-        self._pause = QTimer(self, singleShot=True, interval=_PAUSE_MS)
+        self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
         self._pause.timeout.connect(self._say)
         # Until something is edited there is no time to tell.
         self._times = QWidget()

@@ -7,10 +7,9 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 from skinsource_gui.state.engine import Engine, Outcome
 from skinsource_gui.status.edit_times import EditTime, EditTimes, milliseconds, summary
+from skinsource_gui.status.pause import PAUSE_MS
 from skinsource_gui.theme import tabular
 
-# Numbers that change faster cannot be read.
-_PAUSE_MS = 250
 _WIDEST = "8888 ms"
 
 
@@ -41,7 +40,7 @@ class TimingLabel(QLabel):
         self._arrived: tuple[Outcome, float] | None = None
         self._delivered: tuple[Outcome, float] | None = None
         self._is_first = True
-        self._pause = QTimer(self, singleShot=True, interval=_PAUSE_MS)
+        self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
         self._pause.timeout.connect(self._say)
         window.installEventFilter(self)
         engine.finished.connect(self._note_arrival)

@@ -116,10 +116,10 @@ def test_recent_files_are_offered_newest_first_and_missing_ones_dropped(
         place(window)
         answers["save"] = str(tmp_path / f"{name}.skinsource")
         window.do("save_design_as")
-    assert [path.stem for path in preferences.recent_files] == ["two", "one"]
+    assert [path.stem for path in window.files.recent.paths] == ["two", "one"]
     (tmp_path / "one.skinsource").unlink()
     window.files.open(tmp_path / "one.skinsource")
-    assert [path.stem for path in preferences.recent_files] == ["two"]
+    assert [path.stem for path in window.files.recent.paths] == ["two"]
     menu = window.findChild(type(window.menuBar().addMenu("x")), "open_recent")
     menu.aboutToShow.emit()
     assert [entry.text() for entry in menu.actions()] == ["two.skinsource"]

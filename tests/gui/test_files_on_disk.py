@@ -129,12 +129,12 @@ def test_a_recent_file_that_is_missing_is_told_without_a_question(
     window, opened, asked, preferences
 ):
     gone = opened.with_name("gone.skinsource")
-    preferences.remember_file(gone)
+    window.files.recent.remember(gone)
     window.files.open(gone)
     assert asked == []
     assert "gone.skinsource: cannot be read" in window.notice.text
     assert "moved or deleted" in window.notice.text
-    assert gone not in preferences.recent_files
+    assert gone not in window.files.recent.paths
     assert window.document.path == opened
 
 
