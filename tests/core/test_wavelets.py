@@ -326,6 +326,14 @@ def test_a_glide_holds_the_values_of_its_first_point_before_it():
     np.testing.assert_array_equal(late, full)
 
 
+def test_lists_and_arrays_will_do_for_tuples():
+    plain = WaveletTrain((50.0, 60.0), gains_db=(0.0, -3.0))
+    assert WaveletTrain([50, 60], gains_db=np.array([0.0, -3.0])) == plain
+    assert hash(WaveletTrain(np.array([50.0, 60.0]), gains_db=[0, -3])) == hash(plain)
+    points = [[0.0, 50.0, 1.0], [0.1, 60.0, 1.0]]
+    assert Glide(points) == Glide(np.array(points)) == Glide(tuple(map(tuple, points)))
+
+
 def test_every_kind_is_reached_by_its_name():
     for kind in waveforms.KINDS:
         assert getattr(ss.waveforms, kind.__name__) is kind

@@ -1,5 +1,9 @@
 """Field specifications and limits that several waveforms share."""
 
+from typing import Any
+
+import numpy as np
+
 from skinsource.errors import InvalidInputError
 from skinsource.fields import ChoiceSpec, NumberSpec
 from skinsource.signals import BAND_HZ
@@ -39,6 +43,21 @@ CYCLES = NumberSpec(
     logarithmic=True,
     hint="How many of them are seen; more last longer and hold a narrower band",
 )
+
+
+def take_lists(recipe: object, *names: str) -> None:
+    """Turn lists and arrays in these fields into tuples, as scripts may hand them over."""
+    for name in names:
+        object.__setattr__(recipe, name, _as_tuples(getattr(recipe, name)))
+
+
+def _as_tuples(value: Any) -> Any:
+    # Two levels: lists within points would be refused, and could be nested without end.
+    if isinstance(value, np.ndarray):
+        value = value.tolist()
+    if not isinstance(value, list | tuple):
+        return value
+    return tuple(tuple(part) if isinstance(part, list | np.ndarray) else part for part in value)
 
 
 def refuse_length(kind: str, duration_s: float, what_next: str) -> None:

@@ -14,7 +14,7 @@ from skinsource.errors import InvalidInputError
 from skinsource.fields import NumberSpec, PointsSpec
 from skinsource.synthesis.bent_turns import DIGITS, bent_turns
 from skinsource.synthesis.burst import refuse_aliases
-from skinsource.waveforms.common import LONGEST_S
+from skinsource.waveforms.common import LONGEST_S, take_lists
 from skinsource.waveforms.instants import count_of
 from skinsource.waveforms.tone import FREQUENCY
 
@@ -57,6 +57,7 @@ class Glide:
     )
 
     def __post_init__(self) -> None:
+        take_lists(self, "points")
         fields.check(self)
         if self.duration_s < _SHORTEST_S:
             raise InvalidInputError(

@@ -14,7 +14,7 @@ from skinsource.errors import InvalidInputError
 from skinsource.fields import ChoiceSpec, ListSpec, NumberSpec
 from skinsource.synthesis.bent_turns import DIGITS, bent_turns
 from skinsource.synthesis.burst import refuse_aliases
-from skinsource.waveforms.common import CENTRE, CYCLES, refuse_length
+from skinsource.waveforms.common import CENTRE, CYCLES, refuse_length, take_lists
 from skinsource.waveforms.frequency_sweep import MOST
 from skinsource.waveforms.instants import count_of
 
@@ -76,7 +76,7 @@ class WaveletTrain:
     ----------
     frequencies_hz
         f_j, 1 to 1000 of them, each 0.1 Hz up to below half the sample rate; see
-        `frequency_sweep`.
+        `frequency_sweep`.  A list or an array will do.
     cycles
         0.5 to 10 000.
     slot_s
@@ -111,6 +111,7 @@ class WaveletTrain:
     gains_db: tuple[float, ...] = fields.field(GAINS, ())
 
     def __post_init__(self) -> None:
+        take_lists(self, "frequencies_hz", "gains_db")
         fields.check(self)
         if self.gains_db and len(self.gains_db) != len(self.frequencies_hz):
             raise InvalidInputError(
