@@ -66,7 +66,9 @@ def resample(samples: ArrayLike, from_hz: int, to_hz: int) -> Floats:
     return by_ratio(samples, Fraction(rates[1], rates[0]), min(rates))
 
 
-def by_ratio(samples: ArrayLike, ratio: Fraction, lower_hz: float) -> Floats:
+def by_ratio(
+    samples: ArrayLike, ratio: Fraction, lower_hz: float, *, offset: float = 0.0
+) -> Floats:
     """Return a signal with ``ratio`` times as many samples a second, as `resample` does.
 
     Parameters
@@ -77,8 +79,10 @@ def by_ratio(samples: ArrayLike, ratio: Fraction, lower_hz: float) -> Floats:
         New rate over old.
     lower_hz
         The lower of the two rates: it decides how steep the filter is.
+    offset
+        Taken off each sample first, without another copy of them all.
     """
-    found = _array(samples)
+    found = _Signals(_array(samples), offset)
     up, down = ratio.numerator, ratio.denominator
     n = -(-found.shape[-1] * up // down)
     if n > MAX_SAMPLES:
@@ -88,7 +92,7 @@ def by_ratio(samples: ArrayLike, ratio: Fraction, lower_hz: float) -> Floats:
     result = np.empty((*found.shape[:-1], n))
     if ratio == 1:
         for start, end in _blocks(n, _step(found.shape, 1)):
-            result[..., start:end] = _finite(found, start, end)
+            result[..., start:end] = found.part(start, end)
         return result
     kernel = _Kernel(up, down, _half_transition(lower_hz))
     length = 2 * kernel.half_length
@@ -97,6 +101,26 @@ def by_ratio(samples: ArrayLike, ratio: Fraction, lower_hz: float) -> Floats:
     else:
         _summed(found, kernel, result)
     return result
+
+
+class _Signals:
+    """What is resampled; given part by part, as float64."""
+
+    def __init__(self, samples: np.ndarray, offset: float) -> None:
+        self._samples, self._offset = samples, offset
+        self.shape = samples.shape
+
+    def part(self, start: int, end: int) -> Floats:
+        """Samples ``start`` to ``end``; refuses what is not finite."""
+        part = np.asarray(self._samples[..., start:end], np.float64)
+        if not np.isfinite(part).all():
+            place = np.argwhere(~np.isfinite(part))[0]
+            place[-1] += start
+            where = tuple(int(k) for k in place)
+            raise InvalidInputError(
+                f"samples is {self._samples[where]} at index {where}, expected finite real numbers"
+            )
+        return part - self._offset if self._offset else part
 
 
 class _Kernel:
@@ -136,7 +160,7 @@ def _half_transition(lower_hz: float) -> float:
     return min(max(1.0 - 2.0 * BAND_HZ[1] / lower_hz, _NARROWEST), _WIDEST)
 
 
-def _filtered(samples: np.ndarray, kernel: _Kernel, result: Floats) -> None:
+def _filtered(samples: _Signals, kernel: _Kernel, result: Floats) -> None:
     """Fill ``result`` block by block with one filter for all."""
     up, down, half = kernel.up, kernel.down, kernel.half_length
     # In blocks of whole periods of both rates, so that the filter lies alike in all of them.
@@ -150,14 +174,14 @@ def _filtered(samples: np.ndarray, kernel: _Kernel, result: Floats) -> None:
         last = min(-(-end * down // up) + reach + 1, samples.shape[-1])
         before = min(lead, first)
         missing = (lead - before) * up // down
-        part = _finite(samples, first - before, max(last, first - before))
+        part = samples.part(first - before, max(last, first - before))
         found = scipy.signal.upfirdn(taps, part, up, down, axis=-1) if part.size else part
         wanted = found[..., skipped - missing : skipped - missing + end - start]
         result[..., start : start + wanted.shape[-1]] = wanted
         result[..., start + wanted.shape[-1] : end] = 0.0
 
 
-def _summed(samples: np.ndarray, kernel: _Kernel, result: Floats) -> None:
+def _summed(samples: _Signals, kernel: _Kernel, result: Floats) -> None:
     """Fill ``result`` with sums whose weights are computed one by one."""
     up, down, half = kernel.up, kernel.down, kernel.half_length
     n_taps = 2 * (half // up) + 3
@@ -167,7 +191,7 @@ def _summed(samples: np.ndarray, kernel: _Kernel, result: Floats) -> None:
         index = nearest[:, np.newaxis] + np.arange(n_taps) - n_taps // 2
         weights = kernel.at(place[:, np.newaxis] - index * up)
         first, last = max(int(index[0, 0]), 0), min(int(index[-1, -1]) + 1, samples.shape[-1])
-        part = _finite(samples, first, max(last, first))
+        part = samples.part(first, max(last, first))
         if not part.shape[-1]:
             result[..., start:end] = 0.0
             continue
@@ -184,19 +208,6 @@ def _array(samples: ArrayLike) -> np.ndarray:
     if not found.ndim:
         raise InvalidInputError("samples is a single number, expected (..., n_times)")
     return found
-
-
-def _finite(samples: np.ndarray, start: int, end: int) -> Floats:
-    """A part of the samples as float64."""
-    part = np.asarray(samples[..., start:end], np.float64)
-    if not np.isfinite(part).all():
-        place = np.argwhere(~np.isfinite(part))[0]
-        place[-1] += start
-        where = tuple(int(k) for k in place)
-        raise InvalidInputError(
-            f"samples is {samples[where]} at index {where}, expected finite real numbers"
-        )
-    return part
 
 
 def _step(shape: tuple[int, ...], per_step: int) -> int:

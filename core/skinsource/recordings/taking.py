@@ -21,6 +21,7 @@ _MOST_NAME = 200
 _NOTED_LOSS = 0.01
 # Of the largest deviation from it.
 _NOTED_OFFSET = 1e-3
+_BLOCK = 2**18
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -87,16 +88,10 @@ def taken(
         raise InvalidInputError("there is no sample in this part; choose another one")
     notes: list[str] = []
     signal, rate = _at_one_rate(_complete(values, choice, notes), choice, stamps_s, notes)
-    if choice.remove_offset:
-        mean = float(np.mean(signal, dtype=np.float64))
-        if mean:
-            signal = np.subtract(signal, mean, dtype=np.float64)
-        if abs(mean) > _NOTED_OFFSET * float(np.abs(signal).max()):
-            words = f"{mean:.4g}{_with_unit(choice)}".replace("-", "−")
-            notes.append(f"An offset of {words} was taken off.")
+    offset = _offset_of(signal, choice, notes)
     ratio = Fraction(to_hz).limit_denominator(10_000) / rate
-    found = by_ratio(signal, ratio, min(float(rate), to_hz))
-    _note_loss(signal, found, ratio, to_hz, notes)
+    found = by_ratio(signal, ratio, min(float(rate), to_hz), offset=offset)
+    _note_loss(_energy(signal, offset), found, ratio, to_hz, notes)
     found, unit = _in_drive_units(found, choice, to_hz, notes)
     return Taken(
         samples=Samples(values=found, sample_rate_hz=to_hz, unit=unit),
@@ -135,17 +130,33 @@ def _complete(values: NDArray[Any], choice: ImportChoice, notes: list[str]) -> N
     return np.where(there, values, values.dtype.type(0))
 
 
+def _offset_of(signal: NDArray[Any], choice: ImportChoice, notes: list[str]) -> float:
+    """What is to be taken off each number; a copy of them all would take much memory."""
+    if not choice.remove_offset:
+        return 0.0
+    mean = float(np.mean(signal, dtype=np.float64))
+    most = max(float(signal.max()) - mean, mean - float(signal.min()))
+    if abs(mean) > _NOTED_OFFSET * most:
+        words = f"{mean:.4g}{_with_unit(choice)}".replace("-", "−")
+        notes.append(f"An offset of {words} was taken off.")
+    return mean
+
+
+def _energy(signal: NDArray[Any], offset: float) -> float:
+    """Sum of squares, without a copy of all numbers."""
+    parts = (signal[k : k + _BLOCK].astype(np.float64) for k in range(0, signal.size, _BLOCK))
+    return float(sum(np.sum((part - offset) ** 2) for part in parts))
+
+
 def _note_loss(
-    before: NDArray[Any], after: Floats, ratio: Fraction, to_hz: float, notes: list[str]
+    before: float, after: Floats, ratio: Fraction, to_hz: float, notes: list[str]
 ) -> None:
-    """Say how much of the energy lay above what the new rate can hold."""
-    there = float(np.vdot(before, before))
-    if ratio < 1 and there > 0.0:
-        lost = 1.0 - float(np.vdot(after, after)) / float(ratio) / there
+    """Say how much of the energy ``before`` lay above what the new rate can hold."""
+    if ratio < 1 and before > 0.0:
+        lost = 1.0 - float(np.vdot(after, after)) / float(ratio) / before
         if lost >= _NOTED_LOSS:
-            notes.append(
-                f"{100.0 * lost:.0f} % of its energy was above {to_hz / 2:g} Hz and is gone."
-            )
+            share = f"{100.0 * lost:.0f} % of its energy"
+            notes.append(f"{share} was above {to_hz / 2:g} Hz and is gone.")
 
 
 def _in_drive_units(
