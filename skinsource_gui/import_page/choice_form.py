@@ -76,7 +76,6 @@ class ChoiceForm(QWidget):
         self._lay_out()
         self._fill(self._signal, [(one.key, one.name) for one in found.signals()])
         self._take_series(self._series)
-        self._connect()
 
     @property
     def choice(self) -> ImportChoice:
@@ -94,15 +93,22 @@ class ChoiceForm(QWidget):
         stated = self._found.rate_of(self._series) is not None
         return self._choice.time is None and not stated and not self._rate_typed
 
+    @property
+    def lasts_s(self) -> float | None:
+        """Length of the whole signal; None where only its time stamps know."""
+        rate_hz = self._choice.rate_hz
+        return None if rate_hz is None else self._series.n_samples / rate_hz
+
+    def take_part(self, start_s: float, duration_s: float) -> None:
+        """Want another part, as a user does."""
+        self._start.set_value(start_s)
+        self._duration.set_value(max(duration_s, _DURATION.minimum))
+        self._take_over()
+
     def show_missing(self, n_missing: int) -> None:
         """Offer to count missing numbers as 0, where there are some."""
         wanted = n_missing > 0 or self._missing.isChecked()
         self._form.setRowVisible(self._missing, wanted)
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        for field in (self._rate, self._start, self._duration):
-            field.show_theme(theme)
 
     def _widgets(self) -> dict[str, QWidget]:
         return {
@@ -135,8 +141,6 @@ class ChoiceForm(QWidget):
         for name, widget in self._widgets().items():
             self._form.addRow(labels.get(name, ""), widget)
         self._form.setRowVisible(self._missing, False)
-
-    def _connect(self) -> None:
         self._signal.chosen.connect(self._choose_signal)
         for field in (self._timing, self._time_unit, self._unit, self._scale):
             field.chosen.connect(self._take_over)

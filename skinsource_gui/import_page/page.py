@@ -13,12 +13,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from skinsource.arrays import Floats
 from skinsource.fields import ChoiceSpec
 from skinsource.files import named
 from skinsource.recordings import Found, ImportChoice, Taken
 from skinsource.recordings.importing import RawPart
+from skinsource.recordings.limits import MOST_PART_S
 from skinsource_gui.import_page.choice_form import ASSUMED_RATE_HZ, ChoiceForm
 from skinsource_gui.import_page.import_preview import ImportPreview
+from skinsource_gui.import_page.overview_strip import OverviewStrip
 from skinsource_gui.import_page.reading_worker import ReadingWorker
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
@@ -62,9 +65,12 @@ class ImportPage(QDialog):
         self._theme = theme
         self._form: ChoiceForm | None = None
         self._taken: Taken | None = None
+        self._surveyed = ""
         self._about, self._warning = QLabel(_READING), QLabel(_ASSUMED)
         self._place = ChoiceField(ChoiceSpec(label="Goes to", options=places))
-        self._preview = ImportPreview(theme)
+        self._preview, self._strip = ImportPreview(theme), OverviewStrip(MOST_PART_S)
+        self._strip.show_theme(theme)
+        self._strip.hide()
         self._bar = QProgressBar()
         self._buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
@@ -137,7 +143,11 @@ class ImportPage(QDialog):
         columns = QHBoxLayout()
         columns.setSpacing(2 * UNIT_PX)
         columns.addWidget(left)
-        columns.addWidget(self._preview, 1)
+        right = QVBoxLayout()
+        right.setSpacing(UNIT_PX)
+        right.addWidget(self._strip)
+        right.addWidget(self._preview, 1)
+        columns.addLayout(right, 1)
         rows = QVBoxLayout(self)
         rows.addLayout(columns, 1)
         rows.addWidget(self._bar)
@@ -149,6 +159,7 @@ class ImportPage(QDialog):
         worker.looked.connect(self._show_found)
         worker.read.connect(self._show_read)
         worker.taken.connect(self._show_taken)
+        worker.surveyed.connect(self._show_overview)
         worker.failed.connect(self._show_failed)
         worker.progressed.connect(self._show_progress)
         self._buttons.accepted.connect(self.accept)
@@ -159,6 +170,7 @@ class ImportPage(QDialog):
         self._form = ChoiceForm(found, self._theme, self)
         self._form.changed.connect(self._want)
         self._left.insertWidget(2, self._form)
+        self._strip.part_wanted.connect(self._form.take_part)
         self._want(self._form.choice)
 
     def _want(self, choice: ImportChoice) -> None:
@@ -169,6 +181,23 @@ class ImportPage(QDialog):
         self._bar.show()
         self._bar.setRange(0, 0)
         self._worker.take(choice)
+        self._show_part(choice)
+
+    def _show_part(self, choice: ImportChoice) -> None:
+        form = self._form
+        lasts_s = form.lasts_s if form is not None else None
+        self._strip.setVisible(lasts_s is not None)
+        if form is None or lasts_s is None:
+            return
+        self._strip.show_part(lasts_s, choice.start_s, choice.duration_s)
+        if self._surveyed != choice.series:
+            self._surveyed = choice.series
+            self._strip.show_extremes(None)
+            self._worker.survey(form.series)
+
+    def _show_overview(self, key: str, extremes: Floats) -> None:
+        if self._form is not None and key == self._form.choice.series:
+            self._strip.show_extremes(extremes)
 
     def _show_read(self, raw: RawPart) -> None:
         if self._form is not None:

@@ -11,13 +11,15 @@ from PySide6.QtCore import QObject, Qt, Signal
 
 from skinsource.errors import SkinSourceError, Stopped
 from skinsource.job import Job, Progress, Stop, stop_if
-from skinsource.recordings import Found, ImportChoice, Taken
+from skinsource.recordings import Found, ImportChoice, Series, Taken
 from skinsource.recordings.importing import RawPart, read_for, read_part
 from skinsource.recordings.reading_process import ReadingProcess
 
 # What takes longer is given up for what is wanted meanwhile.
 _PATIENCE_S = 0.5
 _BETWEEN_PROGRESS_S = 0.05
+# Stretches of the picture of all.
+_COLUMNS = 600
 
 
 class ReadingWorker(QObject):
@@ -37,6 +39,8 @@ class ReadingWorker(QObject):
     read = Signal(object)
     #: `ImportChoice`, and its `Taken`.
     taken = Signal(object, object)
+    #: Key of a series, and the least and largest of each stretch of it, (2, columns).
+    surveyed = Signal(str, object)
     #: `ImportChoice`, or None while the file is looked at; a sentence.
     failed = Signal(object, str)
     #: Samples read, and of how many.
@@ -50,6 +54,7 @@ class ReadingWorker(QObject):
         self._pool = ThreadPoolExecutor(1, thread_name_prefix="skinsource-import")
         self._lock = Lock()
         self._wanted: ImportChoice | None = None
+        self._survey: Series | None = None
         self._working = False
         self._closed = Event()
         self._found: Found | None = None
@@ -71,6 +76,15 @@ class ReadingWorker(QObject):
         """Take what ``choice`` means, instead of whatever was wanted before."""
         with self._lock:
             self._wanted = choice
+            if self._working:
+                return
+            self._working = True
+        self._pool.submit(self._work)
+
+    def survey(self, series: Series) -> None:
+        """Look at all of a series, once nothing else is wanted."""
+        with self._lock:
+            self._survey = series
             if self._working:
                 return
             self._working = True
@@ -102,9 +116,13 @@ class ReadingWorker(QObject):
         while True:
             with self._lock:
                 choice, self._wanted = self._wanted, None
-                if choice is None or self._closed.is_set() or self._found is None:
+                survey = self._survey
+                if (choice or survey) is None or self._closed.is_set() or self._found is None:
                     self._working = False
                     return
+            if choice is None:
+                self._look_at_all(survey)
+                continue
             try:
                 job = Job(f"Importing {self._path.name}", partial(self._take, choice))
                 result = job.run(self._progress(), self._stop())
@@ -113,6 +131,24 @@ class ReadingWorker(QObject):
                 continue
             except Exception as error:  # noqa: BLE001  shown to the user
                 self._told.emit(self.failed, (choice, _sentence(error)))
+
+    def _look_at_all(self, series: Any) -> None:
+        try:
+            extremes = self._process.overview(
+                self._path, series.key, series.n_samples, _COLUMNS, stop=self._is_wanted
+            )
+        except Stopped:
+            return  # later, unless it is closed
+        except SkinSourceError:
+            extremes = None  # what is wrong is said about the part
+        with self._lock:
+            if self._survey is series:
+                self._survey = None
+        if extremes is not None:
+            self._told.emit(self.surveyed, (series.key, extremes))
+
+    def _is_wanted(self) -> bool:
+        return self._closed.is_set() or self._wanted is not None
 
     def _take(self, choice: ImportChoice, *, progress: Progress, stop: Stop) -> Taken:
         assert self._found is not None  # noqa: S101  nothing is taken before it is known

@@ -2,11 +2,16 @@
 
 A parser that crashes, hangs or fills the memory takes this process down, and nothing else.
 
-It reads requests from its input, one JSON text a line: ``{"do": "look", "path": ...}`` or
-``{"do": "read", "path": ..., "keys": [...], "start": ..., "stop": ...}``.  It answers with JSON
-texts, one a line: ``{"found": ...}``; or blocks, ``{"block": [series, samples, "f4" or "f8"]}``
-followed by their bytes, and ``{"end": true}``; or ``{"error": sentence, "kind": ...}``.  It ends
-when its input does.
+It reads requests from its input, one JSON text a line:
+
+- ``{"do": "look", "path": ...}``, answered by ``{"found": ...}``;
+- ``{"do": "read", "path": ..., "keys": [...], "start": ..., "stop": ...}``, answered by blocks,
+  ``{"block": [series, samples, "f4" or "f8"]}`` followed by their bytes, and ``{"end": true}``;
+- ``{"do": "overview", "path": ..., "key": ..., "samples": ..., "columns": ...}``, answered by
+  ``{"done": samples}`` while it is at work, one block of least and largest, and ``{"end": true}``.
+
+Instead of any of them comes ``{"error": sentence, "kind": "format" or "storage"}``.  It ends when
+its input does.
 """
 
 import importlib
@@ -24,6 +29,7 @@ from skinsource.files import named
 from skinsource.quoting import printable
 from skinsource.recordings import limits, readers
 from skinsource.recordings.found import to_tree
+from skinsource.recordings.overview import Overview
 
 # Of computing without an answer; the parent is more impatient, but it may be gone.
 _CPU_S = 120
@@ -54,11 +60,26 @@ def _carry_out(answers: IO[bytes], request: dict[str, Any], path: Path) -> None:
     if request["do"] == "look":
         _answer(answers, {"found": to_tree(readers.look(path))})
         return
+    if request["do"] == "overview":
+        _give_overview(answers, request, path)
+        return
     keys, start, stop = request["keys"], int(request["start"]), int(request["stop"])
     for block in readers.blocks(path, keys, start, stop):
         kind = "<f4" if block.dtype == np.float32 else "<f8"
         _answer(answers, {"block": [*block.shape, kind[1:]]}, np.ascontiguousarray(block, kind))
         _limit_time()
+    _answer(answers, {"end": True})
+
+
+def _give_overview(answers: IO[bytes], request: dict[str, Any], path: Path) -> None:
+    n = int(request["samples"])
+    overview = Overview(n, int(request["columns"]))
+    for block in readers.blocks(path, [request["key"]], 0, n):
+        overview.add(block)
+        _answer(answers, {"done": overview.done})
+        _limit_time()
+    found = overview.extremes
+    _answer(answers, {"block": [*found.shape, "f8"]}, np.ascontiguousarray(found, "<f8"))
     _answer(answers, {"end": True})
 
 

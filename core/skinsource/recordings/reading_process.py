@@ -14,6 +14,7 @@ from typing import IO, Any
 
 import numpy as np
 
+from skinsource.arrays import Floats
 from skinsource.errors import RecordingError, StorageError
 from skinsource.files import named
 from skinsource.files.assets import PACKAGE
@@ -109,6 +110,24 @@ class ReadingProcess:
             request = {"do": "read", "keys": list(keys), "start": start, "stop": end}
             self._ask(path, request, stop)
             return self._gathered(path, len(keys), n, progress, stop)
+
+    def overview(
+        self, path: Path, key: str, n_samples: int, columns: int, *, stop: Stop = never
+    ) -> Floats:
+        """Return the least and the largest of each of ``columns`` stretches, (2, columns).
+
+        Stretches that hold no number are NaN.  Raises what `look` does.
+        """
+        request = {"do": "overview", "key": key, "samples": n_samples, "columns": columns}
+        with self._lock:
+            self._ask(path, request, stop)
+            found = np.empty((2, 0))
+            while True:
+                answer, content = self._next(path, stop)
+                if "end" in answer:
+                    return found
+                if "block" in answer:
+                    found = np.frombuffer(content, "<f8").reshape(2, -1)
 
     def _gathered(self, path: Path, rows: int, n: int, progress: Progress, stop: Stop) -> Block:
         found: Block = np.empty((rows, 0), np.float32)

@@ -153,6 +153,31 @@ def test_a_file_that_is_none_says_why_and_imports_nothing(window, page_on, tmp_p
     assert window.document.design is before
 
 
+def test_the_whole_is_shown_and_its_part_is_dragged(page_on, qtbot, tmp_path):
+    values = np.zeros(8 * 8000)
+    values[5 * 8000 : 6 * 8000] = np.sin(np.arange(8000) * 0.1)
+    soundfile.write(tmp_path / "long.wav", values, 8000)
+    page = page_on(tmp_path / "long.wav")
+    strip = page.findChild(object, "import_overview")
+    qtbot.waitUntil(lambda: strip.extremes is not None, timeout=30_000)
+    loud = np.flatnonzero(strip.extremes[1] > 0.5) * 8.0 / strip.extremes.shape[1]
+    assert (loud[0], loud[-1]) == (pytest.approx(5.0, abs=0.05), pytest.approx(6.0, abs=0.05))
+    assert strip.isVisible()
+    ends = [QPoint(round(strip.x_of(at)), 20) for at in (8.0, 7.0)]
+    qtbot.mousePress(strip, Qt.MouseButton.LeftButton, pos=ends[0] - QPoint(1, 0))
+    qtbot.mouseMove(strip, ends[1])
+    qtbot.mouseRelease(strip, Qt.MouseButton.LeftButton, pos=ends[1])
+    middle = QPoint(round(strip.x_of(3.5)), 20)
+    qtbot.mousePress(strip, Qt.MouseButton.LeftButton, pos=middle)
+    qtbot.mouseMove(strip, middle + QPoint(round(strip.x_of(1.0)), 0))
+    qtbot.mouseRelease(strip, Qt.MouseButton.LeftButton, pos=middle)
+    choice = page.form.choice
+    assert choice.duration_s == pytest.approx(7.0, abs=0.1)
+    assert choice.start_s == pytest.approx(1.0, abs=0.1)
+    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
+    assert page.preview.words.startswith("7")
+
+
 def test_a_page_that_is_closed_while_it_reads_leaves_nothing(window, sound):
     window.imports.open_page(sound)
     page = window.imports.pages[-1]
