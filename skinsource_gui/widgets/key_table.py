@@ -5,34 +5,13 @@ something, `key_text` is asked.  The keys of actions stand in the table of actio
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cache
 
 from PySide6.QtCore import QKeyCombination, Qt
 from PySide6.QtGui import QKeyEvent, QKeySequence
 
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class KeyHint:
-    """Keys that mean the same, or nearly so.
-
-    Attributes
-    ----------
-    name
-        What the widget calls it.
-    words
-        What a reader calls the keys.
-    means
-        What they do.
-    keys
-        All of them, as Qt writes them; the first is shown where there is room for one.
-    """
-
-    name: str
-    words: str
-    means: str
-    keys: tuple[str, ...]
-
+from skinsource_gui.widgets.effect_keys import CURVE, EFFECTS
+from skinsource_gui.widgets.key_hint import KeyHint
 
 _ARROWS = ("Left", "Right", "Up", "Down")
 _ENTER = ("Return", "Enter", "Space")
@@ -214,6 +193,8 @@ WIDGET_KEYS: dict[str, tuple[str, tuple[KeyHint, ...]]] = {
             KeyHint(name="forget", words="Delete", means="forget it", keys=("Del", "Backspace")),
         ),
     ),
+    "curve": ("On a small curve", CURVE),
+    "effects": ("On an effect of a clip", EFFECTS),
     "history": (
         "In the history",
         (

@@ -5,6 +5,7 @@ from hypothesis import strategies as st
 
 from skinsource import edits
 from skinsource.design import Design, track
+from skinsource.effects import EFFECTS
 from skinsource.limb import LIMB_NAMES
 from skinsource.motions import MOTIONS, Alternation
 from skinsource.view import View
@@ -55,6 +56,17 @@ numbers = st.integers(-1, 5)
 motions = st.sampled_from([*(kind() for kind in MOTIONS), Alternation(rounds=200), None])
 #: What is handed to each edit, after design and view.
 ARGUMENTS = {
+    "add_effect": (ids, st.sampled_from([*(kind.__name__ for kind in EFFECTS), "Echo"])),
+    "change_effect_field": (
+        one_id,
+        st.integers(-1, 3),
+        st.sampled_from(["in_s", "times", "factor", "to_s", "points", "on", "low_hz", ""]),
+        anything,
+    ),
+    "move_effect": (one_id, st.integers(-1, 3), st.integers(-1, 3)),
+    "remove_effect": (one_id, st.integers(-1, 3)),
+    "set_envelope": (one_id, curves),
+    "switch_effect": (one_id, st.integers(-1, 3), switches | anything),
     "add_clip": (one_id, anything, waveforms),
     "add_marker": (anything,),
     "add_motion": (

@@ -44,7 +44,8 @@ def claims(place, parent):
         return lambda event: NumberGestures.knows(event) or begins_typing(event)
     if place == "colour_bar":
         return lambda event: bool(key_step_db(event))
-    return partial(meant, place if place in ("history", "snapshot") else "plot")
+    others = ("history", "snapshot", "effects", "curve")
+    return partial(meant, place if place in others else "plot")
 
 
 @pytest.mark.parametrize("place", WIDGET_KEYS)

@@ -22,6 +22,14 @@ from skinsource.edits.clips import (
 )
 from skinsource.edits.cutting import fade_clip, join_clips, split_clips, stretch_clip, trim_clip
 from skinsource.edits.edit import Edit, Refusal
+from skinsource.edits.effects import (
+    add_effect,
+    change_effect_field,
+    move_effect,
+    remove_effect,
+    set_envelope,
+    switch_effect,
+)
 from skinsource.edits.fragments import (
     cut_clips,
     fragment_from,
@@ -90,8 +98,10 @@ __all__ = [
     "Edit",
     "Refusal",
     "add_clip",
+    "add_effect",
     "add_marker",
     "add_motion",
+    "change_effect_field",
     "change_field",
     "change_kind",
     "change_limb",
@@ -119,6 +129,7 @@ __all__ = [
     "look_by_method",
     "match_levels",
     "move_clips",
+    "move_effect",
     "move_inputs",
     "move_marker",
     "move_playhead",
@@ -129,6 +140,7 @@ __all__ = [
     "put_inputs_before",
     "remove_clips",
     "remove_delay",
+    "remove_effect",
     "remove_inputs",
     "remove_marker",
     "remove_time",
@@ -141,6 +153,7 @@ __all__ = [
     "select_outputs",
     "select_through",
     "set_clips",
+    "set_envelope",
     "set_gain_curve",
     "set_glide_curve",
     "set_loop",
@@ -150,6 +163,7 @@ __all__ = [
     "split_clips",
     "store_snapshot",
     "stretch_clip",
+    "switch_effect",
     "toggle_clip",
     "toggle_mute",
     "toggle_mute_clips",

@@ -13,7 +13,7 @@ from skinsource.design import MAX_CLIPS, Design, Input
 from skinsource.edits.clip_selection import clips_selected
 from skinsource.edits.clips import NO_CLIP, clips_words, present_clips, replace_clips, short
 from skinsource.edits.edit import Edit, Refusal, refused, with_clips
-from skinsource.effects import Effect, Trim, effect_kinds, played_s
+from skinsource.effects import Effect, Fade, Stretch, Trim, played_s
 from skinsource.errors import InvalidInputError
 from skinsource.fields import specs_of
 from skinsource.view import View
@@ -115,20 +115,19 @@ def stretch_clip(
     if not (_is_time(start_s) and _is_time(end_s)):
         return Refusal(sentence="A time is a number of seconds.")
     [one] = found
-    kind = _effect_called("Stretch")
-    if kind is None or one.duration_s == 0.0:
+    if one.duration_s == 0.0:
         return Refusal(sentence="This clip cannot be stretched; change its duration instead.")
     factor = max(end_s - start_s, SHORTEST_S) / one.duration_s
-    before, fades = _without_fades(one.effects)
-    if before and isinstance(before[-1], kind) and before[-1].on:
-        *inner, old = before
-        factor *= getattr(old, "factor", 1.0)
-    else:
-        inner = list(before)
+    inner, fades = _without_fades(one.effects)
+    old = Stretch()
+    if inner and isinstance(inner[-1], Stretch) and inner[-1].on:
+        old, inner = inner[-1], inner[:-1]
+        factor *= old.factor_of(played_s(one.waveform, inner))
     try:
-        kept = [] if abs(factor - 1.0) < SAME_S else [kind(factor=_nearest(kind, factor))]
+        changed = replace(old, factor=_nearest(factor), to_s=0.0)
     except InvalidInputError as error:
         return refused(error)
+    kept = () if abs(factor - 1.0) < SAME_S else (changed,)
     changes = {"onset_s": short(start_s), "effects": (*inner, *kept, *fades)}
     return _changed(design, view, "Stretch", one, changes)
 
@@ -141,18 +140,15 @@ def fade_clip(design: Design, view: View, id: int, in_s: float, out_s: float) ->
     if not (_is_time(in_s) and _is_time(out_s)):
         return Refusal(sentence="A time is a number of seconds.")
     [one] = found
-    kind = _effect_called("Fade")
-    if kind is None:
-        return Refusal(sentence="This studio knows no fades.")
     in_s = short(min(max(in_s, 0.0), one.duration_s))
     out_s = short(min(max(out_s, 0.0), one.duration_s - in_s))
     effects: list[Any] = list(one.effects)
-    last = effects[-1] if effects and isinstance(effects[-1], kind) and effects[-1].on else None
+    last = effects[-1] if effects and isinstance(effects[-1], Fade) and effects[-1].on else None
     try:
         if last is not None:
             effects[-1:] = [replace(last, in_s=in_s, out_s=out_s)] if in_s or out_s else []
         elif in_s or out_s:
-            effects.append(kind(in_s=in_s, out_s=out_s))
+            effects.append(Fade(in_s=in_s, out_s=out_s))
     except InvalidInputError as error:
         return refused(error)
     return _changed(design, view, "Fade", one, {"effects": tuple(effects)})
@@ -224,19 +220,14 @@ def _joined(left: Clip, right: Clip) -> Clip | None:
 
 def _without_fades(effects: tuple[Effect, ...]) -> tuple[tuple[Effect, ...], tuple[Effect, ...]]:
     """The effects up to the fades at the end of the chain, and those fades."""
-    kind = _effect_called("Fade")
     count = len(effects)
-    while kind is not None and count and isinstance(effects[count - 1], kind):
+    while count and isinstance(effects[count - 1], Fade):
         count -= 1
     return effects[:count], effects[count:]
 
 
-def _effect_called(name: str) -> Any:
-    return next((kind for kind in effect_kinds() if kind.__name__ == name), None)
-
-
-def _nearest(kind: Any, factor: float) -> float:
-    spec: Any = specs_of(kind)["factor"]
+def _nearest(factor: float) -> float:
+    spec: Any = specs_of(Stretch)["factor"]
     return min(max(short(factor), spec.minimum), spec.maximum)
 
 

@@ -7,8 +7,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QScrollArea, QStackedLayout, QVBoxLayout, QWidget
 
 from skinsource.design import Design, Input, amplitude_unit, audible_inputs
+from skinsource.edits.selection import clip_of, clips_of
 from skinsource.view import View
 from skinsource_gui.panel import Panel
+from skinsource_gui.panels.inspector.effects.chain_edits import ChainEdits
+from skinsource_gui.panels.inspector.effects.effect_chain import EffectChain
 from skinsource_gui.panels.inspector.input_fields import InputFields
 from skinsource_gui.panels.inspector.input_heading import InputHeading
 from skinsource_gui.panels.inspector.selection import Selection
@@ -40,6 +43,8 @@ class InspectorPanel(Panel):
         self._fields.kind.edited.connect(self._selection.change_kind)
         self._fields.place.edited.connect(self._selection.change_place)
         self._fields.edited.connect(self._selection.change_field)
+        self._chain, self._chain_edits = EffectChain(), ChainEdits(self)
+        self._connect_chain()
         self._heading = InputHeading()
         self._heading.mute_toggled.connect(self._selection.toggle_mute)
         self._heading.solo_toggled.connect(self._selection.toggle_solo)
@@ -61,6 +66,7 @@ class InspectorPanel(Panel):
         one = self._selection.last
         if one is None:
             self._fields.forget_typing()
+            self._chain.forget_typing()
             self._shown = ()
             self._empty.setText(
                 "Select an input, on the hand or in the list, to edit it"
@@ -72,6 +78,7 @@ class InspectorPanel(Panel):
         if self._shown != (view.selected_inputs, view.selected_clips):
             # What was being typed, or dragged, was meant for others.
             self._fields.forget_typing()
+            self._chain.forget_typing()
             self._shown = (view.selected_inputs, view.selected_clips)
             self._show_waveform()
         self._show_input(
@@ -106,7 +113,7 @@ class InspectorPanel(Panel):
     def show_theme(self, theme: Theme) -> None:
         self._theme = theme
         self._empty.setStyleSheet(f"color: {theme.dim};")
-        for part in (self._heading, self._preview, self._fields):
+        for part in (self._heading, self._preview, self._fields, self._chain):
             part.show_theme(theme)
         if self._selection.last is not None:
             self._show_look(self._selection.last)
@@ -116,6 +123,7 @@ class InspectorPanel(Panel):
         fields = QVBoxLayout(inside)
         fields.setContentsMargins(UNIT_PX, 0, UNIT_PX, UNIT_PX)
         fields.addWidget(self._fields.grid)
+        fields.addWidget(self._chain)
         fields.addStretch(1)
         scroll = QScrollArea()
         scroll.setObjectName("inspector_fields")
@@ -148,7 +156,24 @@ class InspectorPanel(Panel):
         self._heading.show_input(one, silent=silent, together=together)
         unit = amplitude_unit(self._design.scaling)
         self._fields.show_input(one, together, unit, self._view)
+        self._show_chain(one, together)
         self._show_look(one)
+
+    def _show_chain(self, one: Input, together: tuple[Input, ...]) -> None:
+        clip = clip_of(one, self._view)
+        ids = tuple(each.id for other in together for each in clips_of(other, self._view))
+        self._chain_edits.show_state(self._design, self._view, clip, ids)
+        self._chain.show_chain(clip.id if clip else None, clip.effects if clip else ())
+
+    def _connect_chain(self) -> None:
+        chain, changes = self._chain, self._chain_edits
+        chain.added.connect(changes.add)
+        chain.removed.connect(changes.remove)
+        chain.moved.connect(changes.move)
+        chain.switched.connect(changes.switch)
+        chain.edited.connect(changes.change_field)
+        changes.edited.connect(self.edited)
+        changes.field_refused.connect(chain.show_refused)
 
     def _show_look(self, one: Input) -> None:
         self._preview.set_look(self._theme.input_colour(one.colour), flipped=one.amplitude < 0)

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QLabel, QLineEdit, QWidget
 
 from skinsource.edits.kinds import KindSpec
 from skinsource.fields import (
+    BreakpointsSpec,
     ChoiceSpec,
     ListSpec,
     NumberSpec,
@@ -22,6 +23,7 @@ from skinsource.quoting import printable
 from skinsource.signals import BAND_HZ
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.fields.curve_field import CurveField
 from skinsource_gui.widgets.fields.list_editors import NumbersEditor, PointsEditor
 from skinsource_gui.widgets.fields.live_text import LiveText
 from skinsource_gui.widgets.fields.number_field import NumberField
@@ -198,6 +200,17 @@ class LiveTextEditor(QObject):
         return ""
 
 
+class CurveEditor(_Plain):
+    """Moves breakpoints."""
+
+    def __init__(self, spec: BreakpointsSpec, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.field = CurveField(spec, parent)
+        self.field.edited.connect(self.edited.emit)
+        self.set_value, self.cancel = self.field.set_value, self.field.cancel
+        self.show_theme = self.field.show_theme
+
+
 class ShownOnly(_Plain):
     """Says what a field holds that cannot be edited here."""
 
@@ -236,6 +249,7 @@ EDITORS: dict[type[Spec], Callable[[Any, QWidget], Editor]] = {
     KindSpec: KindEditor,
     SwitchSpec: SwitchEditor,
     TextSpec: text_editor,
+    BreakpointsSpec: CurveEditor,
     ListSpec: list_editor,
     PointsSpec: PointsEditor,
     # Curves, samples, …: what has no editor of its own is shown.

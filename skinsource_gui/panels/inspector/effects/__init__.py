@@ -1,0 +1,1 @@
+"""The chain of effects of the selected clip."""

@@ -1,0 +1,110 @@
+"""The name of an effect: opens it, is dragged, takes the keys."""
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtWidgets import QApplication, QSizePolicy, QToolButton, QWidget
+
+from skinsource_gui.widgets.key_table import key_text, meant
+from skinsource_gui.widgets.tooltips import tooltip
+
+
+class EffectTitle(QToolButton):
+    """Shows or hides the fields of an effect; drags it to another place.
+
+    Attributes
+    ----------
+    open
+        Whether the fields are shown.
+    """
+
+    #: Whether the fields shall be shown.
+    opened = Signal(bool)
+    #: What a key means, as the table of keys names it.
+    pressed_key = Signal(str)
+    #: Where the pointer is, on the screen, during a drag; where it let go.
+    dragged = Signal(int)
+    dropped = Signal(int)
+    #: The drag was given up.
+    given_up = Signal()
+
+    def __init__(self, words: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._start_y: int | None = None
+        self._dragging = False
+        self.open = False
+        self.setText(words)
+        self.setAccessibleName(words)
+        self.setObjectName("effect_title")
+        self.setAutoRaise(True)
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        keys = f"{key_text('effects', 'shift_up')}, {key_text('effects', 'shift_down')}"
+        self.setToolTip(
+            tooltip(
+                f"Click: show or hide its settings. Drag, or {keys}: another place in the chain"
+            )
+        )
+        self.clicked.connect(lambda: self.set_open(not self.open))
+        self._point()
+
+    def set_open(self, open_: bool) -> None:
+        """Point down, to fields that are shown, or not."""
+        if open_ != self.open:
+            self.open = open_
+            self._point()
+            self.opened.emit(open_)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        name = meant("effects", event)
+        if self._dragging and event.key() == Qt.Key.Key_Escape:
+            self._let_go()
+            self.given_up.emit()
+        elif name:
+            self.pressed_key.emit(name)
+        else:
+            event.ignore()
+
+    def event(self, event: QEvent) -> bool:
+        # Without this, a shortcut of the window would take the key.
+        if event.type() == QEvent.Type.ShortcutOverride and (
+            meant("effects", event) or (self._dragging and event.key() == Qt.Key.Key_Escape)
+        ):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        super().mousePressEvent(event)
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._start_y = round(event.globalPosition().y())
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        super().mouseMoveEvent(event)
+        if self._start_y is None:
+            return
+        y = round(event.globalPosition().y())
+        if not self._dragging and abs(y - self._start_y) >= QApplication.startDragDistance():
+            self._dragging = True
+            # It is dragged, not clicked.
+            self.setDown(False)
+            self.setCursor(Qt.CursorShape.ClosedHandCursor)
+        if self._dragging:
+            self.dragged.emit(y)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if self._dragging and event.button() == Qt.MouseButton.LeftButton:
+            self._let_go()
+            self.dropped.emit(round(event.globalPosition().y()))
+            event.accept()
+            return
+        self._start_y = None
+        super().mouseReleaseEvent(event)
+
+    def _let_go(self) -> None:
+        self._start_y, self._dragging = None, False
+        self.setDown(False)
+        self.unsetCursor()
+
+    def _point(self) -> None:
+        self.setArrowType(Qt.ArrowType.DownArrow if self.open else Qt.ArrowType.RightArrow)

@@ -1,0 +1,145 @@
+"""What is done to the chain of a clip."""
+
+from dataclasses import replace
+
+import pytest
+
+from skinsource import edits
+from skinsource.clips import Clip
+from skinsource.clips.clip import MAX_EFFECTS
+from skinsource.design import Design, Input
+from skinsource.edits import Refusal
+from skinsource.effects import EFFECTS, Envelope, Fade, Repeat, Reverse, Stretch, Trim
+from skinsource.view import View
+from skinsource.waveforms import Tone
+
+CHAIN = (Reverse(), Fade(), Repeat())
+DESIGN = Design(
+    limb="any",
+    inputs=(
+        Input(
+            location=7,
+            clips=(
+                Clip(id=1, waveform=Tone(duration_s=0.2), effects=CHAIN),
+                Clip(id=2, onset_s=0.3),
+            ),
+        ),
+        Input(location=3, clips=(Clip(id=3),)),
+    ),
+)
+VIEW = View(selected_clips=(1,))
+
+
+def chain_of(outcome, id=1):
+    assert not isinstance(outcome, Refusal), outcome
+    others = [one for one in outcome.design.clips if one.id != id]
+    assert all(any(one is before for before in DESIGN.clips) for one in others)
+    assert outcome.view == VIEW
+    return outcome.design.clip(id).effects
+
+
+@pytest.mark.parametrize("kind", EFFECTS)
+def test_every_effect_is_added_at_the_end_or_at_a_place(kind):
+    outcome = edits.add_effect(DESIGN, VIEW, (1,), kind.__name__)
+    assert outcome.label == f"Add {kind.title.lower()} to clip at 7 (II pad)"
+    assert [type(one) for one in chain_of(outcome)] == [*map(type, CHAIN), kind]
+    first = edits.add_effect(DESIGN, VIEW, (1,), kind.__name__, 0)
+    assert [type(one) for one in chain_of(first)] == [kind, *map(type, CHAIN)]
+
+
+def test_a_new_effect_fits_the_clip():
+    envelope = chain_of(edits.add_effect(DESIGN, VIEW, (2,), "Envelope"), 2)[0]
+    assert envelope.points == ((0.0, 1.0, "straight"), (0.2, 1.0, "straight"))
+    assert chain_of(edits.add_effect(DESIGN, VIEW, (2,), "Trim"), 2) == (Trim(0.0, 0.2),)
+    assert chain_of(edits.add_effect(DESIGN, VIEW, (2,), "Fade"), 2) == (Fade(0.02, 0.02),)
+
+
+def test_an_effect_is_added_to_several_clips_at_once():
+    outcome = edits.add_effect(DESIGN, VIEW, (2, 3), "Reverse")
+    assert outcome.label == "Add reverse to 2 clips"
+    assert [outcome.design.clip(id).effects for id in (2, 3)] == [(Reverse(),)] * 2
+
+
+def test_an_effect_is_removed():
+    outcome = edits.remove_effect(DESIGN, VIEW, 1, 1)
+    assert chain_of(outcome) == (CHAIN[0], CHAIN[2])
+    assert outcome.label == "Remove fade from clip at 7 (II pad)"
+
+
+@pytest.mark.parametrize(
+    ("index", "to", "order"),
+    [
+        (0, 1, (1, 0, 2)),
+        (0, 2, (1, 2, 0)),
+        (2, 0, (2, 0, 1)),
+        (0, 99, (1, 2, 0)),
+        (1, -4, (1, 0, 2)),
+    ],
+)
+def test_an_effect_is_moved_within_its_chain(index, to, order):
+    outcome = edits.move_effect(DESIGN, VIEW, 1, index, to)
+    assert chain_of(outcome) == tuple(CHAIN[k] for k in order)
+    assert outcome.label == "Reorder effects of clip at 7 (II pad)"
+
+
+def test_an_effect_is_switched_and_its_fields_are_set():
+    off = edits.switch_effect(DESIGN, VIEW, 1, 1, False)
+    assert chain_of(off)[1] == replace(CHAIN[1], on=False)
+    assert off.label == "Switch fade off in clip at 7 (II pad)"
+    longer = edits.change_effect_field(DESIGN, VIEW, 1, 1, "in_s", 0.05)
+    assert chain_of(longer)[1] == replace(CHAIN[1], in_s=0.05)
+    assert longer.label == "Change fade in of clip at 7 (II pad)"
+
+
+def test_an_envelope_is_that_of_the_last_one_or_a_new_one():
+    points = ((0.0, 0.0, "smooth"), (0.1, 1.0, "held"))
+    once = edits.set_envelope(DESIGN, VIEW, 1, points)
+    assert chain_of(once) == (*CHAIN, Envelope(points))
+    other = edits.set_envelope(once.design, VIEW, 1, points[:1])
+    assert other.design.clip(1).effects == (*CHAIN, Envelope(points[:1]))
+    assert other.label == "Change envelope of clip at 7 (II pad)"
+
+
+@pytest.mark.parametrize(
+    ("edit", "given", "words"),
+    [
+        ("add_effect", ((9,), "Fade"), "No clip is selected"),
+        ("add_effect", ((1,), "Echo"), "No effect is called 'Echo'; there are Envelope, Fade"),
+        ("remove_effect", (1, 3), "no longer there"),
+        ("remove_effect", (9, 0), "no longer there"),
+        ("move_effect", (1, -1, 0), "no longer there"),
+        ("switch_effect", (1, 0, 7), "Reverse.on is 7, expected True or False"),
+        ("change_effect_field", (1, 1, "depth", 7), "no longer there"),
+        ("change_effect_field", (1, 1, "in_s", -1.0), "Fade.in_s is -1.0"),
+        ("set_envelope", (1, ()), "Envelope.points"),
+        ("set_envelope", (9, ((0.0, 1.0),)), "No clip is selected"),
+    ],
+)
+def test_what_cannot_be_done_is_refused_with_a_reason(edit, given, words):
+    outcome = getattr(edits, edit)(DESIGN, VIEW, *given)
+    assert isinstance(outcome, Refusal)
+    assert words in outcome.sentence
+
+
+def test_a_chain_has_an_end_in_number_and_in_time():
+    design = DESIGN
+    for _ in range(MAX_EFFECTS):
+        design = edits.add_effect(design, VIEW, (3,), "Reverse").design
+    for refused in (
+        edits.add_effect(design, VIEW, (3,), "Reverse"),
+        edits.set_envelope(design, VIEW, 3, ((0.0, 1.0),)),
+    ):
+        assert refused.sentence == "A clip has at most 32 effects; remove one first."
+    often = edits.change_effect_field(DESIGN, VIEW, 1, 2, "times", 1000).design
+    twice = edits.add_effect(often, VIEW, (1,), "Repeat").design
+    refused = edits.change_effect_field(twice, VIEW, 1, 3, "times", 1000)
+    assert refused.sentence.startswith("The clip would play 200000 s, expected at most 3600 s")
+
+
+def test_a_stretched_clip_keeps_how_it_is_stretched():
+    design = edits.add_effect(DESIGN, VIEW, (3,), "Stretch").design
+    design = edits.change_effect_field(design, VIEW, 3, 0, "pitch", "stays").design
+    design = edits.change_effect_field(design, VIEW, 3, 0, "to_s", 0.3).design
+    design = edits.stretch_clip(design, VIEW, 3, 0.0, 0.6).design
+    assert design.clip(3).effects == (Stretch(pytest.approx(3.0), 0.0, "stays"),)
+    assert design.clip(3).duration_s == pytest.approx(0.6)

@@ -1,0 +1,194 @@
+"""The chain of effects of the selected clip, in the inspector."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QCheckBox, QToolButton
+
+from skinsource.clips import Clip
+from skinsource.design import Design, Input
+from skinsource.effects import EFFECTS, BandLimit, Envelope, Fade, Repeat, Reverse
+from skinsource.waveforms import Tone
+from skinsource_gui.panels.inspector.effects.effect_chain import EffectChain
+from skinsource_gui.widgets.fields.curve_field import CurveField
+from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.inputs.letter_button import LetterButton
+from tests.gui.inspector.bench import Bench
+
+CHAIN = (Reverse(), Fade(), Repeat())
+
+
+class ChainBench(Bench):
+    """The panel, and the chain in it."""
+
+    @property
+    def chain(self):
+        return self.panel.findChild(EffectChain)
+
+    @property
+    def effects(self):
+        return self.one.clips[0].effects
+
+    @property
+    def titles(self):
+        return [row.title.text() for row in self.chain.rows]
+
+    def add(self, title):
+        menu = self.panel.findChild(QToolButton, "add_effect").menu()
+        menu.aboutToShow.emit()
+        next(action for action in menu.actions() if action.text() == title).trigger()
+
+
+@pytest.fixture
+def bench(qtbot):
+    clips = (Clip(id=1, waveform=Tone(), effects=CHAIN), Clip(id=2, onset_s=0.5))
+    inputs = (Input(location=7, clips=clips), Input(location=3, clips=()))
+    return ChainBench(qtbot, Design(limb="any", inputs=inputs))
+
+
+def test_the_chain_is_listed_in_its_order_and_closed(bench):
+    assert bench.titles == ["Reverse", "Fade", "Repeat"]
+    assert not any(row.open for row in bench.chain.rows)
+    assert bench.panel.findChild(NumberField, "effect_in_s_field").isVisible() is False
+
+
+def test_every_effect_can_be_added_and_stands_open(bench):
+    for kind in EFFECTS:
+        bench.add(kind.title)
+        assert type(bench.effects[-1]) is kind
+        assert bench.titles[-1] == kind.title
+        assert bench.chain.rows[-1].open
+    assert len(bench.effects) == len(CHAIN) + len(EFFECTS)
+
+
+def test_a_switch_leaves_an_effect_out(bench):
+    switch = bench.chain.rows[1].findChild(QCheckBox, "effect_switch")
+    switch.click()
+    assert bench.effects == (CHAIN[0], replace(CHAIN[1], on=False), CHAIN[2])
+    assert bench.labels == ["Switch fade off in clip at 7 (II pad)"]
+    assert not switch.isChecked()
+
+
+def test_an_effect_is_removed(bench):
+    bench.chain.rows[0].findChild(LetterButton, "remove_button").click()
+    assert bench.effects == CHAIN[1:]
+    assert bench.titles == ["Fade", "Repeat"]
+
+
+def test_a_field_is_typed_and_steps_of_a_burst_share_a_gesture(bench):
+    row = bench.chain.rows[1]
+    QTest.mouseClick(row.title, Qt.MouseButton.LeftButton)
+    assert row.open
+    field = bench.panel.findChild(NumberField, "effect_in_s_field")
+    assert field.isVisible()
+    bench.type("effect_in_s".removesuffix("_field"), "30")
+    assert bench.effects[1] == replace(CHAIN[1], in_s=0.03)
+    for _ in range(3):
+        QTest.keyClick(field, Qt.Key.Key_Up)
+    gestures = [gesture for _, _, gesture in bench.edits[1:]]
+    assert len(gestures) == 3
+    assert len(set(gestures)) == 1
+    assert None not in gestures
+    assert field.hasFocus()
+
+
+def test_what_does_not_go_together_is_refused_beside_the_field(bench):
+    bench.add("Band limit")
+    row = bench.chain.rows[-1]
+    bench.type("effect_low_hz", "700")
+    assert bench.effects[-1] == BandLimit()
+    assert "expected less than high_hz" in row.cell("low_hz").note
+    assert bench.panel.findChild(NumberField, "effect_low_hz_field").value_si == 25.0
+
+
+@pytest.mark.parametrize(
+    ("key", "held", "order"),
+    [
+        (Qt.Key.Key_Up, Qt.KeyboardModifier.AltModifier, (1, 0, 2)),
+        (Qt.Key.Key_Down, Qt.KeyboardModifier.AltModifier, (0, 2, 1)),
+    ],
+)
+def test_keys_move_an_effect_which_keeps_the_keyboard(bench, key, held, order):
+    row = bench.chain.rows[1]
+    row.title.setFocus()
+    QTest.keyClick(row.title, key, held)
+    assert bench.effects == tuple(CHAIN[k] for k in order)
+    assert row.title.hasFocus()
+    assert bench.chain.rows[bench.effects.index(CHAIN[1])] is row
+
+
+def test_keys_walk_open_switch_and_remove(bench):
+    bench.chain.rows[0].title.setFocus()
+    QTest.keyClick(bench.chain.rows[0].title, Qt.Key.Key_End)
+    last = bench.chain.rows[2]
+    assert last.title.hasFocus()
+    QTest.keyClick(last.title, Qt.Key.Key_Return)
+    assert last.open
+    QTest.keyClick(last.title, Qt.Key.Key_M)
+    assert not bench.effects[2].on
+    QTest.keyClick(last.title, Qt.Key.Key_Up)
+    assert bench.chain.rows[1].title.hasFocus()
+    QTest.keyClick(bench.chain.rows[1].title, Qt.Key.Key_Delete)
+    assert [type(one) for one in bench.effects] == [Reverse, Repeat]
+    assert bench.chain.rows[1].title.hasFocus()
+
+
+def drag(bench, index, to_row, *, below, drop=True):
+    """Drag the title of a row onto the upper or lower part of another one."""
+    title, target = bench.chain.rows[index].title, bench.chain.rows[to_row].title
+    start = title.rect().center()
+    on_target = QPoint(start.x(), target.height() - 2 if below else 2)
+    end = title.mapFromGlobal(target.mapToGlobal(on_target))
+    QTest.mousePress(title, Qt.MouseButton.LeftButton, pos=start)
+    QTest.mouseMove(title, end)
+    QApplication.processEvents()
+    if drop:
+        QTest.mouseRelease(title, Qt.MouseButton.LeftButton, pos=end)
+    return title
+
+
+@pytest.mark.parametrize(
+    ("index", "to_row", "below", "order"),
+    [(0, 2, True, (1, 2, 0)), (0, 1, True, (1, 0, 2)), (2, 0, False, (2, 0, 1))],
+)
+def test_a_dragged_effect_goes_where_it_is_dropped(bench, index, to_row, below, order):
+    drag(bench, index, to_row, below=below)
+    assert bench.effects == tuple(CHAIN[k] for k in order)
+    assert bench.labels == ["Reorder effects of clip at 7 (II pad)"]
+
+
+def test_a_drag_that_is_given_up_changes_nothing(bench):
+    title = drag(bench, 0, 2, below=True, drop=False)
+    QTest.keyClick(title, Qt.Key.Key_Escape)
+    QTest.mouseRelease(title, Qt.MouseButton.LeftButton)
+    assert bench.effects == CHAIN
+    assert bench.edits == []
+    drag(bench, 1, 1, below=False)
+    assert bench.edits == []
+
+
+def test_the_chain_is_that_of_the_selected_clip(bench):
+    bench.show(selected_clips=(2,))
+    assert bench.titles == []
+    bench.add("Fade")
+    assert bench.one.clips[0].effects == CHAIN
+    assert bench.one.clips[1].effects == (Fade(0.02, 0.02),)
+    bench.show(selected_inputs=(2,), selected_clips=())
+    assert not bench.chain.isVisible()
+
+
+def test_an_effect_is_added_to_all_selected_clips(bench):
+    bench.show(selected_clips=(1, 2))
+    bench.add("Reverse")
+    assert [one.effects[-1] for one in bench.one.clips] == [Reverse(), Reverse()]
+
+
+def test_an_envelope_is_drawn_in_its_row(bench):
+    bench.add("Envelope")
+    field = bench.panel.findChild(CurveField, "effect_points_field")
+    field.setFocus()
+    QTest.keyClick(field, Qt.Key.Key_Down)
+    assert bench.effects[-1] == Envelope(((0.0, 0.95, "straight"), (0.4, 1.0, "straight")))
+    assert bench.labels[-1] == "Change points of clip at 7 (II pad)"

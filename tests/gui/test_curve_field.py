@@ -1,0 +1,120 @@
+"""Breakpoints as a small curve."""
+
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtTest import QTest
+
+from skinsource.effects.envelope import POINTS
+from skinsource_gui.widgets.fields.curve_field import CurveField
+
+START = ((0.0, 0.0, "straight"), (0.1, 1.0, "smooth"), (0.2, 0.5, "held"))
+LEFT = Qt.MouseButton.LeftButton
+
+
+@pytest.fixture
+def field(qtbot):
+    field = CurveField(POINTS)
+    qtbot.addWidget(field)
+    field.resize(220, 84)
+    field.set_value(START)
+    field.show()
+    field.told = []
+    field.edited.connect(lambda points, gesture: field.told.append((points, gesture)))
+    return field
+
+
+def drag(field, start, by_px):
+    at = start.toPoint()
+    QTest.mousePress(field, LEFT, pos=at)
+    QTest.mouseMove(field, at + QPoint(*by_px) / 2)
+    QTest.mouseMove(field, at + QPoint(*by_px))
+
+
+def test_a_point_is_dragged_in_one_gesture_and_stays_between_its_neighbours(field):
+    drag(field, field.place_of(1), (20, 10))
+    QTest.mouseRelease(field, LEFT)
+    x, y, segment = field.value[1]
+    assert 0.1 < x < 0.2
+    assert 0.5 < y < 1.0
+    assert segment == "smooth"
+    assert (field.value[0], field.value[2]) == (START[0], START[2])
+    assert len({gesture for _, gesture in field.told}) == 1
+    drag(field, field.place_of(1), (500, -500))
+    assert field.value[1][0] == 0.2
+    assert field.told[0][1] != field.told[-1][1]
+
+
+def test_a_press_on_the_curve_adds_a_point_there_without_changing_it(field):
+    middle = (field.place_of(0) + field.place_of(1)) / 2
+    QTest.mousePress(field, LEFT, pos=middle.toPoint())
+    QTest.mouseRelease(field, LEFT, pos=middle.toPoint())
+    assert len(field.value) == 4
+    x, y, segment = field.value[1]
+    assert y == pytest.approx(10 * x, abs=1e-9)
+    assert segment == "straight"
+    assert field.chosen == 1
+    assert [points for points, _ in field.told] == [field.value]
+
+
+def test_a_new_point_is_dragged_on_in_the_same_gesture(field):
+    drag(field, QPointF(field.width() - 4, 60), (-2, -20))
+    assert len(field.value) == 4
+    assert field.chosen == 3
+    assert len({gesture for _, gesture in field.told}) == 1
+    QTest.keyClick(field, Qt.Key.Key_Escape)
+    assert len(field.value) == 4  # as the press had left it
+    assert field.value[3][1] == 0.5
+
+
+def test_a_drag_is_given_up_with_escape(field):
+    drag(field, field.place_of(1), (20, 10))
+    assert field.value != START
+    QTest.keyClick(field, Qt.Key.Key_Escape)
+    assert field.value == START
+    assert field.told[-1][0] == START
+    QTest.mouseMove(field, QPoint(10, 10))
+    assert field.value == START
+
+
+def test_a_double_click_takes_a_point_out(field):
+    QTest.mouseDClick(field, LEFT, pos=field.place_of(1).toPoint())
+    assert field.value == (START[0], START[2])
+
+
+def test_keys_choose_move_continue_add_and_remove(field):
+    field.setFocus()
+    QTest.keyClick(field, Qt.Key.Key_PageDown)
+    assert field.chosen == 1
+    assert field.words == "2/3 · 100 ms · 1 · smoothly on"
+    for key, held in (
+        (Qt.Key.Key_Right, Qt.KeyboardModifier.NoModifier),
+        (Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier),
+        (Qt.Key.Key_Down, Qt.KeyboardModifier.NoModifier),
+    ):
+        QTest.keyClick(field, key, held)
+    assert field.value[1] == (0.111, 0.95, "smooth")
+    assert len({gesture for _, gesture in field.told}) == 1
+    QTest.keyClick(field, Qt.Key.Key_S)
+    assert field.value[1][2] == "held"
+    QTest.keyClick(field, Qt.Key.Key_Insert)
+    assert [x for x, _, _ in field.value] == [0.0, 0.111, 0.1555, 0.2]
+    assert field.chosen == 2
+    QTest.keyClick(field, Qt.Key.Key_Delete)
+    QTest.keyClick(field, Qt.Key.Key_End)
+    QTest.keyClick(field, Qt.Key.Key_Delete)
+    QTest.keyClick(field, Qt.Key.Key_Home)
+    QTest.keyClick(field, Qt.Key.Key_Delete)
+    assert len(field.value) == 1
+    told = len(field.told)
+    QTest.keyClick(field, Qt.Key.Key_Delete)
+    assert (len(field.value), len(field.told)) == (1, told)
+
+
+def test_the_value_is_shown_without_telling_anybody(field):
+    field.setFocus()
+    QTest.keyClick(field, Qt.Key.Key_End)
+    field.set_value(START[:1])
+    assert field.told == []
+    assert field.chosen == 0
+    assert field.rect().contains(field.place_of(0).toPoint())
+    assert not field.grab().isNull()
