@@ -46,7 +46,7 @@ def place_inputs(you: Driver, _: Path) -> None:
 
 def edit_list(you: Driver, _: Path) -> None:
     """Select, mute, solo, duplicate in the list."""
-    document, rows = you.window.document, you.window.panel("inputs")._list.rows
+    document, rows = you.window.document, you.window.panel("timeline")._list.rows
     you.click(rows.rows[0], QPoint(60, 12))
     you.expect(document.view.selected_input == 1, "a click on a row selects")
     you.key(KEY.Key_Down)

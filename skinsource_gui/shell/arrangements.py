@@ -23,10 +23,14 @@ class Place:
         From the left, 0 is the first.  Panels of one column stand in the order of their table.
     height
         Share of the column's height, beside the shares of the others.
+    at_foot
+        Whether it stands below all columns, in a row of its own as wide as the window; ``column``
+        is then its place in that row, and ``height`` its share of the window.
     """
 
     column: int
     height: int = 40
+    at_foot: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,7 +61,7 @@ ARRANGEMENTS: tuple[ArrangementSpec, ...] = (
         text="designing",
         hint="All panels, the hand and the skin in front",
         keys=("Alt+1",),
-        columns=(23, 27, 50),
+        columns=(22, 25, 24, 29),
     ),
     ArrangementSpec(
         name="analysis",
@@ -111,11 +115,14 @@ class Arrangements(QObject):
         self.chosen.emit(spec)
         self.text_scaled.emit(spec.text_scale)
         shown = {panel: self._place(panel, spec) for panel in self._docks}
-        columns = self._columns(shown, spec)
-        self._put(columns)
+        foot = [panel for panel, place in shown.items() if place and place.at_foot]
+        foot.sort(key=lambda panel: shown[panel].column)
+        columns = self._columns(shown, spec, without=foot)
+        self._put(columns, foot)
         for panel, dock in self._docks.items():
             dock.setVisible(shown[panel] is not None)
-        self._share_room([[one for one in column if shown[one]] for column in columns], shown, spec)
+        seen = [[one for one in column if shown[one]] for column in columns]
+        self._share_room([column for column in seen if column], foot, shown, spec)
         # A panel that was a window of its own may have had the keyboard.
         if QApplication.activeWindow() is not self._window:
             self._window.activateWindow()
@@ -123,21 +130,31 @@ class Arrangements(QObject):
     def _place(self, panel: str, spec: ArrangementSpec) -> Place | None:
         return self._places.get(panel, {}).get(spec.name, Place(len(spec.columns) - 1))
 
-    def _columns(self, shown: Mapping[str, Place | None], spec: ArrangementSpec) -> list[list[str]]:
+    def _columns(
+        self, shown: Mapping[str, Place | None], spec: ArrangementSpec, without: Sequence[str]
+    ) -> list[list[str]]:
         last = len(spec.columns) - 1
         columns: list[list[str]] = [[] for _ in spec.columns]
         for panel, place in shown.items():
+            if panel in without:
+                continue
             # What is hidden comes back where it stands in the first arrangement.
             where = place or self._place(panel, ARRANGEMENTS[0]) or Place(last)
             columns[min(where.column, last)].append(panel)
         return [column for column in columns if column]
 
-    def _put(self, columns: Sequence[Sequence[str]]) -> None:
+    def _put(self, columns: Sequence[Sequence[str]], foot: Sequence[str]) -> None:
         for dock in self._docks.values():
             dock.setFloating(False)
             self._window.removeDockWidget(dock)
         tops = [self._docks[column[0]] for column in columns]
         self._window.addDockWidget(_TOP, tops[0])
+        # First what lies below all columns: what is split later stays above it.
+        for left, right in pairwise((None, *(self._docks[panel] for panel in foot))):
+            if left is None:
+                self._window.splitDockWidget(tops[0], right, _DOWN)
+            else:
+                self._window.splitDockWidget(left, right, _ACROSS)
         for left, right in pairwise(tops):
             self._window.splitDockWidget(left, right, _ACROSS)
         for column in columns:
@@ -147,19 +164,30 @@ class Arrangements(QObject):
     def _share_room(
         self,
         columns: Sequence[Sequence[str]],
+        foot: Sequence[str],
         places: Mapping[str, Place | None],
         spec: ArrangementSpec,
     ) -> None:
-        filled = [column for column in columns if column]
-        shares = [spec.columns[min(places[one[0]].column, len(spec.columns) - 1)] for one in filled]
-        least = [max(self._least(panel).width() for panel in column) for column in filled]
+        shares = [
+            spec.columns[min(places[one[0]].column, len(spec.columns) - 1)] for one in columns
+        ]
+        least = [max(self._least(panel).width() for panel in column) for column in columns]
         self._window.resizeDocks(
-            [self._docks[column[0]] for column in filled],
+            [self._docks[column[0]] for column in columns],
             shared(self._window.width(), shares, least),
             _ACROSS,
         )
         height = self._window.height() - _AROUND_PX
-        for column in filled:
+        if foot:
+            share = max(places[panel].height for panel in foot)
+            needed = [
+                max(sum(self._least(panel).height() for panel in column) for column in columns),
+                max(self._least(panel).height() for panel in foot),
+            ]
+            height, below = shared(height, (100 - share, share), needed)
+            first = self._docks[columns[0][0]]
+            self._window.resizeDocks([first, self._docks[foot[0]]], [height, below], _DOWN)
+        for column in columns:
             docks = [self._docks[panel] for panel in column]
             parts = [places[panel].height for panel in column]
             least = [self._least(panel).height() for panel in column]

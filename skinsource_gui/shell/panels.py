@@ -5,16 +5,17 @@ from dataclasses import dataclass, field, fields
 
 from skinsource.fields import specs_of
 from skinsource_gui.panel import Panel
+from skinsource_gui.panels.clip_editor.panel import ClipEditorPanel
 from skinsource_gui.panels.compare.panel import ComparePanel
 from skinsource_gui.panels.frequency_and_amplitude.panel import FrequencyAndAmplitudePanel
 from skinsource_gui.panels.hand.panel import HandPanel
 from skinsource_gui.panels.history.panel import HistoryPanel
-from skinsource_gui.panels.inputs.panel import InputsPanel
 from skinsource_gui.panels.inspector.panel import InspectorPanel
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.spectra.panel import SpectraPanel
 from skinsource_gui.panels.spectra.settings import SpectraSettings
+from skinsource_gui.panels.timeline.panel import TimelinePanel
 from skinsource_gui.panels.traces.panel import TracesPanel
 from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.shell.arrangements import Place
@@ -60,18 +61,19 @@ def _places(
 
 #: In the order in which the keyboard reaches them.
 PANELS: tuple[PanelSpec, ...] = (
-    PanelSpec(panel=HandPanel, places=_places(Place(0, 45), None, Place(0, 86))),
-    PanelSpec(panel=InputsPanel, places=_places(Place(2, 26), None, None)),
-    PanelSpec(panel=InspectorPanel, places=_places(Place(0, 55), None, None)),
+    PanelSpec(panel=HandPanel, places=_places(Place(0), None, Place(0, 86))),
+    PanelSpec(panel=TimelinePanel, places=_places(Place(0, 38, at_foot=True), None, None)),
+    PanelSpec(panel=InspectorPanel, places=_places(Place(2), None, None)),
     PanelSpec(panel=FrequencyAndAmplitudePanel, places=_places(None, None, Place(0, 14))),
     PanelSpec(panel=SkinPanel, settings=SkinSettings, places=_places(Place(1), Place(0), Place(1))),
     PanelSpec(
-        panel=TracesPanel, settings=TracesSettings, places=_places(Place(2, 37), Place(1), None)
+        panel=TracesPanel, settings=TracesSettings, places=_places(Place(3, 50), Place(1), None)
     ),
     PanelSpec(
-        panel=SpectraPanel, settings=SpectraSettings, places=_places(Place(2, 37), Place(1), None)
+        panel=SpectraPanel, settings=SpectraSettings, places=_places(Place(3, 50), Place(1), None)
     ),
     # No arrangement has room for these: View > Panels brings them.
     PanelSpec(panel=ComparePanel, places=_places(None, None, None)),
     PanelSpec(panel=HistoryPanel, places=_places(None, None, None)),
+    PanelSpec(panel=ClipEditorPanel, places=_places(None, None, None)),
 )

@@ -12,6 +12,7 @@ from PySide6.QtGui import QKeyEvent, QKeySequence
 
 from skinsource_gui.widgets.effect_keys import CURVE, EFFECTS
 from skinsource_gui.widgets.key_hint import KeyHint
+from skinsource_gui.widgets.timeline_keys import CLIP_EDITOR, TIMELINE
 
 _ARROWS = ("Left", "Right", "Up", "Down")
 _ENTER = ("Return", "Enter", "Space")
@@ -110,6 +111,8 @@ WIDGET_KEYS: dict[str, tuple[str, tuple[KeyHint, ...]]] = {
             _REMOVE,
         ),
     ),
+    "timeline": ("On the timeline", TIMELINE),
+    "clip_editor": ("In the editor of a clip", CLIP_EDITOR),
     "skin": (
         "On the skin map",
         (

@@ -61,7 +61,7 @@ class Hands:
         return (name,)
 
     def press(self):
-        names = ("inputs", "hand", "inspector", "skin", "traces", "spectra")
+        names = ("timeline", "hand", "inspector", "skin", "traces", "spectra")
         panel = self.window.panel(self.one_of(names))
         panel.setFocus(Qt.FocusReason.TabFocusReason)
         key, modifiers = self.one_of(KEYS), self.one_of(MODIFIERS)

@@ -9,7 +9,7 @@ from skinsource import edits
 from skinsource.design import MAX_INPUTS, Design, track
 from skinsource.view import View
 from skinsource.waveforms import Tone
-from skinsource_gui.panels.inputs.input_list import InputRows
+from skinsource_gui.panels.timeline.heads.input_list import InputRows
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
 from skinsource_gui.widgets.plot.plot import Plot
@@ -66,7 +66,7 @@ def test_a_full_design_refuses_ctrl_d_with_a_sentence(make_window):
 
 
 def in_sight(window, id):
-    rows = window.panel("inputs").findChild(InputRows, "input_rows")
+    rows = window.panel("timeline").findChild(InputRows, "input_rows")
     row = next(row for row in rows.rows if row.id == id)
     return row.visibleRegion().boundingRect() == row.rect()
 

@@ -62,7 +62,7 @@ def in_turn(names):
 def test_tab_goes_through_all_panels_in_the_order_of_the_work(at_work):
     names = walk(at_work)
     assert in_turn(names) == [
-        "inputs",
+        "timeline",
         "inspector",
         "skin",
         "traces",
@@ -75,7 +75,7 @@ def test_tab_goes_through_all_panels_in_the_order_of_the_work(at_work):
     assert {
         ("setup", "limb"),
         ("setup", "method"),
-        ("inputs", "amplitude_field"),
+        ("timeline", "amplitude_field"),
         ("inspector", "kind_field"),
         ("inspector", "location_field"),
         ("skin", "map_fit_hand"),
@@ -125,9 +125,9 @@ def test_the_row_that_is_selected_has_the_stops(make_window, qtbot):
     window = make_window(Design(limb="synthetic-1", inputs=inputs), View(selected_inputs=(2,)))
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
-    window.panel("inputs").setFocus()
+    window.panel("timeline").setFocus()
     amplitude = press(window, KEY.Key_Tab)
-    assert amplitude is window.panel("inputs")._list.rows.rows[1].amplitude
+    assert amplitude is window.panel("timeline")._list.rows.rows[1].amplitude
 
 
 def test_tab_ends_typing_and_goes_on(at_work):
@@ -197,9 +197,9 @@ def test_a_note_without_a_link_is_no_stop(at_work):
 def test_f6_goes_from_panel_to_panel_in_the_same_order(at_work):
     shown = [panel for panel in at_work.panels if panel.isVisible()]
     went = [region_of(at_work, press(at_work, KEY.Key_F6)) for _ in shown]
-    assert went == ["inputs", "inspector", "skin", "traces", "spectra", "hand"]
+    assert went == ["timeline", "inspector", "skin", "traces", "spectra", "hand"]
     back = [region_of(at_work, press(at_work, KEY.Key_F6, SHIFT)) for _ in shown]
-    assert back == ["spectra", "traces", "skin", "inspector", "inputs", "hand"]
+    assert back == ["spectra", "traces", "skin", "inspector", "timeline", "hand"]
 
 
 def test_f6_passes_by_panels_that_have_nothing_for_the_keyboard(at_work, settle):

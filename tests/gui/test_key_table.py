@@ -8,9 +8,9 @@ from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QTextBrowser, QWidget
 
 from skinsource_gui.panels.hand.site_keys import SiteKeys
-from skinsource_gui.panels.inputs.list_keys import ListKeys
 from skinsource_gui.panels.skin.colour_strip import key_step_db
 from skinsource_gui.panels.skin.output_keys import OutputKeys
+from skinsource_gui.panels.timeline.heads.list_keys import ListKeys
 from skinsource_gui.widgets.fields.number_gestures import NumberGestures
 from skinsource_gui.widgets.fields.number_typing import begins_typing
 from skinsource_gui.widgets.key_table import WIDGET_KEYS, key_text, meant
@@ -44,7 +44,7 @@ def claims(place, parent):
         return lambda event: NumberGestures.knows(event) or begins_typing(event)
     if place == "colour_bar":
         return lambda event: bool(key_step_db(event))
-    others = ("history", "snapshot", "effects", "curve")
+    others = ("history", "snapshot", "effects", "curve", "timeline", "clip_editor")
     return partial(meant, place if place in others else "plot")
 
 

@@ -21,6 +21,7 @@ from skinsource.edits.clips import (
     toggle_mute_clips,
 )
 from skinsource.edits.cutting import fade_clip, join_clips, split_clips, stretch_clip, trim_clip
+from skinsource.edits.drawing import bound_clip, draw_clip
 from skinsource.edits.edit import Edit, Refusal
 from skinsource.edits.effects import (
     add_effect,
@@ -101,6 +102,7 @@ __all__ = [
     "add_effect",
     "add_marker",
     "add_motion",
+    "bound_clip",
     "change_effect_field",
     "change_field",
     "change_kind",
@@ -111,6 +113,7 @@ __all__ = [
     "copy_clips",
     "cut_clips",
     "drag_field",
+    "draw_clip",
     "duplicate_clips",
     "duplicate_inputs",
     "equalise_on_skin",

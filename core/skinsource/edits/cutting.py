@@ -154,6 +154,15 @@ def fade_clip(design: Design, view: View, id: int, in_s: float, out_s: float) ->
     return _changed(design, view, "Fade", one, {"effects": tuple(effects)})
 
 
+def fades_of(one: Clip) -> tuple[float, float]:
+    """How long a clip takes to fade in and out by what `fade_clip` did to it, s."""
+    kind = _effect_called("Fade")
+    last: Any = one.effects[-1] if one.effects else None
+    if kind is None or not isinstance(last, kind) or not last.on:
+        return (0.0, 0.0)
+    return (last.in_s, last.out_s)
+
+
 def parts_of(one: Clip, at_s: float) -> tuple[Clip, Clip] | None:
     """What a clip plays before a time and from it on; None where it does not play then."""
     length_s, own_s = one.duration_s, at_s - one.onset_s

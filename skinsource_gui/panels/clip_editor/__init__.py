@@ -1,0 +1,1 @@
+"""The selected clip, large: looked at, drawn, shaped."""

@@ -1,0 +1,164 @@
+"""The curve of one clip, with its axes."""
+
+from typing import Any
+
+import numpy as np
+import pyqtgraph
+from pyqtgraph.functions import arrayToQPath
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
+
+from skinsource.arrays import Floats
+from skinsource_gui.panels.clip_editor.content import EditorContent
+from skinsource_gui.panels.clip_editor.tools.tool import Tool
+from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.widgets.plot.decimation import visible_points
+from skinsource_gui.widgets.plot.ticks import linear_ticks
+
+_TICK_PX, _ROW_PX = 64.0, 28.0
+_PALE = 0.4
+_LONG_S = 10.0
+
+
+class EditorItem(pyqtgraph.GraphicsObject):
+    """Paints a clip and what its tool shows; knows nothing of the mouse."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._content: EditorContent | None = None
+        self._tool: Tool | None = None
+        self._theme, self._font = LIGHT, QFont()
+        self._rect = QRectF(0, 0, 1, 1)
+        self._stale = False
+
+    def show_content(self, content: EditorContent | None, tool: Tool, rect: QRectF) -> None:
+        """Paint something else, in this rectangle."""
+        if rect != self._rect:
+            self.prepareGeometryChange()
+            self._rect = rect
+        self._content, self._tool = content, tool
+        self.update()
+
+    def show_look(self, theme: Theme, font: QFont) -> None:
+        """Take over colours and font."""
+        self._theme, self._font = theme, font
+        self.update()
+
+    def show_stale(self, stale: bool) -> None:
+        """Whether the curve belongs to an older design."""
+        if stale != self._stale:
+            self._stale = stale
+            self.update()
+
+    def boundingRect(self) -> QRectF:
+        return self._rect
+
+    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+        content, tool = self._content, self._tool
+        if content is None or tool is None:
+            return
+        painter.setFont(self._font)
+        self._paint_axes(painter, content)
+        painter.save()
+        painter.setClipRect(content.area.adjusted(-1, -1, 1, 1))
+        self._paint_end(painter, content)
+        if content.drawn is not None and content.drawn is not content.played:
+            self._paint_curve(painter, content, content.drawn, QColor(self._theme.dim), _PALE)
+        if content.played is not None:
+            colour = QColor(self._theme.accent)
+            opacity = _PALE if self._stale else 1.0
+            self._paint_curve(painter, content, content.played, colour, opacity)
+        tool.paint(painter, content, self._theme)
+        painter.restore()
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(QColor(self._theme.border), 1))
+        painter.drawRect(content.area)
+
+    def _paint_axes(self, painter: QPainter, content: EditorContent) -> None:
+        area, metrics = content.area, QFontMetricsF(self._font)
+        grid, words = QPen(QColor(self._theme.grid), 1), QColor(self._theme.dim)
+        values = linear_ticks(-content.reach, content.reach, max(area.height() / _ROW_PX, 2))
+        for tick in values:
+            y = content.y(tick.value)
+            painter.setPen(grid)
+            painter.drawLine(QLineF(area.left(), y, area.right(), y))
+            painter.setPen(words)
+            room = QRectF(0, y - metrics.height() / 2, area.left() - 4, metrics.height())
+            painter.drawText(
+                room, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, tick.label
+            )
+        shown = content.scale.shown_s
+        unit, factor = ("s", 1.0) if shown[1] > _LONG_S else ("ms", 1e3)
+        ticks = linear_ticks(*shown, max(area.width() / _TICK_PX, 2), factor)
+        unit_left = area.right() - metrics.horizontalAdvance(unit)
+        free_from = area.left() - 20
+        for tick in ticks:
+            x = content.scale.x(tick.value)
+            painter.setPen(grid)
+            painter.drawLine(QLineF(x, area.top(), x, area.bottom()))
+            width = metrics.horizontalAdvance(tick.label)
+            left = x - width / 2
+            if left >= free_from and left + width < unit_left - 4:
+                painter.setPen(words)
+                painter.drawText(QPointF(left, area.bottom() + metrics.ascent() + 3), tick.label)
+                free_from = left + width + 6
+        painter.setPen(words)
+        painter.drawText(QPointF(unit_left, area.bottom() + metrics.ascent() + 3), unit)
+        painter.setPen(QPen(QColor(self._theme.border), 1))
+        painter.drawLine(QLineF(area.left(), content.y(0.0), area.right(), content.y(0.0)))
+
+    def _paint_end(self, painter: QPainter, content: EditorContent) -> None:
+        """Shade what lies behind the end of the clip."""
+        played = content.played
+        if played is None:
+            return
+        end = content.scale.x(played.size / content.sample_rate_hz)
+        if end < content.area.right():
+            behind = QRectF(content.area)
+            behind.setLeft(max(end, content.area.left()))
+            painter.fillRect(behind, QColor(self._theme.window))
+
+    def _paint_curve(
+        self,
+        painter: QPainter,
+        content: EditorContent,
+        samples: Floats,
+        colour: QColor,
+        opacity: float,
+    ) -> None:
+        if not samples.size:
+            return
+        ratio = painter.device().devicePixelRatioF()
+        columns = max(round(content.area.width() * ratio), 1)
+        time_s = np.arange(samples.size) / content.sample_rate_hz
+        points = visible_points(time_s, samples[np.newaxis], content.scale.shown_s, columns)
+        scale, area = content.scale, content.area
+        x = scale.left_px + (points.x - scale.shown_s[0]) * scale.px_per_s
+        y = area.center().y() - points.y[0] / content.reach * area.height() / 2
+        painter.setOpacity(opacity)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, not points.strokes)
+        painter.setPen(QPen(colour, 0))
+        if x.size == 1:
+            painter.drawLine(QLineF(x[0], content.y(0.0), x[0], y[0]))
+        else:
+            painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
+        self._paint_samples(painter, content, x, y, colour, strokes=points.strokes)
+        painter.setOpacity(1.0)
+
+    def _paint_samples(
+        self,
+        painter: QPainter,
+        content: EditorContent,
+        x: Floats,
+        y: Floats,
+        colour: QColor,
+        *,
+        strokes: bool,
+    ) -> None:
+        """Mark each sample where they are far enough apart."""
+        if strokes or content.scale.px_per_s / content.sample_rate_hz < 6:
+            return
+        painter.setBrush(colour)
+        for place in zip(x, y, strict=True):
+            painter.drawEllipse(QPointF(*place), 2, 2)
+        painter.setBrush(Qt.BrushStyle.NoBrush)

@@ -1,0 +1,82 @@
+"""Tools of the editor, and words about its clip."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
+
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.key_table import key_text
+
+_PLACE = "clip_editor"
+_TOOLS = (
+    ("look", "Look", "Read values; a drag moves what is seen"),
+    (
+        "pen",
+        "Draw",
+        "Draw samples; with Shift held a straight line, with the right button back to zero",
+    ),
+)
+
+
+class EditorToolbar(QWidget):
+    """Look, draw, envelope; bound to the band; see everything."""
+
+    tool_wanted = Signal(str)
+    bound_wanted = Signal()
+    everything_wanted = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(4, 2, 4, 2)
+        row.setSpacing(2)
+        self._group = QButtonGroup(self)
+        self._tools: dict[str, QToolButton] = {}
+        for name, text, hint in _TOOLS:
+            button = self._button(text, f"{hint} ({key_text(_PLACE, name)})")
+            button.setCheckable(True)
+            self._group.addButton(button)
+            self._tools[name] = button
+            button.clicked.connect(lambda _=False, name=name: self.tool_wanted.emit(name))
+            row.addWidget(button)
+        self._tools["look"].setChecked(True)
+        row.addSpacing(8)
+        self._bound = self._button(
+            "Bound to band",
+            "Take away what lies outside 25 to 600 Hz, where nothing was measured; the waveform "
+            "becomes samples",
+        )
+        self._bound.clicked.connect(lambda: self.bound_wanted.emit())
+        row.addWidget(self._bound)
+        self._fit = self._button("Fit", f"See all of the clip ({key_text(_PLACE, 'whole')})")
+        self._fit.clicked.connect(lambda: self.everything_wanted.emit())
+        row.addWidget(self._fit)
+        self._words = QLabel()
+        self._words.setObjectName("clip_words")
+        self._words.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self._words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        row.addWidget(self._words, 1)
+
+    def show_tool(self, name: str) -> None:
+        """Which tool is taken."""
+        self._tools[name].setChecked(True)
+
+    def show_words(self, words: str, *, enabled: bool) -> None:
+        """Words about the clip; whether there is one to edit."""
+        self._words.setText(words)
+        self._words.setToolTip(words)
+        for button in (*self._tools.values(), self._bound, self._fit):
+            button.setEnabled(enabled)
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self.setStyleSheet("QToolButton { padding: 2px 8px; }")
+        self._words.setStyleSheet(f"color: {theme.dim};")
+
+    def _button(self, text: str, hint: str) -> QToolButton:
+        button = QToolButton(self)
+        button.setObjectName(f"clip_{text.lower()}")
+        button.setText(text)
+        button.setToolTip(hint)
+        button.setAccessibleName(text)
+        button.setAutoRaise(True)
+        return button

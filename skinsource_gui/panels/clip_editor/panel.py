@@ -1,0 +1,166 @@
+"""The selected clip, large: looked at, drawn, shaped."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QLabel, QStackedLayout, QVBoxLayout, QWidget
+
+from skinsource.arrays import Floats
+from skinsource.clips import Clip
+from skinsource.design import Design
+from skinsource.edits.selection import clip_of
+from skinsource.errors import InvalidInputError
+from skinsource.limb import SAMPLE_RATE_HZ
+from skinsource.locations import input_words
+from skinsource.spectra import share_outside_band
+from skinsource.view import View
+from skinsource_gui.panel import Panel
+from skinsource_gui.panels.clip_editor.drawing import Drawing
+from skinsource_gui.panels.clip_editor.editor_toolbar import EditorToolbar
+from skinsource_gui.panels.clip_editor.editor_view import EditorView
+from skinsource_gui.panels.clip_editor.spectrum_strip import SpectrumStrip
+from skinsource_gui.panels.clip_editor.tools.look import Look
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.inputs.clip_waveforms import waveforms_of
+from skinsource_gui.widgets.inputs.input_words import duration_text, figure_text
+from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.lateness import Lateness
+
+_NO_CLIP = "Select a clip in the timeline to see and draw it"
+_ZOOM = 1.5
+
+
+class ClipEditorPanel(Panel):
+    """The waveform of the selected clip, large, with tools, and its spectrum."""
+
+    title = "Clip"
+    name = "clip_editor"
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._design, self._view = Design(limb=""), View()
+        self._rate_hz = SAMPLE_RATE_HZ
+        self._waveforms: Mapping[int, Floats] = {}
+        self._raw: tuple[Any, float, Floats | None] = (None, 0.0, None)
+        self._drawing = Drawing(self)
+        self._look, self._pen = Look(self), self._drawing.pen
+        self._tools = {"look": self._look, "pen": self._pen}
+        self._canvas = EditorView(self._look)
+        self._toolbar, self._spectrum = EditorToolbar(), SpectrumStrip()
+        self._empty = QLabel(_NO_CLIP)
+        self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._empty.setWordWrap(True)
+        inside = QWidget()
+        column = QVBoxLayout(inside)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self._toolbar)
+        column.addWidget(self._canvas, 3)
+        column.addWidget(self._spectrum, 1)
+        self._stack = QStackedLayout(self)
+        self._stack.addWidget(self._empty)
+        self._stack.addWidget(inside)
+        self.setMinimumSize(260, 200)
+        self.setFocusProxy(self._canvas)
+        self._lateness = Lateness(self)
+        self._lateness.changed.connect(self._canvas.item.show_stale)
+        self._connect()
+
+    @property
+    def needs(self) -> frozenset[str]:
+        """What each clip plays."""
+        return frozenset({"clip_waveforms", "inputs", "sample_rate_hz"})
+
+    @property
+    def clip(self) -> Clip | None:
+        """The clip that was selected last, or the first one of the selected track."""
+        selected = self._view.selected_input
+        return None if selected is None else clip_of(self._design.input(selected), self._view)
+
+    def show_state(self, design: Design, view: View) -> None:
+        self._design, self._view = design, view
+        self._show()
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        self._rate_hz = results["sample_rate_hz"]
+        self._waveforms = waveforms_of(results)
+        self.show_stale(False)
+        self._show()
+
+    def show_stale(self, stale: bool) -> None:
+        self._lateness.set_stale(stale)
+
+    def show_problem(self, reason: str) -> None:
+        self._lateness.set_stale(False)
+        self._waveforms = {}
+        self._show()
+        self._toolbar.show_words(reason, enabled=self.clip is not None)
+
+    def show_theme(self, theme: Theme) -> None:
+        self._canvas.show_theme(theme)
+        self._spectrum.show_theme(theme)
+        self._toolbar.show_theme(theme)
+        self._empty.setStyleSheet(f"color: {theme.dim};")
+
+    def use(self, tool: str) -> None:
+        """Take a tool; a clip that is not drawn asks once whether it may become samples."""
+        clip = self.clip
+        if tool == "pen" and clip is not None and not self._drawing.is_allowed(clip):
+            tool = "look"
+        self._canvas.use(self._tools[tool])
+        self._toolbar.show_tool(tool)
+
+    def _connect(self) -> None:
+        self._toolbar.tool_wanted.connect(self.use)
+        self._toolbar.bound_wanted.connect(self._drawing.bound)
+        self._toolbar.everything_wanted.connect(self._canvas.see_everything)
+        self._canvas.key_pressed.connect(self._press)
+        self._look.pan_wanted.connect(self._canvas.pan)
+        self._drawing.edited.connect(self.edited)
+
+    def _show(self) -> None:
+        clip = self.clip
+        self._drawing.show_state(self._design, self._view, clip, self._rate_hz)
+        self._stack.setCurrentIndex(0 if clip is None else 1)
+        if clip is None:
+            self._canvas.show_clip(None, None, None, self._rate_hz)
+            return
+        raw = self._sampled(clip)
+        played = self._waveforms.get(clip.id)
+        if not clip.effects and raw is not None:
+            played = raw
+        self._canvas.show_clip(clip, raw, played, self._rate_hz)
+        outside = 0.0 if played is None else share_outside_band(played, self._rate_hz)
+        self._spectrum.show_samples(played, self._rate_hz, outside)
+        self._toolbar.show_words(self._words(clip), enabled=True)
+
+    def _words(self, clip: Clip) -> str:
+        place = input_words(self._design.track_of(clip.id).location)
+        label = f"{clip.label} · " if clip.label else ""
+        figure = f"{figure_text(clip.waveform)} · {duration_text(clip.waveform)}"
+        return f"{label}{place.number} {place.short_name} · {figure}"
+
+    def _sampled(self, clip: Clip) -> Floats | None:
+        """What the clip plays before its effects; it is drawn once for each waveform."""
+        waveform, rate_hz, samples = self._raw
+        if waveform is not clip.waveform or rate_hz != self._rate_hz:
+            try:
+                samples = clip.waveform.samples(self._rate_hz)
+            except InvalidInputError:
+                # The other panels say why.
+                samples = None
+            self._raw = (clip.waveform, self._rate_hz, samples)
+        return samples
+
+    def _press(self, event: QKeyEvent) -> None:
+        wanted = meant("clip_editor", event)
+        if wanted in self._tools:
+            self.use(wanted)
+        elif wanted in ("zoom_in", "zoom_out"):
+            self._canvas.zoom(_ZOOM if wanted == "zoom_in" else 1 / _ZOOM)
+        elif wanted == "whole":
+            self._canvas.see_everything()
+        elif wanted == "give_up":
+            self.use("look")

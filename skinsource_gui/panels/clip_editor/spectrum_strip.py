@@ -1,0 +1,138 @@
+"""Spectrum of one clip, with the measured band."""
+
+import numpy as np
+import scipy.fft
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from skinsource.arrays import Floats
+from skinsource.signals import BAND_HZ
+from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
+from skinsource_gui.widgets.plot.decimation import visible_points
+from skinsource_gui.widgets.plot.ticks import linear_ticks
+
+_TEXT = 0.9
+_LEFT_PX, _RIGHT_PX, _TOP_PX, _BOTTOM_PX = 40, 10, 4, 18
+_SPAN_DB = 60.0
+_TICK_PX = 64.0
+# Above this share a designer has to know: the actuator, or the skin model, sees it.
+_NOTEWORTHY = 0.01
+
+
+def spectrum_db(samples: Floats, sample_rate_hz: float) -> tuple[Floats, Floats]:
+    """Frequencies in Hz, and magnitude in dB below the largest, (n_frequencies,) each."""
+    n = scipy.fft.next_fast_len(max(2 * samples.size, 512), real=True)
+    peak = float(np.abs(samples).max(initial=0.0))
+    spectrum = np.abs(scipy.fft.rfft(samples / peak if peak > 0 else samples, n))
+    largest = float(spectrum.max(initial=0.0))
+    floor = largest * 1e-10
+    levels = 20 * np.log10(np.maximum(spectrum, floor) / largest) if largest > 0 else spectrum - 1e3
+    return np.arange(spectrum.size) * sample_rate_hz / n, levels
+
+
+class SpectrumStrip(QWidget):
+    """Magnitude over frequency, and how much of the energy lies outside the band."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("clip_spectrum")
+        self.setAccessibleName("Spectrum of the clip")
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self.setMinimumHeight(64)
+        self._theme = LIGHT
+        self._frequency_hz: Floats | None = None
+        self._levels_db: Floats | None = None
+        self._outside = 0.0
+        self._samples: Floats | None = None
+
+    @property
+    def outside(self) -> float:
+        """Share of the energy outside the measured band, from 0 to 1."""
+        return self._outside
+
+    def sizeHint(self) -> QSize:
+        return QSize(200, 92)
+
+    def show_samples(self, samples: Floats | None, sample_rate_hz: float, outside: float) -> None:
+        """Show the spectrum of ``samples``, (n_times,), and the share of energy out of band."""
+        if samples is self._samples and outside == self._outside:
+            return
+        self._samples, self._outside = samples, outside
+        if samples is None or not samples.size:
+            self._frequency_hz = self._levels_db = None
+        else:
+            self._frequency_hz, self._levels_db = spectrum_db(samples, sample_rate_hz)
+        self.setToolTip(self.words)
+        self.update()
+
+    @property
+    def words(self) -> str:
+        """How much of the energy lies outside the band."""
+        low, high = BAND_HZ
+        share = 100 * self._outside
+        number = "0" if share == 0 else "< 0.1" if share < 0.1 else f"{share:.3g}"
+        return f"{number} % of the energy outside {low:g} to {high:g} Hz"
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self._theme = theme
+        self.update()
+
+    def paintEvent(self, event) -> None:
+        painter = QPainter(self)
+        painter.setFont(scaled(tabular(self.font()), _TEXT))
+        area = QRectF(self.rect()).adjusted(_LEFT_PX, _TOP_PX, -_RIGHT_PX, -_BOTTOM_PX)
+        painter.fillRect(area, QColor(self._theme.base))
+        if self._frequency_hz is None or self._levels_db is None:
+            return
+        highest = float(self._frequency_hz[-1])
+        self._paint_band(painter, area, highest)
+        self._paint_axes(painter, area, highest)
+        columns = max(int(area.width()), 1)
+        points = visible_points(
+            self._frequency_hz, self._levels_db[np.newaxis], (0.0, highest), columns
+        )
+        x = area.left() + points.x / highest * area.width()
+        y = area.top() - np.maximum(points.y[0], -_SPAN_DB) / _SPAN_DB * area.height()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(QColor(self._theme.accent), 0))
+        painter.drawPolyline(QPolygonF([QPointF(*one) for one in zip(x, y, strict=True)]))
+        painter.setPen(QPen(QColor(self._theme.border), 1))
+        painter.drawRect(area)
+        self._write(painter, area)
+
+    def _paint_band(self, painter: QPainter, area: QRectF, highest: float) -> None:
+        low, high = (area.left() + min(one / highest, 1.0) * area.width() for one in BAND_HZ)
+        for left, right in ((area.left(), low), (high, area.right())):
+            outside = QRectF(left, area.top(), right - left, area.height())
+            painter.fillRect(outside, QColor(self._theme.window))
+
+    def _paint_axes(self, painter: QPainter, area: QRectF, highest: float) -> None:
+        metrics = QFontMetricsF(painter.font())
+        right = area.right() - metrics.horizontalAdvance("Hz") - 4
+        for tick in linear_ticks(0.0, highest, max(area.width() / _TICK_PX, 2)):
+            x = area.left() + tick.value / highest * area.width()
+            painter.setPen(QPen(QColor(self._theme.grid), 1))
+            painter.drawLine(QLineF(x, area.top(), x, area.bottom()))
+            width = metrics.horizontalAdvance(tick.label)
+            if x + width / 2 < right:
+                painter.setPen(QColor(self._theme.dim))
+                at = QPointF(x - width / 2, area.bottom() + metrics.ascent() + 2)
+                painter.drawText(at, tick.label)
+        painter.setPen(QColor(self._theme.dim))
+        painter.drawText(QPointF(right + 4, area.bottom() + metrics.ascent() + 2), "Hz")
+        for level, text in ((0.0, "0 dB"), (-_SPAN_DB, f"\u2212{_SPAN_DB:g}")):
+            y = area.top() - level / _SPAN_DB * area.height()
+            room = QRectF(0, y - metrics.height() / 2, area.left() - 4, metrics.height())
+            room.moveTop(min(max(room.top(), 0.0), self.height() - metrics.height()))
+            flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+            painter.drawText(room, flags, text)
+
+    def _write(self, painter: QPainter, area: QRectF) -> None:
+        metrics = QFontMetricsF(painter.font())
+        noteworthy = self._outside > _NOTEWORTHY
+        painter.setPen(QColor(self._theme.warning if noteworthy else self._theme.dim))
+        flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop
+        text = metrics.elidedText(self.words, Qt.TextElideMode.ElideRight, area.width() - 8)
+        painter.drawText(area.adjusted(4, 2, -4, 0), flags, text)

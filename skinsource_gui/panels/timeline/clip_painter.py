@@ -1,0 +1,156 @@
+"""How a clip looks."""
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
+
+from skinsource.arrays import Floats
+from skinsource_gui.panels.timeline.clip_pictures import ClipPictures
+from skinsource_gui.panels.timeline.lane import Box
+from skinsource_gui.theme import Theme
+
+_ROUNDING_PX = 3.0
+_WORDS_PX, _WORDS_FROM_PX = 13.0, 40.0
+_BODY_ALPHA, _PALE_BODY_ALPHA, _SELECTED_ALPHA = 46, 18, 84
+_PALE = 0.45
+_HANDLE_PX = 5.0
+
+
+def words_of(box: Box) -> str:
+    """What stands on a clip: its label, or what it plays."""
+    clip = box.clip
+    return clip.label or clip.waveform.title
+
+
+def paint_clip(
+    painter: QPainter,
+    box: Box,
+    samples: Floats | None,
+    pictures: ClipPictures,
+    theme: Theme,
+    *,
+    loudest: float,
+    selected: bool,
+    handles: bool,
+    view: QRectF,
+) -> None:
+    """Paint a clip.
+
+    Parameters
+    ----------
+    samples : (n_times,)
+        What it plays, or None while it is not known.
+    loudest
+        The largest gain of its track, which takes the full height.
+    selected, handles
+        Whether it is selected; whether its ends show that they can be dragged.
+    view
+        What can be seen: no more is painted.
+    """
+    pale = box.clip.muted or bool(box.lane.silent)
+    colour = QColor(theme.dim) if pale else theme.input_colour(box.lane.track.colour)
+    shown = box.rect.intersected(view.adjusted(-2, 0, 2, 0))
+    _paint_body(painter, box.rect, shown, colour, selected=selected, pale=pale)
+    if samples is not None and shown.width() >= 1:
+        painter.setOpacity(_PALE if pale else 1.0)
+        _paint_samples(painter, box, shown, samples, pictures, colour, loudest)
+        painter.setOpacity(1.0)
+    if shown.width() >= _WORDS_FROM_PX:
+        _write(painter, words_of(box), shown, theme, pale=pale)
+    _paint_frame(painter, box.rect, shown, theme, colour, selected=selected)
+    if handles:
+        _paint_handles(painter, box.rect, QColor(theme.text))
+
+
+def _paint_body(
+    painter: QPainter, rect: QRectF, shown: QRectF, colour: QColor, *, selected: bool, pale: bool
+) -> None:
+    body = QColor(colour)
+    alpha = _PALE_BODY_ALPHA if pale else _BODY_ALPHA
+    body.setAlpha(_SELECTED_ALPHA if selected else alpha)
+    painter.fillRect(shown, body)
+    # What starts here is marked: clips that follow each other are told apart.
+    if rect.left() >= shown.left():
+        painter.fillRect(QRectF(rect.left(), rect.top(), 2, rect.height()), colour)
+
+
+def _paint_samples(
+    painter: QPainter,
+    box: Box,
+    shown: QRectF,
+    samples: Floats,
+    pictures: ClipPictures,
+    colour: QColor,
+    loudest: float,
+) -> None:
+    rect = box.rect
+    whole = shown.width() >= rect.width() - 1
+    part = (
+        (0.0, 1.0)
+        if whole
+        else (
+            (shown.left() - rect.left()) / rect.width(),
+            (shown.right() - rect.left()) / rect.width(),
+        )
+    )
+    left, width = (rect.left(), rect.width()) if whole else (shown.left(), shown.width())
+    peak = max(abs(box.clip.gain) * _peak(samples), 1e-12)
+    reach = box.clip.gain / max(loudest, peak)
+    ratio = painter.device().devicePixelRatioF()
+    picture = pictures.picture(
+        samples,
+        max(round(width), 1),
+        max(round(rect.height()) - 2, 1),
+        colour,
+        reach=reach,
+        part=part,
+        ratio=ratio,
+    )
+    painter.drawPixmap(QPointF(left, rect.top() + 1), picture)
+
+
+def _peak(samples: Floats) -> float:
+    return float(max(samples.max(initial=0.0), -samples.min(initial=0.0)))
+
+
+def _write(painter: QPainter, words: str, shown: QRectF, theme: Theme, *, pale: bool) -> None:
+    room = QRectF(shown.left() + 5, shown.top() + 1, shown.width() - 10, _WORDS_PX)
+    metrics = QFontMetricsF(painter.font())
+    text = metrics.elidedText(words, Qt.TextElideMode.ElideRight, room.width())
+    ground = QColor(theme.base)
+    ground.setAlpha(190)
+    painter.fillRect(
+        QRectF(room.left() - 2, room.top(), metrics.horizontalAdvance(text) + 4, _WORDS_PX), ground
+    )
+    painter.setPen(QColor(theme.dim if pale else theme.text))
+    painter.drawText(room, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, text)
+
+
+def _paint_frame(
+    painter: QPainter, rect: QRectF, shown: QRectF, theme: Theme, colour: QColor, *, selected: bool
+) -> None:
+    if selected:
+        painter.setPen(QPen(QColor(theme.accent), 2))
+    else:
+        edge = QColor(colour)
+        edge.setAlpha(130)
+        painter.setPen(QPen(edge, 1))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    left = max(rect.left(), shown.left() - 2)
+    right = min(rect.right(), shown.right() + 2)
+    frame = QRectF(left, rect.top(), right - left, rect.height())
+    painter.drawRoundedRect(frame.adjusted(0.5, 0.5, -0.5, -0.5), _ROUNDING_PX, _ROUNDING_PX)
+
+
+def _paint_handles(painter: QPainter, rect: QRectF, colour: QColor) -> None:
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(colour)
+    for corner, aside in ((rect.topLeft(), 1), (rect.topRight(), -1)):
+        ends = (
+            corner,
+            corner + QPointF(aside * 2 * _HANDLE_PX, 0),
+            corner + QPointF(0, 2 * _HANDLE_PX),
+        )
+        painter.drawPolygon(QPolygonF(ends))
+    middle = rect.center().y()
+    for x in (rect.left() + 2, rect.right() - 4):
+        painter.drawRect(QRectF(x, middle - _HANDLE_PX, 2, 2 * _HANDLE_PX))

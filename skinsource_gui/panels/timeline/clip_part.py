@@ -1,0 +1,43 @@
+"""Which part of a clip the pointer is on."""
+
+from enum import Enum
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+
+_EDGE_PX, _CORNER_PX = 6.0, 11.0
+# A clip narrower than this is only moved: its ends could not be told from its middle.
+_NARROW_PX = 26.0
+
+
+class Part(Enum):
+    """Parts that are dragged to different ends."""
+
+    BODY = "body"
+    START = "start"
+    END = "end"
+    FADE_IN = "fade in"
+    FADE_OUT = "fade out"
+
+
+CURSORS = {
+    Part.BODY: Qt.CursorShape.OpenHandCursor,
+    Part.START: Qt.CursorShape.SizeHorCursor,
+    Part.END: Qt.CursorShape.SizeHorCursor,
+    Part.FADE_IN: Qt.CursorShape.SizeFDiagCursor,
+    Part.FADE_OUT: Qt.CursorShape.SizeBDiagCursor,
+}
+
+
+def part_at(rect: QRectF, at: QPointF) -> Part:
+    """The part of a clip painted in ``rect`` that lies at ``at``."""
+    if rect.width() < _NARROW_PX:
+        return Part.BODY
+    from_start, from_end = at.x() - rect.left(), rect.right() - at.x()
+    if at.y() - rect.top() < _CORNER_PX:
+        if from_start < _CORNER_PX:
+            return Part.FADE_IN
+        if from_end < _CORNER_PX:
+            return Part.FADE_OUT
+    if from_start < _EDGE_PX:
+        return Part.START
+    return Part.END if from_end < _EDGE_PX else Part.BODY

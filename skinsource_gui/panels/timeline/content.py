@@ -1,0 +1,113 @@
+"""What the timeline shows."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from PySide6.QtCore import QPointF
+
+from skinsource.arrays import Floats
+from skinsource.design import Design
+from skinsource.view import View
+from skinsource_gui.panels.timeline.lane import Box, Lane, box_at, boxes_of, lane_at
+from skinsource_gui.widgets.time.snapping import grid_step_s
+from skinsource_gui.widgets.time.time_scale import Range, TimeScale
+
+#: How high the ruler is where words have their usual size, px.
+RULER_PX = 26.0
+# How far away something is that an edge snaps to, px.
+_REACH_PX = 7.0
+#: Behind the last clip, so much of the time can be seen; at least so much in all.
+AFTER_S, LEAST_S = 0.4, 0.5
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Content:
+    """Design, view, and where both are painted; made anew at each change.
+
+    Attributes
+    ----------
+    design, view
+        What is shown.
+    lanes
+        Lanes from top to bottom, also those out of sight.
+    scale
+        From times to pixels.
+    height_px
+        Where the lowest lane that can be seen ends.
+    waveforms
+        What clips play, (n_times,) each, by their id, as far as it is known.
+    snaps
+        Whether edges snap.
+    ruler_px
+        How high the ruler is.
+    """
+
+    design: Design
+    view: View
+    lanes: tuple[Lane, ...]
+    scale: TimeScale
+    height_px: float
+    waveforms: Mapping[int, Floats] = field(default_factory=dict)
+    snaps: bool = True
+    ruler_px: float = RULER_PX
+
+    @cached_property
+    def durations_s(self) -> dict[int, float]:
+        """Length of each clip, by its id."""
+        return {clip.id: clip.duration_s for lane in self.lanes for clip in lane.track.clips}
+
+    @cached_property
+    def boxes(self) -> list[Box]:
+        """Clips that can be seen, in painting order."""
+        seen = [
+            one
+            for one in self.lanes
+            if one.bottom_px > self.ruler_px and one.top_px < self.height_px
+        ]
+        return boxes_of(seen, self.scale, self.durations_s)
+
+    @cached_property
+    def whole_s(self) -> Range:
+        """All of the time that there is to see."""
+        return whole_of(self.design)
+
+    @property
+    def reach_s(self) -> float:
+        """From how far away an edge snaps."""
+        return _REACH_PX / self.scale.px_per_s
+
+    @property
+    def grid_s(self) -> float:
+        """Step of the grid that is painted."""
+        return grid_step_s(self.scale.px_per_s)
+
+    def box_at(self, at: QPointF) -> Box | None:
+        """The uppermost clip at a place; the ruler lies over all."""
+        return None if at.y() < self.ruler_px else box_at(self.boxes, at)
+
+    def lane_at(self, y_px: float) -> Lane | None:
+        """The lane at a height."""
+        return None if y_px < self.ruler_px else lane_at(self.lanes, y_px)
+
+    def neighbours_s(self, without: frozenset[int] = frozenset()) -> list[float]:
+        """Rising times that edges of the clips ``without`` may come to rest on."""
+        found = {0.0, self.view.playhead_s, *(one.time_s for one in self.design.markers)}
+        if self.design.loop_s is not None:
+            found.update(self.design.loop_s)
+        for lane in self.lanes:
+            for clip in lane.track.clips:
+                if clip.id not in without:
+                    found.update((clip.onset_s, clip.onset_s + self.durations_s[clip.id]))
+        return sorted(found)
+
+
+def ruler_px(line_px: float) -> float:
+    """How high the ruler is where a line of text is so high, px."""
+    return max(RULER_PX, line_px + 10.0)
+
+
+def whole_of(design: Design) -> Range:
+    """From 0 to a little behind the last clip."""
+    ends = [clip.end_s for track in design.inputs for clip in track.clips]
+    return (0.0, max(max(ends, default=0.0) + AFTER_S, LEAST_S))

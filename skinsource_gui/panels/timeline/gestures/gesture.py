@@ -1,0 +1,83 @@
+"""What every gesture is."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+
+from skinsource.edits import Edit, Refusal
+from skinsource.view import View
+from skinsource_gui.panels.timeline.content import Content
+from skinsource_gui.widgets.fields.gesture import new_gesture
+
+Held = Qt.KeyboardModifier
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Shown:
+    """What is painted over the lanes while a gesture lasts.
+
+    Attributes
+    ----------
+    guide_s
+        The time that something snapped to.
+    covered
+        What a rectangle covers, px.
+    words
+        What a small label beside the pointer says.
+    """
+
+    guide_s: float | None = None
+    covered: QRectF | None = None
+    words: str = ""
+
+
+@dataclass(slots=True, kw_only=True)
+class Stage:
+    """What a gesture can see and do.
+
+    Attributes
+    ----------
+    content
+        Returns what is shown now.
+    apply
+        Takes an edit, or a refusal, and the number of the gesture.
+    look
+        Takes another view.
+    number
+        Number of this gesture: all its edits are one step of the history.
+    before
+        What was shown when the button went down.
+    """
+
+    content: Callable[[], Content]
+    apply: Callable[[Edit | Refusal, int], None]
+    look: Callable[[View], None]
+    before: Content
+    number: int = field(default_factory=new_gesture)
+    edited: bool = False
+
+    def edit(self, outcome: Edit | Refusal) -> None:
+        """Show an edit of the design that there was before."""
+        self.edited = self.edited or isinstance(outcome, Edit)
+        self.apply(outcome, self.number)
+
+    def take_back(self) -> None:
+        """Put the design back as if the gesture had not begun."""
+        if self.edited:
+            before = self.before
+            self.apply(Edit(label="", design=before.design, view=before.view), self.number)
+
+
+class Gesture(Protocol):
+    """What happens between pressing a button and letting it go."""
+
+    def move(self, at: QPointF, held: Held) -> Shown:
+        """The pointer is ``at``, with these keys held."""
+
+    def finish(self) -> None:
+        """The button went up."""
+
+    def cancel(self) -> None:
+        """Everything is as if it had not begun."""

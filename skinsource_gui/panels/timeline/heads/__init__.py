@@ -1,0 +1,1 @@
+"""Heads of the tracks, one row each: colour, place, level, mute, solo."""

@@ -1,0 +1,77 @@
+"""Where everything is in the head of a track."""
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QRect, QRectF
+
+from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.widgets.inputs.swatch import SWATCH_PX
+
+#: Height of a row.
+ROW_PX = 48
+#: Height of a line of text at which sizes are as written here, px.
+USUAL_LINE_PX = 14
+_LINE_PX, _FIRST_LINE_PX = 20, 3
+_TEXT_LEFT_PX = UNIT_PX + SWATCH_PX + UNIT_PX
+_AMPLITUDE_PX = 90
+_BETWEEN_PX = 2
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RowPlaces:
+    """Where the parts of a head are, px.
+
+    Attributes
+    ----------
+    row
+        All of it.
+    swatch, name
+        Place and its name, which are painted.
+    amplitude, mute, solo, remove
+        The controls.
+    words
+        What has to be painted anew when the words change.
+    """
+
+    row: QRect
+    swatch: QRectF
+    name: QRect
+    amplitude: QRect
+    mute: QRect
+    solo: QRect
+    remove: QRect
+    words: QRect
+
+
+def row_places(width: int, line_px: int = USUAL_LINE_PX) -> RowPlaces:
+    """Places in a head, in two lines.
+
+    Parameters
+    ----------
+    width
+        Of the head, px.
+    line_px
+        Height of a line of text; where it is larger than usual, so is the head.
+    """
+    scale = max(line_px / USUAL_LINE_PX, 1.0)
+
+    def px(usual: int) -> int:
+        return round(scale * usual)
+
+    height, line = px(ROW_PX), px(_LINE_PX)
+    first = px(_FIRST_LINE_PX)
+    second = first + line + 2
+    step, right = line + _BETWEEN_PX, width - UNIT_PX // 2
+    solo, mute = (QRect(right - step * count, first, line, line) for count in (1, 2))
+    remove = QRect(right - step, second, line, line)
+    amplitude_px = min(px(_AMPLITUDE_PX), remove.x() - _TEXT_LEFT_PX - UNIT_PX // 2)
+    return RowPlaces(
+        row=QRect(0, 0, width, height),
+        swatch=QRectF(UNIT_PX, (height - SWATCH_PX) / 2, SWATCH_PX, SWATCH_PX),
+        name=QRect(_TEXT_LEFT_PX, first, mute.x() - _TEXT_LEFT_PX - _BETWEEN_PX, line),
+        amplitude=QRect(_TEXT_LEFT_PX, second, amplitude_px, line + 1),
+        mute=mute,
+        solo=solo,
+        remove=remove,
+        words=QRect(0, 0, mute.x(), height),
+    )

@@ -1,0 +1,86 @@
+"""Lanes and the clips in them, in pixels."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from PySide6.QtCore import QPointF, QRectF
+
+from skinsource.clips import Clip
+from skinsource.design import Input
+from skinsource_gui.widgets.time.time_scale import TimeScale
+
+#: Free space above and below a clip, px.
+MARGIN_PX = 3.0
+#: No clip is painted narrower, so that one can be seen and caught.
+NARROWEST_PX = 3.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Lane:
+    """The strip of one track.
+
+    Attributes
+    ----------
+    track
+        The track.
+    top_px, height_px
+        Where it lies.
+    silent
+        Why it is not heard, or "".
+    selected
+        Whether its track is selected.
+    """
+
+    track: Input
+    top_px: float
+    height_px: float
+    silent: str
+    selected: bool
+
+    @property
+    def bottom_px(self) -> float:
+        """Where the next one begins."""
+        return self.top_px + self.height_px
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Box:
+    """A clip where it is painted."""
+
+    clip: Clip
+    lane: Lane
+    rect: QRectF
+
+
+def boxes_of(
+    lanes: Sequence[Lane], scale: TimeScale, durations_s: Mapping[int, float]
+) -> list[Box]:
+    """The clips that can be seen between the ends of ``scale``, lane by lane, in painting order.
+
+    Parameters
+    ----------
+    lanes
+        Lanes that can be seen.
+    durations_s
+        Length of each clip, by its id.
+    """
+    found = []
+    first, last = scale.left_px, scale.right_px
+    for lane in lanes:
+        top, height = lane.top_px + MARGIN_PX, lane.height_px - 2 * MARGIN_PX
+        for clip in lane.track.clips:
+            left = scale.x(clip.onset_s)
+            width = max(durations_s[clip.id] * scale.px_per_s, NARROWEST_PX)
+            if left < last and left + width > first:
+                found.append(Box(clip=clip, lane=lane, rect=QRectF(left, top, width, height)))
+    return found
+
+
+def lane_at(lanes: Sequence[Lane], y_px: float) -> Lane | None:
+    """The lane at this height."""
+    return next((lane for lane in lanes if lane.top_px <= y_px < lane.bottom_px), None)
+
+
+def box_at(boxes: Sequence[Box], at: QPointF) -> Box | None:
+    """The uppermost clip at this place."""
+    return next((box for box in reversed(boxes) if box.rect.contains(at)), None)

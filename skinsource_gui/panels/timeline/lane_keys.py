@@ -1,0 +1,133 @@
+"""What keys mean on the lanes."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+
+from skinsource import edits
+from skinsource_gui.panels.timeline.content import Content
+from skinsource_gui.widgets.fields.burst import Burst
+from skinsource_gui.widgets.key_table import meant
+
+_PLACE = "timeline"
+_Key = Qt.Key
+#: How far an arrow moves clips; with Shift ten times as far.
+STEP_S, _LEAP = 0.001, 10
+_STEPS = {_Key.Key_Left: -1, _Key.Key_Right: 1, _Key.Key_Up: -1, _Key.Key_Down: 1}
+_ZOOM = 1.5
+
+
+class LaneKeys(QObject):
+    """Turns key presses into edits of the selected clips."""
+
+    edited = Signal(object, object)
+    looked = Signal(object)
+    copied = Signal()
+    pasted = Signal()
+    zoomed = Signal(float)
+    everything_wanted = Signal()
+    opened = Signal(int)
+    clip_wanted = Signal(int, float)
+    marker_wanted = Signal(float)
+
+    def __init__(self, content: Callable[[], Content], parent: QObject) -> None:
+        super().__init__(parent)
+        self._content = content
+        self._burst = Burst(self)
+        self._nudged: object = None
+
+    def claims(self, event: QKeyEvent) -> bool:
+        """Whether the lanes want this key for themselves, before any shortcut of the window."""
+        return bool(meant(_PLACE, event))
+
+    def press(self, event: QKeyEvent) -> bool:
+        """Do what a key means; whether it means anything."""
+        wanted = meant(_PLACE, event)
+        if wanted in ("nudge", "change_track"):
+            leap = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+            self._nudge(wanted, _STEPS[_Key(event.key())] * (_LEAP if leap else 1))
+        elif wanted == "go":
+            self._go(_STEPS[_Key(event.key())])
+        elif wanted == "playhead":
+            self._put_playhead(at_start=event.key() == _Key.Key_Home)
+        else:
+            return self._show(wanted) or self._edit(wanted)
+        return True
+
+    def _show(self, wanted: str) -> bool:
+        """Do what leaves the design as it is; whether that is wanted."""
+        content = self._content()
+        design, view = content.design, content.view
+        if wanted in ("zoom_in", "zoom_out"):
+            self.zoomed.emit(_ZOOM if wanted == "zoom_in" else 1 / _ZOOM)
+        elif wanted == "whole":
+            self.everything_wanted.emit()
+        elif wanted == "select_all":
+            self.looked.emit(edits.select_all_clips(design, view).view)
+        elif wanted == "open":
+            for clip in view.selected_clips[-1:]:
+                self.opened.emit(clip)
+        else:
+            return False
+        return True
+
+    def _edit(self, wanted: str) -> bool:
+        """Do what changes the design; whether that is wanted."""
+        content = self._content()
+        design, view = content.design, content.view
+        chosen, at_s = view.selected_clips, view.playhead_s
+        if wanted in ("copy", "cut"):
+            self.copied.emit()
+        elif wanted == "paste":
+            self.pasted.emit()
+        elif wanted == "marker":
+            self.marker_wanted.emit(at_s)
+        elif wanted == "add" and view.selected_input is not None:
+            self.clip_wanted.emit(view.selected_input, at_s)
+        outcome = {
+            "split": lambda: edits.split_clips(design, view, chosen, at_s),
+            "repeat": lambda: edits.repeat_clips(design, view, chosen, 2),
+            "mute": lambda: edits.toggle_mute_clips(design, view, chosen),
+            "duplicate": lambda: edits.duplicate_clips(design, view, chosen),
+            "remove": lambda: edits.remove_clips(design, view, chosen),
+            "cut": lambda: edits.cut_clips(design, view, chosen),
+        }.get(wanted)
+        if outcome is not None:
+            self.edited.emit(outcome(), None)
+        return bool(wanted)
+
+    def _put_playhead(self, *, at_start: bool) -> None:
+        content = self._content()
+        ends = [clip.end_s for track in content.design.inputs for clip in track.clips]
+        time_s = 0.0 if at_start else max(ends, default=0.0)
+        self.looked.emit(replace(content.view, playhead_s=time_s))
+
+    def _go(self, step: int) -> None:
+        """Select the next clip, or the one before, through all tracks."""
+        content = self._content()
+        design, view = content.design, content.view
+        ids = [
+            clip.id
+            for track in design.inputs
+            for clip in sorted(track.clips, key=lambda one: one.onset_s)
+        ]
+        if not ids:
+            return
+        chosen = view.selected_clips
+        here = ids.index(chosen[-1]) if chosen and chosen[-1] in ids else (-1 if step > 0 else 0)
+        self.looked.emit(edits.select_clips(design, view, (ids[(here + step) % len(ids)],)).view)
+
+    def _nudge(self, wanted: str, steps: int) -> None:
+        content = self._content()
+        design, view = content.design, content.view
+        aside = wanted == "nudge"
+        by_s, by_tracks = (steps * STEP_S, 0) if aside else (0.0, steps)
+        outcome = edits.move_clips(design, view, view.selected_clips, by_s, by_tracks)
+        # One burst of nudges is one step of the history; other clips, or upright, are another.
+        nudged = (aside, view.selected_clips)
+        if nudged != self._nudged:
+            self._burst.end()
+            self._nudged = nudged
+        self.edited.emit(outcome, self._burst.gesture())

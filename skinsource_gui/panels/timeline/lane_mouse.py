@@ -1,0 +1,209 @@
+"""What the mouse does on the lanes and on the ruler."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, QPointF, Qt, Signal
+
+from skinsource import edits
+from skinsource_gui.panels.timeline.clip_part import CURSORS, Part, part_at
+from skinsource_gui.panels.timeline.content import Content
+from skinsource_gui.panels.timeline.gestures.clip_ends import FadeEnd, MoveEnd
+from skinsource_gui.panels.timeline.gestures.gesture import Gesture, Held, Shown, Stage
+from skinsource_gui.panels.timeline.gestures.marquee import Marquee
+from skinsource_gui.panels.timeline.gestures.move_clips import MoveClips
+from skinsource_gui.panels.timeline.gestures.times import (
+    MoveLoop,
+    MoveMarker,
+    MovePlayhead,
+    Pan,
+    snapped_time,
+)
+from skinsource_gui.panels.timeline.lane import Box
+
+# A movement shorter than this is a click.
+_DRAG_PX = 4.0
+_CATCH_PX = 6.0
+
+
+class LaneMouse(QObject):
+    """Turns what the buttons do into gestures, and single clicks into selections.
+
+    Parameters
+    ----------
+    content
+        Returns what is shown now.
+    """
+
+    edited = Signal(object, object)
+    looked = Signal(object)
+    #: `Shown`: what is painted over the lanes.
+    shown = Signal(object)
+    #: A double click on a clip, with its id; on an empty lane, with track and time; on the ruler.
+    opened = Signal(int)
+    clip_wanted = Signal(int, float)
+    marker_wanted = Signal(float)
+
+    def __init__(self, content: Callable[[], Content], parent: QObject) -> None:
+        super().__init__(parent)
+        self._content = content
+        self._gesture: Gesture | None = None
+        self._click: Callable[[], None] | None = None
+        self._at = QPointF()
+        self._moving = False
+
+    @property
+    def busy(self) -> bool:
+        """Whether a button is down that means something."""
+        return self._gesture is not None
+
+    def press(self, at: QPointF, button: Qt.MouseButton, held: Held, rate_hz: float) -> None:
+        """A button went down."""
+        if self.busy:
+            return
+        content = self._content()
+        stage = Stage(
+            content=self._content, apply=self.edited.emit, look=self.looked.emit, before=content
+        )
+        self._at, self._moving, self._click = at, False, None
+        box = content.box_at(at)
+        if button == Qt.MouseButton.MiddleButton:
+            self._gesture = Pan(stage, at)
+        elif button != Qt.MouseButton.LeftButton:
+            return
+        elif at.y() < content.ruler_px:
+            self._gesture = self._on_ruler(stage, at, held)
+        elif box is not None:
+            self._gesture = self._on_clip(box, at, held, rate_hz)
+        else:
+            self._gesture = Marquee(stage, at)
+            self._click = self._on_ground(stage, at)
+
+    def move(self, at: QPointF, held: Held) -> None:
+        """The pointer moved."""
+        if self._gesture is None:
+            return
+        away = at - self._at
+        self._moving = self._moving or max(abs(away.x()), abs(away.y())) >= _DRAG_PX
+        if self._moving:
+            self._click = None
+            self.shown.emit(self._gesture.move(at, held))
+
+    def release(self) -> None:
+        """The button went up."""
+        gesture, click, self._gesture, self._click = self._gesture, self._click, None, None
+        if gesture is not None:
+            gesture.finish()
+            self.shown.emit(Shown())
+        if click is not None:
+            click()
+
+    def cancel(self) -> bool:
+        """Give up the gesture as if it had not begun; whether there was one."""
+        gesture, self._gesture, self._click = self._gesture, None, None
+        if gesture is None:
+            return False
+        if self._moving:
+            gesture.cancel()
+        self.shown.emit(Shown())
+        return True
+
+    def double_click(self, at: QPointF) -> None:
+        """The left button was pressed twice."""
+        self.cancel()
+        content = self._content()
+        box, lane = content.box_at(at), content.lane_at(at.y())
+        if at.y() < content.ruler_px:
+            self.marker_wanted.emit(max(content.scale.time(at.x()), 0.0))
+        elif box is not None:
+            self.opened.emit(box.clip.id)
+        elif lane is not None:
+            stage = Stage(
+                content=self._content, apply=self.edited.emit, look=self.looked.emit, before=content
+            )
+            self.clip_wanted.emit(lane.track.id, snapped_time(stage, at)[0])
+
+    def cursor_at(self, at: QPointF) -> Qt.CursorShape:
+        """Shape of the pointer."""
+        content = self._content()
+        if at.y() < content.ruler_px:
+            caught = _loop_end_at(content, at) is not None or _marker_at(content, at) is not None
+            return Qt.CursorShape.SizeHorCursor if caught else Qt.CursorShape.PointingHandCursor
+        box = content.box_at(at)
+        if box is None:
+            return Qt.CursorShape.ArrowCursor
+        part = part_at(box.rect, at)
+        if part is Part.BODY and self.busy:
+            return Qt.CursorShape.ClosedHandCursor
+        return CURSORS[part]
+
+    def _on_clip(self, box: Box, at: QPointF, held: Held, rate_hz: float) -> Gesture:
+        content, clip = self._content(), box.clip
+        chosen = clip.id in content.view.selected_clips
+        if held & Held.ControlModifier:
+            # Ctrl copies if it moves, and otherwise adds to the selection or takes away.
+            toggled = edits.toggle_clip(content.design, content.view, clip.id).view
+            self._click = lambda: self.looked.emit(toggled)
+        elif not chosen:
+            self.looked.emit(edits.select_clips(content.design, content.view, (clip.id,)).view)
+        else:
+            alone = edits.select_clips(content.design, content.view, (clip.id,)).view
+            self._click = lambda: self.looked.emit(alone)
+        stage = Stage(
+            content=self._content,
+            apply=self.edited.emit,
+            look=self.looked.emit,
+            before=self._content(),
+        )
+        part = part_at(box.rect, at)
+        if part is Part.BODY or held & Held.ControlModifier:
+            return MoveClips(stage, box, at, rate_hz)
+        ends = (Part.START, Part.END)
+        return MoveEnd(stage, box, at, part) if part in ends else FadeEnd(stage, box, at, part)
+
+    def _on_ruler(self, stage: Stage, at: QPointF, held: Held) -> Gesture:
+        content = stage.before
+        marker, fixed_s = _marker_at(content, at), _loop_end_at(content, at)
+        if held & Held.ShiftModifier:
+            return MoveLoop(stage, snapped_time(stage, at)[0])
+        if marker is not None:
+            return MoveMarker(stage, marker)
+        if fixed_s is not None:
+            return MoveLoop(stage, fixed_s)
+        gesture = MovePlayhead(stage)
+        gesture.move(at, held)
+        return gesture
+
+    def _on_ground(self, stage: Stage, at: QPointF) -> Callable[[], None]:
+        def click() -> None:
+            content = self._content()
+            lane = content.lane_at(at.y())
+            time_s = snapped_time(stage, at)[0]
+            tracks = () if lane is None else (lane.track.id,)
+            self.looked.emit(
+                replace(content.view, selected_inputs=tracks, selected_clips=(), playhead_s=time_s)
+            )
+
+        return click
+
+
+def _marker_at(content: Content, at: QPointF):
+    near = (
+        (abs(content.scale.x(one.time_s) - at.x()), index)
+        for index, one in enumerate(content.design.markers)
+    )
+    found = min(near, default=None)
+    if found is None or found[0] > _CATCH_PX or at.y() > content.ruler_px / 2:
+        return None
+    return content.design.markers[found[1]]
+
+
+def _loop_end_at(content: Content, at: QPointF) -> float | None:
+    """The other end of the loop region, if one is at this place."""
+    if content.design.loop_s is None:
+        return None
+    start_s, end_s = content.design.loop_s
+    for here, other in ((start_s, end_s), (end_s, start_s)):
+        if abs(content.scale.x(here) - at.x()) <= _CATCH_PX:
+            return other
+    return None

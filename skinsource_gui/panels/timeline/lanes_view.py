@@ -1,0 +1,229 @@
+"""The part of the timeline on which clips are moved."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import pyqtgraph
+from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen, QWheelEvent
+from PySide6.QtWidgets import QWidget
+
+from skinsource.arrays import Floats
+from skinsource.design import Design
+from skinsource.limb import SAMPLE_RATE_HZ
+from skinsource.view import View
+from skinsource_gui.panels.timeline.content import Content, ruler_px, whole_of
+from skinsource_gui.panels.timeline.gestures.gesture import Shown
+from skinsource_gui.panels.timeline.lane import Lane
+from skinsource_gui.panels.timeline.lane_keys import LaneKeys
+from skinsource_gui.panels.timeline.lane_mouse import LaneMouse
+from skinsource_gui.panels.timeline.lanes_item import LanesItem
+from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
+from skinsource_gui.widgets.time.time_scale import Range, TimeScale, panned, within, zoomed
+from skinsource_gui.widgets.wheel import NOTCH, ZOOM_PER_NOTCH
+
+_SIDE_PX = 8.0
+_TEXT = 0.9
+_PAN_PART = 0.1
+
+
+class LanesView(pyqtgraph.GraphicsView):
+    """Lanes and a ruler; tells what the mouse and keys ask for.
+
+    Attributes
+    ----------
+    mouse, keys
+        What is done here.
+    item
+        What paints.
+    sample_rate_hz
+        A free drag goes by whole samples of this rate.
+    """
+
+    looked = Signal(object)
+    #: Lanes are to be scrolled by so many notches.
+    scroll_wanted = Signal(float)
+    menu_wanted = Signal(object, object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        pyqtgraph.setConfigOption("mouseRateLimit", 0)
+        super().__init__(parent)
+        self.setObjectName("lanes")
+        self.setAccessibleName("Timeline")
+        self.setMouseTracking(True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMinimumSize(120, 60)
+        self.item = LanesItem()
+        self.addItem(self.item)
+        self.sample_rate_hz = SAMPLE_RATE_HZ
+        self._theme = LIGHT
+        self._design, self._view = Design(limb=""), View()
+        self._lanes: tuple[Lane, ...] = ()
+        self._waveforms: Mapping[int, Floats] = {}
+        self._held_s: Range | None = None
+        self.snaps = True
+        self.content = self._made()
+        self.mouse = LaneMouse(lambda: self.content, self)
+        self.keys = LaneKeys(lambda: self.content, self)
+        self.mouse.looked.connect(self.looked)
+        self.keys.looked.connect(self.looked)
+        self.mouse.shown.connect(self._show_over)
+        self._pointer = QPointF()
+
+    @property
+    def ruler_px(self) -> float:
+        """Where lanes begin."""
+        return ruler_px(self.fontMetrics().height())
+
+    def show_state(self, design: Design, view: View, lanes: tuple[Lane, ...]) -> None:
+        """Show another design or view; lanes in coordinates of this widget."""
+        self._design, self._view, self._lanes = design, view, lanes
+        self._renew()
+
+    def show_waveforms(self, waveforms: Mapping[int, Floats]) -> None:
+        """What clips play, (n_times,) each, by their id."""
+        self._waveforms = waveforms
+        self._renew()
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self._theme = theme
+        self.setBackground(QColor(theme.base))
+        self.item.show_look(theme, scaled(tabular(self.font()), _TEXT))
+
+    def set_snaps(self, snaps: bool) -> None:
+        """Whether edges snap."""
+        self.snaps = snaps
+        self._renew()
+
+    def zoom(self, factor: float, anchor_s: float | None = None) -> None:
+        """See a part so many times narrower: around a time, the playhead, or the middle."""
+        shown, playhead_s = self.content.scale.shown_s, self._view.playhead_s
+        if anchor_s is None:
+            inside = shown[0] <= playhead_s <= shown[1]
+            anchor_s = playhead_s if inside else sum(shown) / 2
+        self._look_at(zoomed(shown, anchor_s, factor, self.content.whole_s))
+
+    def show_range(self, wanted_s: Range) -> None:
+        """See this part of the time."""
+        self._look_at(within(wanted_s, self.content.whole_s))
+
+    def show_everything(self) -> None:
+        """See all of the time."""
+        self._look_at(None)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self.setFocus(Qt.FocusReason.MouseFocusReason)
+        # The range stays while something is dragged, though the design may become longer.
+        self._held_s = self.content.scale.shown_s
+        self.mouse.press(event.position(), event.button(), event.modifiers(), self.sample_rate_hz)
+        event.accept()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        self._pointer = event.position()
+        if self.mouse.busy:
+            self.mouse.move(event.position(), event.modifiers())
+        else:
+            box = self.content.box_at(event.position())
+            self.item.show_hovered(None if box is None else box.clip.id)
+            self.viewport().setCursor(self.mouse.cursor_at(event.position()))
+        event.accept()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if event.button() in (Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton):
+            self.mouse.release()
+            self._let_go()
+        event.accept()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.mouse.double_click(event.position())
+            self._let_go()
+        event.accept()
+
+    def contextMenuEvent(self, event) -> None:
+        self.menu_wanted.emit(event.globalPos(), QPointF(event.pos()))
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        turns = event.angleDelta()
+        held = event.modifiers()
+        scale = self.content.scale
+        if held & Qt.KeyboardModifier.ControlModifier:
+            anchor_s = scale.time(event.position().x())
+            factor = ZOOM_PER_NOTCH ** ((turns.y() or turns.x()) / NOTCH)
+            self._look_at(zoomed(scale.shown_s, anchor_s, factor, self.content.whole_s))
+        elif turns.x() or held & Qt.KeyboardModifier.ShiftModifier:
+            notches = (turns.x() or turns.y()) / NOTCH
+            by_s = -notches * _PAN_PART * (scale.shown_s[1] - scale.shown_s[0])
+            self._look_at(panned(scale.shown_s, by_s, self.content.whole_s))
+        else:
+            self.scroll_wanted.emit(turns.y() / NOTCH)
+        event.accept()
+
+    def event(self, event: QEvent) -> bool:
+        is_shortcut = event.type() == QEvent.Type.ShortcutOverride
+        if is_shortcut and isinstance(event, QKeyEvent) and self.keys.claims(event):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and self.mouse.cancel():
+            self._let_go()
+        elif not self.keys.press(event):
+            event.ignore()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self.item.show_hovered(None)
+
+    def resizeEvent(self, event) -> None:
+        super().resizeEvent(event)
+        if event is not None:
+            self._renew()
+
+    def focusInEvent(self, event) -> None:
+        super().focusInEvent(event)
+        self.viewport().update()
+
+    def focusOutEvent(self, event) -> None:
+        super().focusOutEvent(event)
+        self.viewport().update()
+
+    def paintEvent(self, event) -> None:
+        super().paintEvent(event)
+        if self.hasFocus():
+            painter = QPainter(self.viewport())
+            painter.setPen(QPen(QColor(self._theme.accent), 1))
+            painter.drawRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5))
+            painter.end()
+
+    def _look_at(self, shown_s: Range | None) -> None:
+        self._held_s = None
+        if shown_s != self._view.time_range_s:
+            self.looked.emit(replace(self._view, time_range_s=shown_s))
+
+    def _let_go(self) -> None:
+        self._held_s = None
+        self._renew()
+
+    def _show_over(self, shown: Shown) -> None:
+        self.item.show_over(shown, self._pointer)
+
+    def _renew(self) -> None:
+        self.content = self._made()
+        self.item.show_content(self.content, QRectF(self.rect()))
+
+    def _made(self) -> Content:
+        shown_s = self._view.time_range_s or self._held_s or whole_of(self._design)
+        width = max(self.width() - 2 * _SIDE_PX, 1.0)
+        return Content(
+            design=self._design,
+            view=self._view,
+            lanes=self._lanes,
+            scale=TimeScale(shown_s=shown_s, left_px=_SIDE_PX, width_px=width),
+            height_px=float(self.height()),
+            waveforms=self._waveforms,
+            snaps=self.snaps,
+            ruler_px=self.ruler_px,
+        )

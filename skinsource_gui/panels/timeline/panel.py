@@ -1,0 +1,122 @@
+"""Tracks and their clips over time."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QLabel, QStackedLayout, QVBoxLayout, QWidget
+
+from skinsource.design import Design
+from skinsource.view import View
+from skinsource_gui.panel import Panel
+from skinsource_gui.panels.timeline.heads.heads import Heads
+from skinsource_gui.panels.timeline.timeline_edits import TimelineEdits
+from skinsource_gui.panels.timeline.track_table import HEADS_PX, TrackTable
+from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.drop_place import DropPlace
+from skinsource_gui.widgets.inputs.clip_waveforms import waveforms_of
+from skinsource_gui.widgets.lateness import Lateness
+
+
+class TimelinePanel(Panel):
+    """A head for each track, its clips on one ruler, and a playhead."""
+
+    title = "Timeline"
+    name = "timeline"
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._clips, self._heads = TimelineEdits(self), Heads(self)
+        self._view = View()
+        self._list = self._heads.list
+        self._rows = self._list.rows
+        self._table = TrackTable(self._list)
+        self._empty = QLabel("Click a place on the hand to add a track")
+        self._empty.setObjectName("inputs_empty")
+        self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._empty.setWordWrap(True)
+        self._foot = QLabel()
+        self._foot.setObjectName("inputs_problem")
+        self._foot.setWordWrap(True)
+        self._foot.setMargin(UNIT_PX)
+        self._foot.hide()
+        self._stack = QStackedLayout()
+        self._stack.addWidget(self._empty)
+        self._stack.addWidget(self._table)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addLayout(self._stack, 1)
+        column.addWidget(self._foot)
+        self.setMinimumSize(HEADS_PX + 140, 120)
+        self.setFocusProxy(self._rows)
+        self._lateness = Lateness(self)
+        self._lateness.changed.connect(self._table.lanes.item.show_stale)
+        self._connect()
+
+    @property
+    def needs(self) -> frozenset[str]:
+        """What each clip plays."""
+        return frozenset({"clip_waveforms", "inputs", "sample_rate_hz"})
+
+    def show_state(self, design: Design, view: View) -> None:
+        self._view = view
+        self._heads.show_state(design, view)
+        self._clips.show_state(design, view)
+        self._stack.setCurrentIndex(1 if design.inputs else 0)
+        self._table.show_state(design, view)
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        self._show_foot("")
+        self.show_stale(False)
+        self._table.lanes.sample_rate_hz = results["sample_rate_hz"]
+        self._table.lanes.show_waveforms(waveforms_of(results))
+
+    def show_stale(self, stale: bool) -> None:
+        self._lateness.set_stale(stale)
+
+    def show_problem(self, reason: str) -> None:
+        self._lateness.set_stale(False)
+        self._table.lanes.show_waveforms({})
+        self._show_foot(reason)
+
+    def show_theme(self, theme: Theme) -> None:
+        self._rows.show_theme(theme)
+        self._table.lanes.show_theme(theme)
+        self._table.toolbar.show_theme(theme)
+        self._empty.setStyleSheet(f"color: {theme.dim};")
+        self._foot.setStyleSheet(f"color: {theme.error};")
+
+    def drop_place(self, at: QPoint) -> DropPlace | None:
+        lanes = self._table.lanes
+        lane = lanes.content.lane_at(lanes.mapFrom(self, at).y())
+        return DropPlace(input_id=lane.track.id) if lane and self._table.isVisible() else None
+
+    def _connect(self) -> None:
+        lanes, clips, toolbar = self._table.lanes, self._clips, self._table.toolbar
+        self._heads.edited.connect(self.edited)
+        clips.edited.connect(self.edited)
+        for part in (lanes.mouse, lanes.keys):
+            part.edited.connect(self.edited)
+            part.clip_wanted.connect(clips.add)
+            part.marker_wanted.connect(clips.add_marker)
+            part.opened.connect(self._open)
+        lanes.looked.connect(self._look)
+        lanes.keys.copied.connect(clips.copy)
+        lanes.keys.pasted.connect(clips.paste)
+        lanes.keys.zoomed.connect(lanes.zoom)
+        lanes.keys.everything_wanted.connect(lanes.show_everything)
+        toolbar.snaps_wanted.connect(lanes.set_snaps)
+        toolbar.zoom_wanted.connect(lanes.zoom)
+        toolbar.everything_wanted.connect(lanes.show_everything)
+
+    def _look(self, view: View) -> None:
+        if view != self._view:
+            self.view_changed.emit(view)
+
+    def _open(self, clip: int) -> None:
+        self.action_wanted.emit("show_clip_editor")
+
+    def _show_foot(self, words: str) -> None:
+        self._foot.setText(words)
+        self._foot.setVisible(bool(words))

@@ -1,0 +1,64 @@
+"""Buttons beside the ruler."""
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
+
+from skinsource_gui.theme import Theme
+
+_ZOOM = 1.5
+
+
+class TimelineToolbar(QWidget):
+    """Snapping and zoom."""
+
+    snaps_wanted = Signal(bool)
+    zoom_wanted = Signal(float)
+    everything_wanted = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(4, 1, 4, 1)
+        row.setSpacing(2)
+        self._snap = self._button(
+            "Snap", "Edges snap to the grid, to ends of clips and to the playhead"
+        )
+        self._snap.setCheckable(True)
+        self._snap.clicked.connect(self.snaps_wanted)
+        self._closer = self._button("+", "See less of the time, larger (+)")
+        self._closer.clicked.connect(self._zoom_in)
+        self._wider = self._button("\u2212", "See more of the time (\u2212)")
+        self._wider.clicked.connect(self._zoom_out)
+        self._all = self._button("Fit", "See all of the time (0)")
+        self._all.clicked.connect(self._see_all)
+        for button in (self._snap, self._wider, self._closer, self._all):
+            row.addWidget(button)
+        row.addStretch(1)
+
+    def show_state(self, *, snaps: bool, zoomed: bool) -> None:
+        """Whether edges snap; whether less than everything is seen."""
+        self._snap.setChecked(snaps)
+        self._all.setEnabled(zoomed)
+        self._wider.setEnabled(zoomed)
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self.setStyleSheet("QToolButton { padding: 1px 6px; }")
+
+    def _button(self, text: str, hint: str) -> QToolButton:
+        button = QToolButton(self)
+        button.setObjectName(f"timeline_{text.lower()}")
+        button.setText(text)
+        button.setToolTip(hint)
+        button.setAccessibleName(hint)
+        button.setAutoRaise(True)
+        return button
+
+    def _zoom_in(self) -> None:
+        self.zoom_wanted.emit(_ZOOM)
+
+    def _zoom_out(self) -> None:
+        self.zoom_wanted.emit(1 / _ZOOM)
+
+    def _see_all(self) -> None:
+        self.everything_wanted.emit()

@@ -1,0 +1,15 @@
+"""What clips play, as results tell it."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from skinsource.arrays import Floats
+
+
+def waveforms_of(results: Mapping[str, Any]) -> dict[int, Floats]:
+    """Samples of each clip, (n_times,), by its id; of results with ``clip_waveforms``."""
+    return {
+        clip.id: samples
+        for one, waveforms in zip(results["inputs"], results["clip_waveforms"], strict=True)
+        for clip, samples in zip(one.clips, waveforms, strict=True)
+    }

@@ -1,0 +1,65 @@
+"""Keys of the timeline and of the editor of a clip."""
+
+from skinsource_gui.widgets.key_hint import KeyHint
+
+TIMELINE: tuple[KeyHint, ...] = (
+    KeyHint(
+        name="nudge",
+        words="Left, Right",
+        means="move the selected clips by 1 ms; with Shift by 10 ms",
+        keys=("Left", "Right", "Shift+Left", "Shift+Right"),
+    ),
+    KeyHint(
+        name="change_track",
+        words="Up, Down",
+        means="move the selected clips to another track",
+        keys=("Up", "Down"),
+    ),
+    KeyHint(
+        name="go",
+        words="Ctrl+Left, Ctrl+Right",
+        means="select the clip before, the next clip",
+        keys=("Ctrl+Left", "Ctrl+Right"),
+    ),
+    KeyHint(name="select_all", words="Ctrl+A", means="select all clips", keys=("Ctrl+A",)),
+    KeyHint(name="open", words="Enter", means="edit the clip", keys=("Return", "Enter")),
+    KeyHint(name="add", words="N", means="add a clip at the playhead", keys=("N",)),
+    KeyHint(name="split", words="S", means="split clips at the playhead", keys=("S",)),
+    KeyHint(name="repeat", words="R", means="repeat the selected clips", keys=("R",)),
+    KeyHint(name="mute", words="M", means="mute the selected clips", keys=("M",)),
+    KeyHint(name="duplicate", words="Ctrl+D", means="duplicate clips behind", keys=("Ctrl+D",)),
+    KeyHint(name="copy", words="Ctrl+C", means="copy the selected clips", keys=("Ctrl+C",)),
+    KeyHint(name="cut", words="Ctrl+X", means="cut the selected clips", keys=("Ctrl+X",)),
+    KeyHint(name="paste", words="Ctrl+V", means="paste clips at the playhead", keys=("Ctrl+V",)),
+    KeyHint(name="remove", words="Delete", means="remove clips", keys=("Del", "Backspace")),
+    KeyHint(name="marker", words="I", means="put a marker at the playhead", keys=("I",)),
+    KeyHint(
+        name="playhead",
+        words="Home, End",
+        means="put the playhead at the start, behind the last clip",
+        keys=("Home", "End"),
+    ),
+    KeyHint(name="give_up", words="Esc", means="give up what the mouse has begun", keys=("Esc",)),
+    KeyHint(
+        name="zoom_in",
+        words="+",
+        means="see less of the time",
+        keys=("+", "=", "Shift++", "Shift+="),
+    ),
+    KeyHint(name="zoom_out", words="\u2212", means="see more of the time", keys=("-", "Shift+-")),
+    KeyHint(name="whole", words="0", means="see all of the time", keys=("0", "Shift+0")),
+)
+
+CLIP_EDITOR: tuple[KeyHint, ...] = (
+    KeyHint(name="look", words="V", means="look, and move what is seen", keys=("V",)),
+    KeyHint(
+        name="pen",
+        words="P",
+        means="draw; with Shift a line, with the right button back to zero",
+        keys=("P",),
+    ),
+    KeyHint(name="give_up", words="Esc", means="give up what has begun", keys=("Esc",)),
+    KeyHint(name="zoom_in", words="+", means="zoom in", keys=("+", "=", "Shift++", "Shift+=")),
+    KeyHint(name="zoom_out", words="\u2212", means="zoom out", keys=("-", "Shift+-")),
+    KeyHint(name="whole", words="0", means="see all of the clip", keys=("0", "Shift+0")),
+)

@@ -1,0 +1,115 @@
+"""Strokes become samples."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from skinsource.drawing import Stroke, bounded_to_band, drawn_over, zeroed
+from skinsource.errors import InvalidInputError
+
+RATE_HZ = 1300.0
+PLACES = st.tuples(st.floats(0, 2), st.floats(-1, 1))
+PENS = st.lists(PLACES, min_size=1, max_size=30)
+
+
+def test_a_pen_that_goes_on_leaves_its_points():
+    stroke = Stroke.through([(0.0, 0.0), (0.1, 1.0), (0.2, -1.0)])
+    assert stroke.points == ((0.0, 0.0), (0.1, 1.0), (0.2, -1.0))
+
+
+def test_a_pen_that_goes_back_replaces_what_it_drew_there():
+    stroke = Stroke.through([(0.0, 0.0), (0.1, 1.0), (0.2, 0.5), (0.3, 1.0), (0.15, -1.0)])
+    assert stroke.points == ((0.0, 0.0), (0.1, 1.0), (0.15, -1.0), (0.3, 1.0))
+
+
+def test_a_pen_that_stays_at_one_time_has_the_value_that_came_last():
+    assert Stroke.through([(0.1, 0.0), (0.1, 0.5), (0.1, -0.2)]).points == ((0.1, -0.2),)
+
+
+@given(PENS)
+def test_a_stroke_rises_in_time_whatever_the_pen_does(pen):
+    stroke = Stroke.through(pen)
+    times = [time for time, _ in stroke.points]
+    assert times == sorted(set(times))
+    # The last place of the pen is always part of it.
+    assert stroke.points[times.index(pen[-1][0])][1] == pytest.approx(pen[-1][1], abs=1e-12)
+
+
+@given(PENS)
+def test_samples_stay_within_what_was_drawn(pen):
+    stroke = Stroke.through(pen)
+    first, samples = stroke.samples(RATE_HZ)
+    values = [value for _, value in stroke.points]
+    assert first >= 0
+    assert min(values) <= samples.min() <= samples.max() <= max(values)
+    assert samples.size >= 1
+
+
+@given(st.lists(st.integers(0, 600), min_size=2, max_size=12, unique=True).map(sorted))
+def test_points_on_samples_are_met_exactly(numbers):
+    values = np.cos(np.array(numbers) * 1.7)
+    pen = [(k / RATE_HZ, float(v)) for k, v in zip(numbers, values, strict=True)]
+    first, samples = Stroke.through(pen).samples(RATE_HZ)
+    assert first == numbers[0]
+    assert samples.size == numbers[-1] - numbers[0] + 1
+    np.testing.assert_allclose(samples[np.array(numbers) - first], values, atol=1e-12)
+
+
+def test_between_two_points_a_stroke_neither_rises_nor_falls_alone():
+    _, samples = Stroke.through([(0.0, 0.0), (0.05, 1.0), (0.1, 1.0)]).samples(RATE_HZ)
+    assert (np.diff(samples) >= -1e-15).all()
+    assert samples.max() == 1.0
+
+
+def test_a_stroke_covers_its_own_time_and_nothing_else():
+    before = np.full(100, 0.25)
+    stroke = Stroke.through([(10 / RATE_HZ, 1.0), (19 / RATE_HZ, 1.0)])
+    after = drawn_over(before, stroke, RATE_HZ)
+    assert (after[10:20] == 1.0).all()
+    assert (np.delete(after, slice(10, 20)) == 0.25).all()
+    assert (before == 0.25).all()
+
+
+def test_a_stroke_behind_the_end_makes_the_signal_longer():
+    after = drawn_over(
+        np.ones(5), Stroke.through([(8 / RATE_HZ, 0.5), (9 / RATE_HZ, 0.5)]), RATE_HZ
+    )
+    assert after.tolist() == [1, 1, 1, 1, 1, 0, 0, 0, 0.5, 0.5]
+
+
+def test_a_stroke_between_two_samples_moves_the_nearer_one():
+    pen = [(10.3 / RATE_HZ, 0.5), (10.4 / RATE_HZ, 0.7)]
+    after = drawn_over(np.zeros(20), Stroke.through(pen), RATE_HZ)
+    assert np.flatnonzero(after).tolist() == [10]
+
+
+def test_zero_is_drawn_from_end_to_end_in_either_direction():
+    for ends in ((3, 6), (6, 3)):
+        after = zeroed(np.ones(10), *(one / RATE_HZ for one in ends), RATE_HZ)
+        assert np.flatnonzero(after == 0).tolist() == [3, 4, 5, 6]
+
+
+def test_what_lies_outside_the_band_is_taken_away_and_its_share_told():
+    time_s = np.arange(1300) / RATE_HZ
+    inside, outside = np.sin(2 * np.pi * 100 * time_s), 0.5 * np.sin(2 * np.pi * 10 * time_s)
+    found = bounded_to_band(inside + outside, RATE_HZ)
+    np.testing.assert_allclose(found.samples, inside, atol=1e-12)
+    assert found.removed == pytest.approx(0.2)
+
+
+@given(st.integers(1, 200), st.integers(0, 1000))
+def test_bounding_twice_changes_nothing_more(n, seed):
+    once = bounded_to_band(np.random.default_rng(seed).standard_normal(n), RATE_HZ)
+    twice = bounded_to_band(once.samples, RATE_HZ)
+    np.testing.assert_allclose(twice.samples, once.samples, atol=1e-12)
+    assert 0.0 <= once.removed <= 1.0
+
+
+def test_silence_loses_nothing():
+    assert bounded_to_band(np.zeros(9), RATE_HZ).removed == 0.0
+
+
+def test_a_stroke_of_nothing_is_refused():
+    with pytest.raises(InvalidInputError, match="no points"):
+        Stroke().samples(RATE_HZ)

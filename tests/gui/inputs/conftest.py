@@ -1,8 +1,0 @@
-import pytest
-
-from tests.gui.inputs.bench import PLACES, Bench, design_of
-
-
-@pytest.fixture
-def bench(qtbot):
-    return Bench(qtbot, design_of(*PLACES))

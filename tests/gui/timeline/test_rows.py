@@ -1,0 +1,93 @@
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QLabel
+
+from skinsource.design import Design
+from tests.gui.timeline.bench import PLACES, Bench, click, design_of, results_of
+
+
+def test_there_is_one_row_for_each_input_in_the_order_of_the_design(bench):
+    assert [row.state.shown.location for row in bench.rows.rows] == list(PLACES)
+    assert "7, Digit II, pad: Tone 100 Hz" in bench.row(0).accessibleName()
+
+
+def test_an_empty_list_says_what_to_do(bench):
+    bench.show(Design(limb="any"))
+    words = bench.panel.findChild(QLabel, "inputs_empty")
+    assert words.isVisible()
+    assert words.text() == "Click a place on the hand to add a track"
+    assert bench.rows.rows == ()
+
+
+def test_a_click_on_a_row_selects_its_input_and_takes_the_keys(bench):
+    click(bench.row(2), QPoint(60, 10))
+    assert bench.view.selected_input == 3
+    assert bench.rows.hasFocus()
+    assert bench.edits == []
+
+
+def test_the_arrow_keys_select_and_stop_at_the_ends(bench):
+    bench.key(Qt.Key.Key_Up)
+    assert bench.view.selected_input == 1
+    for _ in range(5):
+        bench.key(Qt.Key.Key_Down)
+    assert bench.view.selected_input == 3
+    bench.key(Qt.Key.Key_Home)
+    assert bench.view.selected_input == 1
+
+
+def test_the_arrow_keys_begin_at_the_ends_where_nothing_is_selected(qtbot):
+    bench = Bench(qtbot, design_of(*PLACES), selected=-1)
+    bench.key(Qt.Key.Key_Down)
+    assert bench.view.selected_input == 1
+
+
+def test_a_selection_that_does_not_exist_is_none(qtbot):
+    bench = Bench(qtbot, design_of(*PLACES), selected=7)
+    assert bench.rows.last_row is None
+    bench.key(Qt.Key.Key_Delete)
+    assert bench.edits == []
+
+
+def test_the_keys_m_and_s_mute_and_solo_the_selected_input(bench):
+    bench.key(Qt.Key.Key_M)
+    assert bench.design.inputs[0].muted
+    bench.key(Qt.Key.Key_M)
+    assert not bench.design.inputs[0].muted
+    bench.key(Qt.Key.Key_S)
+    assert bench.design.inputs[0].solo
+    assert bench.labels == [
+        "Mute input at 7 (II pad)",
+        "Unmute input at 7 (II pad)",
+        "Solo input at 7 (II pad)",
+    ]
+    assert bench.row(0).solo.isChecked()
+
+
+def test_the_keys_m_and_s_also_work_while_a_number_has_the_focus(bench):
+    click(bench.row(1).amplitude)
+    bench.key(Qt.Key.Key_M)
+    assert [one.muted for one in bench.design.inputs] == [False, True, False]
+
+
+def test_buttons_act_on_their_own_row_and_leave_the_selection(bench):
+    click(bench.row(1).mute)
+    click(bench.row(2).solo)
+    assert bench.design.inputs[1].muted
+    assert bench.design.inputs[2].solo
+    assert bench.view.selected_input == 1
+
+
+def test_what_is_not_heard_is_shown_as_silent(bench):
+    bench.show(bench.design.with_input(1, muted=True))
+    assert [row.state.silent for row in bench.rows.rows] == [False, True, False]
+    bench.show(bench.design.with_input(1, solo=True))
+    assert [row.state.silent for row in bench.rows.rows] == [True, True, True]
+    bench.show(bench.design.with_input(0, solo=True))
+    assert [row.state.silent for row in bench.rows.rows] == [False, True, True]
+
+
+def test_a_muted_row_looks_different(bench):
+    bench.panel.show_results(results_of(bench.design))
+    before = bench.row(1).grab().toImage()
+    bench.show(bench.design.with_input(1, muted=True))
+    assert bench.row(1).grab().toImage() != before
