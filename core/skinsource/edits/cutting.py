@@ -156,9 +156,8 @@ def fade_clip(design: Design, view: View, id: int, in_s: float, out_s: float) ->
 
 def fades_of(one: Clip) -> tuple[float, float]:
     """How long a clip takes to fade in and out by what `fade_clip` did to it, s."""
-    kind = _effect_called("Fade")
-    last: Any = one.effects[-1] if one.effects else None
-    if kind is None or not isinstance(last, kind) or not last.on:
+    last = one.effects[-1] if one.effects else None
+    if not isinstance(last, Fade) or not last.on:
         return (0.0, 0.0)
     return (last.in_s, last.out_s)
 
