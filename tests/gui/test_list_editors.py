@@ -1,17 +1,19 @@
 """Lists of numbers and points, typed."""
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QTextCursor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
 from skinsource.errors import InvalidInputError
 from skinsource.fields import ListSpec, NumberSpec, specs_of
+from skinsource.synthesis.glide_curves import curve_of
 from skinsource.waveforms import Glide, WaveletTrain, frequency_sweep
 from skinsource_gui.theme import DARK
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.live_text import LiveText
+from skinsource_gui.widgets.fields.points_editor import GlideCurve
 from skinsource_gui.widgets.fields.sweep_dialog import SweepDialog
 from skinsource_gui.widgets.fields.typed_numbers import (
     numbers_text,
@@ -186,3 +188,65 @@ def test_ends_of_a_sweep_may_be_typed_either_way_round(qtbot):
     dialog.low.set_value(300.0)
     assert dialog.values == (200.0, 300.0)
     dialog.close()
+
+
+def glide_cell(cell, points):
+    """A cell whose owner takes over each edit, as the inspector does."""
+    one = cell(POINTS, points)
+    one.edited.connect(lambda _, value, __: one.set_value(value))
+    one.curves = {
+        name: one.findChild(GlideCurve, f"{name}_curve") for name in ("frequency", "amplitude")
+    }
+    return one
+
+
+def test_points_are_seen_as_two_curves_each_with_its_own_bends(cell):
+    one = glide_cell(cell, Glide().points)
+    assert one.curves["frequency"].curve == curve_of(Glide().points, "frequency")
+    assert one.curves["amplitude"].curve == ((0.0, 0.0), (0.1, 1.0), (0.4, 1.0), (0.5, 0.0))
+    assert one.curves["frequency"].words == "Frequency · 1/4 · 0 ms · 60 Hz"
+    assert one.curves["amplitude"].words == "Amplitude · 1/4 · 0 ms · 0"
+
+
+def test_a_point_that_is_dragged_moves_its_curve_and_not_the_other(cell):
+    one = glide_cell(cell, Glide().points)
+    curve = one.curves["frequency"]
+    at = curve.place_of(1).toPoint()
+    QTest.mousePress(curve, Qt.MouseButton.LeftButton, pos=at)
+    for down_px in (4, 8):
+        QTest.mouseMove(curve, at + QPoint(0, -down_px))
+    QTest.mouseRelease(curve, Qt.MouseButton.LeftButton, pos=at + QPoint(0, -8))
+    points = one.told[-1]
+    assert curve_of(points, "frequency")[1][1] > 70.0
+    assert curve_of(points, "amplitude") == curve_of(Glide().points, "amplitude")
+    assert one.line.text() == points_text(points, POINTS)
+
+
+def test_a_new_point_stays_though_it_bends_nothing_yet(cell):
+    one = glide_cell(cell, ((0.0, 100.0, 1.0), (0.5, 100.0, 1.0)))
+    curve = one.curves["frequency"]
+    between = ((curve.place_of(0) + curve.place_of(1)) / 2).toPoint()
+    QTest.mousePress(curve, Qt.MouseButton.LeftButton, pos=between)
+    assert len(curve.value) == 3
+    QTest.mouseMove(curve, between + QPoint(0, 20))
+    QTest.mouseRelease(curve, Qt.MouseButton.LeftButton, pos=between + QPoint(0, 20))
+    bends = curve_of(one.told[-1], "frequency")
+    assert len(bends) == 3
+    assert bends[1][1] < 80.0
+    assert bends[0][1] == bends[2][1] == 100.0
+
+
+def test_what_is_drawn_stays_within_what_is_allowed(cell):
+    one = glide_cell(cell, Glide().points)
+    curve = one.curves["amplitude"]
+    curve.setFocus()
+    QTest.keyClick(curve, Qt.Key.Key_Right, Qt.KeyboardModifier.ControlModifier)
+    one.curves["amplitude"].set_value(((0.0, 3.0, "held"), (0.2, 0.5, "straight")))
+    assert curve.curve == ((0.0, 1.0), (0.2, 1.0), (0.2, 0.5))
+
+
+def test_a_text_that_is_typed_moves_both_curves(cell):
+    one = glide_cell(cell, ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0)))
+    QTest.keyClicks(one.line, "; 200 80 0.5")
+    assert one.curves["frequency"].curve == ((0.0, 60.0), (0.1, 60.0), (0.2, 80.0))
+    assert one.curves["amplitude"].curve == ((0.0, 0.0), (0.1, 1.0), (0.2, 0.5))

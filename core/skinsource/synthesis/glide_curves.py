@@ -28,12 +28,16 @@ def curve_of(points: Points, column: Column) -> Curve:
     ((0.0, 50.0), (0.2, 70.0))
     """
     place = _PLACES[column]
-    curve = [(one[0], one[place]) for one in points]
-    kept = curve[:1]
+    return bends_of(tuple((one[0], one[place]) for one in points))
+
+
+def bends_of(curve: Curve) -> Curve:
+    """The same curve without the points that lie on the line between their neighbours."""
+    kept = list(curve[:1])
     for here, after in pairwise(curve[1:]):
         if not _is_between(kept[-1], here, after):
             kept.append(here)
-    return tuple([*kept, *curve[-1:]] if len(curve) > 1 else kept)
+    return (*kept, *curve[-1:]) if len(curve) > 1 else curve
 
 
 def with_curve(points: Points, column: Column, curve: Curve) -> Points:

@@ -24,9 +24,10 @@ from skinsource.signals import BAND_HZ
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.curve_field import CurveField
-from skinsource_gui.widgets.fields.list_editors import NumbersEditor, PointsEditor
+from skinsource_gui.widgets.fields.list_editors import NumbersEditor
 from skinsource_gui.widgets.fields.live_text import LiveText
 from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.fields.points_editor import PointsEditor
 from skinsource_gui.widgets.fields.units import value_text
 from skinsource_gui.widgets.inputs.kind_field import KindField
 from skinsource_gui.widgets.tooltips import tooltip

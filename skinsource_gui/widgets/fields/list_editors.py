@@ -1,4 +1,4 @@
-"""What edits lists of numbers, and points of several numbers: a line of text, read as one types."""
+"""What edits lists of numbers: a line of text, read as one types."""
 
 from typing import Any
 
@@ -6,23 +6,17 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
 from skinsource.errors import InvalidInputError
-from skinsource.fields import ListSpec, PointsSpec, TextSpec
+from skinsource.fields import ListSpec, TextSpec
 from skinsource.signals import BAND_HZ
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.live_text import LiveText
 from skinsource_gui.widgets.fields.sweep_dialog import SweepDialog
-from skinsource_gui.widgets.fields.typed_numbers import (
-    column_words,
-    numbers_text,
-    points_text,
-    read_numbers,
-    read_points,
-)
+from skinsource_gui.widgets.fields.typed_numbers import numbers_text, read_numbers
 
 _LONGEST = 100_000
 
 
-class _Listed(QObject):
+class Listed(QObject):
     """Edits a tuple as a text; told while it is typed, as soon as all of it can be read."""
 
     edited = Signal(object, object)
@@ -77,7 +71,7 @@ class _Listed(QObject):
         raise NotImplementedError
 
 
-class NumbersEditor(_Listed):
+class NumbersEditor(Listed):
     """Edits a list of numbers; frequencies also as a sweep."""
 
     def __init__(self, spec: ListSpec, parent: QWidget) -> None:
@@ -118,17 +112,3 @@ class NumbersEditor(_Listed):
         dialog.accepted.connect(lambda: self.edited.emit(dialog.values, None))
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
-
-
-class PointsEditor(_Listed):
-    """Edits points of several numbers."""
-
-    def __init__(self, spec: PointsSpec, parent: QWidget) -> None:
-        names = ", ".join(column_words(one) for one in spec.columns)
-        super().__init__(spec, parent, f"{spec.hint}. Each point: {names}; semicolons between")
-
-    def _read(self, text: str) -> tuple[tuple[float, ...], ...]:
-        return read_points(text, self._spec)
-
-    def _text(self, value: tuple[Any, ...]) -> str:
-        return points_text(value, self._spec)
