@@ -166,7 +166,7 @@ def long_row() -> bool:
 
 def table_row(label: str, edit: Edit, limb: str, rounds: int) -> bool:
     """Print one row; whether the promise holds."""
-    start = Design(limb=limb, inputs=twenty_inputs())
+    start = Design(limb=limb, inputs=twenty_inputs(), scaling="upstream")
     view = View(axes="xyz", method="mag", outputs=OUTPUTS, selected_inputs=(5,))
     graph = new_graph()
     graph.evaluate(WANTED, sources(start, view))

@@ -172,7 +172,7 @@ def measure(options: argparse.Namespace, seconds: float) -> bool:
     )
     with tempfile.TemporaryDirectory() as folder:
         window = WatchedWindow(
-            Design(limb=default_limb(), inputs=inputs),
+            Design(limb=default_limb(), inputs=inputs, scaling="upstream"),
             view=View(outputs=OUTPUTS, selected_inputs=(2,)),
             preferences=Preferences(Path(folder) / "studio.ini"),
             available_limbs=available_limbs(),

@@ -101,7 +101,7 @@ def evaluate(graph: Graph, limb: Limb, design: Design, view: View) -> None:
 
 def measured(limb: Limb, grows: str, length_s: float, inputs: int, outputs: int) -> Iterator[Point]:
     """Yield one point of each edit."""
-    design = Design(limb=limb.name, inputs=some_inputs(inputs, length_s))
+    design = Design(limb=limb.name, inputs=some_inputs(inputs, length_s), scaling="upstream")
     view = View(
         axes="xyz",
         method="mag",

@@ -60,7 +60,7 @@ def long_design(duration_s: float) -> Design:
             return track(k + 1, Noise(seed=k, duration_s=duration_s), **how)
         return track(k + 1, Tone(frequency_hz=40.0 + 25.0 * k, duration_s=duration_s), **how)
 
-    return Design(limb=default_limb(), inputs=tuple(map(sounding, range(20))))
+    return Design(limb=default_limb(), inputs=tuple(map(sounding, range(20))), scaling="upstream")
 
 
 def idle_graph() -> Graph:

@@ -38,7 +38,7 @@ def twenty_inputs(limb: str, first_hz: float) -> Design:
     """A tone of 1 s at each place."""
     tones = (Tone(frequency_hz=first_hz + 7 * place, duration_s=1.0) for place in range(20))
     inputs = tuple(track(location=k, waveform=tone) for k, tone in enumerate(tones, start=1))
-    return Design(limb=limb, inputs=inputs)
+    return Design(limb=limb, inputs=inputs, scaling="upstream")
 
 
 def main() -> int:

@@ -123,7 +123,8 @@ class Design:
     inputs
         In the order in which they are listed.  Those without an id get one, and so do their clips.
     scaling
-        ``"upstream"``, ``"relative"`` or ``"probe"``, see `skinsource.predict`.
+        ``"upstream"``, ``"relative"`` or ``"probe"``, see `skinsource.predict`.  Probe scaling is
+        where designs start: a clip that is added changes nothing of what the others cause.
     markers
         Names for times.
     loop_s
@@ -134,7 +135,7 @@ class Design:
 
     limb: str = fields.field(LIMB)
     inputs: tuple[Input, ...] = fields.field(INPUTS, ())
-    scaling: Scaling = fields.choice("upstream", SCALING)
+    scaling: Scaling = fields.choice("probe", SCALING)
     markers: tuple[Marker, ...] = fields.field(MARKERS, ())
     loop_s: Range | None = fields.interval(None, LOOP)
     title: str = fields.text("", TITLE)
@@ -272,6 +273,19 @@ def audible_inputs(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
 def amplitude_unit(scaling: Scaling) -> str:
     """Unit of an input's amplitude: m/s², or × for a plain factor."""
     return "×" if scaling == "relative" else "m/s²"
+
+
+_MEANINGS: dict[Scaling, str] = {
+    "upstream": "The highest acceleration on any one axis that all clips together cause",
+    "relative": "A factor: 1 is the measuring pulse",
+    "probe": "Acceleration of the probe, within about 3 dB",
+}
+
+
+def amplitude_spec(scaling: Scaling) -> NumberSpec:
+    """Specification of amplitudes that says what they mean in a scaling, and in which unit."""
+    hint = f"{_MEANINGS[scaling]}. {AMPLITUDE.hint}"
+    return replace(AMPLITUDE, unit=amplitude_unit(scaling), hint=hint)
 
 
 def start_design(limb: str) -> Design:

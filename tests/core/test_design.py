@@ -7,6 +7,7 @@ from skinsource.design import (
     MAX_INPUTS,
     Design,
     Input,
+    amplitude_spec,
     amplitude_unit,
     audible_inputs,
     start_design,
@@ -198,3 +199,11 @@ def test_words_about_a_design_are_texts_of_bounded_length(name):
         replace(THREE, **{name: "a" * 50_000})
     with pytest.raises(InvalidInputError, match=rf"Design\.{name} is 3, expected"):
         replace(THREE, **{name: 3})
+
+
+def test_a_new_design_is_in_probe_scaling_and_says_what_amplitudes_mean():
+    assert Design(limb="any").scaling == start_design("synthetic-1").scaling == "probe"
+    specs = [amplitude_spec(scaling) for scaling in SCALINGS]
+    assert [spec.unit for spec in specs] == ["m/s²", "×", "m/s²"]
+    assert "within about 3 dB" in amplitude_spec("probe").hint
+    assert len({spec.hint for spec in specs}) == 3

@@ -22,6 +22,7 @@ INPUTS = (
     track(location=7, waveform=Noise(seed=3, duration_s=0.1), amplitude=0.1),
     track(location=13, waveform=Tap(), amplitude=-1 / 3, muted=True),
 )
+MEASURED = Design(limb="measured-2", inputs=INPUTS, scaling="upstream")
 VIEW = View(axes="xz", method="soc", outputs=(72, 1, 30))
 
 
@@ -71,7 +72,7 @@ def signal(limb) -> np.ndarray:
 
 def test_traces_read_back_exactly(tmp_path, made_up_limbs):
     path = tmp_path / "traces.csv"
-    design = Design(limb="measured-2", inputs=INPUTS)
+    design = MEASURED
     export_traces(path, design, VIEW)
     _, names, table = read(path)
     assert names == ["time_s", "output_72_m_per_s2", "output_1_m_per_s2", "output_30_m_per_s2"]
@@ -84,7 +85,7 @@ def test_traces_read_back_exactly(tmp_path, made_up_limbs):
 
 def test_levels_read_back_exactly(tmp_path, made_up_limbs):
     path = tmp_path / "levels.csv"
-    export_levels(path, Design(limb="measured-2", inputs=INPUTS), VIEW)
+    export_levels(path, MEASURED, VIEW)
     _, names, table = read(path)
     assert names == ["output", "rms_m_per_s2", "level_db_re_1_m_per_s2", *TEXTS]
     expected = rms(signal(made_up_limbs("x")))
@@ -96,7 +97,7 @@ def test_levels_read_back_exactly(tmp_path, made_up_limbs):
 def test_pandas_reads_the_tables_without_help(tmp_path):
     pandas = pytest.importorskip("pandas", reason="pandas is not installed")
     path = tmp_path / "levels.csv"
-    export_levels(path, Design(limb="measured-2", inputs=INPUTS), VIEW)
+    export_levels(path, MEASURED, VIEW)
     table = pandas.read_csv(path, comment="#")
     np.testing.assert_array_equal(table["output"], np.arange(1, 73))
     np.testing.assert_allclose(table["rms_m_per_s2"], read(path)[2][:, 1], rtol=1e-14)
@@ -108,7 +109,7 @@ def test_levels_name_the_places_and_say_what_they_are_the_rms_over(tmp_path):
         ("record", "whole record (record)"),
         ("loudest", "loudest 100 ms (loudest)"),
     ):
-        export_levels(path, Design(limb="measured-2", inputs=INPUTS), View(span=span))
+        export_levels(path, MEASURED, View(span=span))
         lines = path.read_text("utf-8").splitlines()
         assert f"# levels: RMS over the {words}" in lines
         rows = list(csv.reader(line for line in lines if not line.startswith("#")))[1:]
@@ -119,7 +120,7 @@ def test_levels_name_the_places_and_say_what_they_are_the_rms_over(tmp_path):
 
 @pytest.mark.parametrize(("span", "words"), [("record", "whole record"), ("loudest", "100 ms")])
 def test_files_without_levels_name_what_levels_are_the_rms_over_too(tmp_path, span, words):
-    design, view = Design(limb="synthetic-1", inputs=INPUTS), View(span=span)
+    design, view = Design(limb="synthetic-1", inputs=INPUTS, scaling="upstream"), View(span=span)
     export_traces(tmp_path / "traces.csv", design, view)
     export_field(tmp_path / "field.npz", design, view)
     with np.load(tmp_path / "field.npz") as field:
@@ -144,7 +145,7 @@ def test_a_synthetic_limb_is_called_synthetic_in_capitals_and_a_measured_one_is_
     tmp_path, export
 ):
     for limb in ("synthetic-1", "synthetic-4", "measured-1"):
-        export(tmp_path / "table.csv", Design(limb=limb, inputs=INPUTS), VIEW)
+        export(tmp_path / "table.csv", Design(limb=limb, inputs=INPUTS, scaling="upstream"), VIEW)
         about, _, _ = read(tmp_path / "table.csv")
         assert any(limb in line for line in about)
         assert any("SYNTHETIC" in line for line in about) == limb.startswith("synthetic")
@@ -171,7 +172,7 @@ def test_the_table_says_how_it_was_made(tmp_path):
 def test_the_table_says_whether_the_delay_is_in_its_times(tmp_path, removed, start):
     path = tmp_path / "traces.csv"
     view = View(outputs=(1,), delay_removed=removed)
-    export_traces(path, Design(limb="measured-2", inputs=INPUTS), view)
+    export_traces(path, MEASURED, view)
     about, _, table = read(path)
     assert any(f"52 ms: {'removed' if removed else 'contained'}" in line for line in about)
     assert table[0, 0] == start
@@ -179,7 +180,11 @@ def test_the_table_says_whether_the_delay_is_in_its_times(tmp_path, removed, sta
 
 def test_a_single_axis_has_no_method(tmp_path):
     path = tmp_path / "traces.csv"
-    export_traces(path, Design(limb="measured-2", inputs=INPUTS), View(axes="z", method="pca"))
+    export_traces(
+        path,
+        MEASURED,
+        View(axes="z", method="pca"),
+    )
     assert not any("pca" in line for line in read(path)[0])
 
 
@@ -218,6 +223,10 @@ def test_what_is_noted_of_a_limb_stands_in_every_export(tmp_path, monkeypatch, m
 
     monkeypatch.setattr(shared, "load_limb", load)
     for export in (export_levels, export_traces):
-        export(tmp_path / "table.csv", Design(limb="measured-1", inputs=INPUTS), VIEW)
+        export(
+            tmp_path / "table.csv",
+            Design(limb="measured-1", inputs=INPUTS, scaling="upstream"),
+            VIEW,
+        )
         about, _, _ = read(tmp_path / "table.csv")
         assert any("not the published ones: impulseResponses.mat" in line for line in about)

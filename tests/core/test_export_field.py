@@ -17,6 +17,7 @@ from skinsource.view import View
 from skinsource.waveforms import Noise, Tap, Tone
 
 SHORT = Design(
+    scaling="upstream",
     limb="synthetic-1",
     inputs=(
         track(location=7, waveform=Noise(seed=3, duration_s=0.1), amplitude=0.1),
@@ -25,6 +26,7 @@ SHORT = Design(
 )
 # Two taps with sixteen seconds of silence between them.
 LONG = Design(
+    scaling="upstream",
     limb="synthetic-1",
     inputs=(
         track(location=7, waveform=Tap(), amplitude=0.1),

@@ -130,10 +130,10 @@ def test_odd_and_even_lengths_are_both_among_the_cases(measured):
 def test_a_design_gives_the_levels_that_upstream_gives_for_all_n_plus_521_samples(measured, method):
     inputs = (
         track(location=8, waveform=Tone(frequency_hz=200.0, duration_s=0.05)),
-        track(location=13, waveform=Tap(), amplitude=-0.5, onset_s=0.005),
+        track(location=13, waveform=Tap(), amplitude=-0.5, onset_s=7 / 1300),
         track(location=3, waveform=Noise(), muted=True),
     )
-    design, view = Design(limb="measured-3", inputs=inputs), View(method=method)
+    design, view = Design(limb="measured-3", inputs=inputs, scaling="upstream"), View(method=method)
     levels = new_graph().evaluate(["output_rms"], sources(design, view))["output_rms"]
     drives = [tukey_tone(200, 65), np.pad(taps(5)[0], (0, 65 - 28))]
     limb, total = load_limb("measured-3"), 0.0

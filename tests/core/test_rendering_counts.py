@@ -13,6 +13,7 @@ from skinsource.view import View
 from skinsource.waveforms import Noise, Tap, Tone
 
 DESIGN = Design(
+    scaling="upstream",
     limb="synthetic-1",
     inputs=(
         track(location=7, waveform=Tone(frequency_hz=100.0)),

@@ -20,6 +20,7 @@ from skinsource.voices import UnitVoice
 from skinsource.waveforms import Noise, Tap, Tone
 
 LONG = Design(
+    scaling="upstream",
     limb="synthetic-1",
     inputs=(
         track(location=7, waveform=Tone(frequency_hz=100.0, duration_s=14.0)),

@@ -20,6 +20,7 @@ from skinsource.waveforms import Impulse, Noise, Tap, Tone
 
 RATE_HZ = 1300.0
 DESIGN = Design(
+    scaling="upstream",
     limb="synthetic-1",
     inputs=(
         track(location=7, waveform=Tone(frequency_hz=100.0)),
@@ -227,7 +228,9 @@ def test_outputs_that_move_alike_in_all_directions_are_named(limb_of):
     turning[:, 0], turning[:, 1] = np.cos(turns), np.sin(turns)
     turning[9, 1] *= 0.5
     limb = limb_of(lambda _: turning.copy())
-    design = Design(limb="synthetic-1", inputs=(track(location=7, waveform=Impulse()),))
+    design = Design(
+        limb="synthetic-1", inputs=(track(location=7, waveform=Impulse()),), scaling="upstream"
+    )
     for method, expected in (("pca", (1, 29)), ("rms", ())):
         view = View(axes="xyz", method=method, outputs=(1, 10, 29))
         given = sources(design, view) | {"limb_data": limb}

@@ -29,7 +29,7 @@ def test_the_first_window_shows_a_prediction_of_the_start_design(window, settle,
     settle()
     limb = load_limb("synthetic-1")
     drive = Tone(frequency_hz=100.0).samples(1300.0)
-    expected = project_axes(predict(limb, [drive], [7]), "z")[[28, 51]]
+    expected = project_axes(predict(limb, [drive], [7], scaling="probe"), "z")[[28, 51]]
     np.testing.assert_allclose(
         delivered[-1].values["selected_traces"], expected, atol=1e-12 * np.abs(expected).max()
     )

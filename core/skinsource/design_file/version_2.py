@@ -33,7 +33,12 @@ def as_now(tree: Tree) -> Tree:
     if not isinstance(design, dict) or not isinstance(design.get("inputs"), list):
         return tree
     inputs = design["inputs"]
-    after = {**design, "inputs": [_as_track(one, k) for k, one in enumerate(inputs)]}
+    # What new designs start in is another one now.
+    after = {
+        "scaling": "upstream",
+        **design,
+        "inputs": [_as_track(one, k) for k, one in enumerate(inputs)],
+    }
     return {**tree, "design": after}
 
 

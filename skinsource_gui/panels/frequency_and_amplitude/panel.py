@@ -1,12 +1,10 @@
 """Frequency and amplitude of the selected input, large, for presenting."""
 
-from dataclasses import replace
-
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from skinsource import edits
 from skinsource.clips import Clip
-from skinsource.design import AMPLITUDE, Design, amplitude_unit
+from skinsource.design import AMPLITUDE, Design, amplitude_spec
 from skinsource.edits.kinds import kind_name
 from skinsource.edits.selection import clip_of
 from skinsource.fields import NumberSpec, specs_of
@@ -65,7 +63,7 @@ class FrequencyAndAmplitudePanel(Panel):
         clip = clip_of(one, view)
         playing = EMPTY.capitalize() if clip is None else kind_name(clip.waveform)
         self._words.setText(f"{playing} at place {one.location}")
-        self._amplitude.set_spec(replace(AMPLITUDE, unit=amplitude_unit(design.scaling)))
+        self._amplitude.set_spec(amplitude_spec(design.scaling))
         self._amplitude.set_value(one.amplitude)
         self._show_frequency(clip)
 

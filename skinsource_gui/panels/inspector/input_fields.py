@@ -1,7 +1,5 @@
 """The fields of an input."""
 
-from dataclasses import replace
-
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QApplication
 
@@ -10,7 +8,7 @@ from skinsource.clips import GAIN, ONSET, Clip
 from skinsource.design import AMPLITUDE, Input
 from skinsource.edits.kinds import kind_name, kind_spec
 from skinsource.edits.selection import clip_of, clips_of
-from skinsource.fields import ChoiceSpec, specs_of
+from skinsource.fields import ChoiceSpec, NumberSpec, specs_of
 from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.locations import INPUTS
 from skinsource.view import View
@@ -61,10 +59,12 @@ class InputFields(QObject):
         for cell in (self._amplitude, self._onset, self._gain):
             cell.edited.connect(self.edited)
 
-    def show_input(self, one: Input, together: tuple[Input, ...], unit: str, view: View) -> None:
+    def show_input(
+        self, one: Input, together: tuple[Input, ...], amplitude: NumberSpec, view: View
+    ) -> None:
         """Show an input, and where those that are edited ``together`` differ.
 
-        ``unit`` is that of the amplitude; ``view`` says which clips are selected.
+        ``amplitude`` says what one means; ``view`` says which clips are selected.
         """
         self._view = view
         clip = clip_of(one, view)
@@ -74,7 +74,7 @@ class InputFields(QObject):
             self._build_own(None if clip is None else clip.waveform)
         if self._length is not None and clip is not None:
             self._length.words.setText(fixed_length_text(clip.waveform))
-        self._amplitude.set_spec(replace(AMPLITUDE, unit=unit))
+        self._amplitude.set_spec(amplitude)
         pairs = [(other, each) for other in together for each in clips_of(other, view) or (None,)]
         for cell in self._fields():
             cell.set_value(_value(one, cell.name, clip))

@@ -6,7 +6,7 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QScrollArea, QStackedLayout, QVBoxLayout, QWidget
 
-from skinsource.design import Design, Input, amplitude_unit, audible_inputs
+from skinsource.design import Design, Input, amplitude_spec, audible_inputs
 from skinsource.edits.selection import clip_of, clips_of
 from skinsource.view import View
 from skinsource_gui.panel import Panel
@@ -154,8 +154,8 @@ class InspectorPanel(Panel):
     def _show_input(self, one: Input, *, silent: bool) -> None:
         together = self._selection.together
         self._heading.show_input(one, silent=silent, together=together)
-        unit = amplitude_unit(self._design.scaling)
-        self._fields.show_input(one, together, unit, self._view)
+        amplitude = amplitude_spec(self._design.scaling)
+        self._fields.show_input(one, together, amplitude, self._view)
         self._show_chain(one, together)
         self._show_look(one)
 
