@@ -63,6 +63,8 @@ class FieldCell(LabelledCell):
         self._editor.problem_changed.connect(self._show_problem)
         self.field = self._editor.field
         self.field.setObjectName(f"{name}_field")
+        if isinstance(self.field, QLabel):
+            self.field.setMinimumHeight(LABEL_PX)
         self.label.setBuddy(self.field)
         self.setFocusProxy(self.field)
         self._note = QLabel()

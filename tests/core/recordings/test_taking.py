@@ -191,3 +191,23 @@ def test_a_part_is_taken_from_the_end_of_a_packed_file(tmp_path, process):
     choice = replace(KEEP, series="a", rate_hz=None, start_s=99.5, duration_s=60.0)
     found = take(path, choice, 10_000.0, process=process)
     np.testing.assert_array_equal(found.samples.values, values[-5000:])
+
+
+def test_what_is_taken_stays_in_the_design(tmp_path, process):
+    path = tmp_path / "a.wav"
+    tone = np.sin(np.arange(2_400_000) * 0.02)
+    soundfile.write(path, np.stack([tone, tone], axis=1), 4000)
+    # As long as it may be.
+    recording = take(path, process=process).waveform
+    assert recording.duration_s == 600.0
+    inputs = (ss.track(7, recording), ss.track(13, recording))
+    design = ss.Design(limb="synthetic-1", inputs=inputs)
+    ss.save_design(tmp_path / "a.skinsource", design)
+    path.unlink()
+    back = ss.open_design(tmp_path / "a.skinsource").design
+    assert back == design
+    found = back.inputs[1].clips[0].waveform
+    assert found.samples.digest == recording.samples.digest
+    assert (found.name, found.source_rate_hz) == ("a.wav, channel 1", 4000.0)
+    # It is stored once.
+    assert (tmp_path / "a.skinsource").stat().st_size < 1.1 * recording.samples.values.nbytes

@@ -5,7 +5,7 @@ import pytest
 import soundfile
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDragLeaveEvent, QDragMoveEvent, QDropEvent
-from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
+from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QWidget
 
 from skinsource.recordings import take
 from skinsource.waveforms import Recording
@@ -76,6 +76,9 @@ def test_what_is_shown_is_placed_in_one_step(window, settle, page_on, sound):
     assert window.document.view.selected_inputs == (new.id,)
     assert window.document.undo_stack.count() == steps + 1
     settle()
+    inspector = window.panel("inspector")
+    words = [inspector.findChild(QLabel, f"{name}_field") for name in ("samples", "source_rate_hz")]
+    assert [one.text() for one in words] == ["650 at 1300 Hz", "48000 Hz"]
     window.do("undo")
     assert window.document.design == before
 
