@@ -51,6 +51,8 @@ class FileActions(QObject):
         self._arrangement = arrangement
         self._on_disk, self._told = FileOnDisk(), "same"
         self.held = HeldFile()
+        #: Where a design without a file is expected to go; None: anywhere.
+        self.suggested: Path | None = None
         window.installEventFilter(self)
 
     def new(self) -> None:
@@ -87,7 +89,7 @@ class FileActions(QObject):
         other = self.held.take(path)
         self.held.keep_only(path)
         self._document.start_over(content.design, content.view, path, read_only=other is not None)
-        self._on_disk, self._told = on_disk, "same"
+        self._on_disk, self._told, self.suggested = on_disk, "same", None
         self.recent.remember(path)
         self._note_folder(path)
         self.recent_changed.emit()
@@ -108,7 +110,8 @@ class FileActions(QObject):
 
     def ask_and_save(self) -> bool:
         """Ask for a name and save there; whether it is saved now."""
-        start = self._document.path or self._preferences.folder / f"design{SUFFIX}"
+        unnamed = self.suggested or self._preferences.folder / f"design{SUFFIX}"
+        start = self._document.path or unnamed
         path = self.ask_where("Save the design", start, _FILTER)
         return path is not None and self._save_to(path)
 
@@ -176,7 +179,7 @@ class FileActions(QObject):
 
     def _note_file(self, path: Path | None) -> None:
         self._on_disk.note(path)
-        self._told = "same"
+        self._told, self.suggested = "same", None
 
     def _may_overwrite(self, path: Path) -> bool:
         return self._on_disk.state() != "changed" or self._agreed(

@@ -40,6 +40,8 @@ class Recovery(QObject):
 
     #: The window's arrangement that a copy holds, bytes.
     opened = Signal(bytes)
+    #: The file that the work belonged to, `Path` or None.
+    belonged = Signal(object)
     #: What was opened, in a sentence.
     done = Signal(str)
     #: Why a copy was not opened, and where it lies now.
@@ -81,6 +83,7 @@ class Recovery(QObject):
                 continue
             self._opening = left, copy
             self._take_over(content)
+            self.belonged.emit(left.file)
             words = f"Opened unsaved work on {left.name}, which was kept {left.age()}"
             if bad:
                 before = "An earlier copy was opened instead."

@@ -1,5 +1,6 @@
 """Copies of unsaved work, and what is done with those of ended studios."""
 
+import os
 from dataclasses import replace
 
 import pytest
@@ -217,6 +218,32 @@ def test_where_nothing_can_be_kept_the_left_over_stays(window, leave, qtbot, use
     recovery.open(recovery.look().left[0])
     qtbot.waitUntil(lambda: list(user_data.rglob("*.opening")) == [])
     assert len(left_over.find(user_data).left) == 1
+
+
+def test_saving_left_over_work_suggests_the_file_that_it_belonged_to(
+    window, leave, user_data, tmp_path, monkeypatch
+):
+    (leave(2.5) / "file").write_bytes(str(tmp_path / "tap.skinsource").encode())
+    window.keeping.recovery.open(window.keeping.recovery.look().left[0])
+    asked = []
+    monkeypatch.setattr(
+        QFileDialog, "getSaveFileName", lambda *words: (asked.append(words[2]), ("", ""))[1]
+    )
+    window.do("save_design")
+    assert asked == [str(tmp_path / "tap.skinsource")]
+    window.document.undo_stack.setClean()
+    window.do("new_design")
+    window.do("save_design")
+    assert asked[1].endswith("design.skinsource")
+
+
+def test_a_copy_of_ten_gigabytes_is_refused_unread(window, leave, user_data):
+    newest = sorted(leave(2.5, 3.5).glob("*.skinsource"))[-1]
+    os.truncate(newest, 10 * 2**30)
+    window.keeping.recovery.open(window.keeping.recovery.look().left[0])
+    assert window.document.design.inputs[0].amplitude == 2.5
+    (aside,) = (user_data / "unsaved" / left_over.ASIDE).iterdir()
+    assert aside.stat().st_size == 10 * 2**30
 
 
 def test_left_over_work_can_be_given_up(window, leave, user_data):

@@ -111,17 +111,20 @@ class Card(QAbstractButton):
         painter, theme = QPainter(self), self._theme
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         frame = QRectF(self.rect()).adjusted(1, 1, -1, -1)
-        marked = self._present or self.hasFocus()
-        line = QPen(QColor(theme.accent if marked else theme.border), _FRAME_PX if marked else 1)
+        focused = self.hasFocus()
+        line = QPen(QColor(theme.accent if focused else theme.border), _FRAME_PX if focused else 1)
         if self._compared is None:
             line.setStyle(Qt.PenStyle.DashLine)
         painter.setPen(line)
         painter.setBrush(QColor(theme.base))
         painter.drawRoundedRect(frame, _RADIUS_PX, _RADIUS_PX)
-        if self.hasFocus() and self._present:
-            painter.setPen(QPen(QColor(theme.text), 1))
-            painter.drawRoundedRect(frame.adjusted(3, 3, -3, -3), _RADIUS_PX, _RADIUS_PX)
-        self._paint_inside(painter, frame.adjusted(4, 3, -4, -3))
+        inside = frame.adjusted(4, 4, -4, -3)
+        if self._present:
+            head = QRectF(inside.left(), inside.top(), inside.width(), self.fontMetrics().height())
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor(theme.accent))
+            painter.drawRoundedRect(head, _RADIUS_PX / 2, _RADIUS_PX / 2)
+        self._paint_inside(painter, inside)
         painter.end()
 
     def _paint_inside(self, painter: QPainter, area: QRectF) -> None:
@@ -131,7 +134,8 @@ class Card(QAbstractButton):
         heading = QFont(self.font())
         heading.setBold(True)
         painter.setFont(heading)
-        painter.setPen(QColor(theme.text if compared else theme.dim))
+        heading_colour = theme.on_accent if self._present else theme.text
+        painter.setPen(QColor(heading_colour if compared else theme.dim))
         name = compared.name if compared else str(self.number)
         painter.drawText(QRectF(area.left(), area.top(), area.width(), line), centre, name)
         painter.setFont(tabular(self.font()))
@@ -139,6 +143,7 @@ class Card(QAbstractButton):
             painter.drawText(area, centre, f"Ctrl+{self.number}")
             return
         below = QRectF(area.left(), area.bottom() - 2 * line, area.width(), line)
+        painter.setPen(QColor(theme.text))
         painter.drawText(below, centre, level_words(compared))
         painter.setPen(QColor(theme.dim))
         painter.drawText(below.translated(0, line), centre, gain_words(compared))

@@ -68,6 +68,7 @@ class Keeping(QObject):
             self,
         )
         self.recovery.opened.connect(layout.put)
+        self.recovery.belonged.connect(self._suggest)
         files.risk_ahead.connect(self.autosave.keep_now)
         runner.starting.connect(self.autosave.keep_now)
 
@@ -119,6 +120,9 @@ class Keeping(QObject):
         self.recovery.end()
         self.autosave.end(forget=False)
         return kept
+
+    def _suggest(self, file: Path | None) -> None:
+        self._files.suggested = file
 
     def _note_results(self, outcome: Outcome) -> None:
         if outcome.values is not None:
