@@ -98,6 +98,9 @@ def test_a_formula_plays_as_written_from_its_start_to_its_end():
     assert recipe.samples(1300.0).tolist() == [3.0] * 13
     shifted = recipe.samples(1300.0, 0.5 / 1300.0)
     assert shifted.tolist() == [0.0, *[3.0] * 13]
+    # The last of its samples may lie behind its end.
+    odd = Formula(text="1", duration_s=9.6 / 1300.0)
+    assert odd.samples(1300.0, 0.2 / 1300.0).tolist() == [0.0, *[1.0] * 9, 0.0]
     assert Formula(text="1", duration_s=0.001).samples(48000.0).tolist() == [1.0] * 48
     assert ss.waveforms.Formula().duration_s == 0.2
 
@@ -234,3 +237,11 @@ def test_numbers_that_overflow_on_the_way_do_no_harm():
     assert value_of("exp(-exp(1000))") == 0.0
     assert value_of("1e308*10 > 1") == 1.0
     assert value_of("sin(1e308*pi*2)") == pytest.approx(0.0, abs=1e-12)
+
+
+def test_the_page_about_formulas_names_every_function_and_limit():
+    page = (Path(__file__).parents[2] / "docs" / "formulas.md").read_text(encoding="utf-8")
+    for name, function in formula.FUNCTIONS.items():
+        assert f"`{function.usage}`" in page, name
+    for limit in (formula.LONGEST, formula.MAX_STEPS, formula.MAX_DEPTH):
+        assert f" {limit} " in page

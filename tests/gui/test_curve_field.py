@@ -31,7 +31,9 @@ def drag(field, start, by_px):
 
 
 def test_a_point_is_dragged_in_one_gesture_and_stays_between_its_neighbours(field):
-    drag(field, field.place_of(1), (20, 10))
+    start = field.place_of(1)
+    drag(field, start, (20, 10))
+    assert (field.place_of(1) - start - QPointF(20, 10)).manhattanLength() < 1.0
     QTest.mouseRelease(field, LEFT)
     x, y, segment = field.value[1]
     assert 0.1 < x < 0.2
