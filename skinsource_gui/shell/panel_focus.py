@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import QObject, Qt
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QDockWidget
 
 from skinsource_gui.panel import Panel
 from skinsource_gui.shell.focus_order import tab_stops
@@ -29,6 +29,17 @@ class PanelFocus(QObject):
     def previous(self) -> None:
         """Go to the panel before."""
         self._go(-1)
+
+    def show(self, name: str) -> None:
+        """Bring a panel into sight, and go there."""
+        panel = next(one for one in self._panels if one.name == name)
+        dock = panel.parentWidget()
+        while dock is not None and not isinstance(dock, QDockWidget):
+            dock = dock.parentWidget()
+        if dock is not None:
+            dock.show()
+            dock.raise_()
+        panel.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def _go(self, step: int) -> None:
         # A panel that only says what to do has nothing for the keyboard.

@@ -54,26 +54,48 @@ class PanelSpec:
 
 
 def _places(
-    design: Place | None, analysis: Place | None, presentation: Place | None
+    design: Place | None = None,
+    drawing: Place | None = None,
+    analysis: Place | None = None,
+    presentation: Place | None = None,
 ) -> Mapping[str, Place | None]:
-    return {"design": design, "analysis": analysis, "presentation": presentation}
+    return {
+        "design": design,
+        "drawing": drawing,
+        "analysis": analysis,
+        "presentation": presentation,
+    }
 
 
 #: In the order in which the keyboard reaches them.
 PANELS: tuple[PanelSpec, ...] = (
-    PanelSpec(panel=HandPanel, places=_places(Place(0), None, Place(0, 86))),
-    PanelSpec(panel=TimelinePanel, places=_places(Place(0, 38, at_foot=True), None, None)),
-    PanelSpec(panel=InspectorPanel, places=_places(Place(2), None, None)),
-    PanelSpec(panel=FrequencyAndAmplitudePanel, places=_places(None, None, Place(0, 14))),
-    PanelSpec(panel=SkinPanel, settings=SkinSettings, places=_places(Place(1), Place(0), Place(1))),
     PanelSpec(
-        panel=TracesPanel, settings=TracesSettings, places=_places(Place(3, 50), Place(1), None)
+        panel=HandPanel,
+        places=_places(design=Place(0), presentation=Place(0, 86)),
     ),
     PanelSpec(
-        panel=SpectraPanel, settings=SpectraSettings, places=_places(Place(3, 50), Place(1), None)
+        panel=TimelinePanel,
+        places=_places(design=Place(0, 38, at_foot=True), drawing=Place(0, 30, at_foot=True)),
     ),
+    PanelSpec(panel=InspectorPanel, places=_places(design=Place(2))),
+    PanelSpec(panel=FrequencyAndAmplitudePanel, places=_places(presentation=Place(0, 14))),
+    PanelSpec(
+        panel=SkinPanel,
+        settings=SkinSettings,
+        places=_places(design=Place(1), drawing=Place(0), analysis=Place(0), presentation=Place(1)),
+    ),
+    PanelSpec(
+        panel=TracesPanel,
+        settings=TracesSettings,
+        places=_places(design=Place(3, 50), analysis=Place(1)),
+    ),
+    PanelSpec(
+        panel=SpectraPanel,
+        settings=SpectraSettings,
+        places=_places(design=Place(3, 50), analysis=Place(1)),
+    ),
+    PanelSpec(panel=ClipEditorPanel, places=_places(drawing=Place(1))),
     # No arrangement has room for these: View > Panels brings them.
-    PanelSpec(panel=ComparePanel, places=_places(None, None, None)),
-    PanelSpec(panel=HistoryPanel, places=_places(None, None, None)),
-    PanelSpec(panel=ClipEditorPanel, places=_places(None, None, None)),
+    PanelSpec(panel=ComparePanel, places=_places()),
+    PanelSpec(panel=HistoryPanel, places=_places()),
 )

@@ -58,6 +58,17 @@ CLIP_EDITOR: tuple[KeyHint, ...] = (
         means="draw; with Shift a line, with the right button back to zero",
         keys=("P",),
     ),
+    KeyHint(name="envelope", words="E", means="shape the envelope", keys=("E",)),
+    KeyHint(
+        name="nudge",
+        words="Arrow keys",
+        means="move the selected points by a step; with Shift by ten",
+        keys=(
+            *("Left", "Right", "Up", "Down"),
+            *("Shift+Left", "Shift+Right", "Shift+Up", "Shift+Down"),
+        ),
+    ),
+    KeyHint(name="remove", words="Delete", means="remove points", keys=("Del", "Backspace")),
     KeyHint(name="give_up", words="Esc", means="give up what has begun", keys=("Esc",)),
     KeyHint(name="zoom_in", words="+", means="zoom in", keys=("+", "=", "Shift++", "Shift+=")),
     KeyHint(name="zoom_out", words="\u2212", means="zoom out", keys=("-", "Shift+-")),

@@ -14,6 +14,11 @@ _TOOLS = (
         "Draw",
         "Draw samples; with Shift held a straight line, with the right button back to zero",
     ),
+    (
+        "envelope",
+        "Envelope",
+        "Shape the envelope: a click on the curve adds a point, a drag moves it",
+    ),
 )
 
 

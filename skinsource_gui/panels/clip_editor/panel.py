@@ -20,6 +20,7 @@ from skinsource_gui.panel import Panel
 from skinsource_gui.panels.clip_editor.drawing import Drawing
 from skinsource_gui.panels.clip_editor.editor_toolbar import EditorToolbar
 from skinsource_gui.panels.clip_editor.editor_view import EditorView
+from skinsource_gui.panels.clip_editor.shaping import Shaping
 from skinsource_gui.panels.clip_editor.spectrum_strip import SpectrumStrip
 from skinsource_gui.panels.clip_editor.tools.look import Look
 from skinsource_gui.theme import Theme
@@ -44,9 +45,9 @@ class ClipEditorPanel(Panel):
         self._rate_hz = SAMPLE_RATE_HZ
         self._waveforms: Mapping[int, Floats] = {}
         self._raw: tuple[Any, float, Floats | None] = (None, 0.0, None)
-        self._drawing = Drawing(self)
+        self._drawing, self._shaping = Drawing(self), Shaping(self)
         self._look, self._pen = Look(self), self._drawing.pen
-        self._tools = {"look": self._look, "pen": self._pen}
+        self._tools = {"look": self._look, "pen": self._pen, "envelope": self._shaping.tool}
         self._canvas = EditorView(self._look)
         self._toolbar, self._spectrum = EditorToolbar(), SpectrumStrip()
         self._empty = QLabel(_NO_CLIP)
@@ -77,7 +78,8 @@ class ClipEditorPanel(Panel):
     def clip(self) -> Clip | None:
         """The clip that was selected last, or the first one of the selected track."""
         selected = self._view.selected_input
-        return None if selected is None else clip_of(self._design.input(selected), self._view)
+        track = next((one for one in self._design.inputs if one.id == selected), None)
+        return None if track is None else clip_of(track, self._view)
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
@@ -119,10 +121,12 @@ class ClipEditorPanel(Panel):
         self._canvas.key_pressed.connect(self._press)
         self._look.pan_wanted.connect(self._canvas.pan)
         self._drawing.edited.connect(self.edited)
+        self._shaping.edited.connect(self.edited)
 
     def _show(self) -> None:
         clip = self.clip
         self._drawing.show_state(self._design, self._view, clip, self._rate_hz)
+        self._shaping.show_state(self._design, self._view, clip)
         self._stack.setCurrentIndex(0 if clip is None else 1)
         if clip is None:
             self._canvas.show_clip(None, None, None, self._rate_hz)
@@ -164,3 +168,5 @@ class ClipEditorPanel(Panel):
             self._canvas.see_everything()
         elif wanted == "give_up":
             self.use("look")
+        else:
+            self._shaping.press(wanted, event)

@@ -43,6 +43,17 @@ VIEW: tuple[ActionSpec, ...] = (
         for arrangement in ARRANGEMENTS
     ),
     action(
+        "show_clip_editor",
+        "View",
+        "Edit clip",
+        "Show the selected clip large, to draw and to shape it",
+        "F4",
+        command="panel_focus.show",
+        argument="clip_editor",
+        keywords="draw waveform envelope pen freehand",
+        separated=True,
+    ),
+    action(
         "next_panel",
         "View",
         "Go to next panel",
@@ -50,7 +61,6 @@ VIEW: tuple[ActionSpec, ...] = (
         "F6",
         command="panel_focus.next",
         keywords="focus keyboard",
-        separated=True,
     ),
     action(
         "previous_panel",

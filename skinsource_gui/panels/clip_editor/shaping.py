@@ -1,0 +1,73 @@
+"""What the envelope tool does to the clip in the editor."""
+
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+
+from skinsource import edits
+from skinsource.clips import Clip
+from skinsource.design import Design
+from skinsource.effects import Envelope
+from skinsource.effects.breakpoints import Points
+from skinsource.effects.envelope import UNCHANGED
+from skinsource.view import View
+from skinsource_gui.panels.clip_editor.tools.envelope import EnvelopeTool
+from skinsource_gui.widgets.fields.burst import Burst
+
+#: One step of an arrow key; with Shift ten.
+STEP_S, STEP = 0.001, 0.01
+_LEAP = 10
+_Key = Qt.Key
+_STEPS = {
+    _Key.Key_Left: (-STEP_S, 0.0),
+    _Key.Key_Right: (STEP_S, 0.0),
+    _Key.Key_Up: (0.0, STEP),
+    _Key.Key_Down: (0.0, -STEP),
+}
+
+
+class Shaping(QObject):
+    """Turns what the tool does to the points into edits of the clip's envelope.
+
+    Attributes
+    ----------
+    tool
+        The tool.
+    """
+
+    edited = Signal(object, object)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._design, self._view = Design(limb=""), View()
+        self._clip: Clip | None = None
+        self._burst = Burst(self)
+        self.tool = EnvelopeTool(self._points, self)
+        self.tool.changed.connect(self._change)
+
+    def show_state(self, design: Design, view: View, clip: Clip | None) -> None:
+        """Take over what there is to shape."""
+        if clip is None or self._clip is None or clip.id != self._clip.id:
+            self.tool.chosen = ()
+        self._design, self._view, self._clip = design, view, clip
+
+    def press(self, wanted: str, event: QKeyEvent) -> bool:
+        """Do what a key means to the points; whether it means anything."""
+        if wanted == "remove":
+            self.tool.remove_chosen()
+        elif wanted == "nudge":
+            by_s, by_value = _STEPS[_Key(event.key())]
+            leap = _LEAP if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
+            self.tool.nudge(by_s * leap, by_value * leap, self._burst.gesture())
+        else:
+            return False
+        return True
+
+    def _points(self) -> Points:
+        effects = () if self._clip is None else self._clip.effects
+        envelopes = [one for one in effects if isinstance(one, Envelope)]
+        return envelopes[-1].points if envelopes else UNCHANGED
+
+    def _change(self, points: Points, gesture: int | None) -> None:
+        if self._clip is not None:
+            outcome = edits.set_envelope(self._design, self._view, self._clip.id, points)
+            self.edited.emit(outcome, gesture)

@@ -1,0 +1,205 @@
+"""Breakpoints over the waveform."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+
+from skinsource.effects import Envelope
+from skinsource.effects import breakpoints as algebra
+from skinsource.effects.breakpoints import Points
+from skinsource.fields import SEGMENTS
+from skinsource_gui.panels.clip_editor.content import EditorContent
+from skinsource_gui.panels.clip_editor.tools.tool import Button, Held
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.fields.gesture import new_gesture
+from skinsource_gui.widgets.fields.units import value_text
+from skinsource_gui.widgets.plot.ticks import number_text
+
+#: How near the pointer takes hold of a point, or of the curve, px.
+CATCH_PX = 9.0
+_POINT_PX, _HOVERED_PX = 3.5, 5.0
+_FINE = 0.1
+
+
+@dataclass(slots=True)
+class _Drag:
+    points: Points
+    chosen: tuple[int, ...]
+    start: tuple[float, float]
+    number: int
+    upright: bool = False
+    box: QPointF | None = None
+    moved: bool = False
+
+
+class EnvelopeTool(QObject):
+    """Click on the curve: a new point.  Drag: points, a segment up and down, a box around points.
+
+    Ctrl: finely.  Shift: up and down or along alone.  Alt and click on a segment: its next kind.
+    Right button on a point: removes it.
+
+    Parameters
+    ----------
+    points
+        Returns the points that there are now.
+    """
+
+    #: The points, and the number of the gesture or None.
+    changed = Signal(object, object)
+
+    cursor = Qt.CursorShape.ArrowCursor
+
+    def __init__(self, points: Callable[[], Points], parent: QObject) -> None:
+        super().__init__(parent)
+        self._points = points
+        self.chosen: tuple[int, ...] = ()
+        self._drag: _Drag | None = None
+        self._pointer = QPointF(-1, -1)
+
+    def press(self, content: EditorContent, at: QPointF, button: Button, held: Held) -> None:
+        points = self._points()
+        index = _point_at(content, points, at)
+        if button == Button.RightButton:
+            if index is not None:
+                self._remove((index,))
+            return
+        if button != Button.LeftButton or self._drag is not None:
+            return
+        start, number = content.place(at), new_gesture()
+        if index is not None:
+            if held & Held.ShiftModifier:
+                self.chosen = tuple(sorted(set(self.chosen) ^ {index}))
+            elif index not in self.chosen:
+                self.chosen = (index,)
+            self._drag = _Drag(points, self.chosen or (index,), start, number)
+            return
+        segment = _segment_at(content, points, at)
+        if segment is None:
+            self._drag = _Drag(points, (), start, number, box=at)
+        elif held & Held.AltModifier:
+            here = SEGMENTS.index(points[segment][2])
+            following = SEGMENTS[(here + 1) % len(SEGMENTS)]
+            self.changed.emit(algebra.with_segment(points, segment, following), None)
+        else:
+            # A click adds a point on the curve; a drag moves the segment up and down.
+            ends = tuple(k for k in (segment, segment + 1) if 0 <= k < len(points))
+            self._drag = _Drag(points, ends, start, number, upright=True)
+
+    def move(self, content: EditorContent, at: QPointF, held: Held) -> None:
+        self._pointer = at
+        drag = self._drag
+        if drag is None:
+            return
+        time_s, value = content.place(at)
+        by_s, by_value = time_s - drag.start[0], value - drag.start[1]
+        away = content.at(*drag.start) - at
+        drag.moved = drag.moved or max(abs(away.x()), abs(away.y())) >= 3
+        if not drag.moved:
+            return
+        if drag.box is not None:
+            covered = QRectF(drag.box, at).normalized()
+            self.chosen = tuple(
+                k for k, one in enumerate(drag.points) if covered.contains(content.at(*one[:2]))
+            )
+            return
+        if held & Held.ControlModifier:
+            by_s, by_value = by_s * _FINE, by_value * _FINE
+        if drag.upright or (held & Held.ShiftModifier and abs(away.y()) > abs(away.x())):
+            by_s = 0.0
+        elif held & Held.ShiftModifier:
+            by_value = 0.0
+        self.changed.emit(algebra.moved(drag.points, drag.chosen, by_s, by_value), drag.number)
+
+    def release(self, content: EditorContent) -> None:
+        drag, self._drag = self._drag, None
+        if drag is None or drag.moved:
+            return
+        if drag.upright:
+            points = algebra.with_point(drag.points, drag.start[0])
+            self.chosen = tuple(k for k, one in enumerate(points) if one not in drag.points)
+            self.changed.emit(points, None)
+        elif drag.box is not None:
+            self.chosen = ()
+
+    def cancel(self) -> bool:
+        drag, self._drag = self._drag, None
+        if drag is not None and drag.moved and drag.box is None:
+            self.changed.emit(drag.points, drag.number)
+        return drag is not None
+
+    def nudge(self, by_s: float, by_value: float, gesture: int) -> None:
+        """Move the selected points."""
+        if self.chosen:
+            moved = algebra.moved(self._points(), self.chosen, by_s, by_value)
+            self.changed.emit(moved, gesture)
+
+    def remove_chosen(self) -> None:
+        """Remove the selected points."""
+        self._remove(self.chosen)
+
+    def paint(self, painter: QPainter, content: EditorContent, theme: Theme) -> None:
+        """Paint curve, points and box."""
+        points = self._points()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        colour = QColor(theme.warning)
+        x = np.linspace(content.area.left(), content.area.right(), 400)
+        times = content.scale.shown_s[0] + (x - content.scale.left_px) / content.scale.px_per_s
+        values = Envelope(points=points).values_at(times)
+        for sign, width in ((1.0, 2), (-1.0, 1)):
+            painter.setPen(
+                QPen(colour, width, Qt.PenStyle.SolidLine if sign > 0 else Qt.PenStyle.DotLine)
+            )
+            places = [QPointF(a, content.y(sign * b)) for a, b in zip(x, values, strict=True)]
+            painter.drawPolyline(QPolygonF(places))
+        near = _point_at(content, points, self._pointer)
+        for index, (time_s, value, _) in enumerate(points):
+            radius = _HOVERED_PX if index == near else _POINT_PX
+            painter.setPen(QPen(colour, 1.5))
+            painter.setBrush(QColor(theme.accent) if index in self.chosen else QColor(theme.base))
+            painter.drawEllipse(content.at(time_s, value), radius, radius)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        if self._drag is not None and self._drag.box is not None:
+            painter.setPen(QPen(QColor(theme.accent), 1))
+            painter.drawRect(QRectF(self._drag.box, self._pointer).normalized())
+        self._write(painter, content, points, theme)
+
+    def _write(
+        self, painter: QPainter, content: EditorContent, points: Points, theme: Theme
+    ) -> None:
+        if len(self.chosen) != 1 or self.chosen[0] >= len(points):
+            return
+        time_s, value, kind = points[self.chosen[0]]
+        words = f"{value_text(time_s, 's', digits=5)} · {number_text(value, 3)} · {kind}"
+        painter.setPen(QColor(theme.text))
+        at = content.at(time_s, value)
+        flags = Qt.AlignmentFlag.AlignCenter
+        room = QRectF(at.x() - 90, at.y() - 24, 180, 16)
+        room.moveLeft(min(max(room.left(), content.area.left()), content.area.right() - 180))
+        room.moveTop(max(room.top(), content.area.top()))
+        painter.drawText(room, flags, words)
+
+    def _remove(self, indices: tuple[int, ...]) -> None:
+        if indices:
+            self.chosen = ()
+            self.changed.emit(algebra.without(self._points(), indices), None)
+
+
+def _point_at(content: EditorContent, points: Points, at: QPointF) -> int | None:
+    away = [
+        (max(abs((place := content.at(*one[:2])).x() - at.x()), abs(place.y() - at.y())), index)
+        for index, one in enumerate(points)
+    ]
+    found = min(away, default=None)
+    return None if found is None or found[0] > CATCH_PX else found[1]
+
+
+def _segment_at(content: EditorContent, points: Points, at: QPointF) -> int | None:
+    """The point after which the curve passes here; -1 before the first."""
+    time_s, _ = content.place(at)
+    value = float(Envelope(points=points).values_at(np.array([time_s]))[0])
+    if abs(content.y(value) - at.y()) > CATCH_PX:
+        return None
+    return sum(one[0] <= time_s for one in points) - 1
