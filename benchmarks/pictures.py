@@ -11,12 +11,16 @@ from pathlib import Path
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 
+import numpy as np
+import soundfile
+from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QApplication
 
 from skinsource.catalogue import available_limbs, default_limb
 from skinsource.design import Design, start_design, track
 from skinsource.view import View
 from skinsource.waveforms import Noise, Tap, Tone
+from skinsource_gui.import_page.overview_strip import OverviewStrip
 from skinsource_gui.shell.app import make_application
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
@@ -98,8 +102,29 @@ def photograph(
         if name == "several" and size == SIZES[0]:
             for panel in window.panels:
                 panel.grab().save(str(FOLDER / f"{stem}-{panel.name}.png"))
+            import_page(window).save(str(FOLDER / f"{stem}-import.png"))
         window.close()
         print(FOLDER / f"{stem}.png")
+
+
+def import_page(window: MainWindow) -> QPixmap:
+    """The page on a recording of half a minute, of which a part is taken."""
+    time = np.arange(30 * 8000) / 8000.0
+    taps = sum(np.exp(-(((time - at) * 40.0) ** 2)) for at in range(1, 30, 3))
+    noise = 0.05 * np.random.default_rng(0).standard_normal(time.size)
+    path = Path(tempfile.mkdtemp()) / "taps on cork.wav"
+    soundfile.write(path, 0.8 * taps * np.sin(2.0 * np.pi * 180.0 * time) + noise, 8000)
+    window.imports.open_page(path)
+    (page,) = window.imports.pages
+    while page.busy or not page.ready:
+        QApplication.processEvents()
+    page.form.take_part(6.0, 8.0)
+    strip = page.findChild(OverviewStrip)
+    while page.busy or strip.extremes is None:
+        QApplication.processEvents()
+    picture = page.grab()
+    page.reject()
+    return picture
 
 
 if __name__ == "__main__":

@@ -70,11 +70,11 @@ class ImportActions(QObject):
         page_module = importlib.import_module("skinsource_gui.import_page.page")
         placing = importlib.import_module("skinsource_gui.import_page.placing")
         places = placing.options(self._document.design, self._document.view, place)
-        onset_s = place.onset_s if place else 0.0
         page = page_module.ImportPage(path, SAMPLE_RATE_HZ, places, self._theme(), self._window)
 
         def put(recording: Any, option: str) -> None:
             design, view = self._document.design, self._document.view
+            onset_s = place.onset_s if place else view.playhead_s
             self._document.apply(placing.placed(design, view, option, onset_s, recording), None)
             self._preferences.folder = path.absolute().parent
             self.done.emit(f"Imported {path.name}")

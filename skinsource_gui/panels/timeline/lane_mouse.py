@@ -118,10 +118,17 @@ class LaneMouse(QObject):
         elif box is not None:
             self.opened.emit(box.clip.id)
         elif lane is not None:
-            stage = Stage(
-                content=self._content, apply=self.edited.emit, look=self.looked.emit, before=content
-            )
-            self.clip_wanted.emit(lane.track.id, snapped_time(stage, at)[0])
+            self.clip_wanted.emit(lane.track.id, self.time_at(at))
+
+    def time_at(self, at: QPointF) -> float:
+        """The time to which something would snap that is put there, s."""
+        stage = Stage(
+            content=self._content,
+            apply=self.edited.emit,
+            look=self.looked.emit,
+            before=self._content(),
+        )
+        return snapped_time(stage, at)[0]
 
     def cursor_at(self, at: QPointF) -> Qt.CursorShape:
         """Shape of the pointer."""

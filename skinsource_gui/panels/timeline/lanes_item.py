@@ -47,6 +47,11 @@ class LanesItem(pyqtgraph.GraphicsObject):
         self._content = content
         self.update()
 
+    @property
+    def over(self) -> Shown:
+        """What a gesture shows over the lanes."""
+        return self._shown
+
     def show_over(self, shown: Shown, pointer: QPointF) -> None:
         """What a gesture shows over the lanes, and where the pointer is."""
         self._shown, self._pointer = shown, pointer

@@ -3,12 +3,13 @@
 from collections.abc import Mapping
 from typing import Any
 
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtWidgets import QLabel, QStackedLayout, QVBoxLayout, QWidget
 
 from skinsource.design import Design
 from skinsource.view import View
 from skinsource_gui.panel import Panel
+from skinsource_gui.panels.timeline.gestures.gesture import Shown
 from skinsource_gui.panels.timeline.heads.heads import Heads
 from skinsource_gui.panels.timeline.timeline_edits import TimelineEdits
 from skinsource_gui.panels.timeline.track_table import HEADS_PX, TrackTable
@@ -89,8 +90,18 @@ class TimelinePanel(Panel):
 
     def drop_place(self, at: QPoint) -> DropPlace | None:
         lanes = self._table.lanes
-        lane = lanes.content.lane_at(lanes.mapFrom(self, at).y())
-        return DropPlace(input_id=lane.track.id) if lane and self._table.isVisible() else None
+        place = QPointF(lanes.mapFrom(self, at))
+        lane = lanes.content.lane_at(place.y())
+        if lane is None or not self._table.isVisible():
+            return None
+        # Over a head there is no time.
+        onset_s = lanes.mouse.time_at(place) if place.x() >= 0.0 else 0.0
+        return DropPlace(input_id=lane.track.id, onset_s=onset_s)
+
+    def show_drop(self, at: QPoint | None) -> None:
+        place, lanes = (None if at is None else self.drop_place(at)), self._table.lanes
+        shown = Shown() if place is None else Shown(guide_s=place.onset_s, words="A clip here")
+        lanes.item.show_over(shown, QPointF(lanes.mapFrom(self, at or QPoint())))
 
     def _connect(self) -> None:
         lanes, clips, toolbar = self._table.lanes, self._clips, self._table.toolbar

@@ -7,6 +7,7 @@ from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDragLeaveEvent, QDragMoveEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QWidget
 
+from skinsource import edits
 from skinsource.recordings import take
 from skinsource.waveforms import Recording
 from skinsource_gui.import_page import placing
@@ -212,6 +213,33 @@ def test_a_file_that_is_dropped_goes_where_it_was_dropped(window, qtbot, sound, 
         # The start design's only input is the selected one.
         assert [one.id for one in inputs] == [first.id]
         assert isinstance(inputs[0].clips[-1].waveform, Recording)
+
+
+def test_a_file_that_is_dropped_on_a_lane_starts_there(window, qtbot, sound):
+    lanes = window.panel("timeline").findChild(QWidget, "lanes")
+    lanes.set_snaps(False)
+    content = lanes.content
+    track = content.lanes[0]
+    at = lanes.mapTo(window, QPoint(round(content.scale.x(0.125)), round(track.top_px) + 4))
+    drop(window, sound, at, QDragEnterEvent)
+    drop(window, sound, at, QDragMoveEvent)
+    assert lanes.item.over.words == "A clip here"
+    drop(window, sound, at)
+    assert lanes.item.over.words == ""
+    (page,) = window.imports.pages
+    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
+    QApplication.processEvents()
+    page.accept()
+    (one,) = window.document.design.inputs
+    assert one.clips[-1].onset_s == pytest.approx(0.125, abs=0.01)
+    assert one.clips[-1].waveform.name.startswith("tap.wav")
+
+
+def test_without_a_place_it_starts_at_the_playhead(window, page_on, sound):
+    design, view = window.document.design, window.document.view
+    window.document.apply(edits.move_playhead(design, view, 0.25), None)
+    page_on(sound).accept()
+    assert window.document.design.inputs[0].clips[-1].onset_s == 0.25
 
 
 def test_a_site_lights_up_while_a_recording_is_held_over_it(window, sound, tmp_path):
