@@ -3,16 +3,17 @@
 import math
 
 import numpy as np
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtWidgets import QWidget
 
 from skinsource.rendering.check import N_SAMPLES, TraceError
+from skinsource_gui.status.fitting_label import FittingLabel
 from skinsource_gui.theme import LIGHT, Theme, tabular
 
 #: What the engine promises, and what would be wrong to the eye, relative to the largest sample.
 PROMISED, VISIBLE = 1e-14, 1e-3
 
 
-class ErrorLabel(QLabel):
+class ErrorLabel(FittingLabel):
     """Says the estimated error of the traces; amber above the promise, red above 1e-3."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -32,10 +33,11 @@ class ErrorLabel(QLabel):
         """Show what is known of the error; None: nothing yet."""
         self._error = error
         if error is None:
-            self.clear()
+            self.show_phrases(("",))
             self.setToolTip("")
         else:
-            self.setText(f"· {error_words(error)}")
+            estimate = f"· error ≈ {one_digit_up(error.estimate)}"
+            self.show_phrases((f"· {error_words(error)}", estimate, ""))
             self.setToolTip(_sentences(error))
         self._paint()
 

@@ -1,7 +1,7 @@
 """The line that says that a limb is not a measured one, or not made from the published files."""
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QFocusEvent
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QFocusEvent, QFont, QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import QLabel, QWidget
 
 from skinsource.dataset.not_installed import NOT_INSTALLED
@@ -31,6 +31,8 @@ class LimbNote(QLabel):
         self._theme = LIGHT
         self._synthetic = False
         self._limb = self._note = ""
+        # Words and their HTML, longest first.
+        self._phrases: tuple[tuple[str, str], ...] = (("", ""),)
         self.setTextFormat(Qt.TextFormat.RichText)
         self.setAccessibleName("Kind of limb")
         self.linkActivated.connect(self.help_wanted)
@@ -69,12 +71,46 @@ class LimbNote(QLabel):
         self.setVisible(self._synthetic or bool(self._note))
         self.setToolTip(f"{self._note[:1].upper()}{self._note[1:]}" if self._note else _SYNTHETIC)
         colour = self._theme.warning
-        link = (
-            ""
-            if self._measured or not self._synthetic
-            else f" · {NOT_INSTALLED} <a href='#get' style='color:{colour}'>How to get them</a>"
-        )
-        # Without a link there is nothing for the keyboard.
-        self.setTextInteractionFlags(_LINKS if link else Qt.TextInteractionFlag.NoTextInteraction)
         words = "SYNTHETIC LIMB" if self._synthetic else "NOT VERIFIED AS PUBLISHED"
-        self.setText(f"<span style='color:{colour}'><b>{words}</b>{link}</span>")
+        self._phrases = ((words, f"<b>{words}</b>"),)
+        linked = self._synthetic and not self._measured
+        if linked:
+            start = f"<a href='#get' style='color:{colour}'>"
+            self._phrases = (
+                (
+                    f"{words} · {NOT_INSTALLED} How to get them",
+                    f"<b>{words}</b> · {NOT_INSTALLED} {start}How to get them</a>",
+                ),
+                (
+                    f"{words} · Measured limbs",
+                    f"<b>{words}</b> · {start}Measured limbs</a>",
+                ),
+                (words, f"<b>{start}{words}</a></b>"),
+            )
+        # Without a link there is nothing for the keyboard.
+        self.setTextInteractionFlags(_LINKS if linked else Qt.TextInteractionFlag.NoTextInteraction)
+        self._choose()
+        self.updateGeometry()
+
+    def sizeHint(self) -> QSize:
+        return QSize(self._width_of(self._phrases[0][0]), super().sizeHint().height())
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(self._width_of(self._phrases[-1][0]), super().minimumSizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._choose()
+
+    def _choose(self) -> None:
+        fitting = (html for words, html in self._phrases if self._width_of(words) <= self.width())
+        html = next(fitting, self._phrases[-1][1])
+        text = f"<span style='color:{self._theme.warning}'>{html}</span>"
+        if text != self.text():
+            self.setText(text)
+
+    def _width_of(self, words: str) -> int:
+        # As if all of it were bold: rather a little too wide.
+        font = QFont(self.font())
+        font.setBold(True)
+        return QFontMetrics(font).horizontalAdvance(words) + 4

@@ -1,13 +1,15 @@
 import pytest
-from PySide6.QtCore import QMargins, QRect, QSize
-from PySide6.QtGui import QFontMetrics
-from PySide6.QtWidgets import QToolButton, QWidget
+from PySide6.QtCore import QMargins, QPoint, QRect, QSize
+from PySide6.QtGui import QFontMetrics, QTextDocument
+from PySide6.QtWidgets import QApplication, QLabel, QToolBar, QToolButton, QWidget
 
 from skinsource import edits
 from skinsource.design import start_design
+from skinsource.rendering.check import TraceError
 from skinsource_gui.panels.inspector.input_heading import InputHeading
 from skinsource_gui.shell.screen_fit import ScreenFit, fitted
 from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.status.limb_note import LimbNote
 from skinsource_gui.widgets.plot.legend_strip import LegendStrip
 
 FRAMES = [QMargins(1, 24, 1, 5), QMargins(8, 31, 8, 8), QMargins(0, 37, 0, 0)]
@@ -142,3 +144,54 @@ def test_a_window_that_was_presenting_starts_with_large_words(make_window, prefe
     again.do("arrange_design")
     assert qapp.font().pointSizeF() == size
     again.close_unasked()
+
+
+@pytest.mark.parametrize("width", [600, 700, 820, 960, 1366])
+@pytest.mark.parametrize("enlarged", [0, 3])
+def test_the_status_bar_says_less_where_there_is_less_room_and_cuts_nothing(
+    window, settle, width, enlarged
+):
+    for _ in range(enlarged):
+        window.do("enlarge_text")
+    window.resize(width, 500)
+    window.document.edit("a", window.document.design.with_input(0, amplitude=2.0))
+    settle()
+    line = window.status_line
+    line.show_error(TraceError(estimate=2e-15, bound=3e-13))
+    QApplication.processEvents()
+    for label in (line.error, line.findChild(QLabel, "work")):
+        words = label.fontMetrics().horizontalAdvance(label.text())
+        assert words <= label.width(), label.text()
+    note = window.findChild(LimbNote)
+    document = QTextDocument()
+    document.setDefaultFont(note.font())
+    document.setDocumentMargin(0)
+    document.setHtml(note.text())
+    assert document.idealWidth() <= note.width() + 1
+    assert "SYNTHETIC LIMB" in note.text()
+    # The way to the measured limbs is never lost.
+    assert "href" in note.text()
+    right = note.mapTo(window, QPoint(note.width(), 0)).x()
+    assert right <= window.width()
+    window.do("reset_text")
+
+
+def test_a_bar_too_narrow_for_all_of_it_shows_where_the_rest_is(window, settle):
+    window.resize(640, 500)
+    settle()
+    bar = window.findChild(QToolBar, "setup")
+    more = bar.findChild(QToolButton, "qt_toolbar_ext_button")
+    last = bar.widgetForAction(window.actions_by_name["find_action"])
+    assert not last.isVisible()
+    assert more.isVisible()
+    picture = more.grab().toImage()
+    inside = [
+        picture.pixelColor(x, y).lightness()
+        for x in range(3, picture.width() - 3)
+        for y in range(3, picture.height() - 3)
+    ]
+    assert max(inside) - min(inside) > 60
+    window.resize(1366, 728)
+    settle()
+    assert last.isVisible()
+    assert not more.isVisible()

@@ -12,6 +12,7 @@ def test_the_way_to_measured_limbs_is_told_only_where_they_are_missing(qtbot):
         note.show_available(("measured-1", "synthetic-1") if measured else ("synthetic-1",))
         qtbot.addWidget(note)
         note.show_limb("synthetic-2")
+        note.resize(note.sizeHint())
         assert "SYNTHETIC LIMB" in note.text()
         assert ("not installed" in note.text()) != measured
         note.show_limb("measured-2")

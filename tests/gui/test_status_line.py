@@ -150,6 +150,7 @@ def test_nothing_in_the_status_bar_is_clipped(window, qtbot, size):
 
 def test_the_error_stands_with_its_bound(window):
     window.status_line.show_error(TraceError(estimate=1.2e-15, bound=3.4e-13))
+    QApplication.processEvents()  # it gets the room that it asks for
     assert window.status_line.error.text() == "· error ≈ 2e-15, at most 4e-13"
     window.status_line.show_error(TraceError(estimate=1.2e-5, bound=3.4e-3))
     assert "more than the 1e-14 that is promised" in window.status_line.error.toolTip()
