@@ -12,7 +12,7 @@ from skinsource_gui.panels.skin.map_layout import WORDS_LINES, MapLayout
 # Directions in which a label may lie from its ring, the better ones first, and how far beyond
 # the nearest place, in heights of a label.
 _WAYS = ((1, 0), (-1, 0), (0, -1), (0, 1), (1, -1), (-1, -1), (1, 1), (-1, 1))
-_FURTHER = (0.0, 0.8)
+_FURTHER = (0.0, 0.8, 1.6, 2.4)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -27,9 +27,10 @@ class OutputLabel:
 def output_labels(
     numbers: Iterable[int], layout: MapLayout, radius: float, metrics: QFontMetricsF
 ) -> tuple[OutputLabel, ...]:
-    """Labels of dorsal outputs, each beside its ring and on as few other rings as possible.
+    """Labels of dorsal outputs, each beside its ring, and where that is taken at some distance.
 
-    One that would cover another label is left out.
+    One that would cover another label or a ring is left out: a pile of numbers says less than the
+    output that is pointed at.
 
     Parameters
     ----------
@@ -53,11 +54,9 @@ def output_labels(
         free = [
             label
             for label in _candidates(number, layout, radius, metrics)
-            if room.contains(label.area) and not any(map(label.area.intersects, taken))
+            if room.contains(label.area) and not any(map(label.area.intersects, taken + rings))
         ]
-        if free:
-            # The first of those that cover the fewest rings.
-            placed.append(min(free, key=lambda one: sum(map(one.area.intersects, rings))))
+        placed += free[:1]
     return tuple(placed)
 
 

@@ -112,6 +112,22 @@ def test_arrows_reach_every_output(window):
     assert reached == set(range(1, 73))
 
 
+@pytest.mark.parametrize("text", [1.0, 1.25, 1.5])
+@pytest.mark.parametrize("size", [(300, 480), (420, 640)])
+def test_many_labels_do_not_pile_up_however_large_the_text(window, size, text):
+    window.panel.resize(*size)
+    font = small_font(window.panel.map.font())
+    font.setPointSizeF(font.pointSizeF() * text)
+    layout, radius = window.panel.map.map_layout(), 4.5
+    for outputs, least in ((tuple(range(20, 38)), 0.75), (tuple(range(1, 61)), 0.4)):
+        labels = output_labels(outputs, layout, radius, QFontMetricsF(font))
+        rings = [square(window.panel.map.place_of(number), radius) for number in outputs]
+        for label in labels:
+            others = [one.area for one in labels if one is not label]
+            assert not any(map(label.area.intersects, others + rings)), label
+        assert len(labels) >= least * len(outputs)
+
+
 @pytest.mark.parametrize("size", [(300, 330), (340, 480), (420, 640)])
 @pytest.mark.parametrize("outputs", [(54, 55, 70, 72), tuple(range(67, 73)), (52, 53, 54, 55)])
 def test_labels_of_neighbours_cover_neither_each_other_nor_a_ring(window, size, outputs):
