@@ -12,7 +12,7 @@ from skinsource_gui.widgets.plot.decimation import (
     without_notches,
 )
 from skinsource_gui.widgets.plot.ranges import HeldRange, within, zoomed
-from skinsource_gui.widgets.plot.ticks import linear_ticks, log_ticks, number_text
+from skinsource_gui.widgets.plot.ticks import linear_ticks, log_ticks, number_text, readable_ticks
 from skinsource_gui.widgets.plot.value_scale import ValueScale
 
 
@@ -214,3 +214,14 @@ def test_what_stands_alone_stays_as_narrow_as_it_is():
     # Nothing is taken away.
     assert (filled.reshape(-1, 2).max(axis=-1) >= strokes.reshape(-1, 2).max(axis=-1)).all()
     assert (filled.reshape(-1, 2).min(axis=-1) <= strokes.reshape(-1, 2).min(axis=-1)).all()
+
+
+def test_closer_round_numbers_are_taken_before_the_ends_of_an_axis():
+    def labels(*of):
+        return [tick.label for tick in readable_ticks(*of)]
+
+    assert labels(0.1, 0.55, 4, 8) == ["0.2", "0.4"]
+    assert labels(0.1, 0.55, 1, 4) == ["0.2", "0.4"]
+    assert labels(0.1, 0.55, 1, 1) == ["0.10", "0.55"]
+    assert labels(-80.0, 0.0, 1, 1.5) == ["−80", "0"]
+    assert labels(0.5, 0.5, 3, 5) == []

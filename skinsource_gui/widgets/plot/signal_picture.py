@@ -29,9 +29,12 @@ def draw_signals(
     scale = min(width / usual.width(), height / usual.height())
     room = QSize(round(width / scale), round(height / scale))
     # As wide as it will be, so that the head takes as many lines as it needs there.
-    copy = _copy_of(plot, room, theme)
-    head_px = _head_px(copy)
-    copy.resize(room.width(), max(room.height() - head_px, copy.minimumHeight()))
+    measured = _copy_of(plot, room, theme)
+    head_px = _head_px(measured)
+    measured.deleteLater()
+    # A plot that is not shown is laid out for the size in which it was made.
+    left_px = max(room.height() - head_px, measured.minimumHeight())
+    copy = _copy_of(plot, QSize(room.width(), left_px), theme)
     painter.save()
     painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
     painter.scale(scale, scale)

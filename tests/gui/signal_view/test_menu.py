@@ -121,7 +121,7 @@ def test_a_picture_is_saved_as_png(signals, save_to):
     assert QImage(str(path)).width() == 2 * signals.plot.width()
 
 
-@pytest.mark.parametrize("size", [(900, 300), (1600, 1200), (300, 900)])
+@pytest.mark.parametrize("size", [(900, 300), (1600, 1200), (300, 900), (2400, 240)])
 def test_a_picture_has_the_size_and_the_colours_that_were_asked_for(signals, save_to, size):
     signals.show_curves(waves(3), synthetic=True)
     path = save_to("traces.png", width_px=size[0], height_px=size[1], colours="dark")
@@ -130,7 +130,8 @@ def test_a_picture_has_the_size_and_the_colours_that_were_asked_for(signals, sav
     assert (picture.width(), picture.height()) == size
     corners = {picture.pixelColor(x, y).name() for x in (0, size[0] - 1) for y in (0, size[1] - 1)}
     assert corners == {DARK.base}
-    # Its frame reaches to where it should.
+    # All of it is in the picture, and fills it.
+    assert {picture.pixelColor(x, size[1] - 1).name() for x in range(size[0])} == {DARK.base}
     lower = [picture.pixelColor(x, int(0.8 * size[1])).name() for x in range(size[0])]
     assert len(set(lower[size[0] // 2 :])) > 1
 
