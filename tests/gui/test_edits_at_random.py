@@ -72,6 +72,12 @@ ARGUMENTS = {
     "add_motion": (
         st.sampled_from([*(kind() for kind in MOTIONS), Alternation(rounds=200), None]),
     ),
+    "bound_clip": (one_id, st.just(1300.0)),
+    "draw_clip": (
+        one_id,
+        st.sampled_from([(0.0, 0.5, -1.0), (), (1.0, float("nan"))]),
+        st.sampled_from([1300.0, 48_000.0, 0.0]),
+    ),
     "change_field": (ids, names, anything),
     "change_kind": (
         ids,
@@ -106,6 +112,13 @@ ARGUMENTS = {
     "move_playhead": (anything,),
     "mute_inputs": (ids, switches),
     "paste_fragment": (fragments, anything),
+    "place_fragment": (
+        fragments,
+        st.just("Heartbeat"),
+        anything,
+        st.none() | one_id,
+        st.none() | places,
+    ),
     "place_input": (places, switches),
     "place_waveform": (places, st.sampled_from([Tone(), Tap()]), st.sampled_from([0.0, 0.5, -1.0])),
     "put_inputs_before": (ids, st.integers(-5, 9)),

@@ -37,6 +37,7 @@ from skinsource.edits.fragments import (
     fragment_of,
     fragment_text,
     paste_fragment,
+    place_fragment,
 )
 from skinsource.edits.glides import set_glide_curve
 from skinsource.edits.groups import group_clips, ungroup_clips
@@ -138,6 +139,7 @@ __all__ = [
     "move_playhead",
     "mute_inputs",
     "paste_fragment",
+    "place_fragment",
     "place_input",
     "place_waveform",
     "put_inputs_before",

@@ -68,9 +68,63 @@ def paste_fragment(design: Design, view: View, fragment: Fragment, at_s: float) 
     Lanes for which there is no track below get a new one, at the place that they came from; and so
     do all of them where no track is selected.
     """
-    place = len(design.inputs)
-    if view.selected_input in design.ids:
-        place = design.index_of(view.selected_input)
+    words = f"Paste {_words(sum(len(lane.clips) for lane in fragment.lanes))}"
+    return _put_in(design, view, fragment, at_s, words, _selected_place(design, view))
+
+
+def place_fragment(
+    design: Design,
+    view: View,
+    fragment: Fragment,
+    name: str,
+    at_s: float | None = None,
+    input_id: int | None = None,
+    location: int | None = None,
+) -> Edit | Refusal:
+    """Put a fragment of the library in, and select its clips.
+
+    Parameters
+    ----------
+    design, view
+        What is open.
+    fragment
+        Clips.
+    name
+        What the fragment is called.
+    at_s
+        From when on; None: from the playhead on.
+    input_id
+        The track that takes its first lane; those below take the others.  None: the selected one.
+    location
+        Place of a new track for its first lane; the others get new ones too, at the places that
+        they came from.  It goes before ``input_id``.
+    """
+    at_s = view.playhead_s if at_s is None else at_s
+    words = f"Place {name}"
+    if location is not None:
+        try:
+            first, *others = fragment.lanes
+            fragment = replace(fragment, lanes=(replace(first, location=location), *others))
+        except InvalidInputError as error:
+            return refused(error)
+        return _put_in(design, view, fragment, at_s, words, len(design.inputs))
+    if input_id is None:
+        return _put_in(design, view, fragment, at_s, words, _selected_place(design, view))
+    if input_id not in design.ids:
+        return Refusal(sentence="That track is no longer there; choose another one.")
+    return _put_in(design, view, fragment, at_s, words, design.index_of(input_id))
+
+
+def _selected_place(design: Design, view: View) -> int:
+    """Where in the list the selected track is; behind the last one where none is."""
+    chosen = view.selected_input
+    return design.index_of(chosen) if chosen in design.ids else len(design.inputs)
+
+
+def _put_in(
+    design: Design, view: View, fragment: Fragment, at_s: float, words: str, place: int
+) -> Edit | Refusal:
+    """Put a fragment on the tracks from ``place`` on, and on new ones behind the last."""
     after = design
     new: list[tuple[int, Clip]] = []
     try:
@@ -87,7 +141,7 @@ def paste_fragment(design: Design, view: View, fragment: Fragment, at_s: float) 
             ]
     except (InvalidInputError, TypeError) as error:
         return refused(InvalidInputError(str(error)))
-    return with_new_clips(after, view, f"Paste {_words(len(new))}", new)
+    return with_new_clips(after, view, words, new)
 
 
 def fragment_text(fragment: Fragment) -> str:
