@@ -180,9 +180,10 @@ def share_outside_band(
     data, _ = _scaled(data)
     low, high = np.minimum(edges_hz, rate / 2).tolist()
     lag = np.arange(1, data.size)
-    n = scipy.fft.next_fast_len(2 * data.size, real=True)
-    spectrum = scipy.fft.rfft(data, n)
-    correlation = scipy.fft.irfft(spectrum.real**2 + spectrum.imag**2, n)[: data.size]
+    # Of numpy: the editor of a clip asks before anything else of scipy.fft has been imported.
+    n = 1 << (2 * data.size - 1).bit_length()
+    spectrum = np.fft.rfft(data, n)
+    correlation = np.fft.irfft(spectrum.real**2 + spectrum.imag**2, n)[: data.size]
     edges = np.sin(2.0 * np.pi * turns(high, data.size, rate)[1:])
     edges -= np.sin(2.0 * np.pi * turns(low, data.size, rate)[1:])
     inside = (high - low) / rate + correlation[1:] @ (edges / (np.pi * lag)) / correlation[0]

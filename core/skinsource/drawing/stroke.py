@@ -7,7 +7,7 @@ from itertools import pairwise
 from math import ceil, floor
 
 import numpy as np
-from scipy.interpolate import PchipInterpolator
+import scipy
 
 from skinsource.arguments import positive_number, real_number
 from skinsource.arrays import Floats
@@ -102,7 +102,7 @@ class Stroke:
             nearest = round((start_s + end_s) / 2 * rate_hz)
             return nearest, np.array([values[-1]])
         instants = np.clip(np.arange(first, last + 1) / rate_hz, start_s, end_s)
-        found = np.asarray(PchipInterpolator(times, values)(instants), np.float64)
+        found = np.asarray(scipy.interpolate.PchipInterpolator(times, values)(instants), np.float64)
         # Rounding may leave the neighbours by one place.
         return first, np.clip(found, values.min(), values.max())
 

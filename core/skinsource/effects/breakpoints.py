@@ -9,7 +9,7 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from scipy.interpolate import PchipInterpolator
+import scipy
 
 from skinsource.arrays import Booleans, Floats
 from skinsource.errors import InvalidInputError
@@ -162,5 +162,5 @@ def _pieces(points: Points) -> _Pieces:
     breaks = np.flatnonzero((np.diff(x) < CLOSEST) | (kinds[:-1] == "held")) + 1
     for run in np.split(np.arange(len(points)), breaks):
         if len(run) > 1 and (kinds[run[:-1]] == "smooth").any():
-            slope[run] = PchipInterpolator(x[run], y[run]).derivative()(x[run])
+            slope[run] = scipy.interpolate.PchipInterpolator(x[run], y[run]).derivative()(x[run])
     return _Pieces(x, y, slope, kinds == "smooth", kinds == "held")

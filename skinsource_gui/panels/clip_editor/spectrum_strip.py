@@ -1,7 +1,6 @@
 """Spectrum of one clip, with the measured band."""
 
 import numpy as np
-import scipy.fft
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
@@ -22,9 +21,10 @@ _NOTEWORTHY = 0.01
 
 def spectrum_db(samples: Floats, sample_rate_hz: float) -> tuple[Floats, Floats]:
     """Frequencies in Hz, and magnitude in dB below the largest, (n_frequencies,) each."""
-    n = scipy.fft.next_fast_len(max(2 * samples.size, 512), real=True)
+    # Of numpy, which is imported before the window is painted.
+    n = 1 << (max(2 * samples.size, 512) - 1).bit_length()
     peak = float(np.abs(samples).max(initial=0.0))
-    spectrum = np.abs(scipy.fft.rfft(samples / peak if peak > 0 else samples, n))
+    spectrum = np.abs(np.fft.rfft(samples / peak if peak > 0 else samples, n))
     largest = float(spectrum.max(initial=0.0))
     floor = largest * 1e-10
     levels = 20 * np.log10(np.maximum(spectrum, floor) / largest) if largest > 0 else spectrum - 1e3

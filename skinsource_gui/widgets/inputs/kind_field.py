@@ -20,16 +20,15 @@ class KindField(ChoiceField):
     def __init__(self, spec: ChoiceSpec, parent: QWidget | None = None) -> None:
         super().__init__(spec, parent)
         self._menu: QMenu | None = None
+        self._theme = LIGHT
         self.setIconSize(PICTURE_PX)
-        self.show_theme(LIGHT)
+        self.currentIndexChanged.connect(self._picture)
+        self._picture()
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
-        pictured = {kind.__name__: kind for kind in kinds()}
-        for index in range(self.count()):
-            kind = pictured.get(self.itemData(index))
-            if kind is not None:
-                self.setItemIcon(index, waveform_icon(kind, theme))
+        self._theme = theme
+        self._picture()
 
     def showPopup(self) -> None:
         self.hidePopup()
@@ -46,6 +45,13 @@ class KindField(ChoiceField):
         if self._menu is not None:
             self._menu.close()
         super().hidePopup()
+
+    def _picture(self) -> None:
+        # Only that of the present kind: to draw those of noise and of samples takes long imports,
+        # for which the first picture of the window need not wait.
+        for kind in kinds():
+            if kind.__name__ == self.currentData():
+                self.setItemIcon(self.currentIndex(), waveform_icon(kind, self._theme))
 
     def _forget(self) -> None:
         self._menu = None

@@ -40,6 +40,8 @@ _MARGIN_PX = 2.0
 _LINE_PX = 1.2
 _DOT_PX = 1.5
 
+_TICKS = np.arange(78.0)
+
 #: What stands for a kind: so few periods that each is seen.  Others are shown as they begin.
 _SHOWN: tuple[Waveform, ...] = (
     Tone(30.0, 0.0, 0.1, "none"),
@@ -58,7 +60,7 @@ _SHOWN: tuple[Waveform, ...] = (
     FrequencyModulated(70.0, 20.0, 45.0, 0.1),
     Formula("(sin(2*pi*30*t) + sin(2*pi*70*t)) / 2", 0.1),
     Drawn((0.0, 0.5, 0.9, 0.4, -0.6, -1.0, -0.3, 0.1, 0.0, 0.2, 0.7, 0.3, 0.0)),
-    Recording(Noise(3, 0.06, 60.0, 250.0, "none").samples(1300.0) * np.exp(-np.arange(78) / 18)),
+    Recording(np.exp(-_TICKS / 18) * (np.sin(_TICKS * 1.1) + np.sin(_TICKS**1.37)) / 2),
 )
 
 

@@ -158,5 +158,8 @@ def test_keys_choose_among_all_kinds_as_in_any_list(field):
 def test_the_field_shows_the_picture_of_its_kind_in_each_theme(field):
     for theme in THEMES.values():
         field.show_theme(theme)
-        for index, kind in enumerate(KINDS):
-            assert np.array_equal(ink(field.itemIcon(index)), ink(waveform_icon(kind, theme)))
+        for kind in KINDS:
+            field.set_value(kind.__name__)
+            found, expected = field.itemIcon(field.currentIndex()), waveform_icon(kind, theme)
+            assert np.array_equal(ink(found), ink(expected))
+            assert found.cacheKey() == expected.cacheKey()
