@@ -52,7 +52,7 @@ def test_work_is_kept_within_the_interval_with_arrangement_and_picture(
 ):
     window = make_window()
     edit(window, 2.5)
-    qtbot.waitUntil(lambda: len(list(user_data.glob("unsaved/*/*.png"))) == 1)
+    qtbot.waitUntil(lambda: len(list(user_data.glob("unsaved/*/*.png"))) == 1, timeout=30_000)
     (copy,) = copies(user_data)
     content = open_design(copy)
     assert content.design == window.document.design
@@ -61,19 +61,19 @@ def test_work_is_kept_within_the_interval_with_arrangement_and_picture(
     picture = QImage(str(copy.with_suffix(".png")))
     assert {picture.pixelColor(x, y).name() for x in range(120) for y in range(180)} > {"#ffffff"}
     edit(window, 3.5)
-    qtbot.waitUntil(lambda: kept_amplitudes(user_data) == [2.5, 3.5])
+    qtbot.waitUntil(lambda: kept_amplitudes(user_data) == [2.5, 3.5], timeout=30_000)
 
 
 def test_saved_or_taken_back_work_has_no_copies(quick, make_window, qtbot, user_data, tmp_path):
     window = make_window()
     edit(window, 2.5)
-    qtbot.waitUntil(lambda: copies(user_data) != [])
+    qtbot.waitUntil(lambda: copies(user_data) != [], timeout=30_000)
     window.document.undo_stack.undo()
-    qtbot.waitUntil(lambda: copies(user_data) == [])
+    qtbot.waitUntil(lambda: copies(user_data) == [], timeout=30_000)
     window.document.undo_stack.redo()
-    qtbot.waitUntil(lambda: copies(user_data) != [])
+    qtbot.waitUntil(lambda: copies(user_data) != [], timeout=30_000)
     window.document.mark_saved(tmp_path / "a.skinsource")
-    qtbot.waitUntil(lambda: copies(user_data) == [])
+    qtbot.waitUntil(lambda: copies(user_data) == [], timeout=30_000)
 
 
 def test_what_is_only_looked_at_is_not_kept(quick, make_window, user_data):
@@ -103,7 +103,7 @@ def test_a_copy_is_kept_before_a_job_and_before_another_limb(window, qtbot, user
     window.runner.add(
         Job("Installing", lambda *, progress, stop: seen.extend(kept_amplitudes(user_data)))
     )
-    qtbot.waitUntil(lambda: not window.runner.busy)
+    qtbot.waitUntil(lambda: not window.runner.busy, timeout=30_000)
     assert seen == [2.5]
     edit(window, 3.5)
     window.document.edit("limb", replace(window.document.design, limb="synthetic-2"))
@@ -122,7 +122,7 @@ def test_a_copy_is_kept_before_a_recording_is_read(window, user_data, tmp_path):
 def test_a_window_that_closes_leaves_no_copy(quick, make_window, qtbot, user_data, discard):
     window = make_window()
     edit(window, 2.5)
-    qtbot.waitUntil(lambda: copies(user_data) != [])
+    qtbot.waitUntil(lambda: copies(user_data) != [], timeout=30_000)
     window.close()
     assert copies(user_data) == []
 
@@ -133,7 +133,7 @@ def test_a_folder_that_cannot_be_written_is_told_once(quick, make_window, qtbot,
     told = []
     window.keeping.autosave.failed.connect(told.append)
     edit(window, 2.0)
-    qtbot.waitUntil(lambda: len(told) == 1)
+    qtbot.waitUntil(lambda: len(told) == 1, timeout=30_000)
     assert "No copy of unsaved work could be kept" in window.notice.text
     for amplitude in (3.0, 4.0):
         edit(window, amplitude)
@@ -198,7 +198,7 @@ def test_left_over_work_is_offered_with_its_age_and_picture_and_opened_as_not_sa
     assert window.docks["spectra"].isVisible()
     assert not picture.isVisible()
     # Once it is on the screen this studio's own copy takes its place.
-    qtbot.waitUntil(lambda: list(user_data.rglob("*.opening")) == [])
+    qtbot.waitUntil(lambda: list(user_data.rglob("*.opening")) == [], timeout=30_000)
     assert left_over.find(user_data).left == ()
     assert kept_amplitudes(user_data) == [2.5]
 
@@ -216,7 +216,7 @@ def test_where_nothing_can_be_kept_the_left_over_stays(window, leave, qtbot, use
     recovery = window.keeping.recovery
     recovery._keep_now = lambda: False
     recovery.open(recovery.look().left[0])
-    qtbot.waitUntil(lambda: list(user_data.rglob("*.opening")) == [])
+    qtbot.waitUntil(lambda: list(user_data.rglob("*.opening")) == [], timeout=30_000)
     assert len(left_over.find(user_data).left) == 1
 
 
