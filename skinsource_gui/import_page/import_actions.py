@@ -8,6 +8,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from skinsource.edits import Edit
 from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
@@ -75,9 +76,11 @@ class ImportActions(QObject):
         def put(recording: Any, option: str) -> None:
             design, view = self._document.design, self._document.view
             onset_s = place.onset_s if place else view.playhead_s
-            self._document.apply(placing.placed(design, view, option, onset_s, recording), None)
+            outcome = placing.placed(design, view, option, onset_s, recording)
+            self._document.apply(outcome, None)
             self._preferences.folder = path.absolute().parent
-            self.done.emit(f"Imported {path.name}")
+            if isinstance(outcome, Edit):
+                self.done.emit(f"Imported {path.name}")
 
         page.chosen.connect(put)
         page.finished.connect(lambda: self._pages.remove(page))

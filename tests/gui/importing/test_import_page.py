@@ -11,6 +11,7 @@ from skinsource import edits
 from skinsource.recordings import take
 from skinsource.waveforms import Recording
 from skinsource_gui.import_page import placing
+from skinsource_gui.import_page.reading_worker import ReadingWorker
 from skinsource_gui.widgets.drop_place import DropPlace
 
 NO_KEYS = Qt.KeyboardModifier.NoModifier
@@ -180,6 +181,24 @@ def test_the_whole_is_shown_and_its_part_is_dragged(page_on, qtbot, tmp_path):
     assert choice.start_s == pytest.approx(1.0, abs=0.1)
     qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
     assert page.preview.words.startswith("7")
+
+
+def test_what_was_wanted_before_is_not_taken_for_what_is_wanted_now(page_on, qtbot, sound):
+    page = page_on(sound)
+    before, worker = page.form.choice, page.findChild(ReadingWorker)
+    page.form.findChild(QWidget, "import_scale").choose("keep")
+    worker.taken.emit(before, take(sound))
+    assert not page.ready
+    qtbot.waitUntil(lambda: page.ready, timeout=60_000)
+
+
+def test_a_track_that_has_gone_meanwhile_is_said_to_be_gone(window, page_on, sound):
+    page = page_on(sound)
+    window.do("clear_inputs")
+    before = window.document.design
+    page.accept()
+    assert window.document.design is before
+    assert "no longer there" in window.notice.text
 
 
 def test_a_page_that_is_closed_while_it_reads_leaves_nothing(window, sound):
