@@ -125,3 +125,13 @@ def test_what_clips_play_is_told_for_each_muted_or_not(show):
     assert first[4] == pytest.approx(CLIPS[4].waveform.samples(RATE_HZ, 0.2503 - 325 / RATE_HZ))
     assert own_s[0] < 0
     assert not any(one.flags.writeable for one in (*first, *second))
+
+
+def test_what_a_changed_clip_plays_is_told_anew_and_the_others_are_the_very_same(show):
+    before, _ = show()
+    after, _ = show(DESIGN.with_clip(3, waveform=Tap()))
+    first = after["clip_waveforms"][0]
+    assert first[2].size < before["clip_waveforms"][0][2].size
+    assert first[2].max() == pytest.approx(1.0, abs=0.02)
+    same = [a is b for a, b in zip(first, before["clip_waveforms"][0], strict=True)]
+    assert same == [k != 2 for k in range(10)]
