@@ -8,13 +8,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import skinsource as ss
+from skinsource import edits
 from skinsource.clips import Clip
 from skinsource.design import Design, Input, track
 from skinsource.errors import InvalidInputError
 from skinsource.quantities import new_graph, sources
 from skinsource.sampling import on_grid
 from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.waveforms import Gabor, Noise, Tap, Tone
 
 RATE_HZ = 1300.0
 TONE = Tone(frequency_hz=90.0, duration_s=0.1, window="none")
@@ -212,3 +213,16 @@ def test_an_impossible_clip_is_refused_by_name(wrong):
     (name,) = wrong
     with pytest.raises(InvalidInputError, match=rf"Clip\.{name} is"):
         Clip(**wrong)
+
+
+def test_levels_do_not_depend_on_how_a_track_was_cut():
+    rng = np.random.default_rng(3)
+    for waveform in (Tone(frequency_hz=377.7), Noise(seed=2), Gabor(frequency_hz=100.0)) * 6:
+        whole = Design(limb="any", inputs=(track(7, waveform, onset_s=float(rng.uniform(0, 1))),))
+        cut, [one] = whole, whole.clips
+        for part in rng.uniform(0.05, 0.95, 3):
+            ids = tuple(clip.id for clip in cut.clips)
+            at_s = one.onset_s + float(part) * one.duration_s
+            cut = edits.split_clips(cut, View(), ids, at_s).design
+        assert len(cut.clips) == 4
+        np.testing.assert_allclose(levels(*cut.inputs), levels(*whole.inputs), rtol=1e-12)

@@ -6,7 +6,7 @@ import numpy as np
 
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
-from skinsource.sampling import NEAR, on_grid
+from skinsource.sampling import NEAR, parted
 
 #: What an effect may make of a clip; who wants more has made a mistake, or means harm.
 LONGEST_S = 3600.0
@@ -34,7 +34,7 @@ def own_times(n: int, sample_rate_hz: float, shift_s: float) -> Floats:
 
 def part_of_sample(samples: float) -> float:
     """How far a place lies after the last sample, 0 to less than 1; 0 where it lies on one."""
-    return on_grid(samples)[1]
+    return parted(samples)[1]
 
 
 def samples_until(samples: float) -> int:

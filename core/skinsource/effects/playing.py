@@ -35,7 +35,10 @@ def played(
     """
     taking_part, durations_s = _stages(waveform, effects)
     shifts_s = _shifts_s(taking_part, durations_s, sample_rate_hz, shift_s)
-    samples = draw(waveform, sample_rate_hz, shifts_s.pop())
+    own_shift_s = shifts_s.pop()
+    if taking_part:
+        own_shift_s = on_grid(own_shift_s * sample_rate_hz)[1] / sample_rate_hz
+    samples = draw(waveform, sample_rate_hz, own_shift_s)
     for one, duration_s in zip(taking_part, durations_s, strict=True):
         samples = one.applied(samples, sample_rate_hz, shifts_s.pop(), duration_s)
     return samples
@@ -97,7 +100,4 @@ def _shifts_s(
     shifts_s = [shift_s]
     for one, duration_s in zip(reversed(effects), reversed(durations_s), strict=True):
         shifts_s.append(one.shift_before(shifts_s[-1], duration_s, rate_hz))
-    if effects:
-        _, behind = on_grid(shifts_s[-1] * rate_hz)
-        shifts_s[-1] = behind / rate_hz
     return shifts_s

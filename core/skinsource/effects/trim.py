@@ -8,7 +8,7 @@ from skinsource import fields
 from skinsource.arrays import Floats
 from skinsource.effects.effect import ON, own_duration_s
 from skinsource.fields import NumberSpec
-from skinsource.sampling import NEAR, on_grid
+from skinsource.sampling import NEAR, parted
 
 LONGEST_S = 3600.0
 START = NumberSpec(
@@ -56,7 +56,7 @@ class Trim:
     def shift_before(self, shift_s: float, duration_s: float, sample_rate_hz: float) -> float:
         """Shift of the samples that it takes: their time 0 lies ``start_s`` before its own."""
         del duration_s
-        _, behind = on_grid((shift_s - self.start_s) * sample_rate_hz)
+        _, behind = parted((shift_s - self.start_s) * sample_rate_hz)
         return behind / sample_rate_hz
 
     def applied(
@@ -72,7 +72,7 @@ class Trim:
         length_s = self.length(before_s)
         if length_s == 0.0:
             return samples[:0].copy()
-        left_out, _ = on_grid((shift_s - self.start_s) * sample_rate_hz)
+        left_out, _ = parted((shift_s - self.start_s) * sample_rate_hz)
         part = samples[-left_out:].copy()
         if self.start_s > 0.0:
             # Between two samples it starts behind the first.

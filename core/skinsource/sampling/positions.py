@@ -17,8 +17,14 @@ def on_grid(position: float) -> tuple[int, float]:
     position
         In samples.
     """
+    whole, behind = parted(position)
+    return whole, round(behind * _PER_SAMPLE) / _PER_SAMPLE
+
+
+def parted(position: float) -> tuple[int, float]:
+    """The same to the last digit of the position: for what is added to others."""
     nearest = round(position)
     if abs(position - nearest) < NEAR:
         return nearest, 0.0
     whole = floor(position)
-    return whole, round((position - whole) * _PER_SAMPLE) / _PER_SAMPLE
+    return whole, position - whole
