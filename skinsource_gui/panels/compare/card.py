@@ -82,8 +82,8 @@ class Card(QAbstractButton):
 
     def sizeHint(self) -> QSize:
         line = self.fontMetrics().height()
-        widest = self.fontMetrics().horizontalAdvance("−188.8 dB")
-        return QSize(widest + UNIT_PX, 3 * line + 11 * UNIT_PX)
+        widest = self.fontMetrics().horizontalAdvance("−88.8 dB")
+        return QSize(widest + UNIT_PX + 3, 3 * line + 11 * UNIT_PX)
 
     def minimumSizeHint(self) -> QSize:
         return self.sizeHint()

@@ -50,7 +50,7 @@ class ComparePanel(Panel):
         self._lay_out()
         for card in self.cards:
             card.wanted.connect(self._act)
-        self.setMinimumSize(400, 240)
+        self.setMinimumSize(360, 240)
         self.setFocusProxy(self.cards[1])
         self.show_snapshots(())
 
