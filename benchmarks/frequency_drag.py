@@ -6,7 +6,8 @@ painted: *compute* in the worker, *set* the results into the panels, *paint*, an
 design into all panels, and the way between threads.  Then a free drag, with the mouse moving 250
 times a second whatever the window does.
 
-What is promised are ratios to fixed pieces of work, timed in turn with the edits.
+What is promised are ratios to fixed pieces of work, timed in turn with the edits: in processor
+time, which does not count how long other programs keep both threads waiting for each other.
 
     make bench
 """
@@ -19,7 +20,8 @@ import sys
 import tempfile
 from itertools import pairwise
 from pathlib import Path
-from time import perf_counter
+from time import perf_counter, process_time
+from typing import NamedTuple
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
@@ -44,10 +46,10 @@ from skinsource_gui.widgets.fields.number_gestures import PIXELS_PER_STEP
 OUTPUTS = (29, 30, 33, 35, 38, 52)
 #: Median and 95th percentile that are promised, in times the fixed piece of work beside them, for
 #: each length of the inputs in s.
-PROMISES = {1.0: (2.0, 4.0), 4.0: (3.0, 6.0)}
+PROMISES = {1.0: (3.5, 5.5), 4.0: (5.0, 9.0)}
 MOUSE_MS, FREE_S = 4, 2.0
-#: Most of what passes between two frames of a free drag, in times an edit of the other one.
-MOST_EDITS_PER_FRAME = 3.0
+#: Most that a frame of a free drag takes, in times an edit of the other one.
+MOST_EDITS_PER_FRAME = 2.0
 _STEPS_BETWEEN = 4
 _MOVE, _PRESS, _RELEASE = (
     QEvent.Type.MouseMove,
@@ -90,7 +92,7 @@ class Drag(QObject):
         """One edit, until it is painted; the times in seconds."""
         self._outcome = None
         self._window.paints.clear()
-        start = perf_counter()
+        start, processor_s = perf_counter(), process_time()
         self.move()
         while not self._painted():
             QApplication.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
@@ -101,7 +103,9 @@ class Drag(QObject):
             "paint": sum(after - before for before, after in self._window.paints if after <= end),
         }
         parts["other"] = end - start - sum(parts.values())
-        return {**parts, "total": end - start}
+        # What is still to be painted belongs to this edit.
+        QApplication.processEvents()
+        return {**parts, "total": end - start, "processor": process_time() - processor_s}
 
     def move(self) -> None:
         """Move the mouse by one fine step of the number."""
@@ -135,8 +139,20 @@ class Drag(QObject):
         self.shown.append((outcome, self._delivered_s))
 
 
-def drag_freely(window: WatchedWindow, drag: Drag) -> tuple[float, list[float], float]:
-    """Frames in a second, ages of what was painted (s), and the longest block (s)."""
+class Free(NamedTuple):
+    """What came of a free drag: ages of what was painted, s, and the longest block, s.
+
+    ``processor_s`` is the time of all threads for each frame.
+    """
+
+    frames_per_s: float
+    ages_s: list[float]
+    block_s: float
+    processor_s: float
+
+
+def drag_freely(window: WatchedWindow, drag: Drag) -> Free:
+    """Drag for a while, and watch."""
     window.paints.clear()
     drag.shown.clear()
     beats: list[float] = []
@@ -145,19 +161,21 @@ def drag_freely(window: WatchedWindow, drag: Drag) -> tuple[float, list[float], 
     beat = QTimer(timerType=Qt.TimerType.PreciseTimer, interval=1)
     beat.timeout.connect(lambda: beats.append(perf_counter()))
     loop = QEventLoop()
+    processor_s = process_time()
     mouse.start()
     beat.start()
     QTimer.singleShot(int(FREE_S * 1e3), loop.quit)
     loop.exec()
     mouse.stop()
     beat.stop()
+    processor_s = process_time() - processor_s
     ages = []
     for outcome, delivered_s in drag.shown:
         painted_s = next((end for begin, end in window.paints if begin >= delivered_s), None)
         if painted_s is not None:
             ages.append(painted_s - outcome.request.since_s)
     gaps = (after - before for before, after in pairwise(beats))
-    return len(ages) / FREE_S, ages, max(gaps) - 1e-3
+    return Free(len(ages) / FREE_S, ages, max(gaps) - 1e-3, processor_s / max(len(ages), 1))
 
 
 def measure(options: argparse.Namespace, seconds: float) -> bool:
@@ -186,7 +204,7 @@ def measure(options: argparse.Namespace, seconds: float) -> bool:
         drag = Drag(window)
         for _ in range(20):
             drag.step()
-        beside = Beside(computing_and_painting, "a fixed piece of work")
+        beside = Beside(computing_and_painting, "a fixed piece of work", process_time)
         rows = []
         for k in range(options.steps):
             if k % _STEPS_BETWEEN == 0:
@@ -199,8 +217,8 @@ def measure(options: argparse.Namespace, seconds: float) -> bool:
         window.close()
     print(f"\n{default_limb()}, {options.inputs} inputs of {seconds:g} s, {len(OUTPUTS)} outputs,")
     print(f"{options.size}, offscreen; one edit after another:")
-    edit_s = statistics.median(row["total"] for row in rows)
-    return _report_steps(rows, PROMISES.get(seconds), beside) & _report_free(*free, edit_s)
+    edit_s = statistics.median(row["processor"] for row in rows)
+    return _report_steps(rows, PROMISES.get(seconds), beside) & _report_free(free, edit_s)
 
 
 def _report_steps(
@@ -212,17 +230,18 @@ def _report_steps(
         print(f"{name:>8} {_median(times):8.2f} {_p95(times):8.2f} {max(times) * 1e3:8.2f}")
     if promises is None:
         return True
-    totals = [row["total"] for row in rows]
-    kept = beside.judge("median", _median(totals) / 1e3, promises[0])
-    return beside.judge("p95", _p95(totals) / 1e3, promises[1]) and kept
+    used = [row["processor"] for row in rows]
+    kept = beside.judge("median of processor time", _median(used) / 1e3, promises[0])
+    return beside.judge("p95 of processor time", _p95(used) / 1e3, promises[1]) and kept
 
 
-def _report_free(frames: float, ages: list[float], block_s: float, edit_s: float) -> bool:
-    print(f"free drag, mouse at {1000 // MOUSE_MS} Hz: {frames:.0f} frames per second,")
-    print(f"edit to painted: median {_median(ages):.1f} ms, p95 {_p95(ages):.1f} ms,")
-    print(f"GUI thread busy for at most {block_s * 1e3:.1f} ms")
+def _report_free(free: Free, edit_s: float) -> bool:
+    print(f"free drag, mouse at {1000 // MOUSE_MS} Hz: {free.frames_per_s:.0f} frames per second,")
+    print(f"edit to painted: median {_median(free.ages_s):.1f} ms, p95 {_p95(free.ages_s):.1f} ms,")
+    print(f"GUI thread busy for at most {free.block_s * 1e3:.1f} ms")
     beside = "one edit after another", edit_s * 1e3
-    return judge("between two frames", 1e3 / frames, "ms", beside, MOST_EDITS_PER_FRAME)
+    words = "processor time of a frame"
+    return judge(words, 1e3 * free.processor_s, "ms", beside, MOST_EDITS_PER_FRAME)
 
 
 def _median(times_s: list[float]) -> float:
