@@ -6,6 +6,7 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
 
 from skinsource import edits
+from skinsource.clips import Marker
 from skinsource_gui.panels.timeline.clip_part import CURSORS, Part, part_at
 from skinsource_gui.panels.timeline.content import Content
 from skinsource_gui.panels.timeline.gestures.clip_ends import FadeEnd, MoveEnd
@@ -134,7 +135,7 @@ class LaneMouse(QObject):
         """Shape of the pointer."""
         content = self._content()
         if at.y() < content.ruler_px:
-            caught = _loop_end_at(content, at) is not None or _marker_at(content, at) is not None
+            caught = _loop_end_at(content, at) is not None or marker_at(content, at) is not None
             return Qt.CursorShape.SizeHorCursor if caught else Qt.CursorShape.PointingHandCursor
         box = content.box_at(at)
         if box is None:
@@ -170,7 +171,7 @@ class LaneMouse(QObject):
 
     def _on_ruler(self, stage: Stage, at: QPointF, held: Held) -> Gesture:
         content = stage.before
-        marker, fixed_s = _marker_at(content, at), _loop_end_at(content, at)
+        marker, fixed_s = marker_at(content, at), _loop_end_at(content, at)
         if held & Held.ShiftModifier:
             return MoveLoop(stage, snapped_time(stage, at)[0])
         if marker is not None:
@@ -194,7 +195,8 @@ class LaneMouse(QObject):
         return click
 
 
-def _marker_at(content: Content, at: QPointF):
+def marker_at(content: Content, at: QPointF) -> Marker | None:
+    """The marker whose flag is at this place."""
     near = (
         (abs(content.scale.x(one.time_s) - at.x()), index)
         for index, one in enumerate(content.design.markers)

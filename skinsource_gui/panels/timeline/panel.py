@@ -11,6 +11,7 @@ from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.timeline.gestures.gesture import Shown
 from skinsource_gui.panels.timeline.heads.heads import Heads
+from skinsource_gui.panels.timeline.lanes_menu import LanesMenu
 from skinsource_gui.panels.timeline.timeline_edits import TimelineEdits
 from skinsource_gui.panels.timeline.track_table import HEADS_PX, TrackTable
 from skinsource_gui.theme import UNIT_PX, Theme
@@ -113,6 +114,11 @@ class TimelinePanel(Panel):
             part.marker_wanted.connect(clips.add_marker)
             part.opened.connect(self._open)
         lanes.looked.connect(self._look)
+        menu = LanesMenu(lambda: lanes.content, clips, lanes)
+        menu.edited.connect(self.edited)
+        menu.looked.connect(self._look)
+        menu.opened.connect(self._open)
+        lanes.menu_wanted.connect(menu.open)
         lanes.keys.copied.connect(clips.copy)
         lanes.keys.pasted.connect(clips.paste)
         lanes.keys.zoomed.connect(lanes.zoom)
