@@ -1,0 +1,103 @@
+"""Twenty tracks of fifty clips: one clip dragged, lanes scrolled, with all panels open.
+
+python benchmarks/timeline.py     (prints frames per second; promises 30 and 60)
+"""
+
+import os
+import sys
+import tempfile
+from pathlib import Path
+from statistics import median
+from time import perf_counter
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtWidgets import QApplication
+
+from skinsource.catalogue import available_limbs, default_limb
+from skinsource.clips import Clip
+from skinsource.design import Design, Input
+from skinsource.view import View
+from skinsource.waveforms import Gabor, Tap, Tone
+from skinsource_gui.panels.timeline.lanes_view import LanesView
+from skinsource_gui.shell.app import make_application
+from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.preferences import Preferences
+
+TRACKS, CLIPS, STEPS = 20, 50, 60
+KINDS = (Tone(100.0, 0.0, 0.06), Gabor(200.0), Tap())
+PROMISED_DRAG, PROMISED_SCROLL = 30.0, 60.0
+
+
+def scene() -> Design:
+    """The design: a clip every 80 ms on each track, four seconds in all."""
+    inputs = tuple(
+        Input(
+            location=1 + k,
+            colour=k,
+            clips=tuple(
+                Clip(onset_s=0.08 * n + 0.002 * k, waveform=KINDS[(n + k) % 3])
+                for n in range(CLIPS)
+            ),
+        )
+        for k in range(TRACKS)
+    )
+    return Design(limb=default_limb(), inputs=inputs)
+
+
+def main() -> int:
+    """Measure, and tell whether the promises are kept."""
+    make_application()
+    with tempfile.TemporaryDirectory() as folder:
+        window = MainWindow(
+            scene(),
+            view=View(outputs=(29, 30, 33, 52)),
+            preferences=Preferences(Path(folder) / "studio.ini"),
+            available_limbs=available_limbs(),
+        )
+        window.resize(1366, 768)
+        window.show()
+        window.do("arrange_design")
+        window.catch_up()
+        lanes = window.findChild(LanesView, "lanes")
+        drag, scroll = dragged(window, lanes), scrolled(lanes)
+        # Nobody is there to be asked about unsaved work.
+        window.document.mark_saved(Path(folder) / "saved")
+        window.close()
+    print(f"drag of one clip of 1000, all panels: {drag:.0f} frames per second")
+    print(f"scrolling the lanes: {scroll:.0f} frames per second")
+    return 0 if drag >= PROMISED_DRAG and scroll >= PROMISED_SCROLL else 1
+
+
+def dragged(window: MainWindow, lanes: LanesView) -> float:
+    """Frames per second while one clip is dragged, each painted with its results."""
+    box = next(one for one in lanes.content.boxes if one.clip.id == 3)
+    at = box.rect.center()
+    held = Qt.KeyboardModifier.AltModifier
+    lanes.mouse.press(at, Qt.MouseButton.LeftButton, held, lanes.sample_rate_hz)
+    spent = []
+    for step in range(STEPS):
+        began = perf_counter()
+        lanes.mouse.move(at + QPointF(6 + step % 30, 0), held)
+        window.catch_up()
+        QApplication.processEvents()
+        spent.append(perf_counter() - began)
+    lanes.mouse.release()
+    window.catch_up()
+    return 1 / median(spent)
+
+
+def scrolled(lanes: LanesView) -> float:
+    """Frames per second while lanes are scrolled and the time is panned."""
+    spent = []
+    for step in range(STEPS):
+        began = perf_counter()
+        lanes.scroll_wanted.emit(-0.2 if step < STEPS / 2 else 0.2)
+        lanes.viewport().repaint()
+        spent.append(perf_counter() - began)
+    return 1 / median(spent)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
