@@ -1,4 +1,4 @@
-"""Files that are dropped on the window: designs are opened, anything else is a recording."""
+"""Files that are dropped on the window: designs, presets, and recordings."""
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -6,6 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 from PySide6.QtWidgets import QWidget
 
+from skinsource import presets
 from skinsource.design_file import SUFFIX
 from skinsource_gui.panel import Panel
 from skinsource_gui.widgets.drop_place import DropPlace
@@ -26,6 +27,8 @@ class FileDrops(QObject):
     design_dropped = Signal(object)
     #: A recording, `Path`, and its `DropPlace` or None.
     recording_dropped = Signal(object, object)
+    #: A preset, also one that is dragged from the library, `Path`, and its `DropPlace` or None.
+    preset_dropped = Signal(object, object)
 
     def __init__(self, window: QWidget, panels: Sequence[Panel]) -> None:
         super().__init__(window)
@@ -55,8 +58,8 @@ class FileDrops(QObject):
         event.accept()
         at = event.position().toPoint()
         for panel in self._panels:
-            recording = paths[0].suffix != SUFFIX and self._inside(panel, at)
-            panel.show_drop(panel.mapFrom(self._window, at) if recording else None)
+            placed = paths[0].suffix != SUFFIX and self._inside(panel, at)
+            panel.show_drop(panel.mapFrom(self._window, at) if placed else None)
 
     def _leave(self, event) -> None:
         for panel in self._panels:
@@ -74,7 +77,9 @@ class FileDrops(QObject):
         if paths[0].suffix == SUFFIX:
             self.design_dropped.emit(paths[0])
         else:
-            self.recording_dropped.emit(paths[0], self._place(event.position().toPoint()))
+            kind = paths[0].suffix == presets.SUFFIX
+            dropped = self.preset_dropped if kind else self.recording_dropped
+            dropped.emit(paths[0], self._place(event.position().toPoint()))
 
     def _place(self, at: QPoint) -> DropPlace | None:
         for panel in self._panels:

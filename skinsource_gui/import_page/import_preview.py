@@ -7,9 +7,9 @@ from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from skinsource.recordings import Taken
 from skinsource.spectra import share_outside_band
-from skinsource_gui.import_page.spectrum_preview import SpectrumPreview
 from skinsource_gui.theme import UNIT_PX, Theme, tabular
 from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
+from skinsource_gui.widgets.plot.spectrum_preview import SpectrumPreview
 
 
 class ImportPreview(QWidget):

@@ -5,13 +5,10 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
-import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from skinsource.clips import Clip
-from skinsource.design import MAX_INPUTS, Design, Input
+from skinsource.design import MAX_INPUTS, Design
 from skinsource.edits.kinds import as_kind
-from skinsource.effects import played
 from skinsource.errors import InvalidInputError
 from skinsource.fields import RecipeSpec, specs_of
 from skinsource.limb import SAMPLE_RATE_HZ
@@ -20,7 +17,7 @@ from skinsource.motions import MOTIONS, Motion
 from skinsource.motions.changes import following, with_field
 from skinsource.quoting import sentence
 from skinsource.waveforms import Waveform
-from skinsource_gui.motion_page.motion_strip import Lane, ShownClip
+from skinsource_gui.widgets.inputs.clip_strip import Lane, shown_clip
 
 
 class Draft(QObject):
@@ -129,7 +126,9 @@ class Draft(QObject):
             Lane(
                 place=one.location,
                 colour=one.colour,
-                clips=tuple(_shown(one, clip, largest) for clip in one.clips),
+                clips=tuple(
+                    shown_clip(clip, SAMPLE_RATE_HZ, one.amplitude / largest) for clip in one.clips
+                ),
             )
             for one in added
         )
@@ -162,14 +161,3 @@ def _why_no_path(motion: Motion, path: tuple[int, ...]) -> str:
     except InvalidInputError as error:
         return sentence(str(error))
     return ""
-
-
-def _shown(one: Input, clip: Clip, largest: float) -> ShownClip:
-    samples = played(clip.waveform, clip.effects, SAMPLE_RATE_HZ)
-    # Waveforms that pass 1 are not cut off.
-    reach = max(float(np.abs(samples).max(initial=0.0)), 1.0)
-    return ShownClip(
-        start_s=clip.onset_s,
-        duration_s=clip.duration_s,
-        samples=samples * (one.amplitude * clip.gain / (largest * reach)),
-    )

@@ -27,12 +27,12 @@ from skinsource.motions import MOTIONS, Motion
 from skinsource.quoting import sentence
 from skinsource.waveforms import kinds
 from skinsource_gui.motion_page.draft import Draft
-from skinsource_gui.motion_page.motion_strip import MotionStrip
 from skinsource_gui.motion_page.path_hand import PathHand
 from skinsource_gui.motion_page.path_row import PathRow, page_button
 from skinsource_gui.motion_page.recipe_fields import RecipeFields
 from skinsource_gui.state.document import Document
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.inputs.clip_strip import ClipStrip
 
 TITLE = "Motion"
 _MOTION_KINDS = ChoiceSpec(
@@ -64,7 +64,7 @@ class MotionPage(QDialog):
         self.draft = Draft(document.design, document.view.playhead_s, self)
         self.hand = PathHand(theme(), self)
         self.path_row = PathRow()
-        self.strip = MotionStrip()
+        self.strip = ClipStrip()
         self.motion_fields = RecipeFields(self._of_motion, self)
         self.waveform_fields = RecipeFields(_of_waveform, self)
         self._summary, self._about = QLabel(), QLabel()

@@ -19,6 +19,8 @@ _MOUSE = (
     ("Ctrl+Shift and click an input", "place one more at the same place"),
     ("Right button on an input", "mute, solo, duplicate, remove it; in the list also move it"),
     ("Drag a row of the list", "reorder the inputs"),
+    ("Drag a preset of the library onto a place or a track", "place it there"),
+    ("Double-click a preset", "place it at the playhead, on the selected track"),
     ("Drag on a number, or turn the wheel", "change it; with Ctrl finely, with Shift coarsely"),
     ("Double-click a number", "type it, with or without its unit"),
     ("Click an output on the skin map", "select it; with Ctrl or Shift add it, or take it away"),

@@ -11,6 +11,7 @@ from skinsource_gui.panels.frequency_and_amplitude.panel import FrequencyAndAmpl
 from skinsource_gui.panels.hand.panel import HandPanel
 from skinsource_gui.panels.history.panel import HistoryPanel
 from skinsource_gui.panels.inspector.panel import InspectorPanel
+from skinsource_gui.panels.library.panel import LibraryPanel
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.spectra.panel import SpectraPanel
@@ -98,4 +99,5 @@ PANELS: tuple[PanelSpec, ...] = (
     # No arrangement has room for these: View > Panels brings them.
     PanelSpec(panel=ComparePanel, places=_places()),
     PanelSpec(panel=HistoryPanel, places=_places()),
+    PanelSpec(panel=LibraryPanel, places=_places()),
 )

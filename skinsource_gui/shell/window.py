@@ -13,6 +13,7 @@ from skinsource_gui.files.export_actions import ExportActions
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.import_page.file_drops import FileDrops
 from skinsource_gui.import_page.import_actions import ImportActions
+from skinsource_gui.library_page.library_actions import LibraryActions
 from skinsource_gui.panel import Panel
 from skinsource_gui.shell.action_set import ActionSet
 from skinsource_gui.shell.actions import ACTIONS
@@ -153,6 +154,7 @@ class MainWindow(QMainWindow):
             self,
         )
         self.imports = ImportActions(self.document, self.preferences, lambda: self.theme, self)
+        self.library = LibraryActions(self.document, lambda: self.theme, self)
         self.running_jobs = RunningJobs(self.runner, self)
         self.levelling = WaveletLevelling(self.document, self.runner, self)
         self.pages = Pages(
@@ -179,6 +181,7 @@ class MainWindow(QMainWindow):
             "files": self.files,
             "exports": self.exports,
             "imports": self.imports,
+            "library": self.library,
             "keeping": self.keeping,
             "comparison": self.comparison,
             "jobs": self.running_jobs,
@@ -220,6 +223,9 @@ class MainWindow(QMainWindow):
         drops = FileDrops(self, self.panels)
         drops.design_dropped.connect(self.files.open)
         drops.recording_dropped.connect(self.imports.open_page)
+        drops.preset_dropped.connect(self.library.place_file)
+        self.library.done.connect(reports.report)
+        self.library.failed.connect(reports.complain)
         self.levelling.failed.connect(reports.complain)
         self.comparison.done.connect(reports.report)
         self.keeping.connect_to(self.conductor, reports)

@@ -12,6 +12,7 @@ from PySide6.QtGui import QKeyEvent, QKeySequence
 
 from skinsource_gui.widgets.effect_keys import CURVE, EFFECTS
 from skinsource_gui.widgets.key_hint import KeyHint
+from skinsource_gui.widgets.library_keys import LIBRARY
 from skinsource_gui.widgets.timeline_keys import CLIP_EDITOR, TIMELINE
 
 _ARROWS = ("Left", "Right", "Up", "Down")
@@ -215,6 +216,7 @@ WIDGET_KEYS: dict[str, tuple[str, tuple[KeyHint, ...]]] = {
             ),
         ),
     ),
+    "library": ("In the library", LIBRARY),
     "plot": (
         "In a plot",
         (

@@ -171,7 +171,7 @@ def test_a_preset_without_a_name_stays_as_it_was(tmp_path):
 
 
 def test_only_presets_of_the_folder_are_renamed_and_deleted(tmp_path):
-    shipped = next(presets.shipped_folder().glob("*.skinpreset"))
+    shipped = presets.save_preset(tmp_path / "elsewhere", named("Tap"))
     other = tmp_path / "notes.txt"
     other.write_text("mine")
     for path in (shipped, other):

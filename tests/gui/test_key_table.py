@@ -44,7 +44,7 @@ def claims(place, parent):
         return lambda event: NumberGestures.knows(event) or begins_typing(event)
     if place == "colour_bar":
         return lambda event: bool(key_step_db(event))
-    others = ("history", "snapshot", "effects", "curve", "timeline", "clip_editor")
+    others = ("history", "snapshot", "effects", "curve", "timeline", "clip_editor", "library")
     return partial(meant, place if place in others else "plot")
 
 

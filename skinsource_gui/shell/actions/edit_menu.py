@@ -16,6 +16,10 @@ def _has_inputs(design: Design, view: View) -> bool:
     return bool(design.inputs)
 
 
+def _has_clips(design: Design, view: View) -> bool:
+    return any(one.clips for one in design.inputs)
+
+
 def _has_outputs(design: Design, view: View) -> bool:
     return bool(view.outputs)
 
@@ -80,6 +84,15 @@ EDIT: tuple[ActionSpec, ...] = (
         command="pages.show_motion",
         keywords="path sweep apparent phantom alternate rabbit travelling wave preset",
         separated=True,
+    ),
+    action(
+        "save_to_library",
+        "Edit",
+        "Save to library…",
+        "Keep the selected clips, a track or the whole design as a preset",
+        command="library.ask_and_save",
+        enabled=_has_clips,
+        keywords="preset keep store template reuse",
     ),
     action(
         "duplicate_input",

@@ -1,4 +1,4 @@
-"""The clips of a motion on a small ruler."""
+"""Clips of several tracks on a small ruler."""
 
 from dataclasses import dataclass
 from functools import partial
@@ -9,6 +9,8 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
+from skinsource.clips import Clip, Fragment
+from skinsource.effects import played
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
 from skinsource_gui.widgets.inputs.swatch import paint_swatch
 from skinsource_gui.widgets.inputs.waveform_preview import axis_unit, tick_step
@@ -46,7 +48,43 @@ class Lane:
     clips: tuple[ShownClip, ...]
 
 
-class MotionStrip(QWidget):
+def shown_clip(clip: Clip, sample_rate_hz: float, factor: float) -> ShownClip:
+    """A clip, its samples times its gain and ``factor``; those that pass 1 are not cut off."""
+    samples = played(clip.waveform, clip.effects, sample_rate_hz)
+    reach = max(float(np.abs(samples).max(initial=0.0)), 1.0)
+    return ShownClip(
+        start_s=clip.onset_s,
+        duration_s=clip.duration_s,
+        samples=samples * (clip.gain * factor / reach),
+    )
+
+
+def strip_lanes(fragment: Fragment, sample_rate_hz: float) -> tuple[Lane, ...]:
+    """The tracks of a fragment, the strongest clip at full height.
+
+    Raises
+    ------
+    InvalidInputError
+        It holds something that cannot be played at this rate.
+    """
+    largest = max(
+        (abs(lane.amplitude * clip.gain) for lane in fragment.lanes for clip in lane.clips),
+        default=1.0,
+    )
+    factor = 1.0 / (largest or 1.0)
+    return tuple(
+        Lane(
+            place=lane.location,
+            colour=number,
+            clips=tuple(
+                shown_clip(clip, sample_rate_hz, lane.amplitude * factor) for clip in lane.clips
+            ),
+        )
+        for number, lane in enumerate(fragment.lanes)
+    )
+
+
+class ClipStrip(QWidget):
     """A lane for each track above an axis of time; or words where there is nothing to show."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -55,8 +93,8 @@ class MotionStrip(QWidget):
         self._lanes: tuple[Lane, ...] = ()
         self._words = ""
         self._picture = KeptPicture()
-        self.setObjectName("motion_strip")
-        self.setAccessibleName("Clips of the motion")
+        self.setObjectName("clip_strip")
+        self.setAccessibleName("Clips")
         self.setFont(tabular(self.font()))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 

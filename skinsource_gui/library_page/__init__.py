@@ -1,0 +1,1 @@
+"""Edit > Save to library…: what is kept, and under which name; and presets that are dropped."""

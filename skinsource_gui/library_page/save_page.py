@@ -1,0 +1,115 @@
+"""The page on which a preset gets its name."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QLabel,
+    QLineEdit,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.errors import InvalidInputError
+from skinsource.presets import Preset, tags_of
+from skinsource.quoting import sentence
+from skinsource_gui.library_page.choices import Choice
+from skinsource_gui.theme import Theme
+
+TITLE = "Save to library"
+
+
+class SavePage(QDialog):
+    """Asks what is kept, its name, tags, and words.
+
+    Parameters
+    ----------
+    choices
+        What can be kept, the likeliest first; at least one.
+    theme
+        Colours.
+    """
+
+    #: `Preset`.
+    chosen = Signal(object)
+
+    def __init__(self, choices: tuple[Choice, ...], theme: Theme, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setObjectName("save_to_library_page")
+        self.setWindowTitle(TITLE)
+        self.setMinimumWidth(460)
+        self._choices = choices
+        self.what = QComboBox()
+        self.what.addItems([one.words for one in choices])
+        self.name, self.tags = QLineEdit(), QLineEdit()
+        self.description, self.source = QLineEdit(), QLineEdit()
+        self.problem = QLabel()
+        self.problem.setObjectName("library_problem")
+        self.problem.setWordWrap(True)
+        self.problem.setStyleSheet(f"color: {theme.error};")
+        self.problem.hide()
+        self.buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
+        )
+        self._lay_out()
+        self.what.currentIndexChanged.connect(self._suggest)
+        self.name.textChanged.connect(self._check)
+        self.buttons.accepted.connect(self._choose)
+        self.buttons.rejected.connect(self.reject)
+        self._suggest()
+        self.name.setFocus()
+
+    def show_problem(self, words: str) -> None:
+        """Say why it was not kept; the page stays."""
+        self.problem.setText(words)
+        self.problem.setVisible(bool(words))
+
+    def _lay_out(self) -> None:
+        form = QFormLayout()
+        self.tags.setPlaceholderText("between commas: tap, texture")
+        self.description.setPlaceholderText("what it is for")
+        self.source.setPlaceholderText("where its numbers come from")
+        for label, field, name in (
+            ("Keep", self.what, "library_what"),
+            ("Name", self.name, "library_name"),
+            ("Tags", self.tags, "library_tags"),
+            ("Description", self.description, "library_description"),
+            ("Source", self.source, "library_source"),
+        ):
+            field.setObjectName(name)
+            field.setAccessibleName(label)
+            form.addRow(label, field)
+        column = QVBoxLayout(self)
+        column.addLayout(form)
+        column.addWidget(self.problem)
+        column.addStretch(1)
+        column.addWidget(self.buttons)
+
+    def _suggest(self) -> None:
+        suggested = {one.name for one in self._choices}
+        # What was typed stays.
+        if not self.name.text() or self.name.text() in suggested:
+            self.name.setText(self._choices[self.what.currentIndex()].name)
+            self.name.selectAll()
+        self._check()
+
+    def _check(self) -> None:
+        save = self.buttons.button(QDialogButtonBox.StandardButton.Save)
+        save.setEnabled(bool(self.name.text().strip()))
+
+    def _choose(self) -> None:
+        try:
+            preset = Preset(
+                name=" ".join(self.name.text().split()),
+                tags=tags_of(self.tags.text()),
+                source=self.source.text().strip(),
+                description=self.description.text().strip(),
+                fragment=self._choices[self.what.currentIndex()].fragment,
+            )
+        except InvalidInputError as error:
+            self.show_problem(sentence(str(error)))
+            return
+        self.chosen.emit(preset)
