@@ -28,6 +28,7 @@ from skinsource.errors import SkinSourceError
 from skinsource.evaluation import evaluate
 from skinsource.limb import Limb, LimbMap
 from skinsource.projection import project_axes
+from skinsource.quoting import quoted
 from skinsource.resampling import resample
 from skinsource.response import predict
 from skinsource.signals import impulse, sinusoid, tap, white_noise, window
@@ -81,4 +82,4 @@ def __getattr__(name: str) -> object:
     # What reads files of others is imported when it is first asked for: few scripts need it.
     if name == "recordings":
         return importlib.import_module("skinsource.recordings")
-    raise AttributeError(f"module 'skinsource' has no attribute {name!r}")
+    raise AttributeError(f"module 'skinsource' has no attribute {quoted(name)}")

@@ -14,7 +14,7 @@ from skinsource.errors import InvalidInputError, RecordingError
 from skinsource.files import named
 from skinsource.job import Progress, Stop, never, silent
 from skinsource.limb import SAMPLE_RATE_HZ
-from skinsource.quoting import sentence
+from skinsource.quoting import quoted, sentence
 from skinsource.recordings.choice import ImportChoice, suggested
 from skinsource.recordings.found import Found, Series
 from skinsource.recordings.reader import Block
@@ -139,7 +139,7 @@ def read_part(
     if series is None:
         keys = ", ".join(one.key for one in found.series[:8])
         raise RecordingError(
-            f"{named(Path(path.name))}: it has no signal {choice.series!r:.80}, expected one of "
+            f"{named(Path(path.name))}: it has no signal {quoted(choice.series)}, expected one of "
             f"{keys:.200}. Choose one of them."
         )
     read = partial(process.read, path, progress=progress, stop=stop)

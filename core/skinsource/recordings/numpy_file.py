@@ -12,6 +12,7 @@ from typing import IO, Any
 import numpy as np
 from numpy.lib import format as npy
 
+from skinsource.quoting import quoted
 from skinsource.recordings import limits
 from skinsource.recordings.members import Member, Members
 from skinsource.recordings.reader import refusal
@@ -85,7 +86,7 @@ def opened_npz(path: Path) -> Iterator[Members]:
             if start + header.n_bytes != info.file_size:
                 raise refusal(
                     path,
-                    f"the header of {name!r:.60} promises {header.n_bytes} bytes and "
+                    f"the header of {quoted(name)} promises {header.n_bytes} bytes and "
                     f"{info.file_size - start} are there",
                     "all of them",
                     _AGAIN,
@@ -142,5 +143,5 @@ def _header(path: Path, file: IO[bytes]) -> _Header:
         )
     shape, fortran_order, dtype = read(file)
     if any(n < 0 for n in shape):
-        raise refusal(path, f"its shape is {shape!r:.60}", "lengths of 0 or more", _AGAIN)
+        raise refusal(path, f"its shape is {quoted(shape)}", "lengths of 0 or more", _AGAIN)
     return _Header(tuple(int(n) for n in shape), bool(fortran_order), dtype)
