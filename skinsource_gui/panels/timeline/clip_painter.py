@@ -30,6 +30,7 @@ def paint_clip(
     *,
     loudest: float,
     selected: bool,
+    shown_elsewhere: bool,
     handles: bool,
     view: QRectF,
 ) -> None:
@@ -41,8 +42,9 @@ def paint_clip(
         What it plays, or None while it is not known.
     loudest
         The largest gain of its track, which takes the full height.
-    selected, handles
-        Whether it is selected; whether its ends show that they can be dragged.
+    selected, shown_elsewhere, handles
+        Whether it is selected; whether the inspector shows it; whether its ends show that they can
+        be dragged.
     view
         What can be seen: no more is painted.
     """
@@ -57,6 +59,9 @@ def paint_clip(
     if shown.width() >= _WORDS_FROM_PX:
         _write(painter, words_of(box), shown, theme, pale=pale)
     _paint_frame(painter, box.rect, shown, theme, colour, selected=selected)
+    if shown_elsewhere and not selected:
+        painter.setPen(QPen(QColor(theme.accent), 2, Qt.PenStyle.DotLine))
+        painter.drawRoundedRect(box.rect.adjusted(1, 1, -1, -1), _ROUNDING_PX, _ROUNDING_PX)
     if handles:
         _paint_handles(painter, box.rect, QColor(theme.text))
 

@@ -5,7 +5,7 @@ from enum import Enum
 from PySide6.QtCore import QPointF, QRectF, Qt
 
 _EDGE_PX, _CORNER_PX = 6.0, 11.0
-# A clip narrower than this is only moved: its ends could not be told from its middle.
+# A clip narrower than this is only moved by its inside; its ends are caught from beside it.
 _NARROW_PX = 26.0
 
 
@@ -30,9 +30,11 @@ CURSORS = {
 
 def part_at(rect: QRectF, at: QPointF) -> Part:
     """The part of a clip painted in ``rect`` that lies at ``at``."""
+    from_start, from_end = at.x() - rect.left(), rect.right() - at.x()
+    if from_start < 0 or from_end < 0:
+        return Part.START if from_start < 0 else Part.END
     if rect.width() < _NARROW_PX:
         return Part.BODY
-    from_start, from_end = at.x() - rect.left(), rect.right() - at.x()
     if at.y() - rect.top() < _CORNER_PX:
         if from_start < _CORNER_PX:
             return Part.FADE_IN

@@ -8,6 +8,7 @@ from PySide6.QtCore import QPointF
 
 from skinsource.arrays import Floats
 from skinsource.design import Design
+from skinsource.edits.selection import clip_of
 from skinsource.view import View
 from skinsource_gui.panels.timeline.lane import Box, Lane, box_at, boxes_of, lane_at
 from skinsource_gui.widgets.time.snapping import grid_step_s
@@ -72,6 +73,14 @@ class Content:
         """All of the time that there is to see."""
         return whole_of(self.design)
 
+    @cached_property
+    def chosen(self) -> tuple[int, ...]:
+        """Clips that edits are about: the selected ones, or else the one that the inspector shows.
+
+        That is the first clip of the track that was selected last.
+        """
+        return chosen_clips(self.design, self.view)
+
     @property
     def reach_s(self) -> float:
         """From how far away an edge snaps."""
@@ -100,6 +109,14 @@ class Content:
                 if clip.id not in without:
                     found.update((clip.onset_s, clip.onset_s + self.durations_s[clip.id]))
         return sorted(found)
+
+
+def chosen_clips(design: Design, view: View) -> tuple[int, ...]:
+    """Clips that edits are about, see `Content.chosen`."""
+    if view.selected_clips or view.selected_input not in design.ids:
+        return view.selected_clips
+    clip = clip_of(design.input(view.selected_input), view)
+    return () if clip is None else (clip.id,)
 
 
 def ruler_px(line_px: float) -> float:

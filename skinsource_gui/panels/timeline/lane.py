@@ -13,6 +13,8 @@ from skinsource_gui.widgets.time.time_scale import TimeScale
 MARGIN_PX = 3.0
 #: No clip is painted narrower, so that one can be seen and caught.
 NARROWEST_PX = 3.0
+#: How far outside a clip its ends can be caught, px.
+REACH_PX = 4.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -82,5 +84,9 @@ def lane_at(lanes: Sequence[Lane], y_px: float) -> Lane | None:
 
 
 def box_at(boxes: Sequence[Box], at: QPointF) -> Box | None:
-    """The uppermost clip at this place."""
-    return next((box for box in reversed(boxes) if box.rect.contains(at)), None)
+    """The uppermost clip at this place, or else one of which an end is within reach."""
+    for reach in (0.0, REACH_PX):
+        for box in reversed(boxes):
+            if box.rect.adjusted(-reach, 0, reach, 0).contains(at):
+                return box
+    return None

@@ -67,7 +67,7 @@ class LaneKeys(QObject):
         elif wanted == "select_all":
             self.looked.emit(edits.select_all_clips(design, view).view)
         elif wanted == "open":
-            for clip in view.selected_clips[-1:]:
+            for clip in content.chosen[-1:]:
                 self.opened.emit(clip)
         else:
             return False
@@ -77,7 +77,7 @@ class LaneKeys(QObject):
         """Do what changes the design; whether that is wanted."""
         content = self._content()
         design, view = content.design, content.view
-        chosen, at_s = view.selected_clips, view.playhead_s
+        chosen, at_s = content.chosen, view.playhead_s
         if wanted in ("copy", "cut"):
             self.copied.emit()
         elif wanted == "paste":
@@ -124,9 +124,9 @@ class LaneKeys(QObject):
         design, view = content.design, content.view
         aside = wanted == "nudge"
         by_s, by_tracks = (steps * STEP_S, 0) if aside else (0.0, steps)
-        outcome = edits.move_clips(design, view, view.selected_clips, by_s, by_tracks)
+        outcome = edits.move_clips(design, view, content.chosen, by_s, by_tracks)
         # One burst of nudges is one step of the history; other clips, or upright, are another.
-        nudged = (aside, view.selected_clips)
+        nudged = (aside, content.chosen)
         if nudged != self._nudged:
             self._burst.end()
             self._nudged = nudged

@@ -142,6 +142,7 @@ class LanesItem(pyqtgraph.GraphicsObject):
                 self._theme,
                 loudest=loudest[track.id],
                 selected=box.clip.id in chosen,
+                shown_elsewhere=box.clip.id in content.chosen,
                 handles=box.clip.id == self._hovered and box.rect.width() > 40,
                 view=lanes,
             )

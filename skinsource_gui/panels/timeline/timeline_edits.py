@@ -10,6 +10,7 @@ from skinsource.quoting import sentence
 from skinsource.view import View
 from skinsource.waveforms import Tone, Waveform
 from skinsource_gui.panels.timeline import clipboard
+from skinsource_gui.panels.timeline.content import chosen_clips
 
 _NO_CLIPS = Refusal(sentence="No clip is selected; click one in the timeline.")
 _NOTHING_TO_PASTE = Refusal(sentence="The clipboard holds no clips; copy some first, with Ctrl+C.")
@@ -45,7 +46,7 @@ class TimelineEdits(QObject):
 
     def copy(self) -> None:
         """Put the selected clips on the clipboard."""
-        fragment = edits.fragment_of(self._design, self._view.selected_clips)
+        fragment = edits.fragment_of(self._design, chosen_clips(self._design, self._view))
         if fragment is None:
             self._emit(_NO_CLIPS)
             return

@@ -51,9 +51,9 @@ def rest_of(
     neighbours_s
         Rising times to rest on: ends of other clips, playhead, markers.  They go before the grid.
     grid_s
-        Step of the grid; None: there is none.
+        Step of the grid, on which the first edge rests wherever it is; None: there is none.
     reach_s
-        From how far away an edge snaps.
+        From how far away an edge snaps to a time.
     """
     edges = tuple(edges_s)
     found: tuple[float, float, float] | None = None
@@ -67,8 +67,6 @@ def rest_of(
         return Rest(by_s=by_s)
     # The first edge alone follows the grid: it is where something starts.
     target = round((edges[0] + by_s) / grid_s) * grid_s
-    if abs(target - edges[0] - by_s) > reach_s:
-        return Rest(by_s=by_s)
     return Rest(by_s=target - edges[0])
 
 

@@ -145,3 +145,26 @@ def test_the_pointer_shows_what_can_be_dragged(lanes):
     assert cursor(box.topLeft() + QPointF(3, 3)) == Qt.CursorShape.SizeFDiagCursor
     assert cursor(box.topRight() + QPointF(-3, 3)) == Qt.CursorShape.SizeBDiagCursor
     assert cursor(lanes.at(0.62)) == Qt.CursorShape.ArrowCursor
+
+
+def test_an_end_can_be_caught_from_a_little_outside(lanes):
+    box = lanes.box(2)
+    lanes.drag(QPointF(box.right() + 3, box.center().y()), box.center(), ALT)
+    assert lanes.design.clip(2).duration_s < 0.15
+    cursor = lanes.lanes.mouse.cursor_at
+    box = lanes.box(3)
+    assert cursor(QPointF(box.left() - 3, box.center().y())) == Qt.CursorShape.SizeHorCursor
+
+
+def test_keys_act_on_the_clip_that_the_inspector_shows_where_none_is_selected(lanes):
+    lanes.click(lanes.at(0.62))
+    assert lanes.view.selected_clips == ()
+    lanes.key(Qt.Key.Key_M)
+    assert [one.muted for one in lanes.design.inputs[0].clips] == [True, False, False]
+
+
+def test_a_new_clip_lies_on_the_grid(lanes):
+    QTest.mouseDClick(lanes.lanes.viewport(), LEFT, pos=lanes.at(0.617, lane=1).toPoint())
+    onset_s = lanes.design.inputs[1].clips[-1].onset_s
+    steps = onset_s / lanes.content.grid_s
+    assert steps == pytest.approx(round(steps), abs=1e-6) or onset_s in (0.3, 0.5, 0.7)
