@@ -59,11 +59,13 @@ def paint_clip(
     if shown.width() >= _WORDS_FROM_PX:
         _write(painter, words_of(box), shown, theme, pale=pale)
     _paint_frame(painter, box.rect, shown, theme, colour, selected=selected)
+    if any(box.fades_px):
+        _paint_fades(painter, box, QColor(theme.text))
     if shown_elsewhere and not selected:
         painter.setPen(QPen(QColor(theme.accent), 2, Qt.PenStyle.DotLine))
         painter.drawRoundedRect(box.rect.adjusted(1, 1, -1, -1), _ROUNDING_PX, _ROUNDING_PX)
     if handles:
-        _paint_handles(painter, box.rect, QColor(theme.text))
+        _paint_handles(painter, box, QColor(theme.text))
 
 
 def _paint_body(
@@ -146,10 +148,24 @@ def _paint_frame(
     painter.drawRoundedRect(frame.adjusted(0.5, 0.5, -0.5, -0.5), _ROUNDING_PX, _ROUNDING_PX)
 
 
-def _paint_handles(painter: QPainter, rect: QRectF, colour: QColor) -> None:
+def _paint_fades(painter: QPainter, box: Box, colour: QColor) -> None:
+    rect, (in_px, out_px) = box.rect, box.fades_px
+    painter.setPen(QPen(colour, 1, Qt.PenStyle.DashLine))
+    if in_px > 0:
+        painter.drawLine(rect.bottomLeft(), rect.topLeft() + QPointF(in_px, 0))
+    if out_px > 0:
+        painter.drawLine(rect.bottomRight(), rect.topRight() - QPointF(out_px, 0))
+
+
+def _paint_handles(painter: QPainter, box: Box, colour: QColor) -> None:
+    rect, (in_px, out_px) = box.rect, box.fades_px
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(colour)
-    for corner, aside in ((rect.topLeft(), 1), (rect.topRight(), -1)):
+    fades = (
+        (rect.topLeft() + QPointF(in_px, 0), 1),
+        (rect.topRight() - QPointF(out_px, 0), -1),
+    )
+    for corner, aside in fades:
         ends = (
             corner,
             corner + QPointF(aside * 2 * _HANDLE_PX, 0),

@@ -7,6 +7,7 @@ from PySide6.QtCore import QPointF, QRectF
 
 from skinsource.clips import Clip
 from skinsource.design import Input
+from skinsource.edits.cutting import fades_of
 from skinsource_gui.widgets.time.time_scale import TimeScale
 
 #: Free space above and below a clip, px.
@@ -47,11 +48,12 @@ class Lane:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Box:
-    """A clip where it is painted."""
+    """A clip where it is painted, and how far its fades reach, px."""
 
     clip: Clip
     lane: Lane
     rect: QRectF
+    fades_px: tuple[float, float] = (0.0, 0.0)
 
 
 def boxes_of(
@@ -74,7 +76,10 @@ def boxes_of(
             left = scale.x(clip.onset_s)
             width = max(durations_s[clip.id] * scale.px_per_s, NARROWEST_PX)
             if left < last and left + width > first:
-                found.append(Box(clip=clip, lane=lane, rect=QRectF(left, top, width, height)))
+                rect = QRectF(left, top, width, height)
+                in_s, out_s = fades_of(clip) if clip.effects else (0.0, 0.0)
+                fades_px = (in_s * scale.px_per_s, out_s * scale.px_per_s)
+                found.append(Box(clip=clip, lane=lane, rect=rect, fades_px=fades_px))
     return found
 
 

@@ -140,7 +140,7 @@ class LaneMouse(QObject):
         box = content.box_at(at)
         if box is None:
             return Qt.CursorShape.ArrowCursor
-        part = part_at(box.rect, at)
+        part = part_at(box.rect, at, box.fades_px)
         if part is Part.BODY and self.busy:
             return Qt.CursorShape.ClosedHandCursor
         return CURSORS[part]
@@ -163,7 +163,7 @@ class LaneMouse(QObject):
             look=self.looked.emit,
             before=self._content(),
         )
-        part = part_at(box.rect, at)
+        part = part_at(box.rect, at, box.fades_px)
         if part is Part.BODY or held & Held.ControlModifier:
             return MoveClips(stage, box, at, rate_hz)
         ends = (Part.START, Part.END)

@@ -168,3 +168,28 @@ def test_a_new_clip_lies_on_the_grid(lanes):
     onset_s = lanes.design.inputs[1].clips[-1].onset_s
     steps = onset_s / lanes.content.grid_s
     assert steps == pytest.approx(round(steps), abs=1e-6) or onset_s in (0.3, 0.5, 0.7)
+
+
+def test_a_corner_fades_and_the_fade_is_caught_again_where_it_ends(lanes):
+    box = lanes.box(2)
+    corner = box.topLeft() + QPointF(3, 4)
+    lanes.drag(corner, corner + px(lanes, 0.05))
+    (fade,) = lanes.design.clip(2).effects
+    assert fade.in_s == pytest.approx(0.05, abs=0.003)
+    assert fade.out_s == 0.0
+    end = box.topLeft() + QPointF(3, 4) + px(lanes, 0.05)
+    assert lanes.lanes.mouse.cursor_at(end) == Qt.CursorShape.SizeFDiagCursor
+    lanes.drag(end, end + px(lanes, -0.02))
+    (fade,) = lanes.design.clip(2).effects
+    assert fade.in_s == pytest.approx(0.03, abs=0.004)
+
+
+@pytest.mark.parametrize("held", [ALT, SHIFT])
+def test_an_end_with_alt_or_shift_stretches(lanes, held):
+    lanes.lanes.set_snaps(False)
+    box = lanes.box(2)
+    end = QPointF(box.right() - 2, box.center().y())
+    lanes.drag(end, end + px(lanes, 0.1), held)
+    (stretch,) = lanes.design.clip(2).effects
+    assert lanes.design.clip(2).duration_s == pytest.approx(0.3, abs=0.004)
+    assert stretch.factor == pytest.approx(1.5, abs=0.02)

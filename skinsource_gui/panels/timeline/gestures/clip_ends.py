@@ -44,7 +44,10 @@ class _OneEnd:
 
 
 class MoveEnd(_OneEnd):
-    """Drags the start or the end of a clip: trims it; with Alt held stretches it."""
+    """Drags the start or the end of a clip: trims it; with Alt or Shift held stretches it.
+
+    Some desktops take Alt and a drag for themselves.
+    """
 
     def move(self, at: QPointF, held: Held) -> Shown:
         start_s, end_s = self._start_s, self._end_s
@@ -54,7 +57,8 @@ class MoveEnd(_OneEnd):
         else:
             rest = self._rest(at, end_s)
             end_s = max(end_s + rest.by_s, start_s + _SHORTEST_S)
-        act = edits.stretch_clip if held & Held.AltModifier else edits.trim_clip
+        stretches = held & (Held.AltModifier | Held.ShiftModifier)
+        act = edits.stretch_clip if stretches else edits.trim_clip
         design, view = self._stage.before.design, self._stage.content().view
         self._stage.edit(act(design, view, self._clip.id, start_s, end_s))
         return Shown(guide_s=rest.guide_s, words=value_text(end_s - start_s, "s", digits=5))
