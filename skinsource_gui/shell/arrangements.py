@@ -134,6 +134,19 @@ class Arrangements(QObject):
         if QApplication.activeWindow() is not self._window:
             self._window.activateWindow()
 
+    def bring(self, panel: str) -> None:
+        """Bring a hidden panel into sight: in the first arrangement that has room for it."""
+        dock = self._docks[panel]
+        if dock.isVisible():
+            return
+        places = self._places.get(panel, {})
+        room = next((one.name for one in ARRANGEMENTS if places.get(one.name)), None)
+        if room is None:
+            dock.show()
+            dock.raise_()
+        else:
+            self.show(room)
+
     def _place(self, panel: str, spec: ArrangementSpec) -> Place | None:
         return self._places.get(panel, {}).get(spec.name, Place(len(spec.columns) - 1))
 

@@ -1,9 +1,9 @@
 """Moves the keyboard from panel to panel."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QObject, Qt
-from PySide6.QtWidgets import QApplication, QDockWidget
+from PySide6.QtWidgets import QApplication
 
 from skinsource_gui.panel import Panel
 from skinsource_gui.shell.focus_order import tab_stops
@@ -16,11 +16,15 @@ class PanelFocus(QObject):
     ----------
     panels
         In the order in which the keyboard reaches them.
+    bring
+        Brings a panel into sight, by its name.
     """
 
-    def __init__(self, panels: Sequence[Panel], parent: QObject) -> None:
+    def __init__(
+        self, panels: Sequence[Panel], bring: Callable[[str], None], parent: QObject
+    ) -> None:
         super().__init__(parent)
-        self._panels = panels
+        self._panels, self._bring = panels, bring
 
     def next(self) -> None:
         """Go to the next panel."""
@@ -32,13 +36,8 @@ class PanelFocus(QObject):
 
     def show(self, name: str) -> None:
         """Bring a panel into sight, and go there."""
+        self._bring(name)
         panel = next(one for one in self._panels if one.name == name)
-        dock = panel.parentWidget()
-        while dock is not None and not isinstance(dock, QDockWidget):
-            dock = dock.parentWidget()
-        if dock is not None:
-            dock.show()
-            dock.raise_()
         panel.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def _go(self, step: int) -> None:

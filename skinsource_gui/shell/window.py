@@ -188,7 +188,7 @@ class MainWindow(QMainWindow):
             "levelling": self.levelling,
             "steps": self.document.undo_stack,
             "arrangements": self.arrangements,
-            "panel_focus": PanelFocus(self.panels, self),
+            "panel_focus": PanelFocus(self.panels, self.arrangements.bring, self),
             "appearance": self.appearance,
             "pages": self.pages,
             "frame": WindowFrame(self, self.document),

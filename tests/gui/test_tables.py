@@ -84,3 +84,11 @@ def test_room_is_shared_but_nobody_gets_less_than_is_needed(whole, shares, least
 def test_the_panels_menu_shows_and_hides_each_panel(window):
     menu = next(one for one in window.findChildren(QMenu) if one.title() == "Panels")
     assert entries(menu) == [spec.panel.title for spec in PANELS]
+
+
+def test_the_editor_of_a_clip_comes_with_room_for_it(window):
+    assert not window.panel("clip_editor").isVisible()
+    window.do("show_clip_editor")
+    assert window.panel("clip_editor").isVisible()
+    assert not window.panel("traces").isVisible()
+    assert window.panel("clip_editor").width() > window.width() / 2

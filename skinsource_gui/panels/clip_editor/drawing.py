@@ -44,9 +44,13 @@ class Drawing(QWidget):
         """Take over what there is to draw on."""
         self._design, self._view, self._clip, self._rate_hz = design, view, clip, rate_hz
 
+    def may_draw(self, clip: Clip) -> bool:
+        """Whether nothing need be asked before a clip is drawn on."""
+        return isinstance(clip.waveform, Drawn) or self._allowed == clip.id
+
     def is_allowed(self, clip: Clip) -> bool:
         """Whether a clip may become samples; asks, unless it is drawn or was asked before."""
-        if isinstance(clip.waveform, Drawn) or self._allowed == clip.id:
+        if self.may_draw(clip):
             return True
         answer = QMessageBox.question(
             self.parentWidget(),

@@ -65,6 +65,11 @@ class EditorView(pyqtgraph.GraphicsView):
         self.viewport().setCursor(tool.cursor)
         self.renew()
 
+    @property
+    def tool(self) -> Tool:
+        """The tool that is taken."""
+        return self._tool
+
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
         self._theme = theme
@@ -120,6 +125,12 @@ class EditorView(pyqtgraph.GraphicsView):
             self._tool.release(self.content)
         self._held = None
         self.renew()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        if self.content is not None and event.button() == Qt.MouseButton.LeftButton:
+            self._tool.double_click(self.content, event.position())
+            self.renew()
 
     def contextMenuEvent(self, event) -> None:
         # The right button belongs to the tools.

@@ -113,6 +113,8 @@ class ClipEditorPanel(Panel):
             tool = "look"
         self._canvas.use(self._tools[tool])
         self._toolbar.show_tool(tool)
+        # A question may have taken the keyboard away.
+        self._canvas.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _connect(self) -> None:
         self._toolbar.tool_wanted.connect(self.use)
@@ -131,6 +133,9 @@ class ClipEditorPanel(Panel):
         if clip is None:
             self._canvas.show_clip(None, None, None, self._rate_hz)
             return
+        if self._canvas.tool is self._pen and not self._drawing.may_draw(clip):
+            # Another clip than the one that was asked about.
+            self.use("look")
         raw = self._sampled(clip)
         played = self._waveforms.get(clip.id)
         if not clip.effects and raw is not None:

@@ -283,3 +283,23 @@ def test_the_value_under_the_pointer_is_read(tone):
     QTest.mouseMove(tone.canvas.viewport(), _whole(tone.at(0.1, 0.0)))
     tone.canvas._tool.move(tone.canvas.content, QPointF(tone.at(0.1, 0.0)), NONE)
     assert not tone.panel.grab().isNull()
+
+
+def test_a_double_click_puts_a_point_anywhere(tone):
+    QTest.mouseDClick(tone.canvas.viewport(), LEFT, NONE, _whole(tone.at(0.1, 0.5)))
+    assert len(points(tone)) == 2
+    assert points(tone)[1][:2] == pytest.approx((0.1, 0.5), abs=0.02)
+
+
+def test_a_drag_of_the_level_end_pulls_a_new_point_and_not_all(tone):
+    tone.drag((0.1, 1.0), (0.1, 0.4))
+    assert points(tone)[0][:2] == (0.0, 1.0)
+    assert points(tone)[1][1] == pytest.approx(0.4, abs=0.02)
+    assert len(set(tone.steps)) == 1
+
+
+def test_another_clip_takes_the_pen_away(flat):
+    flat.drag((0.05, 0.0), (0.08, 0.5))
+    flat.design = flat.design.with_clip(1, waveform=Tone(100.0, 0.0, 0.2))
+    flat.show()
+    assert flat.canvas.tool is flat.panel._tools["look"]

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from skinsource.effects import Envelope
 from skinsource.effects import breakpoints as algebra
@@ -22,6 +22,7 @@ from skinsource_gui.widgets.plot.ticks import number_text
 CATCH_PX = 9.0
 _POINT_PX, _HOVERED_PX = 3.5, 5.0
 _FINE = 0.1
+_HOW = "Double click to add a point, or click the line; drag points to shape the envelope"
 
 
 @dataclass(slots=True)
@@ -31,8 +32,11 @@ class _Drag:
     start: tuple[float, float]
     number: int
     upright: bool = False
+    added: bool = False
     box: QPointF | None = None
     moved: bool = False
+    # The points without the one that the press added.
+    before: Points = ()
 
 
 class EnvelopeTool(QObject):
@@ -84,9 +88,14 @@ class EnvelopeTool(QObject):
             following = SEGMENTS[(here + 1) % len(SEGMENTS)]
             self.changed.emit(algebra.with_segment(points, segment, following), None)
         else:
-            # A click adds a point on the curve; a drag moves the segment up and down.
-            ends = tuple(k for k in (segment, segment + 1) if 0 <= k < len(points))
-            self._drag = _Drag(points, ends, start, number, upright=True)
+            # A click adds a point on the curve; a drag moves the segment up and down, or, where the
+            # curve is level before the first or after the last point, the new point alone.
+            if 0 <= segment < len(points) - 1:
+                self._drag = _Drag(points, (segment, segment + 1), start, number, upright=True)
+            else:
+                added = algebra.with_point(points, max(start[0], 0.0))
+                index = 0 if segment < 0 else len(added) - 1
+                self._drag = _Drag(added, (index,), start, number, added=True, before=points)
 
     def move(self, content: EditorContent, at: QPointF, held: Held) -> None:
         self._pointer = at
@@ -117,17 +126,31 @@ class EnvelopeTool(QObject):
         drag, self._drag = self._drag, None
         if drag is None or drag.moved:
             return
-        if drag.upright:
+        if drag.added:
+            self.chosen = drag.chosen
+            self.changed.emit(drag.points, None)
+        elif drag.upright:
             points = algebra.with_point(drag.points, drag.start[0])
             self.chosen = tuple(k for k, one in enumerate(points) if one not in drag.points)
             self.changed.emit(points, None)
         elif drag.box is not None:
             self.chosen = ()
 
+    def double_click(self, content: EditorContent, at: QPointF) -> None:
+        """Put a point there, wherever the curve is."""
+        if _point_at(content, self._points(), at) is not None:
+            return
+        time_s, value = content.place(at)
+        added = algebra.with_point(self._points(), max(time_s, 0.0))
+        index = sum(one[0] < max(time_s, 0.0) - 1e-9 for one in added)
+        by_value = max(value, 0.0) - added[index][1]
+        self.chosen = (index,)
+        self.changed.emit(algebra.moved(added, (index,), 0.0, by_value), None)
+
     def cancel(self) -> bool:
         drag, self._drag = self._drag, None
         if drag is not None and drag.moved and drag.box is None:
-            self.changed.emit(drag.points, drag.number)
+            self.changed.emit(drag.before or drag.points, drag.number)
         return drag is not None
 
     def nudge(self, by_s: float, by_value: float, gesture: int) -> None:
@@ -169,16 +192,27 @@ class EnvelopeTool(QObject):
     def _write(
         self, painter: QPainter, content: EditorContent, points: Points, theme: Theme
     ) -> None:
+        if len(points) == 1 and not self.chosen:
+            painter.setPen(QColor(theme.text))
+            flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom
+            painter.drawText(content.area.adjusted(0, 0, 0, -6), flags, _HOW)
         if len(self.chosen) != 1 or self.chosen[0] >= len(points):
             return
         time_s, value, kind = points[self.chosen[0]]
         words = f"{value_text(time_s, 's', digits=5)} · {number_text(value, 3)} · {kind}"
-        painter.setPen(QColor(theme.text))
         at = content.at(time_s, value)
         flags = Qt.AlignmentFlag.AlignCenter
-        room = QRectF(at.x() - 90, at.y() - 24, 180, 16)
-        room.moveLeft(min(max(room.left(), content.area.left()), content.area.right() - 180))
-        room.moveTop(max(room.top(), content.area.top()))
+        line = QFontMetricsF(painter.font())
+        width, height = line.horizontalAdvance(words) + 12, line.height() + 4
+        area = content.area
+        left = min(max(at.x() - width / 2, area.left() + 2), area.right() - width - 2)
+        # Below the point where there is no room above it.
+        top = at.y() - height - 10 if at.y() - height - 10 > area.top() else at.y() + 10
+        room = QRectF(left, top, width, height)
+        painter.setBrush(QColor(theme.raised))
+        painter.setPen(QPen(QColor(theme.border), 1))
+        painter.drawRect(room)
+        painter.setPen(QColor(theme.text))
         painter.drawText(room, flags, words)
 
     def _remove(self, indices: tuple[int, ...]) -> None:

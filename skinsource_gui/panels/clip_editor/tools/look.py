@@ -35,6 +35,9 @@ class Look(QObject):
     def release(self, content: EditorContent) -> None:
         self._from = None
 
+    def double_click(self, content: EditorContent, at: QPointF) -> None:
+        """Nothing more than a click."""
+
     def cancel(self) -> bool:
         had, self._from = self._from is not None, None
         return had

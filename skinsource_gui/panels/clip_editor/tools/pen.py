@@ -73,6 +73,9 @@ class Pen(QObject):
     def release(self, content: EditorContent) -> None:
         self._first = None
 
+    def double_click(self, content: EditorContent, at: QPointF) -> None:
+        """Nothing more than a click."""
+
     def cancel(self) -> bool:
         if self._first is None:
             return False

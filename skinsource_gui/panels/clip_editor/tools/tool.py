@@ -25,6 +25,9 @@ class Tool(Protocol):
     def release(self, content: EditorContent) -> None:
         """The button went up."""
 
+    def double_click(self, content: EditorContent, at: QPointF) -> None:
+        """The left button was pressed twice."""
+
     def cancel(self) -> bool:
         """Give up what has begun; whether anything had."""
 
