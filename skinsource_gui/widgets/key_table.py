@@ -74,7 +74,7 @@ WIDGET_KEYS: dict[str, tuple[str, tuple[KeyHint, ...]]] = {
         ),
     ),
     "inputs": (
-        "In the list of inputs",
+        "On the heads of tracks",
         (
             KeyHint(
                 name="go",

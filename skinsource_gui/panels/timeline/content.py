@@ -60,13 +60,14 @@ class Content:
 
     @cached_property
     def boxes(self) -> list[Box]:
-        """Clips that can be seen, in painting order."""
+        """Clips that can be seen, in painting order: the selected ones lie on top."""
         seen = [
             one
             for one in self.lanes
             if one.bottom_px > self.ruler_px and one.top_px < self.height_px
         ]
-        return boxes_of(seen, self.scale, self.durations_s)
+        boxes = boxes_of(seen, self.scale, self.durations_s)
+        return sorted(boxes, key=lambda box: box.clip.id in self.view.selected_clips)
 
     @cached_property
     def whole_s(self) -> Range:

@@ -1,5 +1,7 @@
 """The ruler over the lanes."""
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
@@ -35,14 +37,19 @@ def paint_ruler(painter: QPainter, content: Content, room: QRectF, theme: Theme)
     painter.fillRect(room, QColor(theme.window))
     if content.design.loop_s is not None:
         _paint_loop(painter, content, room, theme)
-    _paint_ticks(painter, content.scale, room, theme)
+    taken = []
     for marker in content.design.markers:
-        _paint_marker(painter, content.scale.x(marker.time_s), marker.name, room, theme)
+        x = content.scale.x(marker.time_s)
+        taken.append(_paint_marker(painter, x, marker.name, room, theme))
+    _paint_ticks(painter, content.scale, room, theme, taken)
     painter.setPen(QPen(QColor(theme.border), 1))
     painter.drawLine(QLineF(room.left(), room.bottom() - 0.5, room.right(), room.bottom() - 0.5))
 
 
-def _paint_ticks(painter: QPainter, scale: TimeScale, room: QRectF, theme: Theme) -> None:
+def _paint_ticks(
+    painter: QPainter, scale: TimeScale, room: QRectF, theme: Theme, taken: Sequence[QRectF]
+) -> None:
+    """Paint ticks, and their numbers where no marker's name stands."""
     metrics = QFontMetricsF(painter.font())
     unit, ticks = ticks_of(scale)
     painter.setPen(QColor(theme.dim))
@@ -56,7 +63,9 @@ def _paint_ticks(painter: QPainter, scale: TimeScale, room: QRectF, theme: Theme
         painter.drawLine(QLineF(x, room.bottom() - 5, x, room.bottom()))
         width = metrics.horizontalAdvance(tick.label)
         left = max(x - width / 2, room.left() + 2)
-        if left >= free_from and left + width < unit_left - _GAP_PX:
+        number = QRectF(left, room.top(), width, metrics.height())
+        free = not any(name.intersects(number) for name in taken)
+        if free and left >= free_from and left + width < unit_left - _GAP_PX:
             painter.drawText(QPointF(left, room.top() + metrics.ascent() + 1), tick.label)
             free_from = left + width + _GAP_PX
 
@@ -73,9 +82,10 @@ def _paint_loop(painter: QPainter, content: Content, room: QRectF, theme: Theme)
             painter.drawLine(QLineF(x, room.bottom() - 10, x, room.bottom()))
 
 
-def _paint_marker(painter: QPainter, x: float, name: str, room: QRectF, theme: Theme) -> None:
+def _paint_marker(painter: QPainter, x: float, name: str, room: QRectF, theme: Theme) -> QRectF:
+    """Paint a flag and a name; where they are."""
     if not room.left() - 200 <= x <= room.right():
-        return
+        return QRectF()
     metrics = QFontMetricsF(painter.font())
     colour = QColor(theme.warning)
     painter.setPen(QPen(colour, 1))
@@ -90,3 +100,4 @@ def _paint_marker(painter: QPainter, x: float, name: str, room: QRectF, theme: T
     ground = QRectF(x + 8, room.top(), metrics.horizontalAdvance(shown) + 4, metrics.height())
     painter.fillRect(ground, QColor(theme.window))
     painter.drawText(ground, Qt.AlignmentFlag.AlignCenter, shown)
+    return ground.adjusted(-10, 0, 2, 0)

@@ -1,4 +1,4 @@
-"""A list of inputs that scrolls."""
+"""Heads of tracks, in a list that scrolls."""
 
 from collections.abc import Sequence
 from dataclasses import replace

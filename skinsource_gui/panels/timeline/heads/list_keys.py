@@ -1,4 +1,4 @@
-"""What keys mean in the list of inputs."""
+"""What keys mean on the heads of tracks."""
 
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent

@@ -1,4 +1,4 @@
-"""What the mouse means in the list of inputs."""
+"""What the mouse means on the heads of tracks."""
 
 from dataclasses import dataclass
 

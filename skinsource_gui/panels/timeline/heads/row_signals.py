@@ -1,4 +1,4 @@
-"""What rows of the list of inputs tell."""
+"""What heads of tracks tell."""
 
 from PySide6.QtCore import QObject, Signal
 

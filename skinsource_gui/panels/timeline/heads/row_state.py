@@ -1,4 +1,4 @@
-"""What a row of the list of inputs shows."""
+"""What the head of a track shows."""
 
 from dataclasses import dataclass
 
