@@ -138,8 +138,8 @@ class ReadingProcess:
                 break
             try:
                 height, width, kind = answer["block"]
-                part = np.frombuffer(content, {"f4": "<f4", "f8": "<f8"}[kind])
-                part = part.reshape(height, width)
+                flat = np.frombuffer(content, {"f4": "<f4", "f8": "<f8"}[kind])
+                part = flat.reshape(height, width)
                 if not width:
                     continue
                 if not found.size:

@@ -92,4 +92,5 @@ class PulseTrain:
 
     def _series(self, harmonics: Floats) -> Complexes:
         half = pi * np.remainder(harmonics * self._duty, 2.0)
-        return 2.0 / (pi * harmonics) * np.sin(half) * np.exp(-1j * half)
+        turned: Complexes = np.exp(-1j * half)
+        return turned * (2.0 / (pi * harmonics) * np.sin(half))

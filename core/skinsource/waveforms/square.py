@@ -75,4 +75,5 @@ class Square:
 
     def _series(self, harmonics: Floats) -> Complexes:
         half = pi * np.remainder(harmonics * self.duty, 2.0)
-        return 4.0 / (pi * harmonics) * np.sin(half) * np.exp(-1j * half)
+        turned: Complexes = np.exp(-1j * half)
+        return turned * (4.0 / (pi * harmonics) * np.sin(half))
