@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from PySide6.QtCore import QObject, QSize, Qt, Signal
-from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QScrollArea
+from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QScrollArea, QWidget
 
 _ACROSS, _DOWN = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
 # Title and frame of a dock; what lies above and below all docks.
@@ -119,6 +119,7 @@ class Arrangements(QObject):
     def show(self, name: str) -> None:
         """Take up the arrangement ``name``; the first one where it is not known."""
         spec = next((one for one in ARRANGEMENTS if one.name == name), ARRANGEMENTS[0])
+        focused = QApplication.focusWidget()
         self.chosen.emit(spec)
         self.text_scaled.emit(spec.text_scale)
         shown = {panel: self._place(panel, spec) for panel in self._docks}
@@ -130,22 +131,39 @@ class Arrangements(QObject):
             dock.setVisible(shown[panel] is not None)
         seen = [[one for one in column if shown[one]] for column in columns]
         self._share_room([column for column in seen if column], foot, shown, spec)
+        self._give_back(focused, shown)
         # A panel that was a window of its own may have had the keyboard.
         if QApplication.activeWindow() is not self._window:
             self._window.activateWindow()
+
+    def _give_back(self, focused: QWidget | None, shown: Mapping[str, Place | None]) -> None:
+        """Give the keyboard back to who had it in a panel, or to the first panel in sight.
+
+        Docks that move lose it to whatever comes next: then keys would change another thing.
+        """
+        docks = [dock for panel, dock in self._docks.items() if shown[panel]]
+        if focused is None or not any(one.isAncestorOf(focused) for one in self._docks.values()):
+            return
+        if any(dock.isAncestorOf(focused) for dock in docks):
+            focused.setFocus(Qt.FocusReason.OtherFocusReason)
+        elif docks:
+            _content(docks[0]).setFocus(Qt.FocusReason.OtherFocusReason)
 
     def bring(self, panel: str) -> None:
         """Bring a hidden panel into sight: in the first arrangement that has room for it."""
         dock = self._docks[panel]
         if dock.isVisible():
             return
-        places = self._places.get(panel, {})
-        room = next((one.name for one in ARRANGEMENTS if places.get(one.name)), None)
+        places = zip(ARRANGEMENTS, self._places_of(panel), strict=True)
+        room = next((one.name for one, place in places if place), None)
         if room is None:
             dock.show()
             dock.raise_()
         else:
             self.show(room)
+
+    def _places_of(self, panel: str) -> list[Place | None]:
+        return [self._place(panel, one) for one in ARRANGEMENTS]
 
     def _place(self, panel: str, spec: ArrangementSpec) -> Place | None:
         return self._places.get(panel, {}).get(spec.name, Place(len(spec.columns) - 1))
@@ -215,10 +233,14 @@ class Arrangements(QObject):
 
     def _least(self, panel: str) -> QSize:
         """Return the least room in which nothing of the panel has to scroll."""
-        inside = self._docks[panel].widget()
-        content = inside.widget() if isinstance(inside, QScrollArea) else inside
+        content = _content(self._docks[panel])
         size = content.minimumSize().expandedTo(content.minimumSizeHint())
         return size + QSize(_EDGE_PX, _TITLE_PX)
+
+
+def _content(dock: QDockWidget) -> QWidget:
+    inside = dock.widget()
+    return inside.widget() if isinstance(inside, QScrollArea) else inside
 
 
 def shared(whole: int, shares: Sequence[int], least: Sequence[int]) -> list[int]:

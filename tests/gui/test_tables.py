@@ -1,7 +1,7 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtWidgets import QMenu, QTextBrowser
+from PySide6.QtWidgets import QApplication, QMenu, QTextBrowser
 
 from skinsource.view import View
 from skinsource_gui.files.exports import EXPORTS
@@ -92,3 +92,16 @@ def test_the_editor_of_a_clip_comes_with_room_for_it(window, qtbot):
     assert window.panel("clip_editor").isVisible()
     assert not window.panel("traces").isVisible()
     qtbot.waitUntil(lambda: window.panel("clip_editor").width() > window.width() / 2)
+
+
+@pytest.mark.parametrize("name", ["drawing", "analysis", "design"])
+def test_another_arrangement_leaves_the_keyboard_with_the_panels(window, qtbot, settle, name):
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    window.panel("timeline").setFocus()
+    window.do(f"arrange_{name}")
+    settle()
+    focused = QApplication.focusWidget()
+    assert any(panel.isAncestorOf(focused) for panel in window.panels if panel.isVisible())
+    if name != "analysis":
+        assert window.panel("timeline").isAncestorOf(focused)

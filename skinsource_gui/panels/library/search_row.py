@@ -29,6 +29,7 @@ class SearchRow(QWidget):
         self.line.returnPressed.connect(self.accepted)
         self.line.installEventFilter(self)
         self.tags.setObjectName("preset_tags")
+        self.tags.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.tags.setAccessibleName("Tag")
         self.tags.setToolTip("Only presets with this tag")
         self.tags.setSizeAdjustPolicy(

@@ -11,7 +11,7 @@ from skinsource_gui.widgets.key_table import key_text
 from skinsource_gui.widgets.pan_zoom import WHOLE
 
 # As narrow as they are, all buttons fit into the narrowest panel.
-_ICON_BUTTON_PX = 29
+_ICON_BUTTON_PX = 33
 
 
 class MapToolbar(QWidget):

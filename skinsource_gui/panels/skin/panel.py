@@ -72,7 +72,7 @@ class SkinPanel(Panel):
         grid.addWidget(self.readout, 3, 0, 1, 2)
         grid.setRowStretch(1, 1)
         grid.setColumnStretch(0, 1)
-        self.setMinimumSize(250, 300)
+        self.setMinimumSize(258, 300)
         self.setFocusProxy(self.map)
         self._connect()
         self.toolbar.show_settings(self._choices.settings)

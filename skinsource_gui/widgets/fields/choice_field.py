@@ -63,8 +63,10 @@ class ChoiceField(QComboBox):
     @property
     def shown_text(self) -> str:
         """The words for the choice."""
-        strange = f"{printable(self._strange)} (not available)"
-        return strange if self.currentIndex() < 0 else self.currentText()
+        if self.currentIndex() >= 0:
+            return self.currentText()
+        # Without any choice there is nothing that could be missing.
+        return f"{printable(self._strange)} (not available)" if self._strange else "Nothing yet"
 
     def choose(self, option: str) -> None:
         """Choose an option, as a user does."""

@@ -163,3 +163,12 @@ def test_the_field_shows_the_picture_of_its_kind_in_each_theme(field):
             found, expected = field.itemIcon(field.currentIndex()), waveform_icon(kind, theme)
             assert np.array_equal(ink(found), ink(expected))
             assert found.cacheKey() == expected.cacheKey()
+
+
+def test_where_nothing_is_chosen_the_field_says_so(qtbot):
+    field = KindField(kind_spec())
+    qtbot.addWidget(field)
+    field.set_value("")
+    assert field.shown_text == "Nothing yet"
+    field.set_value("Formant")
+    assert field.shown_text == "Formant (not available)"
