@@ -2,15 +2,12 @@
 
 from dataclasses import dataclass
 
-# Clips hold waveforms, and `Layers`, a waveform, holds clips: what is not needed to make the class
-# is looked up in the packages when it is used.
-from skinsource import effects as effect_recipes
-from skinsource import fields, waveforms
+from skinsource import fields
 from skinsource.arrays import Floats
-from skinsource.effects.effect import Effect
+from skinsource.effects import Effect, effect_kinds, placed, played, played_s
 from skinsource.fields import ListSpec, NumberSpec, RecipeSpec, SwitchSpec, TextSpec
-from skinsource.waveforms.tone import Tone
-from skinsource.waveforms.waveform import Waveform
+from skinsource.synthesis.known_kinds import first_kind, known_kinds
+from skinsource.synthesis.waveform import Waveform
 
 #: Effects in the chain of one clip.
 MAX_EFFECTS = 32
@@ -25,10 +22,10 @@ GAIN = NumberSpec(
     step=0.05,
     hint="How strong beside the other clips of its track; a negative gain turns the polarity",
 )
-WAVEFORM = RecipeSpec(label="Waveform", kinds=lambda: waveforms.kinds())
+WAVEFORM = RecipeSpec(label="Waveform", kinds=known_kinds)
 EFFECT_LIST = ListSpec(
     label="Effects",
-    of=RecipeSpec(label="Effect", kinds=lambda: effect_recipes.effect_kinds()),
+    of=RecipeSpec(label="Effect", kinds=effect_kinds),
     most=MAX_EFFECTS,
 )
 MUTED = SwitchSpec(label="Mute", hint="A muted clip is silent")
@@ -47,7 +44,7 @@ class Clip:
     gain
         Factor beside the other clips of the track.
     waveform
-        What it plays.
+        What it plays; a tone, unless told otherwise.
     effects
         What is done to that, one after the other.
     muted
@@ -61,7 +58,7 @@ class Clip:
 
     onset_s: float = fields.number(0.0, ONSET)
     gain: float = fields.number(1.0, GAIN)
-    waveform: Waveform = fields.field(WAVEFORM, Tone())
+    waveform: Waveform = fields.field(WAVEFORM, factory=first_kind)
     effects: tuple[Effect, ...] = fields.field(EFFECT_LIST, ())
     muted: bool = fields.switch(False, MUTED)
     label: str = fields.text("", LABEL)
@@ -73,7 +70,7 @@ class Clip:
     @property
     def duration_s(self) -> float:
         """How long it plays, after its effects."""
-        return effect_recipes.played_s(self.waveform, self.effects)
+        return played_s(self.waveform, self.effects)
 
     @property
     def end_s(self) -> float:
@@ -85,9 +82,7 @@ class Clip:
 
         ``shift_s`` later than it says: less than a sample.
         """
-        first, own_shift_s = effect_recipes.placed(
+        first, own_shift_s = placed(
             self.waveform, self.effects, self.onset_s + shift_s, sample_rate_hz
         )
-        return first, effect_recipes.played(
-            self.waveform, self.effects, sample_rate_hz, own_shift_s
-        )
+        return first, played(self.waveform, self.effects, sample_rate_hz, own_shift_s)

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from skinsource.arrays import Floats
 from skinsource.effects.effect import Effect
 from skinsource.sampling import NEAR, on_grid
-from skinsource.waveforms.waveform import Waveform
+from skinsource.synthesis.waveform import Waveform
 
 #: Samples of a waveform at a rate, with a shift.
 Draw = Callable[[Waveform, float, float], Floats]

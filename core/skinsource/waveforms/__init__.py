@@ -4,6 +4,8 @@ A waveform is a frozen dataclass with fields from `skinsource.fields`, and every
 `Waveform` names.  To add one: write a file beside these, and name its class in `COMMON` or `MORE`.
 """
 
+from skinsource.synthesis.known_kinds import tell_kinds
+from skinsource.synthesis.waveform import Waveform
 from skinsource.waveforms.amplitude_modulated import AmplitudeModulated
 from skinsource.waveforms.centred_tap import CentredTap
 from skinsource.waveforms.chirp import Chirp
@@ -27,7 +29,6 @@ from skinsource.waveforms.square import Square
 from skinsource.waveforms.tap import Tap
 from skinsource.waveforms.tone import Tone
 from skinsource.waveforms.triangle import Triangle
-from skinsource.waveforms.waveform import Waveform
 from skinsource.waveforms.wavelet_train import WaveletTrain
 
 #: The eight kinds that a menu of waveforms shows at once, in the order in which a user meets them.
@@ -66,6 +67,9 @@ KINDS: tuple[type[Waveform], ...] = (*COMMON, *MORE)
 def kinds() -> tuple[type[Waveform], ...]:
     """Every kind of waveform that there is now; whoever needs them asks when he does."""
     return KINDS
+
+
+tell_kinds(kinds)
 
 
 __all__ = [
