@@ -1,8 +1,7 @@
 """The part of the editor in which a clip is drawn."""
 
-import pyqtgraph
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen, QWheelEvent
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from skinsource.arrays import Floats
@@ -10,8 +9,8 @@ from skinsource.clips import Clip
 from skinsource_gui.panels.clip_editor.content import EditorContent, reach_of
 from skinsource_gui.panels.clip_editor.editor_item import EditorItem
 from skinsource_gui.panels.clip_editor.tools.tool import Tool
-from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
-from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.theme import Theme, scaled, tabular
+from skinsource_gui.widgets.plot.canvas import Canvas
 from skinsource_gui.widgets.time.time_scale import Range, TimeScale, panned, within, zoomed
 from skinsource_gui.widgets.wheel import NOTCH, ZOOM_PER_NOTCH
 
@@ -23,24 +22,23 @@ _LEAST_S = 0.01
 _PAN_PART = 0.1
 
 
-class EditorView(pyqtgraph.GraphicsView):
+class EditorView(Canvas):
     """One clip over its own time; the tool decides what the pointer does."""
+
+    key_place = "clip_editor"
 
     #: A key that belongs to the editor, as Qt tells it.
     key_pressed = Signal(object)
 
     def __init__(self, tool: Tool, parent: QWidget | None = None) -> None:
-        pyqtgraph.setConfigOption("mouseRateLimit", 0)
         super().__init__(parent)
         self.setObjectName("clip_editor_view")
         self.setAccessibleName("Waveform of the clip")
         self.setMouseTracking(True)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMinimumSize(160, 80)
         self.item = EditorItem()
         self.addItem(self.item)
         self._tool = tool
-        self._theme = LIGHT
         self._clip: Clip | None = None
         self._drawn: Floats | None = None
         self._played: Floats | None = None
@@ -56,14 +54,14 @@ class EditorView(pyqtgraph.GraphicsView):
         if clip is None or self._clip is None or clip.id != self._clip.id:
             self._shown_s = None
         self._clip, self._drawn, self._played, self._rate_hz = clip, drawn, played, rate_hz
-        self.renew()
+        self.lay_out()
 
     def use(self, tool: Tool) -> None:
         """Take another tool."""
         self._tool.cancel()
         self._tool = tool
         self.viewport().setCursor(tool.cursor)
-        self.renew()
+        self.lay_out()
 
     @property
     def tool(self) -> Tool:
@@ -72,8 +70,7 @@ class EditorView(pyqtgraph.GraphicsView):
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
-        self._theme = theme
-        self.setBackground(QColor(theme.base))
+        self.set_ground(theme)
         self.item.show_look(theme, scaled(tabular(self.font()), _TEXT))
 
     def pan(self, by_s: float) -> None:
@@ -95,12 +92,8 @@ class EditorView(pyqtgraph.GraphicsView):
         """Give up what the tool has begun; whether anything had."""
         given_up = self._tool.cancel()
         self._held = None
-        self.renew()
+        self.lay_out()
         return given_up
-
-    def claims(self, event: QKeyEvent) -> bool:
-        """Whether the editor wants this key for itself."""
-        return bool(meant("clip_editor", event))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.setFocus(Qt.FocusReason.MouseFocusReason)
@@ -111,7 +104,7 @@ class EditorView(pyqtgraph.GraphicsView):
         # Nothing moves under the pen, however long or loud the clip becomes.
         self._held = (content.scale.shown_s, content.reach)
         self._tool.press(content, event.position(), event.button(), event.modifiers())
-        self.renew()
+        self.lay_out()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         event.accept()
@@ -124,13 +117,13 @@ class EditorView(pyqtgraph.GraphicsView):
         if self.content is not None:
             self._tool.release(self.content)
         self._held = None
-        self.renew()
+        self.lay_out()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         event.accept()
         if self.content is not None and event.button() == Qt.MouseButton.LeftButton:
             self._tool.double_click(self.content, event.position())
-            self.renew()
+            self.lay_out()
 
     def contextMenuEvent(self, event) -> None:
         # The right button belongs to the tools.
@@ -150,14 +143,6 @@ class EditorView(pyqtgraph.GraphicsView):
             factor = ZOOM_PER_NOTCH ** (turns.y() / NOTCH)
             self._see(zoomed(shown, anchor_s, factor, self._whole_s))
 
-    def event(self, event: QEvent) -> bool:
-        # These keys are this editor's while it has the focus, whatever the window's actions are.
-        is_shortcut = event.type() == QEvent.Type.ShortcutOverride
-        if is_shortcut and isinstance(event, QKeyEvent) and self.claims(event):
-            event.accept()
-            return True
-        return super().event(event)
-
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self.cancel():
             return
@@ -170,29 +155,7 @@ class EditorView(pyqtgraph.GraphicsView):
             self._tool.move(self.content, QPointF(-1, -1), Qt.KeyboardModifier.NoModifier)
             self.item.update()
 
-    def resizeEvent(self, event) -> None:
-        super().resizeEvent(event)
-        if event is not None:
-            self.renew()
-
-    def paintEvent(self, event) -> None:
-        super().paintEvent(event)
-        if self.hasFocus():
-            painter = QPainter(self.viewport())
-            painter.setPen(QPen(QColor(self._theme.accent), 1))
-            painter.drawRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5))
-            painter.end()
-
-    def focusInEvent(self, event) -> None:
-        super().focusInEvent(event)
-        self.viewport().update()
-
-    def focusOutEvent(self, event) -> None:
-        super().focusOutEvent(event)
-        self.viewport().update()
-
-    def renew(self) -> None:
-        """Lay out and paint anew."""
+    def lay_out(self) -> None:
         self.content = None if self._clip is None else self._made(self._clip)
         self.item.show_content(self.content, self._tool, QRectF(self.rect()))
 
@@ -204,7 +167,7 @@ class EditorView(pyqtgraph.GraphicsView):
 
     def _see(self, shown_s: Range | None) -> None:
         self._shown_s = shown_s
-        self.renew()
+        self.lay_out()
 
     def _made(self, clip: Clip) -> EditorContent:
         area = QRectF(self.rect()).adjusted(_LEFT_PX, _TOP_PX, -_RIGHT_PX, -_BOTTOM_PX)

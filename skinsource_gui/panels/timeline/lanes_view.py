@@ -3,9 +3,8 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
-import pyqtgraph
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen, QWheelEvent
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from skinsource.arrays import Floats
@@ -18,7 +17,8 @@ from skinsource_gui.panels.timeline.lane import Lane
 from skinsource_gui.panels.timeline.lane_keys import LaneKeys
 from skinsource_gui.panels.timeline.lane_mouse import LaneMouse
 from skinsource_gui.panels.timeline.lanes_item import LanesItem
-from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
+from skinsource_gui.theme import Theme, scaled, tabular
+from skinsource_gui.widgets.plot.canvas import Canvas
 from skinsource_gui.widgets.time.time_scale import Range, TimeScale, panned, within, zoomed
 from skinsource_gui.widgets.wheel import NOTCH, ZOOM_PER_NOTCH
 
@@ -27,7 +27,7 @@ _TEXT = 0.9
 _PAN_PART = 0.1
 
 
-class LanesView(pyqtgraph.GraphicsView):
+class LanesView(Canvas):
     """Lanes and a ruler; tells what the mouse and keys ask for.
 
     Attributes
@@ -40,23 +40,22 @@ class LanesView(pyqtgraph.GraphicsView):
         A free drag goes by whole samples of this rate.
     """
 
+    key_place = "timeline"
+
     looked = Signal(object)
     #: Lanes are to be scrolled by so many notches.
     scroll_wanted = Signal(float)
     menu_wanted = Signal(object, object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        pyqtgraph.setConfigOption("mouseRateLimit", 0)
         super().__init__(parent)
         self.setObjectName("lanes")
         self.setAccessibleName("Timeline")
         self.setMouseTracking(True)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMinimumSize(120, 60)
         self.item = LanesItem()
         self.addItem(self.item)
         self.sample_rate_hz = SAMPLE_RATE_HZ
-        self._theme = LIGHT
         self._design, self._view = Design(limb=""), View()
         self._lanes: tuple[Lane, ...] = ()
         self._waveforms: Mapping[int, Floats] = {}
@@ -78,23 +77,22 @@ class LanesView(pyqtgraph.GraphicsView):
     def show_state(self, design: Design, view: View, lanes: tuple[Lane, ...]) -> None:
         """Show another design or view; lanes in coordinates of this widget."""
         self._design, self._view, self._lanes = design, view, lanes
-        self._renew()
+        self.lay_out()
 
     def show_waveforms(self, waveforms: Mapping[int, Floats]) -> None:
         """What clips play, (n_times,) each, by their id."""
         self._waveforms = waveforms
-        self._renew()
+        self.lay_out()
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
-        self._theme = theme
-        self.setBackground(QColor(theme.base))
+        self.set_ground(theme)
         self.item.show_look(theme, scaled(tabular(self.font()), _TEXT))
 
     def set_snaps(self, snaps: bool) -> None:
         """Whether edges snap."""
         self.snaps = snaps
-        self._renew()
+        self.lay_out()
 
     def zoom(self, factor: float, anchor_s: float | None = None) -> None:
         """See a part so many times narrower: around a time, the playhead, or the middle."""
@@ -160,13 +158,6 @@ class LanesView(pyqtgraph.GraphicsView):
             self.scroll_wanted.emit(turns.y() / NOTCH)
         event.accept()
 
-    def event(self, event: QEvent) -> bool:
-        is_shortcut = event.type() == QEvent.Type.ShortcutOverride
-        if is_shortcut and isinstance(event, QKeyEvent) and self.keys.claims(event):
-            event.accept()
-            return True
-        return super().event(event)
-
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self.mouse.cancel():
             self._let_go()
@@ -177,27 +168,6 @@ class LanesView(pyqtgraph.GraphicsView):
         super().leaveEvent(event)
         self.item.show_hovered(None)
 
-    def resizeEvent(self, event) -> None:
-        super().resizeEvent(event)
-        if event is not None:
-            self._renew()
-
-    def focusInEvent(self, event) -> None:
-        super().focusInEvent(event)
-        self.viewport().update()
-
-    def focusOutEvent(self, event) -> None:
-        super().focusOutEvent(event)
-        self.viewport().update()
-
-    def paintEvent(self, event) -> None:
-        super().paintEvent(event)
-        if self.hasFocus():
-            painter = QPainter(self.viewport())
-            painter.setPen(QPen(QColor(self._theme.accent), 1))
-            painter.drawRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5))
-            painter.end()
-
     def _look_at(self, shown_s: Range | None) -> None:
         self._held_s = None
         if shown_s != self._view.time_range_s:
@@ -205,12 +175,12 @@ class LanesView(pyqtgraph.GraphicsView):
 
     def _let_go(self) -> None:
         self._held_s = None
-        self._renew()
+        self.lay_out()
 
     def _show_over(self, shown: Shown) -> None:
         self.item.show_over(shown, self._pointer)
 
-    def _renew(self) -> None:
+    def lay_out(self) -> None:
         self.content = self._made()
         self.item.show_content(self.content, QRectF(self.rect()))
 

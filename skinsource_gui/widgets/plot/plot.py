@@ -1,26 +1,19 @@
 """Curves over one x axis, on pyqtgraph: no toolbar, no legend."""
 
 import numpy as np
-import pyqtgraph
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
-    QColor,
     QContextMenuEvent,
-    QFocusEvent,
     QFontMetricsF,
     QHelpEvent,
     QKeyEvent,
     QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QResizeEvent,
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
-from skinsource_gui.widgets.key_table import meant
 from skinsource_gui.widgets.plot.axis_spec import ValueUnit, XAxis, value_unit
+from skinsource_gui.widgets.plot.canvas import Canvas
 from skinsource_gui.widgets.plot.crosshair import Crosshair
 from skinsource_gui.widgets.plot.curve_points import curve_points
 from skinsource_gui.widgets.plot.curves import Curves
@@ -37,7 +30,7 @@ _DRAG_PX = 5
 _TEXT = 0.9
 
 
-class Plot(pyqtgraph.GraphicsView):
+class Plot(Canvas):
     """Curves in one row or in one row each, with a crosshair.
 
     Ranges are decided once for each update; what is around the curves is kept as pictures.
@@ -62,20 +55,19 @@ class Plot(pyqtgraph.GraphicsView):
         What mouse and keys ask for.
     """
 
+    key_place = "plot"
+
     #: The crosshair reads something else: `crosshair` and what is drawn are up to date.
     reading_changed = Signal()
     #: Where on the screen the menu is wanted.
     menu_wanted = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        # Each move of the mouse counts, however quick: the last one is where it stopped.
-        pyqtgraph.setConfigOption("mouseRateLimit", 0)
         super().__init__(parent)
         self.setMinimumSize(160, 90)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setCursor(Qt.CursorShape.CrossCursor)
         self.scene().setMoveDistance(_DRAG_PX)
-        self.theme = LIGHT
         self.curves: Curves | None = None
         self.scale = ValueScale(values=(0.0, 1.0))
         self.unit: ValueUnit = value_unit("amplitude", 0.0, 1.0)
@@ -104,8 +96,7 @@ class Plot(pyqtgraph.GraphicsView):
 
     def set_theme(self, theme: Theme) -> None:
         """Take over colours."""
-        self.theme = theme
-        self.setBackground(QColor(theme.base))
+        self.set_ground(theme)
         self.words_font = scaled(tabular(self.font()), _TEXT)
         self.stack.set_look(theme, self.words_font, self.font())
         self._colour()
@@ -116,14 +107,14 @@ class Plot(pyqtgraph.GraphicsView):
         if (axis, zoom, stacked) != (self.window.axis, self.zoom, self.stacked):
             self.window = x_window(axis, self._data_range(), zoom)
             self.zoom, self.stacked = zoom, stacked
-            self._draw()
+            self.lay_out()
             self.reading_changed.emit()
 
     def set_words(self, words: Words) -> None:
         """Words around the curves."""
         if words != self.words:
             self.words = words
-            self._lay_out()
+            self._place()
             self._colour()
 
     def begin_anew(self) -> None:
@@ -143,7 +134,7 @@ class Plot(pyqtgraph.GraphicsView):
         self.scale = ValueScale(values=values, edge=self.scale.edge)
         self.unit = value_unit(curves.kind, *values)
         self.window = x_window(self.window.axis, self._data_range(), self.zoom)
-        self._draw()
+        self.lay_out()
         if others:
             self._colour()
         self.reading_changed.emit()
@@ -166,13 +157,8 @@ class Plot(pyqtgraph.GraphicsView):
         start, end = (area.left() + area.width() * self.window.part(at) for at in covered)
         self.stack.show_band(QRectF(start, area.top(), end - start, area.height()))
 
-    def event(self, event: QEvent) -> bool:
-        # These keys are this plot's while it has the focus, whatever the window's actions are.
-        is_shortcut = event.type() == QEvent.Type.ShortcutOverride
-        if is_shortcut and isinstance(event, QKeyEvent) and self.curves and meant("plot", event):
-            event.accept()
-            return True
-        return super().event(event)
+    def claims(self, event: QKeyEvent) -> bool:
+        return self.curves is not None and super().claims(event)
 
     def viewportEvent(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
@@ -205,28 +191,6 @@ class Plot(pyqtgraph.GraphicsView):
         super().leaveEvent(event)
         self.navigation.leave()
 
-    def focusInEvent(self, event: QFocusEvent) -> None:
-        super().focusInEvent(event)
-        self.viewport().update()
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        super().focusOutEvent(event)
-        self.viewport().update()
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        super().paintEvent(event)
-        if self.hasFocus():
-            painter = QPainter(self.viewport())
-            painter.setPen(QPen(QColor(self.theme.accent), 1))
-            painter.drawRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5))
-            painter.end()
-
-    def resizeEvent(self, event: QResizeEvent | None) -> None:
-        super().resizeEvent(event)
-        # pyqtgraph's constructor calls this too, without an event.
-        if event is not None:
-            self._draw()
-
     def _hint_at(self, y_px: float) -> str:
         # What the words above and below the plot say when there is room for them.
         if self.curves is None or self.places.top <= y_px <= self.places.bottom:
@@ -237,8 +201,8 @@ class Plot(pyqtgraph.GraphicsView):
         x = (0.0, 1.0) if self.curves is None else self.curves.x
         return (float(x[0]), float(x[-1]))
 
-    def _draw(self) -> None:
-        other_rows = self._lay_out()
+    def lay_out(self) -> None:
+        other_rows = self._place()
         if self.curves is None:
             return
         places = self.places
@@ -250,7 +214,7 @@ class Plot(pyqtgraph.GraphicsView):
             self._colour()
         self.crosshair.draw()
 
-    def _lay_out(self) -> bool:  # whether there are more or fewer rows than before
+    def _place(self) -> bool:  # whether there are more or fewer rows than before
         curves = self.curves
         if curves is None:
             self.stack.place_message(QRectF(self.rect()))

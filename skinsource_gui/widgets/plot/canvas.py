@@ -1,0 +1,72 @@
+"""What all our views of pyqtgraph have in common."""
+
+from typing import Any, ClassVar
+
+import pyqtgraph
+from PySide6.QtCore import QEvent, QRectF
+from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QPainter, QPaintEvent, QPen, QResizeEvent
+from PySide6.QtWidgets import QWidget
+
+from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.widgets.key_table import meant
+
+
+class Canvas(pyqtgraph.GraphicsView):
+    """A view with a frame while it has the keyboard, and with keys of its own.
+
+    Attributes
+    ----------
+    key_place
+        Where in the table of keys its own stand.
+    theme
+        Its colours.
+    """
+
+    key_place: ClassVar[str] = ""
+
+    def __init__(self, parent: QWidget | None = None, **options: Any) -> None:
+        # Each move of the mouse counts, however quick: the last one is where it stopped.
+        pyqtgraph.setConfigOption("mouseRateLimit", 0)
+        self.theme = LIGHT
+        super().__init__(parent, **options)
+
+    def set_ground(self, theme: Theme) -> None:
+        """Take over colours of ground and frame."""
+        self.theme = theme
+        self.setBackground(QColor(theme.base))
+
+    def claims(self, event: QKeyEvent) -> bool:
+        """Whether it wants this key for itself, whatever the window's actions are."""
+        return bool(meant(self.key_place, event))
+
+    def lay_out(self) -> None:
+        """Put everything where it belongs in the size that there is now."""
+
+    def event(self, event: QEvent) -> bool:
+        is_shortcut = event.type() == QEvent.Type.ShortcutOverride
+        if is_shortcut and isinstance(event, QKeyEvent) and self.claims(event):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self.viewport().update()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self.viewport().update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.hasFocus():
+            painter = QPainter(self.viewport())
+            painter.setPen(QPen(QColor(self.theme.accent), 1))
+            painter.drawRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5))
+            painter.end()
+
+    def resizeEvent(self, event: QResizeEvent | None) -> None:
+        super().resizeEvent(event)
+        # pyqtgraph's constructor calls this too, without an event.
+        if event is not None:
+            self.lay_out()
