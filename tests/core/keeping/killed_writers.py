@@ -35,7 +35,7 @@ def write_until_killed(folder, notes, interval_s):
         EDIT.pack_into(notes, 0, number, now_s)
         if now_s - kept_s >= interval_s:
             kept_s = now_s
-            session.keep(DesignFile(design=design), Path("/work/tap.skinsource"), b"picture")
+            session.keep(DesignFile(design=design), Path("/designs/tap.skinsource"), b"picture")
         time.sleep(0.004)
     os._exit(1)
 

@@ -34,7 +34,7 @@ def test_of_200_killed_writers_none_loses_more_than_one_interval(tmp_path):
             assert len(one.copies) <= 6  # the sixth was being written
             kept = round(8 * open_design(one.copies[0]).design.inputs[0].amplitude)
             assert [open_design(copy).layout for copy in one.copies] == [b""] * len(one.copies)
-            assert (one.name, one.file) == ("tap", Path("/work/tap.skinsource"))
+            assert (one.name, one.file) == ("tap", Path("/designs/tap.skinsource"))
         since_s = times[kept - 1] if kept else times[0]
         # Between two edits the writer may have had to wait for its turn, or for the disk.
         longest_s = max((b - a for a, b in pairwise(times)), default=0.0)

@@ -1,28 +1,24 @@
 """The spectra, as a user meets them."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
-import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QFont, QFontMetricsF
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QToolButton
 
 from skinsource.design import start_design
 from skinsource.panel_settings import settings_of, with_settings
-from skinsource.quantities import RULES, sources
-from skinsource.spectra import magnitude_spectrum, peak_hold_spectrum
-from skinsource.view import View
-from skinsource_gui.panels.spectra.panel import SpectraPanel
 from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.widgets.plot.signal_view import SignalView
+from tests.gui.curve_panels.bench import click, plot_of, said_above
+from tests.gui.curve_panels.spectra_bench import LINEAR, SPECTRA, opener, results_for
 
-LINEAR = with_settings(
-    View(method="pca", outputs=(29, 52)), "spectra", SpectraSettings(log_magnitude=False)
-)
+
+@pytest.fixture
+def show(qtbot):
+    return opener(qtbot)
 
 
 def settings(view):
@@ -31,82 +27,6 @@ def settings(view):
 
 def seen(view, **changes):
     return with_settings(view, "spectra", replace(settings(view), **changes))
-
-
-SPECTRA = {
-    "record": ("selected_spectra", magnitude_spectrum),
-    "loudest": ("selected_peak_spectra", peak_hold_spectrum),
-}
-
-
-def whose(limb):
-    """What says whose curves they are."""
-    loaded = SimpleNamespace(note="made from files of one's own")
-    design = start_design(limb)
-    return {"limb": limb, "limb_data": loaded, "scaling": "upstream", "inputs": design.inputs}
-
-
-def results_for(view, *, n_times=650, amplitude=0.5, limb="synthetic-1", silence=0):
-    time_s = np.arange(n_times) / 1300
-    rows = [amplitude / 10**k * np.sin(2 * np.pi * 100 * time_s) for k in range(len(view.outputs))]
-    traces = np.pad(np.array(rows).reshape(len(view.outputs), n_times), ((0, 0), (0, silence)))
-    return {
-        SPECTRA[view.span][0]: SPECTRA[view.span][1](traces, 1300.0),
-        "span": view.span,
-        "outputs": view.outputs,
-        "axes": view.axes,
-        "method": view.method,
-        "sample_rate_hz": 1300.0,
-        **whose(limb),
-    }
-
-
-@pytest.fixture
-def show(qtbot):
-    """Open a spectra panel on a view; what it wants of the view is done, without new results."""
-
-    def make(view=LINEAR, **how):
-        panel = SpectraPanel()
-        qtbot.addWidget(panel)
-        panel.views = []
-        design = start_design("synthetic-1")
-
-        def look(changed):
-            panel.views.append(changed)
-            panel.show_state(design, changed)
-
-        panel.view_changed.connect(look)
-        panel.resize(420, 200)
-        panel.show()
-        qtbot.waitExposed(panel)
-        panel.show_state(design, view)
-        panel.show_results(results_for(view, **how))
-        return panel
-
-    return make
-
-
-def plot_of(panel):
-    return panel.findChild(SignalView).plot
-
-
-def said_above(panel):
-    return plot_of(panel).stack.header.header
-
-
-def click(panel, name):
-    button = panel.findChild(QToolButton, name)
-    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
-    return button
-
-
-def test_what_the_panel_needs_is_computed_or_given(qapp):
-    known = (
-        {rule.__name__ for rule in RULES}
-        | {"limb_data"}
-        | set(sources(start_design("synthetic-1"), View()))
-    )
-    assert SpectraPanel().needs <= known
 
 
 def test_a_sine_reads_its_amplitude_at_its_frequency(show):
@@ -253,38 +173,3 @@ def test_a_problem_is_not_undone_by_a_switch(show):
 def test_without_outputs_the_panel_says_what_to_do(show):
     panel = show(replace(LINEAR, outputs=()))
     assert plot_of(panel).message == "Select outputs on the skin map"
-
-
-@pytest.mark.parametrize(("limb", "badge"), [("synthetic-2", "SYNTHETIC"), ("measured-1", "")])
-def test_only_synthetic_limbs_carry_the_badge(show, limb, badge):
-    assert said_above(show(limb=limb)).badge == badge
-
-
-def test_while_the_first_curves_are_computed_nobody_is_told_to_select_outputs(show, qtbot):
-    panel = show(replace(LINEAR, outputs=()))
-    assert plot_of(panel).message == "Select outputs on the skin map"
-    panel.show_stale(True)
-    panel.show_state(start_design("synthetic-1"), LINEAR)
-    assert plot_of(panel).message == ""
-    qtbot.waitUntil(lambda: plot_of(panel).message == "Computing…")
-    panel.show_state(start_design("synthetic-1"), LINEAR)
-    assert plot_of(panel).message == "Computing…"
-    panel.show_results(results_for(LINEAR))
-    assert plot_of(panel).message == ""
-    assert plot_of(panel).curves is not None
-
-
-def test_files_of_the_curves_say_whose_they_are_and_how_they_were_made(show):
-    panel = show(View(method="pca", outputs=(29,), span="loudest"))
-    curves = panel.findChild(SignalView).plot.curves
-    for fact in (
-        "NOTE on the limb: made from files of one's own",
-        "limb: Synthetic 1 (175 mm), synthetic-1; scaling: Peak of each input (upstream)",
-        "axes: x, y, z (xyz); method: Principal axis (pca)",
-        "levels: RMS over the loudest 100 ms (loudest)",
-    ):
-        assert fact in curves.about()
-    assert any("clip of the input at place 7: Tone(" in line for line in curves.about())
-    heading = " · ".join(curves.heading)
-    for words in ("Synthetic 1 (175 mm)", "principal axis", "peak of each input", "one's own"):
-        assert words in heading

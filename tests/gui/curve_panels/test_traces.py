@@ -1,9 +1,7 @@
 """The traces, as a user meets them."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 
-import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
@@ -11,89 +9,16 @@ from PySide6.QtWidgets import QToolButton
 
 from skinsource.design import start_design
 from skinsource.panel_settings import settings_of
-from skinsource.quantities import RULES, sources
 from skinsource.view import View
-from skinsource_gui.panels.traces.panel import TracesPanel
 from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.widgets.plot.signal_view import SignalView
-
-SIGNED = View(method="pca", outputs=(29, 52, 7))
-
-
-def whose(limb):
-    """What says whose curves they are."""
-    loaded = SimpleNamespace(note="made from files of one's own")
-    design = start_design(limb)
-    return {"limb": limb, "limb_data": loaded, "scaling": "upstream", "inputs": design.inputs}
-
-
-def results_for(view, *, n_times=651, amplitude=0.3, limb="synthetic-1", without_axis=()):
-    time_s = np.arange(n_times) / 1300 - (0.052 if view.delay_removed else 0.0)
-    rows = [amplitude / (1 + k) * np.sin(300 * time_s) for k in range(len(view.outputs))]
-    traces = np.array(rows).reshape(len(view.outputs), n_times)
-    if view.method == "mag":
-        traces = np.abs(traces)
-    return {
-        "response_time_s": time_s,
-        "selected_traces": traces,
-        "outputs": view.outputs,
-        "delay_removed": view.delay_removed,
-        "axes": view.axes,
-        "method": view.method,
-        "span": view.span,
-        "selected_without_main_axis": without_axis,
-        **whose(limb),
-    }
+from tests.gui.curve_panels.bench import click, plot_of, said_above
+from tests.gui.curve_panels.traces_bench import SIGNED, opener, results_for
 
 
 @pytest.fixture
 def show(qtbot):
-    """Open a traces panel on a view; what it wants of the view is done."""
-
-    def make(view=SIGNED, **how):
-        panel = TracesPanel()
-        qtbot.addWidget(panel)
-        panel.views = []
-        design = start_design("synthetic-1")
-
-        def look(changed):
-            panel.views.append(changed)
-            panel.show_state(design, changed)
-            panel.show_results(results_for(changed, **how))
-
-        panel.view_changed.connect(look)
-        panel.edited.connect(lambda edit, _: look(edit.view))
-        panel.resize(420, 200)
-        panel.show()
-        qtbot.waitExposed(panel)
-        panel.show_state(design, view)
-        panel.show_results(results_for(view, **how))
-        return panel
-
-    return make
-
-
-def plot_of(panel):
-    return panel.findChild(SignalView).plot
-
-
-def said_above(panel):
-    return plot_of(panel).stack.header.header
-
-
-def click(panel, name):
-    button = panel.findChild(QToolButton, name)
-    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
-    return button
-
-
-def test_what_the_panel_needs_is_computed_or_given(qapp):
-    known = (
-        {rule.__name__ for rule in RULES}
-        | {"limb_data"}
-        | set(sources(start_design("synthetic-1"), View()))
-    )
-    assert TracesPanel().needs <= known
+    return opener(qtbot)
 
 
 def test_curves_are_named_after_the_outputs_they_belong_to(show):
@@ -215,11 +140,6 @@ def test_a_problem_empties_the_picture_until_there_are_results(show):
     assert plot.stack.rows[0].n_curves == 3
 
 
-@pytest.mark.parametrize(("limb", "badge"), [("synthetic-2", "SYNTHETIC"), ("measured-1", "")])
-def test_only_synthetic_limbs_carry_the_badge(show, limb, badge):
-    assert said_above(show(limb=limb)).badge == badge
-
-
 def test_tab_reaches_every_control(show, qtbot):
     panel = show(replace(SIGNED, time_range_s=(0.1, 0.2)))
     panel.activateWindow()
@@ -247,33 +167,3 @@ def test_silence_misses_no_main_axis(show):
 def test_a_projection_on_a_fixed_axis_asks_for_no_main_axis(show):
     for view in (View(axes="z"), View(axes="xyz", method="soc")):
         assert "selected_without_main_axis" not in show(view).needs
-
-
-def test_while_the_first_curves_are_computed_nobody_is_told_to_select_outputs(show, qtbot):
-    panel = show(replace(SIGNED, outputs=()))
-    assert plot_of(panel).message == "Select outputs on the skin map"
-    panel.show_stale(True)
-    panel.show_state(start_design("synthetic-1"), SIGNED)
-    assert plot_of(panel).message == ""
-    qtbot.waitUntil(lambda: plot_of(panel).message == "Computing…")
-    panel.show_state(start_design("synthetic-1"), SIGNED)
-    assert plot_of(panel).message == "Computing…"
-    panel.show_results(results_for(SIGNED))
-    assert plot_of(panel).message == ""
-    assert plot_of(panel).curves is not None
-
-
-def test_files_of_the_curves_say_whose_they_are_and_how_they_were_made(show):
-    panel = show(View(method="pca", outputs=(29,), span="loudest"))
-    curves = panel.findChild(SignalView).plot.curves
-    for fact in (
-        "NOTE on the limb: made from files of one's own",
-        "limb: Synthetic 1 (175 mm), synthetic-1; scaling: Peak of each input (upstream)",
-        "axes: x, y, z (xyz); method: Principal axis (pca)",
-        "levels: RMS over the loudest 100 ms (loudest)",
-    ):
-        assert fact in curves.about()
-    assert any("clip of the input at place 7: Tone(" in line for line in curves.about())
-    heading = " · ".join(curves.heading)
-    for words in ("Synthetic 1 (175 mm)", "principal axis", "peak of each input", "one's own"):
-        assert words in heading

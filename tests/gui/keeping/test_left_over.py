@@ -1,164 +1,23 @@
-"""Copies of unsaved work, and what is done with those of ended studios."""
+"""Work that ended studios left, offered at the next start."""
 
 import os
 from dataclasses import replace
 
 import pytest
-from PySide6.QtGui import QImage
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton
+from PySide6.QtWidgets import QFileDialog, QPushButton
 
-from skinsource.design_file import open_design, save_design
-from skinsource.job import Job
 from skinsource.keeping import left_over
 from skinsource.keeping.owner import this_process, to_bytes
 from skinsource.keeping.session import OWNER
 from skinsource_gui.shell.keeping.left_over_page import LeftOverPage
-from skinsource_gui.state.preferences import AUTOSAVE_S, Preferences
+from tests.gui.keeping.bench import copies, edit, kept_amplitudes
 
 ENDED = to_bytes(replace(this_process(), started_s=1000.0))
-
-
-def edit(window, amplitude):
-    window.document.edit("a", window.document.design.with_input(0, amplitude=amplitude))
-
-
-def copies(folder):
-    found = folder.glob("unsaved/*/*.skinsource")
-    return sorted(found, key=lambda path: path.stat().st_mtime_ns)
-
-
-def kept_amplitudes(folder):
-    return [open_design(path).design.inputs[0].amplitude for path in copies(folder)]
-
-
-@pytest.fixture
-def quick(monkeypatch):
-    monkeypatch.setenv("SKINSOURCE_AUTOSAVE_S", "0.05")
-
-
-@pytest.fixture
-def discard(monkeypatch):
-    discard = QMessageBox.StandardButton.Discard
-    monkeypatch.setattr(QMessageBox, "question", lambda *_: discard)
 
 
 def choose(window, words):
     buttons = window.notice.buttons.findChildren(QPushButton)
     next(one for one in buttons if one.text() == words).click()
-
-
-def test_work_is_kept_within_the_interval_with_arrangement_and_picture(
-    quick, make_window, qtbot, user_data
-):
-    window = make_window()
-    edit(window, 2.5)
-    qtbot.waitUntil(lambda: len(list(user_data.glob("unsaved/*/*.png"))) == 1, timeout=30_000)
-    (copy,) = copies(user_data)
-    content = open_design(copy)
-    assert content.design == window.document.design
-    assert content.view == window.document.view
-    assert content.layout == window.layout_of_docks.content()
-    picture = QImage(str(copy.with_suffix(".png")))
-    assert {picture.pixelColor(x, y).name() for x in range(120) for y in range(180)} > {"#ffffff"}
-    edit(window, 3.5)
-    qtbot.waitUntil(lambda: kept_amplitudes(user_data) == [2.5, 3.5], timeout=30_000)
-
-
-def test_saved_or_taken_back_work_has_no_copies(quick, make_window, qtbot, user_data, tmp_path):
-    window = make_window()
-    edit(window, 2.5)
-    qtbot.waitUntil(lambda: copies(user_data) != [], timeout=30_000)
-    window.document.undo_stack.undo()
-    qtbot.waitUntil(lambda: copies(user_data) == [], timeout=30_000)
-    window.document.undo_stack.redo()
-    qtbot.waitUntil(lambda: copies(user_data) != [], timeout=30_000)
-    window.document.mark_saved(tmp_path / "a.skinsource")
-    qtbot.waitUntil(lambda: copies(user_data) == [], timeout=30_000)
-
-
-def test_what_is_only_looked_at_is_not_kept(quick, make_window, user_data):
-    window = make_window()
-    window.document.look(replace(window.document.view, axes="z"))
-    assert not window.keeping.autosave._timer.isActive()
-    edit(window, 2.0)
-    assert window.keeping.autosave._timer.isActive()
-
-
-def test_a_copy_is_kept_before_another_file_is_read(window, user_data, tmp_path, discard):
-    edit(window, 2.5)
-    assert copies(user_data) == []
-    path = tmp_path / "hostile.skinsource"
-    path.write_bytes(b"hostile")
-    window.files.open(path)
-    assert kept_amplitudes(user_data) == [2.5]
-    save_design(path, window.document.design)
-    window.files.open(path)
-    window.close()
-    assert copies(user_data) == []
-
-
-def test_a_copy_is_kept_before_a_job_and_before_another_limb(window, qtbot, user_data):
-    edit(window, 2.5)
-    seen = []
-    window.runner.add(
-        Job("Installing", lambda *, progress, stop: seen.extend(kept_amplitudes(user_data)))
-    )
-    qtbot.waitUntil(lambda: not window.runner.busy, timeout=30_000)
-    assert seen == [2.5]
-    edit(window, 3.5)
-    window.document.edit("limb", replace(window.document.design, limb="synthetic-2"))
-    assert kept_amplitudes(user_data) == [2.5, 3.5]
-    assert open_design(copies(user_data)[-1]).design.limb == "synthetic-1"
-
-
-def test_a_copy_is_kept_before_a_recording_is_read(window, user_data, tmp_path):
-    edit(window, 2.5)
-    (tmp_path / "a.csv").write_text("1\n2\n")
-    window.imports.open_page(tmp_path / "a.csv")
-    assert kept_amplitudes(user_data) == [2.5]
-    window.imports.end()
-
-
-def test_a_window_that_closes_leaves_no_copy(quick, make_window, qtbot, user_data, discard):
-    window = make_window()
-    edit(window, 2.5)
-    qtbot.waitUntil(lambda: copies(user_data) != [], timeout=30_000)
-    window.close()
-    assert copies(user_data) == []
-
-
-def test_a_folder_that_cannot_be_written_is_told_once(quick, make_window, qtbot, user_data):
-    (user_data / "unsaved").write_text("a file stands there")
-    window = make_window()
-    told = []
-    window.keeping.autosave.failed.connect(told.append)
-    edit(window, 2.0)
-    qtbot.waitUntil(lambda: len(told) == 1, timeout=30_000)
-    assert "No copy of unsaved work could be kept" in window.notice.text
-    for amplitude in (3.0, 4.0):
-        edit(window, amplitude)
-        assert not window.keeping.autosave.keep_now()
-    (user_data / "unsaved").unlink()
-    assert window.keeping.autosave.keep_now()
-    assert len(told) == 1
-
-
-@pytest.mark.parametrize(
-    ("environment", "setting", "seconds"),
-    [
-        ("0.2", "7", 0.2),
-        (None, "7", 7.0),
-        ("never", "7", 7.0),
-        ("0", "nan", AUTOSAVE_S),
-        ("1e9", "-1", AUTOSAVE_S),
-    ],
-)
-def test_the_interval_is_a_preference(tmp_path, monkeypatch, environment, setting, seconds):
-    path = tmp_path / "studio.ini"
-    path.write_text(f"[General]\nautosave_s={setting}\n")
-    if environment:
-        monkeypatch.setenv("SKINSOURCE_AUTOSAVE_S", environment)
-    assert Preferences(path).autosave_s == seconds
 
 
 @pytest.fixture

@@ -1,0 +1,98 @@
+"""The envelope tool of the clip editor: points and segments."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from skinsource.effects import Envelope
+from tests.gui.clip_editor.bench import ALT, LEFT, NONE, SHIFT, whole
+
+
+def points(bench):
+    (envelope,) = bench.clip.effects
+    return envelope.points
+
+
+def test_a_click_on_the_curve_adds_a_point_without_changing_it(tone):
+    tone.press(tone.at(0.1, 1.0))
+    QTest.mouseRelease(tone.canvas.viewport(), LEFT, NONE, whole(tone.at(0.1, 1.0)))
+    assert len(points(tone)) == 2
+    times = np.linspace(0, 0.2, 50)
+    assert (Envelope(points(tone)).values_at(times) == 1.0).all()
+    assert tone.panel._shaping.tool.chosen == (1,)
+
+
+def test_a_point_is_dragged_and_moves_alone(tone):
+    tone.press(tone.at(0.1, 1.0))
+    QTest.mouseRelease(tone.canvas.viewport(), LEFT, NONE, whole(tone.at(0.1, 1.0)))
+    tone.drag(points(tone)[1][:2], (0.12, 0.4))
+    first, second = points(tone)
+    assert first[:2] == (0.0, 1.0)
+    assert second[0] == pytest.approx(0.12, abs=0.002)
+    assert second[1] == pytest.approx(0.4, abs=0.02)
+
+
+def test_a_segment_goes_up_and_down_as_a_whole(tone):
+    tone.design = tone.design.with_clip(1, effects=(Envelope(((0.0, 0.5), (0.2, 0.5))),))
+    tone.show()
+    tone.drag((0.1, 0.5), (0.13, 0.8))
+    assert [time for time, *_ in points(tone)] == [0.0, 0.2]
+    assert [value for _, value, _ in points(tone)] == pytest.approx([0.8, 0.8], abs=0.02)
+
+
+def test_alt_and_a_click_on_a_segment_bends_it(tone):
+    tone.design = tone.design.with_clip(1, effects=(Envelope(((0.0, 0.2), (0.2, 0.8))),))
+    tone.show()
+    kinds = []
+    for _ in range(3):
+        value = float(Envelope(points(tone)).values_at(np.array([0.1]))[0])
+        tone.press(tone.at(0.1, value), held=ALT)
+        QTest.mouseRelease(tone.canvas.viewport(), LEFT, ALT)
+        kinds.append(points(tone)[0][2])
+    assert kinds == ["smooth", "held", "straight"]
+
+
+def test_keys_move_the_chosen_point_by_one_step_or_ten_and_remove_it(tone):
+    tone.design = tone.design.with_clip(1, effects=(Envelope(((0.0, 0.5), (0.1, 0.5))),))
+    tone.show()
+    tone.panel._shaping.tool.chosen = (1,)
+    tone.key(Qt.Key.Key_Right)
+    tone.key(Qt.Key.Key_Up, SHIFT)
+    assert points(tone)[1][:2] == pytest.approx((0.101, 0.6))
+    assert len(set(tone.steps)) == 1
+    tone.key(Qt.Key.Key_Delete)
+    assert len(points(tone)) == 1
+
+
+def test_escape_gives_a_drag_of_a_point_up(tone):
+    tone.design = tone.design.with_clip(1, effects=(Envelope(((0.0, 0.5), (0.1, 0.5))),))
+    tone.show()
+    before = points(tone)
+    tone.drag((0.1, 0.5), (0.15, 0.9), release=False)
+    assert points(tone) != before
+    tone.key(Qt.Key.Key_Escape)
+    assert points(tone) == before
+
+
+def test_a_rectangle_chooses_points(tone):
+    tone.design = tone.design.with_clip(
+        1, effects=(Envelope(((0.02, 0.5), (0.1, 0.5), (0.18, 0.5))),)
+    )
+    tone.show()
+    tone.drag((0.05, 0.9), (0.19, 0.1))
+    assert tone.panel._shaping.tool.chosen == (1, 2)
+    assert tone.steps == []
+
+
+def test_a_double_click_puts_a_point_anywhere(tone):
+    QTest.mouseDClick(tone.canvas.viewport(), LEFT, NONE, whole(tone.at(0.1, 0.5)))
+    assert len(points(tone)) == 2
+    assert points(tone)[1][:2] == pytest.approx((0.1, 0.5), abs=0.02)
+
+
+def test_a_drag_of_the_level_end_pulls_a_new_point_and_not_all(tone):
+    tone.drag((0.1, 1.0), (0.1, 0.4))
+    assert points(tone)[0][:2] == (0.0, 1.0)
+    assert points(tone)[1][1] == pytest.approx(0.4, abs=0.02)
+    assert len(set(tone.steps)) == 1

@@ -1,0 +1,97 @@
+"""The pen of the clip editor: what is drawn is what plays."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QMessageBox
+
+from skinsource.evaluation import evaluate
+from skinsource.samples import Samples
+from skinsource.waveforms import Drawn, Tone
+from tests.gui.clip_editor.bench import RATE_HZ, RIGHT, SHIFT, Bench
+
+
+def test_a_stroke_becomes_samples_in_one_step(flat):
+    flat.drag((0.05, 0.0), (0.08, 0.5), (0.1, 0.5), (0.12, 0.0))
+    values = flat.drawn
+    assert values.size == 260
+    assert values.max() == pytest.approx(0.5, abs=0.01)
+    assert (values[117:130] > 0.45).all()
+    assert not values[:60].any()
+    assert not values[160:].any()
+    assert len(set(flat.steps)) == 1
+
+
+def test_with_shift_a_stroke_is_a_straight_line(flat):
+    flat.drag((0.05, 0.0), (0.07, -0.8), (0.09, 0.3), (0.15, 0.5), held=SHIFT)
+    line = flat.drawn[70:190]
+    assert np.abs(np.diff(line, 2)).max() < 1e-9
+    assert line[-1] > line[0] > 0
+
+
+def test_the_right_button_draws_back_to_zero(flat):
+    flat.drag((0.02, 0.6), (0.18, 0.6))
+    flat.drag((0.08, 0.1), (0.1, 0.2), button=RIGHT)
+    values = flat.drawn
+    assert not values[105:129].any()
+    assert values[95] == pytest.approx(0.6, abs=0.02)
+    assert len(set(flat.steps)) == 2
+
+
+def test_nothing_drawn_lies_beyond_one(flat):
+    flat.drag((0.05, 0.0), (0.08, 5.0), (0.12, -5.0))
+    assert np.abs(flat.drawn).max() == 1.0
+
+
+def test_escape_takes_the_stroke_back(flat):
+    before = flat.design
+    flat.drag((0.05, 0.0), (0.1, 0.5), release=False)
+    assert flat.design != before
+    flat.key(Qt.Key.Key_Escape)
+    assert flat.design == before
+    assert len(set(flat.steps)) == 1
+
+
+def test_what_is_drawn_is_what_is_predicted_from(flat):
+    flat.drag((0.05, 0.0), (0.08, 0.5), (0.12, -0.3))
+    (felt,) = evaluate(flat.design, "input_waveforms", view=flat.view)["input_waveforms"]
+    np.testing.assert_array_equal(felt, flat.drawn)
+    np.testing.assert_array_equal(flat.canvas.content.played, flat.drawn)
+
+
+def test_a_tone_becomes_samples_after_one_question(tone, monkeypatch):
+    asked = []
+    answers = [QMessageBox.StandardButton.Cancel, QMessageBox.StandardButton.Ok]
+    monkeypatch.setattr(
+        QMessageBox, "question", lambda *args: asked.append(args[2]) or answers[len(asked) - 1]
+    )
+    tone.panel.use("pen")
+    assert tone.canvas._tool is tone.panel._tools["look"]
+    tone.panel.use("pen")
+    assert tone.canvas._tool is tone.panel._tools["pen"]
+    tone.drag((0.05, 0.0), (0.06, 0.0))
+    tone.panel.use("look")
+    tone.panel.use("pen")
+    assert len(asked) == 2
+    assert "Tone 100 Hz" in asked[0]
+    assert isinstance(tone.clip.waveform, Drawn)
+    np.testing.assert_array_equal(tone.drawn[100:], Tone(100.0, 0.0, 0.2).samples(RATE_HZ)[100:])
+
+
+def test_bounding_leaves_what_lies_within_the_band(flat, qtbot):
+    time_s = np.arange(1300) / RATE_HZ
+    slow = np.sin(2 * np.pi * 10 * time_s) + np.sin(2 * np.pi * 100 * time_s)
+    bench = Bench(qtbot, Drawn(Samples(values=slow / 2, sample_rate_hz=RATE_HZ)))
+    assert bench.panel._spectrum.outside == pytest.approx(0.5, abs=0.01)
+    bench.panel._drawing.bound()
+    # What is left outside comes from the hard ends.
+    assert bench.panel._spectrum.outside < 1e-3
+    np.testing.assert_allclose(bench.drawn, np.sin(2 * np.pi * 100 * time_s) / 2, atol=1e-9)
+    assert len(bench.steps) == 1
+
+
+def test_another_clip_takes_the_pen_away(flat):
+    flat.drag((0.05, 0.0), (0.08, 0.5))
+    flat.design = flat.design.with_clip(1, waveform=Tone(100.0, 0.0, 0.2))
+    flat.show()
+    assert flat.canvas.tool is flat.panel._tools["look"]

@@ -1,0 +1,31 @@
+"""What the panels of traces and of spectra have in common."""
+
+from types import SimpleNamespace
+
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QToolButton
+
+from skinsource.design import start_design
+from skinsource_gui.widgets.plot.signal_view import SignalView
+
+
+def whose(limb):
+    """What says whose curves they are."""
+    loaded = SimpleNamespace(note="made from files of one's own")
+    design = start_design(limb)
+    return {"limb": limb, "limb_data": loaded, "scaling": "upstream", "inputs": design.inputs}
+
+
+def plot_of(panel):
+    return panel.findChild(SignalView).plot
+
+
+def said_above(panel):
+    return plot_of(panel).stack.header.header
+
+
+def click(panel, name):
+    button = panel.findChild(QToolButton, name)
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    return button

@@ -1,0 +1,85 @@
+"""What traces and spectra do alike."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import NamedTuple
+
+import pytest
+
+from skinsource.design import start_design
+from skinsource.quantities import RULES, sources
+from skinsource.view import View
+from skinsource_gui.panels.spectra.panel import SpectraPanel
+from skinsource_gui.panels.traces.panel import TracesPanel
+from skinsource_gui.widgets.plot.signal_view import SignalView
+from tests.gui.curve_panels import spectra_bench, traces_bench
+from tests.gui.curve_panels.bench import plot_of, said_above
+from tests.gui.curve_panels.spectra_bench import LINEAR
+from tests.gui.curve_panels.traces_bench import SIGNED
+
+
+class Kind(NamedTuple):
+    """One of the panels, the view it starts with, and its results."""
+
+    panel: type
+    view: View
+    results_for: Callable
+    opener: Callable
+
+
+TRACES = Kind(TracesPanel, SIGNED, traces_bench.results_for, traces_bench.opener)
+SPECTRA = Kind(SpectraPanel, LINEAR, spectra_bench.results_for, spectra_bench.opener)
+
+
+@pytest.fixture(params=[TRACES, SPECTRA], ids=["traces", "spectra"])
+def kind(request):
+    return request.param
+
+
+@pytest.fixture
+def show(kind, qtbot):
+    return kind.opener(qtbot)
+
+
+def test_what_the_panel_needs_is_computed_or_given(qapp, kind):
+    known = (
+        {rule.__name__ for rule in RULES}
+        | {"limb_data"}
+        | set(sources(start_design("synthetic-1"), View()))
+    )
+    assert kind.panel().needs <= known
+
+
+@pytest.mark.parametrize(("limb", "badge"), [("synthetic-2", "SYNTHETIC"), ("measured-1", "")])
+def test_only_synthetic_limbs_carry_the_badge(show, limb, badge):
+    assert said_above(show(limb=limb)).badge == badge
+
+
+def test_while_the_first_curves_are_computed_nobody_is_told_to_select_outputs(show, kind, qtbot):
+    panel = show(replace(kind.view, outputs=()))
+    assert plot_of(panel).message == "Select outputs on the skin map"
+    panel.show_stale(True)
+    panel.show_state(start_design("synthetic-1"), kind.view)
+    assert plot_of(panel).message == ""
+    qtbot.waitUntil(lambda: plot_of(panel).message == "Computing…")
+    panel.show_state(start_design("synthetic-1"), kind.view)
+    assert plot_of(panel).message == "Computing…"
+    panel.show_results(kind.results_for(kind.view))
+    assert plot_of(panel).message == ""
+    assert plot_of(panel).curves is not None
+
+
+def test_files_of_the_curves_say_whose_they_are_and_how_they_were_made(show):
+    panel = show(View(method="pca", outputs=(29,), span="loudest"))
+    curves = panel.findChild(SignalView).plot.curves
+    for fact in (
+        "NOTE on the limb: made from files of one's own",
+        "limb: Synthetic 1 (175 mm), synthetic-1; scaling: Peak of each input (upstream)",
+        "axes: x, y, z (xyz); method: Principal axis (pca)",
+        "levels: RMS over the loudest 100 ms (loudest)",
+    ):
+        assert fact in curves.about()
+    assert any("clip of the input at place 7: Tone(" in line for line in curves.about())
+    heading = " · ".join(curves.heading)
+    for words in ("Synthetic 1 (175 mm)", "principal axis", "peak of each input", "one's own"):
+        assert words in heading

@@ -1,0 +1,16 @@
+"""Unsaved work, and the copies that are kept of it."""
+
+from skinsource.design_file import open_design
+
+
+def edit(window, amplitude):
+    window.document.edit("a", window.document.design.with_input(0, amplitude=amplitude))
+
+
+def copies(folder):
+    found = folder.glob("unsaved/*/*.skinsource")
+    return sorted(found, key=lambda path: path.stat().st_mtime_ns)
+
+
+def kept_amplitudes(folder):
+    return [open_design(path).design.inputs[0].amplitude for path in copies(folder)]
