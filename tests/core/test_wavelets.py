@@ -1,44 +1,30 @@
-"""Wavelets, trains and glides: against 50 digits, what they promise, and what they refuse."""
+"""Wavelets: what they promise; with trains and glides, against 50 digits and what is refused."""
 
 import json
 import math
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 import skinsource as ss
 from skinsource import waveforms
 from skinsource.errors import InvalidInputError
 from skinsource.waveforms import (
     CentredTap,
-    Chirp,
     Chirplet,
     Gabor,
     Glide,
     Morlet,
     Ricker,
     Tap,
-    Tone,
     WaveletTrain,
-    frequency_sweep,
 )
-
-RATE_HZ = 1300.0
-FINE_HZ = 48000.0
-FIVE_HZ = (50.0, 84.1, 141.4, 237.8, 400.0)
+from tests.core.wavelets_bench import FINE_HZ, RATE_HZ, at_all_frequencies
 
 
 def tuples(value):
     """Lists of json as fields hold them."""
     return tuple(map(tuples, value)) if isinstance(value, list) else value
-
-
-def at_all_frequencies(samples: np.ndarray, rate_hz: float) -> tuple[np.ndarray, np.ndarray]:
-    """Frequencies in steps below 0.1 Hz, and the spectrum there."""
-    n = max(2**20, samples.size)
-    return np.fft.rfftfreq(n, 1 / rate_hz), np.abs(np.fft.rfft(samples, n))
 
 
 def test_each_is_its_formula_to_1e_12_at_any_time_rate_and_shift(references):
@@ -199,131 +185,6 @@ def test_a_tap_too_short_for_its_rate_is_refused():
 def test_numbers_that_mean_nothing_are_refused_by_name(make, what):
     with pytest.raises(InvalidInputError, match=what):
         make()
-
-
-def test_a_train_starts_with_five_frequencies_in_slots_of_their_own():
-    recipe = WaveletTrain()
-    assert recipe.frequencies_hz == FIVE_HZ
-    assert recipe.duration_s == pytest.approx(0.6)
-    assert recipe.middles_s() == pytest.approx((0.06, 0.18, 0.30, 0.42, 0.54))
-    slots = recipe.samples(RATE_HZ).reshape(5, 156)
-    for frequency_hz, slot in zip(FIVE_HZ, slots, strict=True):
-        assert np.abs(slot).argmax() == 78
-        found_hz, spectrum = at_all_frequencies(slot, RATE_HZ)
-        assert found_hz[spectrum.argmax()] == pytest.approx(frequency_hz, rel=5e-3)
-
-
-@pytest.mark.parametrize("family", ["gabor", "ricker", "hann"])
-def test_wavelets_of_a_train_have_equal_energies_where_that_is_asked(family):
-    recipe = WaveletTrain(equalise="energy", family=family)
-    slots = recipe.samples(FINE_HZ).reshape(5, -1)
-    energies = (slots**2).sum(axis=1)
-    np.testing.assert_allclose(energies, energies[0], rtol=1e-5)
-    assert max(recipe.gains()) == 1.0
-    unequal = (WaveletTrain(family=family).samples(FINE_HZ).reshape(5, -1) ** 2).sum(axis=1)
-    np.testing.assert_allclose(unequal * FIVE_HZ, unequal[0] * 50.0, rtol=1e-5)
-
-
-def test_wavelets_longer_than_their_slot_overlap_and_none_is_cut():
-    """The whole is the sum of trains of one wavelet, each as long as itself."""
-    recipe = WaveletTrain((50.0, 80.0, 60.0), cycles=6.0, slot_s=0.02)
-    assert recipe.duration_s > 3 * 0.02
-    found = recipe.samples(FINE_HZ)
-    expected = np.zeros_like(found)
-    for frequency_hz, middle_s in zip(recipe.frequencies_hz, recipe.middles_s(), strict=True):
-        sigma_s = 6.0 / (2 * math.pi * frequency_hz)
-        time_s = np.arange(found.size) / FINE_HZ - middle_s
-        wavelet = np.exp(-0.5 * (time_s / sigma_s) ** 2) * np.cos(2 * np.pi * frequency_hz * time_s)
-        expected += np.where(np.abs(time_s) <= 4 * sigma_s, wavelet, 0.0)
-    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)
-    assert np.diff(recipe.middles_s()) == pytest.approx([0.02, 0.02])
-    assert np.abs(found[[0, -1]]).max() < 1e-3
-
-
-def test_gains_of_a_train_are_those_of_its_wavelets():
-    plain = WaveletTrain().samples(RATE_HZ).reshape(5, 156)
-    gains_db = (0.0, -6.0, 3.0, -120.0, 40.0)
-    louder = WaveletTrain(gains_db=gains_db).samples(RATE_HZ).reshape(5, 156)
-    for one, other, gain_db in zip(plain, louder, gains_db, strict=True):
-        np.testing.assert_allclose(other, one * 10 ** (gain_db / 20), rtol=1e-12)
-
-
-def test_a_sweep_of_frequencies_has_equal_steps_or_factors_and_both_ends():
-    assert frequency_sweep(50.0, 400.0, 4) == (50.0, 100.0, 200.0, 400.0)
-    assert frequency_sweep(50.0, 400.0, 4, order="down") == (400.0, 200.0, 100.0, 50.0)
-    assert frequency_sweep(100.0, 300.0, 3, "linear") == (100.0, 200.0, 300.0)
-    assert frequency_sweep(70.0, 300.0, 1) == (70.0,)
-    assert np.round(frequency_sweep(50.0, 400.0, 5), 1).tolist() == list(FIVE_HZ)
-    WaveletTrain(frequency_sweep(25.0, 600.0, 1000), slot_s=0.01)
-
-
-@given(
-    st.floats(0.1, 1e4),
-    st.floats(1.0, 1e3),
-    st.integers(2, 60),
-    st.sampled_from(["linear", "logarithmic"]),
-)
-def test_a_sweep_never_turns_back(low_hz, factor, count, spacing):
-    found = frequency_sweep(low_hz, low_hz * factor, count, spacing)
-    assert (found[0], found[-1], len(found)) == (low_hz, low_hz * factor, count)
-    assert (np.diff(found) >= -1e-11 * low_hz * factor).all()
-    steps = np.diff(found) if spacing == "linear" else np.diff(np.log(found))
-    np.testing.assert_allclose(steps, steps.mean(), rtol=1e-6, atol=1e-10 * low_hz * factor)
-
-
-@pytest.mark.parametrize(
-    ("given", "what"),
-    [
-        ((400.0, 50.0, 5), "low_hz is 400"),
-        ((0.0, 50.0, 5), "low_hz is 0"),
-        ((50.0, math.nan, 5), "high_hz"),
-        ((50.0, 400.0, 0), "count is 0"),
-        ((50.0, 400.0, 5, "cubic"), "spacing"),
-        ((50.0, 400.0, 5, "linear", "sideways"), "order"),
-    ],
-)
-def test_a_sweep_that_is_none_is_refused(given, what):
-    with pytest.raises(InvalidInputError, match=what):
-        frequency_sweep(*given)
-
-
-@pytest.mark.parametrize("shift_s", [0.0, 3e-4])
-def test_a_glide_of_one_frequency_is_a_tone_and_of_two_a_chirp(shift_s):
-    level = Glide(((0.0, 123.4, 1.0), (0.4, 123.4, 1.0))).samples(RATE_HZ, shift_s)
-    tone = Tone(123.4, 0.0, 0.4, "none").samples(RATE_HZ, shift_s)
-    np.testing.assert_allclose(level, tone, rtol=0, atol=1e-12)
-    rising = Glide(((0.0, 30.0, 1.0), (0.4, 500.0, 1.0))).samples(RATE_HZ, shift_s)
-    chirp = Chirp(30.0, 500.0, 0.4).samples(RATE_HZ, shift_s)
-    np.testing.assert_allclose(rising, chirp, rtol=0, atol=1e-12)
-
-
-def test_points_within_a_straight_stretch_change_nothing():
-    ends = ((0.0, 30.0, 0.25), (0.5, 530.0, 0.75))
-    between = tuple((0.5 * k / 64, 30.0 + 500.0 * k / 64, 0.25 + 0.5 * k / 64) for k in range(65))
-    np.testing.assert_allclose(
-        Glide(between).samples(RATE_HZ, 1e-4),
-        Glide(ends).samples(RATE_HZ, 1e-4),
-        rtol=0,
-        atol=1e-12,
-    )
-
-
-def test_the_phase_of_a_glide_does_not_jump_where_its_frequency_does():
-    points = ((0.0, 80.0, 1.0), (0.1, 80.0, 1.0), (0.1, 200.0, 1.0), (0.2, 200.0, 1.0))
-    samples = Glide(points).samples(FINE_HZ)
-    assert np.abs(np.diff(samples)).max() < 2 * math.pi * 200.0 / FINE_HZ
-    np.testing.assert_allclose(
-        samples[4800:],
-        np.sin(2 * np.pi * (0.1 * 80.0 + np.arange(4800) / FINE_HZ * 200.0)),
-        rtol=0,
-        atol=1e-12,
-    )
-
-
-def test_a_glide_holds_the_values_of_its_first_point_before_it():
-    late = Glide(((0.1, 80.0, 0.5), (0.2, 200.0, 1.0))).samples(RATE_HZ)
-    full = Glide(((0.0, 80.0, 0.5), (0.1, 80.0, 0.5), (0.2, 200.0, 1.0))).samples(RATE_HZ)
-    np.testing.assert_array_equal(late, full)
 
 
 def test_lists_and_arrays_will_do_for_tuples():

@@ -1,0 +1,149 @@
+"""Any recipe that fits its fields, for Hypothesis to choose: designs, views, whole files."""
+
+from dataclasses import replace
+from functools import cache
+
+from hypothesis import strategies as st
+
+from skinsource import fields
+from skinsource.design import Design, Input
+from skinsource.errors import InvalidInputError
+from skinsource.fields import (
+    SEGMENTS,
+    BreakpointsSpec,
+    BytesSpec,
+    ChoiceSpec,
+    CurveSpec,
+    ListSpec,
+    NumberSpec,
+    OptionalSpec,
+    PlainSpec,
+    PointsSpec,
+    RangeSpec,
+    RecipeSpec,
+    SamplesSpec,
+    SwitchSpec,
+    TextSpec,
+    specs_of,
+)
+from skinsource.limb import LIMB_NAMES
+from skinsource.samples import Samples
+
+
+def numbers(spec: NumberSpec) -> st.SearchStrategy:
+    if spec.whole:
+        return st.integers(int(spec.minimum), int(spec.maximum))
+    return st.floats(spec.minimum, spec.maximum, allow_nan=False)
+
+
+def texts(spec: TextSpec) -> st.SearchStrategy:
+    if spec.reader is not None:
+        return st.sampled_from(["sin(2*pi*90*t)", "t < 0.1", "noise(3)·hann()", "\t1 - t "])
+    characters = st.characters(exclude_categories=["Cs", "Cc", "Zl", "Zp"])
+    return st.text(characters, max_size=min(spec.longest, 30))
+
+
+def ranges(spec: RangeSpec) -> st.SearchStrategy:
+    end = st.floats(spec.minimum, spec.maximum, allow_nan=False)
+    return st.none() | st.tuples(end, end).filter(lambda ends: ends[0] < ends[1])
+
+
+def signals(spec: SamplesSpec) -> st.SearchStrategy:
+    held = st.lists(st.floats(allow_nan=False, allow_infinity=False), min_size=1, max_size=5)
+    rates = st.floats(1e-3, 1e9)
+    units = st.sampled_from(["", "m/s²"]) if spec.unit is None else st.just(spec.unit)
+    return st.builds(Samples, values=held, sample_rate_hz=rates, unit=units)
+
+
+def curves(spec: CurveSpec) -> st.SearchStrategy:
+    points = st.tuples(numbers(spec.x), numbers(spec.y))
+    return st.lists(points, max_size=5).map(lambda found: tuple(sorted(found)))
+
+
+PANELS = st.dictionaries(
+    st.text("abc", min_size=1, max_size=4),
+    st.dictionaries(
+        st.text("xyz_", min_size=1, max_size=4),
+        st.none()
+        | st.booleans()
+        | st.integers(-9, 9)
+        | st.floats(allow_nan=False, allow_infinity=False)
+        | st.text("ä b", max_size=5)
+        | st.tuples(st.floats(-1, 1), st.integers(0, 3)),
+        max_size=3,
+    ).map(lambda held: tuple(sorted(held.items()))),
+    max_size=3,
+).map(lambda panels: tuple(sorted(panels.items())))
+
+
+def any_of(spec: RecipeSpec) -> st.SearchStrategy:
+    kinds = spec.kinds()
+    # Clips hold waveforms, of which one kind holds clips.
+    later = [st.deferred(lambda kind=kind: recipes(kind)) for kind in kinds]
+    return st.one_of(later) if kinds else st.nothing()
+
+
+def most(spec: ListSpec) -> int:
+    """Parts of the longest list that is tried; none of kinds of which there are none."""
+    empty = isinstance(spec.of, RecipeSpec) and not spec.of.kinds()
+    return 0 if empty else min(spec.most, 6)
+
+
+def values(spec: fields.Spec) -> st.SearchStrategy:
+    """Any value that fits."""
+    return fields.made_for(
+        spec,
+        {
+            NumberSpec: numbers,
+            ChoiceSpec: lambda spec: st.sampled_from([option for option, _ in spec.options]),
+            SwitchSpec: lambda _: st.booleans(),
+            TextSpec: texts,
+            RangeSpec: ranges,
+            CurveSpec: curves,
+            BytesSpec: lambda _: st.binary(max_size=300),
+            PlainSpec: lambda _: PANELS,
+            ListSpec: lambda spec: st.lists(
+                values(spec.of),
+                min_size=spec.fewest,
+                max_size=most(spec),
+                unique=spec.different,
+            ).map(tuple),
+            OptionalSpec: lambda spec: st.none() | values(spec.of),
+            SamplesSpec: signals,
+            PointsSpec: lambda spec: st.lists(
+                st.tuples(*map(values, spec.columns)), min_size=spec.fewest, max_size=6
+            ).map(lambda points: tuple(sorted(points))),
+            BreakpointsSpec: lambda spec: st.lists(
+                st.tuples(values(spec.x), values(spec.y), st.sampled_from(SEGMENTS)),
+                min_size=1,
+                max_size=6,
+            ).map(lambda points: tuple(sorted(points))),
+            RecipeSpec: any_of,
+        },
+    )(spec)
+
+
+@cache
+def recipes(kind: type) -> st.SearchStrategy:
+    if kind is Design:
+        own = {name: values(spec) for name, spec in specs_of(Design).items() if name != "inputs"}
+        inputs = st.lists(recipes(Input), max_size=6, unique_by=lambda one: one.id).map(alone)
+        limbs = st.sampled_from(LIMB_NAMES)
+        return st.builds(Design, **{**own, "inputs": inputs, "limb": limbs})
+    parts = {name: values(spec) for name, spec in specs_of(kind).items()}
+    return st.fixed_dictionaries(parts).map(lambda given: made(kind, given))
+
+
+def alone(inputs: list[Input]) -> tuple[Input, ...]:
+    """The inputs, with clips that no other one has."""
+    return tuple(
+        replace(one, clips=tuple(replace(clip, id=0) for clip in one.clips)) for one in inputs
+    )
+
+
+def made(kind: type, given: dict):
+    """A recipe; one of defaults where these values, each for itself allowed, do not go together."""
+    try:
+        return kind(**given)
+    except InvalidInputError:
+        return kind()

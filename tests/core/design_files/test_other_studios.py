@@ -1,0 +1,157 @@
+"""Design files that another studio wrote: an older one, a newer one, and one that errs."""
+
+import dataclasses
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+import pytest
+
+from skinsource import codec, design_file, fields
+from skinsource.codec import image
+from skinsource.design import Input
+from skinsource.design_file import DesignFile, open_design, save_design
+from skinsource.errors import DesignFileError
+from skinsource.fields import NumberSpec, SamplesSpec, TextSpec
+from skinsource.samples import Samples
+from skinsource.view import View
+from tests.core.design_files.bench import DESIGN, VIEW
+
+
+def rewritten(path: Path, change) -> None:
+    """Write what another studio would have written: another tree, with its checksum."""
+    tree = codec.encode(DesignFile(design=DESIGN, view=VIEW))
+    change(tree)
+    path.write_bytes(image.to_image(tree, design_file.VERSION))
+
+
+def clip_of(tree: dict, index: int) -> dict:
+    """Tree of the clip of one of the inputs."""
+    return tree["design"]["inputs"][index]["clips"][0]
+
+
+OTHERS = {
+    "design holds gain": lambda tree: tree["design"].update(gain=1.0),
+    "view holds zoom": lambda tree: tree["view"].update(zoom=2.0),
+    "the content holds scenes": lambda tree: tree.update(scenes=[]),
+    "waveform holds harmonics": lambda tree: clip_of(tree, 0)["waveform"].update(harmonics=3),
+    "inputs/1/clips/0 holds colour": lambda tree: clip_of(tree, 1).update(colour=3),
+    "clips/0/waveform is of kind 'Siren'": lambda tree: clip_of(tree, 1).update(
+        waveform={"kind": "Siren"}
+    ),
+    "clips/0/effects/0 is of kind 'Echo'": lambda tree: clip_of(tree, 1).update(
+        effects=[{"kind": "Echo"}]
+    ),
+    "inputs/2 is of kind 'Track'": lambda tree: tree["design"]["inputs"][2].update(kind="Track"),
+}
+
+
+@pytest.mark.parametrize("message", OTHERS)
+def test_what_a_newer_studio_wrote_is_refused_and_said(saved, message):
+    rewritten(saved, OTHERS[message])
+    before = saved.read_bytes()
+    with pytest.raises(DesignFileError, match=message) as caught:
+        open_design(saved)
+    assert str(caught.value).startswith("design.skinsource: ")
+    assert str(caught.value).endswith("Open it with a newer SkinSource studio.")
+    assert saved.read_bytes() == before
+
+
+def clips(**fields: Any) -> list[dict]:
+    """Tree of the clips of an input: one, with these fields."""
+    return [{"kind": "Clip", **fields}]
+
+
+WRONG = {
+    r"Tone\.frequency_hz is 0": ("clips", clips(waveform={"kind": "Tone", "frequency_hz": 0.0})),
+    r"Tone\.window is 'hann'": ("clips", clips(waveform={"kind": "Tone", "window": "hann"})),
+    r"Clip\.onset_s is -0.1": ("clips", clips(onset_s=-0.1)),
+    r"Clip\.gain is '1'": ("clips", clips(gain="1")),
+    r"Input\.clips is 'all'": ("clips", "all"),
+    r"Input\.gain_curve is .*, expected": ("gain_curve", [[1.0, 0.5], [0.5, 1.0]]),
+    r"ids of the clips": ("clips", 2 * clips(id=9)),
+    r"Input\.location is 0": ("location", 0),
+    r"Input\.location is 'nnnn.{70,80}…, expected": ("location", "n" * 10**6),
+    r"Input\.muted is 1": ("muted", 1),
+    r"Input\.colour is True": ("colour", True),
+    r"Input\.amplitude is \[1.0, 2.0\]": ("amplitude", [1.0, 2.0]),
+    r"ids of the inputs": ("id", 1),
+}
+
+
+@pytest.mark.parametrize("message", WRONG)
+def test_a_value_that_cannot_be_is_refused_and_said(saved, message):
+    name, value = WRONG[message]
+    rewritten(saved, lambda tree: tree["design"]["inputs"][0].update({name: value}))
+    with pytest.raises(DesignFileError, match=message) as caught:
+        open_design(saved)
+    assert len(str(caught.value)) < 600
+    assert ".." not in str(caught.value)
+
+
+def test_what_every_version_writes_may_not_be_missing(saved):
+    rewritten(saved, lambda tree: tree["design"]["inputs"][0].pop("location"))
+    with pytest.raises(DesignFileError, match="inputs/0 lacks location"):
+        open_design(saved)
+
+
+def test_a_file_of_version_4_is_refused_as_newer(saved):
+    stored = saved.read_bytes().replace(b"version 3", b"version 4", 1)
+    saved.write_bytes(stored)
+    with pytest.raises(DesignFileError, match=r"version 4 .* Open it with a newer SkinSource"):
+        open_design(saved)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WiderView(View):
+    speed: float = fields.number(0.5, NumberSpec(label="Speed", minimum=0.0))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RicherInput(Input):
+    label: str = fields.text("", TextSpec(label="Label", longest=20))
+    recorded: Samples | None = fields.field(
+        fields.OptionalSpec(label="Recorded", of=SamplesSpec(label="Recorded")), default=None
+    )
+
+
+@pytest.fixture
+def tomorrow(monkeypatch) -> dict[str, Any]:
+    """A studio whose views and inputs have more fields; nothing else of it is different."""
+    view = dataclasses.make_dataclass("View", [], bases=(WiderView,), frozen=True, kw_only=True)
+    one = dataclasses.make_dataclass("Input", [], bases=(RicherInput,), frozen=True, kw_only=True)
+    monkeypatch.setattr("skinsource.design_file.View", view)
+    monkeypatch.setattr("skinsource.design.Input", one)
+    return {"View": view, "Input": one}
+
+
+def test_a_new_field_needs_no_other_file_touched(saved, tomorrow):
+    older = open_design(saved)
+    assert older.view.speed == 0.5
+    assert older.view.outputs == VIEW.outputs
+    assert [one.label for one in older.design.inputs] == ["", "", ""]
+    assert older.design.inputs[0].amplitude == -0.1
+    sound = Samples(values=np.arange(9.0), sample_rate_hz=1300.0)
+    marked = [replace(one, label="left", recorded=sound) for one in older.design.inputs]
+    design = replace(older.design, inputs=tuple(marked))
+    save_design(saved, design, replace(older.view, speed=2.25))
+    found = open_design(saved)
+    assert found.view.speed == 2.25
+    assert found.design == design
+    assert found.design.inputs[0].recorded == sound
+
+
+def test_the_studio_of_today_refuses_what_the_one_of_tomorrow_wrote(saved, tomorrow, monkeypatch):
+    older = open_design(saved)
+    save_design(saved, older.design, older.view)
+    monkeypatch.undo()
+    with pytest.raises(DesignFileError, match=r"holds .*newer SkinSource studio"):
+        open_design(saved)
+
+
+def test_a_studio_that_knows_version_1_only_learns_that_it_is_too_old(saved):
+    with h5py.File(saved) as file:
+        assert file.attrs["format"] == b"skinsource design"
+        assert file.attrs["version"] == 3

@@ -1,0 +1,11 @@
+"""The lines of a spectrum, as the tests of periodic waveforms look at them."""
+
+import numpy as np
+
+
+def spectrum(samples: np.ndarray) -> np.ndarray:
+    """Amplitudes of the lines, the mean with its sign."""
+    lines = np.fft.rfft(samples) / samples.size
+    found = 2 * np.abs(lines)
+    found[0] = lines[0].real
+    return found

@@ -1,0 +1,70 @@
+"""Edits of clips and of time that cannot be done: each is refused with one sentence."""
+
+import pytest
+
+from skinsource import edits
+from skinsource.clips import Clip
+from skinsource.design import MAX_CLIPS, MAX_INPUTS, Design, Input
+from skinsource.edits import Edit, Refusal
+from skinsource.view import View
+from skinsource.waveforms import Tap
+from tests.core.clips_bench import DESIGN, VIEW
+
+FULL = Design(limb="any", inputs=(Input(location=1, clips=(Clip(),) * MAX_CLIPS),))
+CROWD = Design(limb="any", inputs=(Input(location=1),) * MAX_INPUTS)
+LANES = edits.fragment_of(DESIGN, (1, 3))
+
+
+@pytest.mark.parametrize(
+    "outcome",
+    [
+        edits.add_clip(DESIGN, VIEW, 9, 0.0, Tap()),
+        edits.add_clip(DESIGN, VIEW, 1, -0.1, Tap()),
+        edits.add_clip(DESIGN, VIEW, 1, 0.0, None),
+        edits.add_clip(FULL, VIEW, 1, 0.0, Tap()),
+        edits.move_clips(DESIGN, VIEW, (9,), 0.1),
+        edits.move_clips(DESIGN, VIEW, (1,), float("nan")),
+        edits.move_clips(DESIGN, VIEW, (1,), 0.1, 0.5),
+        edits.copy_clips(FULL, VIEW, (1,), 0.1),
+        edits.repeat_clips(DESIGN, VIEW, (1,), 1),
+        edits.repeat_clips(DESIGN, VIEW, (1,), 10**9),
+        edits.repeat_clips(DESIGN, VIEW, (5,), 1000 * 1000),
+        edits.split_clips(DESIGN, VIEW, (1,), 0.05),
+        edits.split_clips(DESIGN, VIEW, (1,), None),
+        edits.split_clips(FULL, VIEW, (1,), 0.1),
+        edits.join_clips(DESIGN, VIEW, (1, 2)),
+        edits.join_clips(DESIGN, VIEW, ()),
+        edits.trim_clip(DESIGN, VIEW, 9, 0.0, 1.0),
+        edits.trim_clip(DESIGN, VIEW, 1, float("nan"), 1.0),
+        edits.set_clips(DESIGN, VIEW, (1,), "id", 3),
+        edits.set_clips(DESIGN, VIEW, (1,), "gain", "loud"),
+        edits.remove_clips(DESIGN, VIEW, ()),
+        edits.cut_clips(DESIGN, VIEW, ()),
+        edits.paste_fragment(DESIGN, VIEW, LANES, -1.0),
+        edits.paste_fragment(DESIGN, VIEW, LANES, None),
+        edits.paste_fragment(FULL, VIEW, LANES, 0.0),
+        edits.paste_fragment(CROWD, View(selected_inputs=(100,)), LANES, 0.0),
+        edits.insert_time(DESIGN, VIEW, 0.1, 0.0),
+        edits.insert_time(DESIGN, VIEW, -0.1, 1.0),
+        edits.insert_time(DESIGN, VIEW, 0.0, 600.0),
+        edits.remove_time(DESIGN, VIEW, 0.3, 0.2),
+        edits.remove_time(DESIGN, VIEW, "0", 1.0),
+        edits.add_marker(DESIGN, VIEW, -1.0),
+        edits.move_marker(DESIGN, VIEW, 3, 0.1),
+        edits.move_marker(DESIGN, VIEW, 0, float("inf")),
+        edits.rename_marker(DESIGN, VIEW, 0, "two\nlines"),
+        edits.remove_marker(DESIGN, VIEW, -1),
+        edits.set_loop(DESIGN, VIEW, (1.0, 1.0)),
+        edits.set_gain_curve(DESIGN, VIEW, 1, ((0.0, -1.0),)),
+        edits.set_gain_curve(DESIGN, VIEW, 9, ()),
+        edits.move_playhead(DESIGN, VIEW, -1.0),
+    ],
+)
+def test_what_cannot_be_done_is_refused_with_one_sentence(outcome):
+    assert isinstance(outcome, Refusal)
+    assert outcome.sentence.endswith(".")
+    assert len(outcome.sentence) < 400
+
+
+def test_edits_lead_to_edits():
+    assert isinstance(edits.select_clips(DESIGN, VIEW, (1,)), Edit)
