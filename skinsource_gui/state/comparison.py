@@ -127,6 +127,8 @@ class Comparison(QObject):
         return (*stored, Snapshot(number=EDITED, design=design))
 
     def _follow(self) -> None:
+        if not (self._visible() or self._then or self._asked):
+            return  # what is gone is forgotten once somebody looks again
         numbers = {one.number for one in self._together()}
         for gone in self._known.keys() - numbers - {_PRESENT}:
             del self._known[gone]

@@ -104,8 +104,11 @@ def decode(tree: Tree, kinds: tuple[type, ...], at: Address) -> Any:
 
 def nesting(recipe: Any) -> int:
     """How many recipes stand within each other, this one counted."""
-    specs = _nesting_specs(type(recipe))
-    return 1 + max((spec.depth(getattr(recipe, name)) for name, spec in specs), default=0)
+    deepest = 0
+    for name, spec in _nesting_specs(type(recipe)):
+        depth = spec.depth(getattr(recipe, name))
+        deepest = max(deepest, depth)
+    return 1 + deepest
 
 
 # A design holds a thousand recipes and is made anew with each edit; classes do not change.

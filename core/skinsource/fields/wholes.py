@@ -103,7 +103,7 @@ class ListSpec(Spec):
 
     def depth(self, value: tuple[Any, ...]) -> int:
         """That of the deepest part."""
-        return max((self.of.depth(part) for part in value), default=0)
+        return max(map(self.of.depth, value), default=0) if value else 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
