@@ -2,6 +2,9 @@
 
 from dataclasses import dataclass
 
+#: So many can be taken back; the oldest ones are forgotten first.
+MOST_STEPS = 1000
+
 
 @dataclass(frozen=True, slots=True)
 class Step:

@@ -10,9 +10,8 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 from skinsource.design import Design
 from skinsource.edits import Edit, Refusal, kept_selection
 from skinsource.view import View
+from skinsource_gui.history import MOST_STEPS
 
-#: Steps that can be undone; older ones are forgotten.
-MOST_STEPS = 1000
 # Gestures count from 1, and -1 tells Qt that a step joins no other.
 _NO_GESTURE = -1
 

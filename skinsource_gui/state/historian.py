@@ -5,9 +5,9 @@ from functools import partial
 
 from PySide6.QtCore import QObject
 
-from skinsource_gui.history import History, Step
+from skinsource_gui.history import MOST_STEPS, History, Step
 from skinsource_gui.panel import Panel
-from skinsource_gui.state.document import MOST_STEPS, Document
+from skinsource_gui.state.document import Document
 
 _FORGOTTEN = f"Before the last {MOST_STEPS} steps"
 

@@ -7,12 +7,12 @@ from PySide6.QtWidgets import QHBoxLayout, QWidget
 from skinsource.design import Design, audible_inputs
 from skinsource.rendering.check import TraceError
 from skinsource_gui.state.engine import Engine, Outcome
-from skinsource_gui.status import scope
+from skinsource_gui.status import computation_words
+from skinsource_gui.status.computation_words import Scope, felt_words, scope_of
 from skinsource_gui.status.edit_times import EditTime
 from skinsource_gui.status.error_label import ErrorLabel
 from skinsource_gui.status.fitting_label import FittingLabel
 from skinsource_gui.status.pause import PAUSE_MS
-from skinsource_gui.status.scope import Scope, felt_words, scope_of
 from skinsource_gui.status.sparkline import FRAME_S, Sparkline
 from skinsource_gui.status.timing_label import TimingLabel
 from skinsource_gui.theme import UNIT_PX, Theme, tabular
@@ -33,7 +33,7 @@ class StatusLine(QWidget):
     """
 
     #: Quantities that it asks for beside those of the panels.
-    needs = scope.NEEDS
+    needs = computation_words.NEEDS
     #: Something that it tells is new; at most some times a second.
     changed = Signal()
 

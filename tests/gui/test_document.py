@@ -6,7 +6,8 @@ from skinsource.design import Design, track
 from skinsource.edits import Edit, Refusal
 from skinsource.view import View
 from skinsource.waveforms import Tone
-from skinsource_gui.state.document import MOST_STEPS, Document
+from skinsource_gui.history import MOST_STEPS
+from skinsource_gui.state.document import Document
 
 ONE_TONE = Design(limb="synthetic-1", inputs=(track(location=7, waveform=Tone()),))
 

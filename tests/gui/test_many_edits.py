@@ -1,7 +1,8 @@
 import gc
 
 from skinsource.design import start_design
-from skinsource_gui.state.document import MOST_STEPS, Document
+from skinsource_gui.history import MOST_STEPS
+from skinsource_gui.state.document import Document
 
 
 def steps_in_memory():

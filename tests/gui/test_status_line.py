@@ -15,9 +15,9 @@ from skinsource.rendering.segments import BLOCK_FFT
 from skinsource.view import View
 from skinsource.waveforms import Tone
 from skinsource.work import Work
+from skinsource_gui.status.computation_words import Scope
 from skinsource_gui.status.edit_times import EditTime, EditTimes, milliseconds, most_within, summary
 from skinsource_gui.status.fitting_label import FittingLabel
-from skinsource_gui.status.scope import Scope
 from skinsource_gui.status.sparkline import Sparkline
 from skinsource_gui.theme import DARK, LIGHT
 

@@ -2,7 +2,7 @@
 
 from skinsource.clips.clip import EFFECT_LIST, GAIN, ONSET, Clip
 from skinsource.clips.fragment import Fragment, Lane
+from skinsource.clips.ids import numbered
 from skinsource.clips.marker import Marker
-from skinsource.clips.numbering import numbered
 
 __all__ = ["EFFECT_LIST", "GAIN", "ONSET", "Clip", "Fragment", "Lane", "Marker", "numbered"]

@@ -11,13 +11,11 @@ from skinsource.design import Design
 from skinsource.edits.selection import clip_of
 from skinsource.view import View
 from skinsource_gui.panels.timeline.lane import Box, Lane, box_at, boxes_of, lane_at
-from skinsource_gui.widgets.time.snapping import grid_step_s
+from skinsource_gui.widgets.time.snapping import REACH_PX, grid_step_s
 from skinsource_gui.widgets.time.time_scale import Range, TimeScale
 
 #: How high the ruler is where words have their usual size, px.
 RULER_PX = 26.0
-# How far away something is that an edge snaps to, px.
-_REACH_PX = 7.0
 #: Behind the last clip, so much of the time can be seen; at least so much in all.
 AFTER_S, LEAST_S = 0.4, 0.5
 
@@ -85,7 +83,7 @@ class Content:
     @property
     def reach_s(self) -> float:
         """From how far away an edge snaps."""
-        return _REACH_PX / self.scale.px_per_s
+        return REACH_PX / self.scale.px_per_s
 
     @property
     def grid_s(self) -> float:

@@ -11,7 +11,7 @@ from skinsource_gui.panels.timeline.heads.input_list import InputList
 from skinsource_gui.panels.timeline.heads.input_row import InputRow
 from skinsource_gui.panels.timeline.lane import Lane
 from skinsource_gui.panels.timeline.lanes_view import LanesView
-from skinsource_gui.panels.timeline.time_bar import TimeBar
+from skinsource_gui.panels.timeline.time_scroll_bar import TimeBar
 from skinsource_gui.panels.timeline.timeline_toolbar import TimelineToolbar
 
 HEADS_PX = 196

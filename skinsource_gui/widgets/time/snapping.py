@@ -5,6 +5,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import floor, log10
 
+#: From how far away an edge snaps, px.
+REACH_PX = 7.0
 _GRID_PX = 12.0
 _STEPS = (1.0, 2.0, 5.0, 10.0)
 
