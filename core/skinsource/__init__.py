@@ -33,6 +33,7 @@ from skinsource.resampling import resample
 from skinsource.response import predict
 from skinsource.signals import impulse, sinusoid, tap, white_noise, window
 from skinsource.spectra import magnitude_spectrum, peak_hold_spectrum, rms
+from skinsource.stimulus import Stimulus, stimulus_of
 from skinsource.surface import SurfaceOperator, surface_operator
 from skinsource.version import __version__
 from skinsource.view import View
@@ -48,6 +49,7 @@ __all__ = [
     "LimbMap",
     "Marker",
     "SkinSourceError",
+    "Stimulus",
     "SurfaceOperator",
     "View",
     "__version__",
@@ -69,6 +71,7 @@ __all__ = [
     "rms",
     "save_design",
     "sinusoid",
+    "stimulus_of",
     "surface_operator",
     "tap",
     "track",

@@ -1,0 +1,178 @@
+"""From a design to the channels that actuators get."""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import Literal
+
+import numpy as np
+
+from skinsource.arguments import one_of, whole_number
+from skinsource.arrays import Floats
+from skinsource.catalogue import load_limb
+from skinsource.chain import Part, drive_played, placed_chain
+from skinsource.design import Design, Input, audible_inputs
+from skinsource.effects import played
+from skinsource.errors import InvalidInputError
+from skinsource.job import Stop, never, stop_if
+from skinsource.limb import check_input_location
+from skinsource.locations import input_words
+from skinsource.quoting import quoted
+from skinsource.resampling import MAX_RATE_HZ, by_ratio
+from skinsource.stimulus.channel import Channel
+from skinsource.stimulus.stimulus import Stimulus
+
+#: Something that is done to a stimulus at the rate of the device: an equaliser, for instance.
+Stage = Callable[[Stimulus], Stimulus]
+
+#: Samples of all channels together: one gigabyte.
+MOST_SAMPLES = 2**27
+_PER = ("place", "input")
+
+
+def stimulus_of(
+    design: Design,
+    sample_rate_hz: int | None = None,
+    *,
+    per: Literal["place", "input"] = "place",
+    inputs: Iterable[int] | None = None,
+    clips: Iterable[int] | None = None,
+    stages: Sequence[Stage] = (),
+    stop: Stop = never,
+) -> Stimulus:
+    """Return what the actuators get to play a design.
+
+    Each channel is amplitude x gain x waveform, at the rate of the limb, where the prediction is
+    made from the same samples; another rate is reached by `skinsource.resample`, so that what is
+    played is what is predicted.  Sample 0 is time 0 of the design.
+
+    Parameters
+    ----------
+    design
+        Inputs that are not heard are left out.
+    sample_rate_hz
+        A whole number of hertz; None: the rate of the limb.
+    per
+        ``"place"``: one channel for each place in use, in the order of first use, so that inputs
+        at one place add up.  ``"input"``: one channel for each input.
+    inputs, clips
+        Ids of the inputs, or of the clips, that take part; None: all of them.
+    stages
+        What is done at the end, at ``sample_rate_hz``, one after the other.
+    stop
+        Asked now and then; once true, `skinsource.errors.Stopped` is raised.
+
+    Raises
+    ------
+    InvalidInputError
+        A place that the limb does not have, an id or a rate that cannot be, an input that plays
+        what cannot be used, or more samples than can be held.
+    DatasetMissingError
+        The limb is a measured one, and the measured dataset is not installed.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> one = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+    >>> found = ss.stimulus_of(ss.Design(limb="synthetic-1", inputs=(one,)), 48_000)
+    >>> found.channels[0].title, found.samples.shape
+    ('Digit II, pad', (1, 9600))
+    """
+    if not isinstance(design, Design):
+        raise InvalidInputError(f"design is {quoted(design)}, expected a Design")
+    one_of("per", per, _PER)
+    limb = load_limb(design.limb)
+    own_rate_hz = limb.sample_rate_hz
+    heard = _taking_part(design, inputs, clips)
+    for one in heard:
+        check_input_location(one.location, limb.n_inputs)
+    channels = _channels(heard, per)
+    rate_hz = own_rate_hz
+    if sample_rate_hz is not None:
+        rate_hz = float(whole_number("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ))
+    ratio = Fraction(rate_hz) / Fraction(own_rate_hz)
+    samples = _sampled(heard, channels, own_rate_hz, ratio, stop)
+    if ratio != 1:
+        stop_if(stop)
+        samples = by_ratio(samples, ratio, min(own_rate_hz, rate_hz))
+    found = Stimulus(
+        channels=channels,
+        samples=samples,
+        sample_rate_hz=rate_hz,
+        limb=design.limb,
+        scaling=design.scaling,
+        own_rate_hz=own_rate_hz,
+    )
+    for stage in stages:
+        stop_if(stop)
+        found = stage(found)
+    return found
+
+
+def _taking_part(
+    design: Design, inputs: Iterable[int] | None, clips: Iterable[int] | None
+) -> tuple[Input, ...]:
+    """Inputs that are heard, with those of their clips that take part."""
+    heard = audible_inputs(design.inputs)
+    if inputs is not None:
+        wanted = {design.input(id).id for id in inputs}
+        heard = tuple(one for one in heard if one.id in wanted)
+    if clips is None:
+        return heard
+    chosen = {design.clip(id).id for id in clips}
+    left = (
+        replace(one, clips=tuple(clip for clip in one.clips if clip.id in chosen)) for one in heard
+    )
+    return tuple(one for one in left if one.clips)
+
+
+def _channels(heard: tuple[Input, ...], per: str) -> tuple[Channel, ...]:
+    together: dict[int, list[Input]] = {}
+    for one in heard:
+        together.setdefault(one.location if per == "place" else one.id, []).append(one)
+    return tuple(
+        Channel(
+            number=number,
+            place=group[0].location,
+            title=input_words(group[0].location).name,
+            inputs=tuple(one.id for one in group),
+        )
+        for number, group in enumerate(together.values(), start=1)
+    )
+
+
+def _sampled(
+    heard: tuple[Input, ...],
+    channels: tuple[Channel, ...],
+    rate_hz: float,
+    ratio: Fraction,
+    stop: Stop,
+) -> Floats:
+    """Samples of the channels at the rate of the limb, (n_channels, n_times); 1 sample at least."""
+    rows = {id: row for row, one in enumerate(channels) for id in one.inputs}
+    pieces: list[tuple[int, int, float, Floats]] = []
+
+    def drawn(part: Part) -> Floats:
+        return played(part.waveform, part.effects, rate_hz, part.shift_s)
+
+    for one in heard:
+        stop_if(stop)
+        start, chain = placed_chain(one.clips, one.gain_curve, rate_hz)
+        drive = drive_played(chain, rate_hz, one.location, drawn)
+        pieces.append((rows[one.id], start, one.amplitude * drive.factor, drive.samples))
+    n = max([1, *(start + samples.size for _, start, _, samples in pieces)])
+    _refuse_too_long(len(channels), -(-n * ratio.numerator // ratio.denominator))
+    total = np.zeros((len(channels), n))
+    for row, start, factor, samples in pieces:
+        total[row, start : start + samples.size] += factor * samples
+    return total
+
+
+def _refuse_too_long(n_channels: int, n_times: int) -> None:
+    if n_channels * n_times > MOST_SAMPLES:
+        raise InvalidInputError(
+            f"The stimulus has {n_times} samples in {n_channels} "
+            f"channel{'' if n_channels == 1 else 's'}, {n_channels * n_times:.2g} together, "
+            f"expected at most {MOST_SAMPLES:.2g}. Choose a lower rate, fewer inputs or fewer "
+            "clips."
+        )

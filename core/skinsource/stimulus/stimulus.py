@@ -1,0 +1,98 @@
+"""Channels with their samples."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from skinsource.arrays import Floats
+from skinsource.scaling.response_scaling import Scaling
+from skinsource.signals import BAND_HZ
+from skinsource.stimulus.channel import Channel
+
+#: What samples are before a full scale is chosen, by scaling.  Under upstream scaling an amplitude
+#: is a peak on the skin, so that the drive has no unit of its own.
+UNITS: dict[Scaling, str] = {"probe": "m/s²", "relative": "measuring pulse", "upstream": "1"}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Stimulus:
+    """Sampled channels side by side.
+
+    Attributes
+    ----------
+    channels
+        What they are; none where nothing is heard.
+    samples : (n_channels, n_times)
+        Amplitude times gain times waveform, read-only.
+    sample_rate_hz
+        Their rate.
+    limb
+        Name of the limb that the design is for.
+    scaling
+        What an amplitude of 1 means in that design.
+    start_s
+        Time of the design at which the first sample lies.
+    own_rate_hz
+        Rate at which the design was sampled: nothing above its half is in the samples.
+    """
+
+    channels: tuple[Channel, ...]
+    samples: Floats
+    sample_rate_hz: float
+    limb: str
+    scaling: Scaling
+    start_s: float = 0.0
+    own_rate_hz: float
+
+    def __post_init__(self) -> None:
+        if self.samples.ndim != 2 or len(self.channels) != self.samples.shape[0]:
+            raise ValueError(
+                f"samples have the shape {self.samples.shape}, expected "
+                f"({len(self.channels)} channels, n_times)"
+            )
+        held = self.samples.view()
+        held.flags.writeable = False
+        object.__setattr__(self, "samples", held)
+
+    @property
+    def n_times(self) -> int:
+        """Samples of each channel."""
+        return self.samples.shape[1]
+
+    @property
+    def duration_s(self) -> float:
+        """How long it lasts."""
+        return self.n_times / self.sample_rate_hz
+
+    @property
+    def unit(self) -> str:
+        """Unit of the samples of channels that have a place."""
+        return UNITS[self.scaling]
+
+    @property
+    def band_hz(self) -> tuple[float, float]:
+        """Lowest and highest frequency at which what is written is what was predicted."""
+        lower_hz = min(self.sample_rate_hz, self.own_rate_hz)
+        return BAND_HZ[0], min(BAND_HZ[1], lower_hz / 2.0 * 12.0 / 13.0)
+
+    @property
+    def driving(self) -> tuple[int, ...]:
+        """Rows of the channels that drive an actuator."""
+        return tuple(row for row, one in enumerate(self.channels) if one.place is not None)
+
+    def with_samples(self, samples: Floats, **changes: object) -> "Stimulus":
+        """Return a copy that holds other samples."""
+        return replace(self, samples=samples, **changes)  # type: ignore[arg-type]
+
+
+def numbered(channels: Iterable[Channel]) -> tuple[Channel, ...]:
+    """Number ``channels`` from 1 in their order."""
+    return tuple(replace(one, number=number) for number, one in enumerate(channels, start=1))
+
+
+def peaks(samples: Floats) -> Floats:
+    """Largest absolute sample of each channel, (n_channels,); without a copy of them all."""
+    if not samples.shape[1]:
+        return np.zeros(samples.shape[0])
+    return np.maximum(samples.max(axis=1), -samples.min(axis=1))
