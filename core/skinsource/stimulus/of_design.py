@@ -90,14 +90,9 @@ def stimulus_of(
     rate_hz = own_rate_hz
     if sample_rate_hz is not None:
         rate_hz = float(whole_number("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ))
-    ratio = Fraction(rate_hz) / Fraction(own_rate_hz)
-    samples = _sampled(heard, channels, own_rate_hz, ratio, stop)
-    if ratio != 1:
-        stop_if(stop)
-        samples = by_ratio(samples, ratio, min(own_rate_hz, rate_hz))
     found = Stimulus(
         channels=channels,
-        samples=samples,
+        samples=_sampled(heard, channels, own_rate_hz, rate_hz, stop),
         sample_rate_hz=rate_hz,
         limb=design.limb,
         scaling=design.scaling,
@@ -144,28 +139,30 @@ def _channels(heard: tuple[Input, ...], per: str) -> tuple[Channel, ...]:
 def _sampled(
     heard: tuple[Input, ...],
     channels: tuple[Channel, ...],
+    own_rate_hz: float,
     rate_hz: float,
-    ratio: Fraction,
     stop: Stop,
 ) -> Floats:
-    """Samples of the channels at the rate of the limb, (n_channels, n_times); 1 sample at least."""
+    """Samples of the channels at ``rate_hz``, (n_channels, n_times); at least one."""
+    ratio = Fraction(rate_hz) / Fraction(own_rate_hz)
     rows = {id: row for row, one in enumerate(channels) for id in one.inputs}
     pieces: list[tuple[int, int, float, Floats]] = []
 
     def drawn(part: Part) -> Floats:
-        return played(part.waveform, part.effects, rate_hz, part.shift_s)
+        return played(part.waveform, part.effects, own_rate_hz, part.shift_s)
 
     for one in heard:
         stop_if(stop)
-        start, chain = placed_chain(one.clips, one.gain_curve, rate_hz)
-        drive = drive_played(chain, rate_hz, one.location, drawn)
+        start, chain = placed_chain(one.clips, one.gain_curve, own_rate_hz)
+        drive = drive_played(chain, own_rate_hz, one.location, drawn)
         pieces.append((rows[one.id], start, one.amplitude * drive.factor, drive.samples))
     n = max([1, *(start + samples.size for _, start, _, samples in pieces)])
     _refuse_too_long(len(channels), -(-n * ratio.numerator // ratio.denominator))
     total = np.zeros((len(channels), n))
     for row, start, factor, samples in pieces:
         total[row, start : start + samples.size] += factor * samples
-    return total
+    stop_if(stop)
+    return total if ratio == 1 else by_ratio(total, ratio, min(own_rate_hz, rate_hz))
 
 
 def _refuse_too_long(n_channels: int, n_times: int) -> None:
