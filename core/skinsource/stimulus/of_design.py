@@ -80,17 +80,27 @@ def stimulus_of(
     """
     if not isinstance(design, Design):
         raise InvalidInputError(f"design is {quoted(design)}, expected a Design")
-    one_of("per", per, _PER)
-    limb = load_limb(design.limb)
-    own_rate_hz = limb.sample_rate_hz
+    if sample_rate_hz is not None:
+        sample_rate_hz = whole_number("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ)
     heard = _taking_part(design, inputs, clips)
+    found = _made(design, heard, one_of("per", per, _PER), sample_rate_hz, stop)
+    for stage in stages:
+        stop_if(stop)
+        found = stage(found)
+    return found
+
+
+def _made(
+    design: Design, heard: tuple[Input, ...], per: str, sample_rate_hz: int | None, stop: Stop
+) -> Stimulus:
+    """What ``heard`` plays."""
+    limb = load_limb(design.limb)
     for one in heard:
         check_input_location(one.location, limb.n_inputs)
+    own_rate_hz = limb.sample_rate_hz
+    rate_hz = own_rate_hz if sample_rate_hz is None else float(sample_rate_hz)
     channels = _channels(heard, per)
-    rate_hz = own_rate_hz
-    if sample_rate_hz is not None:
-        rate_hz = float(whole_number("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ))
-    found = Stimulus(
+    return Stimulus(
         channels=channels,
         samples=_sampled(heard, channels, own_rate_hz, rate_hz, stop),
         sample_rate_hz=rate_hz,
@@ -98,10 +108,6 @@ def stimulus_of(
         scaling=design.scaling,
         own_rate_hz=own_rate_hz,
     )
-    for stage in stages:
-        stop_if(stop)
-        found = stage(found)
-    return found
 
 
 def _taking_part(
