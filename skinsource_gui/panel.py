@@ -34,6 +34,8 @@ class Panel(QWidget):
     view_changed = Signal(object)
     #: The name of an action of the window, such as "export_picture".
     action_wanted = Signal(str)
+    #: Where the playhead shall be, s.  What else a panel tells leaves it where it is.
+    playhead_wanted = Signal(float)
     visibility_changed = Signal()
     #: How many steps of the history shall be done.
     step_wanted = Signal(int)
@@ -61,6 +63,12 @@ class Panel(QWidget):
 
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view; called at each change, before any results."""
+
+    def show_playhead(self, view: View) -> None:
+        """Take over a view in which the playhead alone has moved; at each step while it plays.
+
+        `show_state` tells where it is too, but is not called for this.
+        """
 
     def begin_anew(self) -> None:
         """Let the next results be drawn as if there had been none before: nothing is held."""

@@ -66,6 +66,10 @@ class SetupBar(QWidget):
         self._method.setEnabled(not single)
         self._method.setToolTip("A single axis needs no method" if single else self._method_hint)
 
+    def show_playhead(self, view: View) -> None:
+        """Take over a view in which the playhead alone has moved."""
+        self._view = view
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         # Where there is too little room for all, what is chosen says more than what it is called.

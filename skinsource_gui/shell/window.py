@@ -209,6 +209,7 @@ class MainWindow(QMainWindow):
     def _connect(self) -> None:
         document, reports = self.document, self.reports
         document.changed.connect(self._show_state)
+        document.playhead_moved.connect(lambda: self.setup_bar.show_playhead(document.view))
         document.refused.connect(reports.complain)
         self.action_set.edited.connect(document.apply)
         self.appearance.changed.connect(self._show_theme)

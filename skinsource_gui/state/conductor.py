@@ -1,13 +1,17 @@
 """Keeps the visible panels in step with the document."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from time import perf_counter
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
+from skinsource import edits
+from skinsource.edits import Edit, Refusal
 from skinsource.errors import SkinSourceError
 from skinsource.quantities import sources
+from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request
@@ -53,11 +57,13 @@ class Conductor(QObject):
         self._anew: set[Panel] = set()
         document.jumped.connect(self._begin_anew)
         document.changed.connect(self._follow)
+        document.playhead_moved.connect(self._follow_playhead)
         engine.finished.connect(self._deliver)
         for panel in panels:
             panel.visibility_changed.connect(self._ask)
-            panel.edited.connect(document.apply)
-            panel.view_changed.connect(document.look)
+            panel.edited.connect(self._apply)
+            panel.view_changed.connect(self._look)
+            panel.playhead_wanted.connect(self._put_playhead)
             panel.show_state(document.design, document.view)
 
     def _follow(self) -> None:
@@ -66,6 +72,27 @@ class Conductor(QObject):
             panel.show_state(self._document.design, self._document.view)
         if self._ask(since_s):
             self._engine.wait(WAIT_FOR_RESULTS_S)
+
+    def _follow_playhead(self) -> None:
+        for panel in self._panels:
+            panel.show_playhead(self._document.view)
+
+    def _apply(self, outcome: Edit | Refusal, gesture: int | None) -> None:
+        if isinstance(outcome, Edit):
+            outcome = replace(outcome, view=self._with_playhead(outcome.view))
+        self._document.apply(outcome, gesture)
+
+    def _look(self, view: View) -> None:
+        self._document.look(self._with_playhead(view))
+
+    def _put_playhead(self, time_s: float) -> None:
+        outcome = edits.move_playhead(self._document.design, self._document.view, time_s)
+        self._document.apply(outcome)
+
+    def _with_playhead(self, view: View) -> View:
+        # While it moves, most panels know where it was, not where it is.
+        playhead_s = self._document.view.playhead_s
+        return view if view.playhead_s == playhead_s else replace(view, playhead_s=playhead_s)
 
     def _begin_anew(self) -> None:
         self._anew.update(self._panels)

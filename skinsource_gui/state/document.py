@@ -24,6 +24,8 @@ class Document(QObject):
     """
 
     changed = Signal()
+    #: The playhead alone has moved; then `changed` is not emitted.
+    playhead_moved = Signal()
     #: What comes does not go on from what was: a step was taken back or done again, or another file
     #: is open.  Emitted before `changed`.
     jumped = Signal()
@@ -144,9 +146,10 @@ class Document(QObject):
     def _show(self, design: Design, view: View) -> None:
         view = _existing(view, design)
         if (design, view) != (self._design, self._view):
+            alone = design is self._design and _same_but_for_playhead(view, self._view)
             self._design, self._view = design, view
             if not self._on_the_way:
-                self.changed.emit()
+                (self.playhead_moved if alone else self.changed).emit()
 
     def _tell_title(self) -> None:
         if self._on_the_way:
@@ -224,6 +227,10 @@ class _Swap(QUndoCommand):
         self.setText(newer.text())
         self.setObsolete(self._before.is_same(self._after))
         return True
+
+
+def _same_but_for_playhead(view: View, other: View) -> bool:
+    return replace(view, playhead_s=other.playhead_s) == other
 
 
 def _same_snapshots(view: View, other: View) -> bool:

@@ -13,7 +13,7 @@ from PySide6.QtGui import QKeyEvent, QKeySequence
 from skinsource_gui.widgets.effect_keys import CURVE, EFFECTS
 from skinsource_gui.widgets.key_hint import KeyHint
 from skinsource_gui.widgets.library_keys import LIBRARY
-from skinsource_gui.widgets.timeline_keys import CLIP_EDITOR, TIMELINE
+from skinsource_gui.widgets.timeline_keys import CLIP_EDITOR, PLAYHEAD, TIMELINE
 
 _ARROWS = ("Left", "Right", "Up", "Down")
 _ENTER = ("Return", "Enter", "Space")
@@ -113,6 +113,7 @@ WIDGET_KEYS: dict[str, tuple[str, tuple[KeyHint, ...]]] = {
         ),
     ),
     "timeline": ("On the timeline", TIMELINE),
+    "playhead": ("On the timeline and on the traces", PLAYHEAD),
     "clip_editor": ("In the editor of a clip", CLIP_EDITOR),
     "skin": (
         "On the skin map",

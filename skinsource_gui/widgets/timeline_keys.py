@@ -74,3 +74,18 @@ CLIP_EDITOR: tuple[KeyHint, ...] = (
     KeyHint(name="zoom_out", words="\u2212", means="zoom out", keys=("-", "Shift+-")),
     KeyHint(name="whole", words="0", means="see all of the clip", keys=("0", "Shift+0")),
 )
+
+PLAYHEAD: tuple[KeyHint, ...] = (
+    KeyHint(
+        name="step",
+        words="Alt+Left, Alt+Right",
+        means="move the playhead by 1 ms; with Shift by 10 ms",
+        keys=("Alt+Left", "Alt+Right", "Alt+Shift+Left", "Alt+Shift+Right"),
+    ),
+    KeyHint(
+        name="stop",
+        words="Page Up, Page Down",
+        means="put the playhead at the end of a clip, or the marker, before or after it",
+        keys=("PgUp", "PgDown"),
+    ),
+)

@@ -28,6 +28,7 @@ HELD = [
     _Held.ControlModifier,
     _Held.AltModifier,
     _Held.ControlModifier | _Held.ShiftModifier,
+    _Held.AltModifier | _Held.ShiftModifier,
 ]
 
 
@@ -45,6 +46,7 @@ def claims(place, parent):
     if place == "colour_bar":
         return lambda event: bool(key_step_db(event))
     others = ("history", "snapshot", "effects", "curve", "timeline", "clip_editor", "library")
+    others += ("playhead",)
     return partial(meant, place if place in others else "plot")
 
 

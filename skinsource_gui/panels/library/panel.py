@@ -66,6 +66,9 @@ class LibraryPanel(Panel):
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
 
+    def show_playhead(self, view: View) -> None:
+        self._view = view
+
     def show_theme(self, theme: Theme) -> None:
         self.rows.show_theme(theme)
         self.preview.show_theme(theme)

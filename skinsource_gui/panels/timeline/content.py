@@ -1,7 +1,7 @@
 """What the timeline shows."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from PySide6.QtCore import QPointF
@@ -79,6 +79,15 @@ class Content:
         That is the first clip of the track that was selected last.
         """
         return chosen_clips(self.design, self.view)
+
+    def with_playhead(self, view: View) -> "Content":
+        """The same with the playhead of ``view``, of which all else is as it is here."""
+        found = replace(self, view=view)
+        # Nothing of what is known already depends on where the playhead is.
+        for name in ("durations_s", "boxes", "whole_s", "chosen"):
+            if name in self.__dict__:
+                found.__dict__[name] = self.__dict__[name]
+        return found
 
     @property
     def reach_s(self) -> float:

@@ -10,6 +10,8 @@ from skinsource import edits
 from skinsource_gui.panels.timeline.content import Content
 from skinsource_gui.widgets.fields.burst import Burst
 from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.time.playhead_keys import PLAYHEAD, moved_playhead
+from skinsource_gui.widgets.time.time_scale import panned
 
 _PLACE = "timeline"
 _Key = Qt.Key
@@ -24,6 +26,7 @@ class LaneKeys(QObject):
 
     edited = Signal(object, object)
     looked = Signal(object)
+    playhead_wanted = Signal(float)
     copied = Signal()
     pasted = Signal()
     zoomed = Signal(float)
@@ -40,10 +43,15 @@ class LaneKeys(QObject):
 
     def claims(self, event: QKeyEvent) -> bool:
         """Whether the lanes want this key for themselves, before any shortcut of the window."""
-        return bool(meant(_PLACE, event))
+        return bool(meant(_PLACE, event) or meant(PLAYHEAD, event))
 
     def press(self, event: QKeyEvent) -> bool:
         """Do what a key means; whether it means anything."""
+        content = self._content()
+        playhead_s = moved_playhead(event, content.design, content.view.playhead_s)
+        if playhead_s is not None:
+            self._put_playhead(playhead_s)
+            return True
         wanted = meant(_PLACE, event)
         if wanted in ("nudge", "change_track"):
             leap = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
@@ -51,7 +59,9 @@ class LaneKeys(QObject):
         elif wanted == "go":
             self._go(_STEPS[_Key(event.key())])
         elif wanted == "playhead":
-            self._put_playhead(at_start=event.key() == _Key.Key_Home)
+            ends = (clip.end_s for clip in content.design.clips)
+            at_start = event.key() == _Key.Key_Home
+            self._put_playhead(0.0 if at_start else max(ends, default=0.0))
         else:
             return self._show(wanted) or self._edit(wanted)
         return True
@@ -98,11 +108,15 @@ class LaneKeys(QObject):
             self.edited.emit(outcome(), None)
         return bool(wanted)
 
-    def _put_playhead(self, *, at_start: bool) -> None:
+    def _put_playhead(self, time_s: float) -> None:
         content = self._content()
-        ends = [clip.end_s for track in content.design.inputs for clip in track.clips]
-        time_s = 0.0 if at_start else max(ends, default=0.0)
-        self.looked.emit(replace(content.view, playhead_s=time_s))
+        low, high = content.scale.shown_s
+        self.playhead_wanted.emit(time_s)
+        if not low <= time_s <= high:
+            # What is seen follows, so that the time is in sight again, beside its nearest edge.
+            by_s = time_s - (low if time_s < low else high)
+            shown_s = panned((low, high), by_s, content.whole_s)
+            self.looked.emit(replace(self._content().view, time_range_s=shown_s))
 
     def _go(self, step: int) -> None:
         """Select the next clip, or the one before, through all tracks."""

@@ -38,6 +38,7 @@ class LaneMouse(QObject):
 
     edited = Signal(object, object)
     looked = Signal(object)
+    playhead_wanted = Signal(float)
     #: `Shown`: what is painted over the lanes.
     shown = Signal(object)
     #: A double click on a clip, with its id; on an empty lane, with track and time; on the ruler.
@@ -63,9 +64,7 @@ class LaneMouse(QObject):
         if self.busy:
             return
         content = self._content()
-        stage = Stage(
-            content=self._content, apply=self.edited.emit, look=self.looked.emit, before=content
-        )
+        stage = self._stage()
         self._at, self._moving, self._click = at, False, None
         box = content.box_at(at)
         if button == Qt.MouseButton.MiddleButton:
@@ -123,13 +122,7 @@ class LaneMouse(QObject):
 
     def time_at(self, at: QPointF) -> float:
         """The time to which something would snap that is put there, s."""
-        stage = Stage(
-            content=self._content,
-            apply=self.edited.emit,
-            look=self.looked.emit,
-            before=self._content(),
-        )
-        return snapped_time(stage, at)[0]
+        return snapped_time(self._stage(), at)[0]
 
     def cursor_at(self, at: QPointF) -> Qt.CursorShape:
         """Shape of the pointer."""
@@ -145,6 +138,15 @@ class LaneMouse(QObject):
             return Qt.CursorShape.ClosedHandCursor
         return CURSORS[part]
 
+    def _stage(self) -> Stage:
+        return Stage(
+            content=self._content,
+            apply=self.edited.emit,
+            look=self.looked.emit,
+            put_playhead=self.playhead_wanted.emit,
+            before=self._content(),
+        )
+
     def _on_clip(self, box: Box, at: QPointF, held: Held, rate_hz: float) -> Gesture:
         content, clip = self._content(), box.clip
         chosen = clip.id in content.view.selected_clips
@@ -157,12 +159,7 @@ class LaneMouse(QObject):
         else:
             alone = edits.select_clips(content.design, content.view, (clip.id,)).view
             self._click = lambda: self.looked.emit(alone)
-        stage = Stage(
-            content=self._content,
-            apply=self.edited.emit,
-            look=self.looked.emit,
-            before=self._content(),
-        )
+        stage = self._stage()
         part = part_at(box.rect, at, box.fades_px)
         if part is Part.BODY or held & Held.ControlModifier:
             return MoveClips(stage, box, at, rate_hz)
@@ -188,9 +185,8 @@ class LaneMouse(QObject):
             lane = content.lane_at(at.y())
             time_s = snapped_time(stage, at)[0]
             tracks = () if lane is None else (lane.track.id,)
-            self.looked.emit(
-                replace(content.view, selected_inputs=tracks, selected_clips=(), playhead_s=time_s)
-            )
+            self.looked.emit(replace(content.view, selected_inputs=tracks, selected_clips=()))
+            self.playhead_wanted.emit(time_s)
 
         return click
 

@@ -4,7 +4,7 @@ from typing import Any
 
 import pyqtgraph
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from skinsource_gui.panels.timeline.clip_painter import paint_clip
 from skinsource_gui.panels.timeline.clip_pictures import ClipPictures
@@ -19,17 +19,23 @@ _WORDS_GAP_PX = 8.0
 
 
 class LanesItem(pyqtgraph.GraphicsObject):
-    """Paints lanes, clips, ruler and playhead; knows nothing of the mouse.
+    """Paints lanes, clips and ruler; knows nothing of the mouse.
+
+    It is kept as a picture, over which the playhead moves.
 
     Attributes
     ----------
     pictures
         What clips play, painted once.
+    painted
+        How often it was painted.
     """
 
     def __init__(self) -> None:
         super().__init__()
+        self.setCacheMode(self.CacheMode.DeviceCoordinateCache)
         self.pictures = ClipPictures()
+        self.painted = 0
         self._content: Content | None = None
         self._shown = Shown()
         self._hovered: int | None = None
@@ -82,6 +88,7 @@ class LanesItem(pyqtgraph.GraphicsObject):
         content = self._content
         if content is None:
             return
+        self.painted += 1
         painter.setFont(self._font)
         rect = self._rect
         lanes = QRectF(
@@ -99,7 +106,7 @@ class LanesItem(pyqtgraph.GraphicsObject):
         paint_ruler(
             painter, content, QRectF(rect.left(), 0, rect.width(), content.ruler_px), self._theme
         )
-        self._paint_times(painter, content)
+        self._paint_guide(painter, content)
         self._paint_over(painter, content)
 
     def _paint_ground(self, painter: QPainter, lane: Lane) -> None:
@@ -147,22 +154,11 @@ class LanesItem(pyqtgraph.GraphicsObject):
                 view=lanes,
             )
 
-    def _paint_times(self, painter: QPainter, content: Content) -> None:
-        bottom = self._rect.bottom()
-        x = content.scale.x(content.view.playhead_s)
-        if self._rect.left() - 1 <= x <= self._rect.right() + 1:
-            colour = QColor(self._theme.error)
-            painter.setPen(QPen(colour, 1))
-            painter.drawLine(QLineF(x, content.ruler_px - 8, x, bottom))
-            painter.setBrush(colour)
-            top = content.ruler_px - 8
-            painter.drawPolygon(
-                QPolygonF((QPointF(x - 5, top - 2), QPointF(x + 5, top - 2), QPointF(x, top + 6)))
-            )
+    def _paint_guide(self, painter: QPainter, content: Content) -> None:
         if self._shown.guide_s is not None:
             x = content.scale.x(self._shown.guide_s)
             painter.setPen(QPen(QColor(self._theme.warning), 2))
-            painter.drawLine(QLineF(x, content.ruler_px, x, bottom))
+            painter.drawLine(QLineF(x, content.ruler_px, x, self._rect.bottom()))
 
     def _paint_over(self, painter: QPainter, content: Content) -> None:
         if self._shown.covered is not None:

@@ -17,6 +17,7 @@ from skinsource_gui.panels.timeline.lane import Lane
 from skinsource_gui.panels.timeline.lane_keys import LaneKeys
 from skinsource_gui.panels.timeline.lane_mouse import LaneMouse
 from skinsource_gui.panels.timeline.lanes_item import LanesItem
+from skinsource_gui.panels.timeline.playhead_item import PlayheadItem
 from skinsource_gui.theme import Theme, scaled, tabular
 from skinsource_gui.widgets.plot.canvas import Canvas
 from skinsource_gui.widgets.time.time_scale import Range, TimeScale, panned, within, zoomed
@@ -34,7 +35,7 @@ class LanesView(Canvas):
     ----------
     mouse, keys
         What is done here.
-    item
+    item, playhead
         What paints.
     sample_rate_hz
         A free drag goes by whole samples of this rate.
@@ -55,6 +56,8 @@ class LanesView(Canvas):
         self.setMinimumSize(120, 60)
         self.item = LanesItem()
         self.addItem(self.item)
+        self.playhead = PlayheadItem()
+        self.addItem(self.playhead)
         self.sample_rate_hz = SAMPLE_RATE_HZ
         self._design, self._view = Design(limb=""), View()
         self._lanes: tuple[Lane, ...] = ()
@@ -79,6 +82,12 @@ class LanesView(Canvas):
         self._design, self._view, self._lanes = design, view, lanes
         self.lay_out()
 
+    def show_playhead(self, view: View) -> None:
+        """Show a view in which the playhead alone has moved."""
+        self._view = view
+        self.content = self.content.with_playhead(view)
+        self.playhead.show_content(self.content, float(self.height()))
+
     def show_waveforms(self, waveforms: Mapping[int, Floats]) -> None:
         """What clips play, (n_times,) each, by their id."""
         self._waveforms = waveforms
@@ -88,6 +97,7 @@ class LanesView(Canvas):
         """Take over colours."""
         self.set_ground(theme)
         self.item.show_look(theme, scaled(tabular(self.font()), _TEXT))
+        self.playhead.show_theme(theme)
 
     def set_snaps(self, snaps: bool) -> None:
         """Whether edges snap."""
@@ -109,6 +119,9 @@ class LanesView(Canvas):
     def show_everything(self) -> None:
         """See all of the time."""
         self._look_at(None)
+
+    def claims(self, event: QKeyEvent) -> bool:
+        return self.keys.claims(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.setFocus(Qt.FocusReason.MouseFocusReason)
@@ -183,6 +196,7 @@ class LanesView(Canvas):
     def lay_out(self) -> None:
         self.content = self._made()
         self.item.show_content(self.content, QRectF(self.rect()))
+        self.playhead.show_content(self.content, float(self.height()))
 
     def _made(self) -> Content:
         shown_s = self._view.time_range_s or self._held_s or whole_of(self._design)

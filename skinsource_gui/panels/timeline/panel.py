@@ -29,7 +29,7 @@ class TimelinePanel(Panel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._clips, self._heads = TimelineEdits(self), Heads(self)
-        self._view = View()
+        self._design, self._view = Design(limb=""), View()
         self._list = self._heads.list
         self._rows = self._list.rows
         self._table = TrackTable(self._list)
@@ -62,11 +62,16 @@ class TimelinePanel(Panel):
         return frozenset({"clip_waveforms", "inputs", "sample_rate_hz"})
 
     def show_state(self, design: Design, view: View) -> None:
-        self._view = view
+        self._design, self._view = design, view
         self._heads.show_state(design, view)
         self._clips.show_state(design, view)
         self._stack.setCurrentIndex(1 if design.inputs else 0)
         self._table.show_state(design, view)
+
+    def show_playhead(self, view: View) -> None:
+        self._view = view
+        self._clips.show_state(self._design, view)
+        self._table.show_playhead(view)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._show_foot("")
@@ -110,6 +115,7 @@ class TimelinePanel(Panel):
         clips.edited.connect(self.edited)
         for part in (lanes.mouse, lanes.keys):
             part.edited.connect(self.edited)
+            part.playhead_wanted.connect(self.playhead_wanted)
             part.clip_wanted.connect(clips.add)
             part.marker_wanted.connect(clips.add_marker)
             part.opened.connect(self._open)

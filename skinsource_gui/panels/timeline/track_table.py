@@ -60,6 +60,11 @@ class TrackTable(QWidget):
         self.toolbar.show_state(snaps=self.lanes.snaps, zoomed=view.time_range_s is not None)
         self.place_lanes()
 
+    def show_playhead(self, view: View) -> None:
+        """Show a view in which the playhead alone has moved."""
+        self._view = view
+        self.lanes.show_playhead(view)
+
     def place_lanes(self) -> None:
         """Put each lane beside its head."""
         self.toolbar.setFixedSize(HEADS_PX, int(self.lanes.ruler_px))

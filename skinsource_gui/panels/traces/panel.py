@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 
 from skinsource import edits
@@ -16,6 +17,7 @@ from skinsource_gui.signal_panel import NO_OUTPUTS, SignalPanel
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
 from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_later
+from skinsource_gui.widgets.time.playhead_keys import moved_playhead
 
 _DELAY = f"{PRE_TRIGGER_DELAY_S * 1e3:.0f} ms"
 _DELAYED_AXIS = XAxis(
@@ -59,6 +61,8 @@ class TracesPanel(SignalPanel):
         )
         self._plot.toolbar.layout_chosen.connect(self._choose_layout)
         self._plot.zoom_requested.connect(self._zoom)
+        self._plot.plot.playhead.wanted.connect(self.playhead_wanted)
+        self._plot.plot.playhead_key.connect(self._press)
         # Which delay the curves on screen have.
         self._drawn_removed = False
 
@@ -76,12 +80,17 @@ class TracesPanel(SignalPanel):
         self._delay.setChecked(view.delay_removed)
         zoomed = view.time_range_s is not None
         self._plot.toolbar.show_state(layout=self._settings.layout, zoomed=zoomed)
+        self._plot.plot.playhead.show_at(view.playhead_s)
         if not view.outputs:
             self._plot.show_message(NO_OUTPUTS)
         elif self._plot.plot.message == NO_OUTPUTS:
             self._plot.wait_for_curves()
         if self._drawn_removed == view.delay_removed:
             self._apply_view()
+
+    def show_playhead(self, view: View) -> None:
+        self._view = view
+        self._plot.plot.playhead.show_at(view.playhead_s)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._drawn_removed = results["delay_removed"]
@@ -115,6 +124,14 @@ class TracesPanel(SignalPanel):
     def _remove_delay(self, removed: bool) -> None:
         if self._design is not None:
             self.edited.emit(edits.remove_delay(self._design, self._view, removed), None)
+
+    def _press(self, event: QKeyEvent) -> None:
+        if self._design is None:
+            return
+        time_s = moved_playhead(event, self._design, self._view.playhead_s)
+        if time_s is not None:
+            self.playhead_wanted.emit(time_s)
+            self._plot.plot.navigation.bring(time_s)
 
     def _zoom(self, shown: tuple[float, float] | None) -> None:
         self._change(time_range_s=shown)

@@ -77,6 +77,11 @@ class Navigation(QObject):
         if not self._pinned:
             self._plot.crosshair.put(None)
 
+    def bring(self, value: float) -> None:
+        """Ask for a part of the x axis in which a value is."""
+        position, (low, high) = self._plot.window.axis.position(value), self._plot.window.shown
+        self._pan(min(position - low, 0.0) + max(position - high, 0.0))
+
     def press(self, event: QKeyEvent) -> None:
         """Do what a key means, or leave it to others."""
         plot, key, wanted = self._plot, Qt.Key(event.key()), meant("plot", event)
@@ -138,11 +143,8 @@ class Navigation(QObject):
         if window.axis.log:
             index = max(index, curves.nearest(window.axis.value(window.extent[0])))
         self._pinned = True
-        position = window.axis.position(float(curves.x[index]))
-        low, high = window.shown
-        move = min(position - low, 0.0) + max(position - high, 0.0)
         self._plot.crosshair.put(index)
-        self._pan(move)
+        self.bring(float(curves.x[index]))
 
     def _escape(self, event: QKeyEvent) -> None:
         if self._covering:

@@ -12,17 +12,20 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
+from skinsource_gui.widgets.key_table import meant
 from skinsource_gui.widgets.plot.axis_spec import ValueUnit, XAxis, value_unit
 from skinsource_gui.widgets.plot.canvas import Canvas
 from skinsource_gui.widgets.plot.crosshair import Crosshair
 from skinsource_gui.widgets.plot.curve_points import curve_points
 from skinsource_gui.widgets.plot.curves import Curves
 from skinsource_gui.widgets.plot.navigation import Navigation
+from skinsource_gui.widgets.plot.playhead import Playhead
 from skinsource_gui.widgets.plot.plot_layout import Content, PlotLayout, Words, laid_out
 from skinsource_gui.widgets.plot.ranges import HeldRange, Range
 from skinsource_gui.widgets.plot.stack import Stack
 from skinsource_gui.widgets.plot.value_scale import EDGE, ValueScale, row_count
 from skinsource_gui.widgets.plot.x_window import XWindow, x_window
+from skinsource_gui.widgets.time.playhead_keys import PLAYHEAD
 
 _NOT_FINITE = "The response has values that are not finite numbers."
 # A drag shorter than this is a click.
@@ -53,6 +56,8 @@ class Plot(Canvas):
         What is read.
     navigation
         What mouse and keys ask for.
+    playhead
+        Where the playhead is, for plots over time.
     """
 
     key_place = "plot"
@@ -61,6 +66,8 @@ class Plot(Canvas):
     reading_changed = Signal()
     #: Where on the screen the menu is wanted.
     menu_wanted = Signal(object)
+    #: What a key wants of the playhead, see `playhead_keys`.
+    playhead_key = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -82,7 +89,9 @@ class Plot(Canvas):
         self.crosshair = Crosshair(self, self)
         self.crosshair.moved.connect(self.reading_changed)
         self.navigation = Navigation(self, self)
-        self.stack = Stack(self.scene(), self.theme, self.words_font, self.navigation.watch)
+        self.playhead = Playhead(self)
+        watch = (self.navigation.watch, self.playhead.watch)
+        self.stack = Stack(self.scene(), self.theme, self.words_font, watch)
         self.scene().sigMouseMoved.connect(self.navigation.follow_mouse)
         self.set_theme(LIGHT)
 
@@ -99,6 +108,7 @@ class Plot(Canvas):
         self.set_ground(theme)
         self.words_font = scaled(tabular(self.font()), _TEXT)
         self.stack.set_look(theme, self.words_font, self.font())
+        self.playhead.show_theme(theme)
         self._colour()
         self.viewport().update()
 
@@ -158,7 +168,7 @@ class Plot(Canvas):
         self.stack.show_band(QRectF(start, area.top(), end - start, area.height()))
 
     def claims(self, event: QKeyEvent) -> bool:
-        return self.curves is not None and super().claims(event)
+        return self.curves is not None and (super().claims(event) or self._moves_playhead(event))
 
     def viewportEvent(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
@@ -167,7 +177,12 @@ class Plot(Canvas):
         return super().viewportEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        self.navigation.press(event)
+        if event.key() == Qt.Key.Key_Escape and self.playhead.cancel():
+            return
+        if self._moves_playhead(event):
+            self.playhead_key.emit(event)
+        else:
+            self.navigation.press(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         # The right button opens the menu, which takes its release: the scene need not know.
@@ -190,6 +205,9 @@ class Plot(Canvas):
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
         self.navigation.leave()
+
+    def _moves_playhead(self, event: QKeyEvent) -> bool:
+        return self.playhead.time_s is not None and bool(meant(PLAYHEAD, event))
 
     def _hint_at(self, y_px: float) -> str:
         # What the words above and below the plot say when there is room for them.

@@ -44,7 +44,7 @@ class Stack:
         scene: pyqtgraph.GraphicsScene,
         theme: Theme,
         font: QFont,
-        watch: Callable[[PlotViewBox], None],
+        watch: Sequence[Callable[[PlotViewBox], None]],
     ) -> None:
         self._scene, self._watch = scene, watch
         self._theme, self._font = theme, font
@@ -154,7 +154,8 @@ class Stack:
         while len(self._pool) < count:
             row = PlotRow(self._scene)
             row.set_look(self._theme, self._font)
-            self._watch(row.view)
+            for follow in self._watch:
+                follow(row.view)
             self._pool.append(row)
         for rank, row in enumerate(self._pool):
             row.set_visible(rank < count)

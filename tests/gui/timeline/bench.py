@@ -1,5 +1,7 @@
 """What the tests of this folder share."""
 
+from dataclasses import replace
+
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -28,6 +30,7 @@ class Bench:
         self.told = []
         self.panel.edited.connect(self._edit)
         self.panel.view_changed.connect(self._look)
+        self.panel.playhead_wanted.connect(self._put_playhead)
         self.panel.resize(760, 300)
         self.panel.show_state(self.design, self.view)
         self.panel.show()
@@ -69,6 +72,10 @@ class Bench:
         self.told.append("edit")
         self.view = outcome.view
         self.show(outcome.design)
+
+    def _put_playhead(self, time_s):
+        self.view = replace(self.view, playhead_s=time_s)
+        self.panel.show_playhead(self.view)
 
     def _look(self, view):
         self.told.append("view")

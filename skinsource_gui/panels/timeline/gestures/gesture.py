@@ -45,6 +45,8 @@ class Stage:
         Takes an edit, or a refusal, and the number of the gesture.
     look
         Takes another view.
+    put_playhead
+        Takes where the playhead shall be, s.
     number
         Number of this gesture: all its edits are one step of the history.
     before
@@ -54,6 +56,7 @@ class Stage:
     content: Callable[[], Content]
     apply: Callable[[Edit | Refusal, int], None]
     look: Callable[[View], None]
+    put_playhead: Callable[[float], None]
     before: Content
     number: int = field(default_factory=new_gesture)
     edited: bool = False

@@ -35,15 +35,14 @@ class MovePlayhead:
 
     def move(self, at: QPointF, held: Held) -> Shown:
         time_s, guide_s = snapped_time(self._stage, at, self._stage.before.view.playhead_s)
-        self._stage.look(replace(self._stage.content().view, playhead_s=time_s))
+        self._stage.put_playhead(time_s)
         return Shown(guide_s=guide_s, words=value_text(time_s, "s", digits=5))
 
     def finish(self) -> None:
         """It stays there."""
 
     def cancel(self) -> None:
-        playhead_s = self._stage.before.view.playhead_s
-        self._stage.look(replace(self._stage.content().view, playhead_s=playhead_s))
+        self._stage.put_playhead(self._stage.before.view.playhead_s)
 
 
 class MoveLoop:

@@ -1,0 +1,180 @@
+"""One playhead, in the view: the timeline and the traces show it, and move it."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from skinsource import edits
+from skinsource.clips import Clip, Marker
+from skinsource.design import Design, Input
+from skinsource.view import View
+from skinsource.waveforms import Tone
+from skinsource_gui.panels.timeline.lanes_view import LanesView
+from skinsource_gui.widgets.plot.plot import Plot
+from skinsource_gui.widgets.time.playhead_keys import stops_of
+
+LEFT, NONE = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+ALT, SHIFT = Qt.KeyboardModifier.AltModifier, Qt.KeyboardModifier.ShiftModifier
+CLIPS = (Clip(onset_s=0.1, waveform=Tone(100.0, 0.0, 0.2)), Clip(onset_s=0.6))
+DESIGN = Design(
+    limb="synthetic-1", inputs=(Input(location=7, clips=CLIPS),), markers=(Marker(time_s=0.45),)
+)
+
+
+@pytest.fixture
+def window(make_window):
+    return make_window(DESIGN, View(playhead_s=0.25))
+
+
+@pytest.fixture
+def lanes(window):
+    return window.findChild(LanesView, "lanes")
+
+
+@pytest.fixture
+def plot(window):
+    return window.findChild(Plot, "traces-plot")
+
+
+def x_of(plot, time_s):
+    """Where a time is in the traces, px."""
+    return plot.places.left + plot.window.part(time_s) * plot.places.area.width()
+
+
+def mouse(plot, kind, x, button=LEFT, buttons=LEFT):
+    at = QPointF(x, plot.places.area.center().y())
+    event = QMouseEvent(kind, at, QPointF(plot.mapToGlobal(at)), button, buttons, NONE)
+    QApplication.sendEvent(plot.viewport(), event)
+
+
+def drag(plot, start, end, *, release=True):
+    """Press, move in steps, and let go; pyqtgraph learns of drags from moves alone."""
+    mouse(plot, QEvent.Type.MouseMove, start, Qt.MouseButton.NoButton, Qt.MouseButton.NoButton)
+    mouse(plot, QEvent.Type.MouseButtonPress, start)
+    for step in range(1, 5):
+        between = start + (end - start) * step / 4
+        mouse(plot, QEvent.Type.MouseMove, between, Qt.MouseButton.NoButton)
+    if release:
+        mouse(plot, QEvent.Type.MouseButtonRelease, end, LEFT, Qt.MouseButton.NoButton)
+
+
+def shown_in_lanes(lanes):
+    return lanes.content.scale.time(lanes.playhead.pos().x())
+
+
+def test_it_is_dragged_in_the_traces_and_stands_there_in_the_timeline(window, plot, lanes):
+    drag(plot, x_of(plot, 0.25), x_of(plot, 0.5))
+    assert window.document.view.playhead_s == pytest.approx(0.5, abs=0.01)
+    assert plot.playhead.time_s == window.document.view.playhead_s
+    assert shown_in_lanes(lanes) == pytest.approx(window.document.view.playhead_s, abs=1e-9)
+    assert not window.document.undo_stack.count()
+    # What was dragged is the playhead: nothing was zoomed.
+    assert window.document.view.time_range_s is None
+
+
+def test_it_is_put_by_a_click_on_the_ruler_and_stands_there_in_the_traces(window, plot, lanes):
+    lanes.set_snaps(False)
+    at = QPoint(round(lanes.content.scale.x(0.8)), 5)
+    QTest.mouseClick(lanes.viewport(), LEFT, pos=at)
+    assert plot.playhead.time_s == pytest.approx(0.8, abs=0.005)
+    lines = [line.value() for line in plot.playhead._lines]
+    assert lines == [window.document.view.playhead_s]
+
+
+def test_escape_gives_up_a_drag_in_the_traces(window, plot, lanes):
+    plot.setFocus()
+    drag(plot, x_of(plot, 0.25), x_of(plot, 0.5), release=False)
+    assert window.document.view.playhead_s > 0.4
+    QTest.keyClick(plot, Qt.Key.Key_Escape)
+    assert window.document.view.playhead_s == 0.25
+    mouse(plot, QEvent.Type.MouseMove, x_of(plot, 0.7), Qt.MouseButton.NoButton)
+    mouse(plot, QEvent.Type.MouseButtonRelease, x_of(plot, 0.7), LEFT, Qt.MouseButton.NoButton)
+    assert window.document.view.playhead_s == 0.25
+    assert plot.playhead.time_s == 0.25
+    assert shown_in_lanes(lanes) == pytest.approx(0.25)
+
+
+def test_it_never_goes_before_the_start(window, plot):
+    drag(plot, x_of(plot, 0.25), x_of(plot, -2.0))
+    assert window.document.view.playhead_s == 0.0
+
+
+@pytest.mark.parametrize("where", ["lanes", "plot"])
+def test_keys_move_it_by_steps_and_from_stop_to_stop(window, lanes, plot, where):
+    place = lanes if where == "lanes" else plot
+    place.setFocus()
+    found = []
+    for key, held in (
+        (Qt.Key.Key_Right, ALT),
+        (Qt.Key.Key_Left, ALT | SHIFT),
+        (Qt.Key.Key_PageDown, NONE),
+        (Qt.Key.Key_PageDown, NONE),
+        (Qt.Key.Key_PageUp, NONE),
+        (Qt.Key.Key_PageUp, NONE),
+    ):
+        QTest.keyClick(place, key, held)
+        found.append(window.document.view.playhead_s)
+    assert found == pytest.approx([0.251, 0.241, 0.3, 0.45, 0.3, 0.1], abs=1e-12)
+    assert window.document.design is DESIGN
+
+
+def test_stops_are_ends_of_clips_and_of_the_loop_and_markers():
+    assert stops_of(replace(DESIGN, loop_s=(0.2, 0.9))) == pytest.approx(
+        (0.0, 0.1, 0.2, 0.3, 0.45, 0.6, CLIPS[1].end_s, 0.9)
+    )
+
+
+def test_a_key_brings_what_is_seen_to_where_it_goes(window, lanes):
+    document = window.document
+    document.look(replace(document.view, time_range_s=(0.2, 0.4)))
+    lanes.setFocus()
+    QTest.keyClick(lanes, Qt.Key.Key_PageDown)
+    QTest.keyClick(lanes, Qt.Key.Key_PageDown)
+    assert document.view.playhead_s == 0.45
+    low, high = document.view.time_range_s
+    assert low <= 0.45 <= high
+    assert high - low == pytest.approx(0.2)
+
+
+def test_moving_it_evaluates_nothing_and_paints_nothing_but_lines(
+    window, lanes, plot, settle, monkeypatch
+):
+    settle()
+    asked, changes = [], []
+    monkeypatch.setattr(window.engine, "request", asked.append)
+    window.document.changed.connect(lambda: changes.append(1))
+    painted, drawn = lanes.item.painted, lanes.item.pictures.painted
+    shown = [(panel, panel.show_state) for panel in window.panels]
+    for panel, _ in shown:
+        monkeypatch.setattr(panel, "show_state", lambda *_: changes.append(2))
+    for step in range(20):
+        window.document.look(replace(window.document.view, playhead_s=0.3 + 0.01 * step))
+        QApplication.processEvents()
+    assert asked == []
+    assert changes == []
+    assert (lanes.item.painted, lanes.item.pictures.painted) == (painted, drawn)
+    assert lanes.playhead.moved >= 20
+    assert plot.playhead.moved >= 20
+    assert shown_in_lanes(lanes) == pytest.approx(0.49)
+
+
+def test_an_edit_of_a_panel_that_knows_an_older_place_leaves_it_where_it_is(window):
+    document, hand = window.document, window.panel("hand")
+    stale = document.view
+    document.look(replace(document.view, playhead_s=0.7))
+    hand.edited.emit(edits.toggle_mute(document.design, stale, (1,)), None)
+    assert document.design.inputs[0].muted
+    assert document.view.playhead_s == 0.7
+    hand.view_changed.emit(replace(stale, outputs=(3,)))
+    assert (document.view.playhead_s, document.view.outputs) == (0.7, (3,))
+
+
+def test_what_is_chosen_above_while_it_moves_leaves_it_where_it_is(window):
+    document = window.document
+    document.look(replace(document.view, playhead_s=0.7))
+    window.setup_bar._axes.choose("z")
+    assert (document.view.axes, document.view.playhead_s) == ("z", 0.7)
