@@ -39,7 +39,7 @@ from skinsource.version import __version__
 from skinsource.view import View
 
 if TYPE_CHECKING:
-    from skinsource import recordings
+    from skinsource import actuators, recordings
 
 __all__ = [
     "Clip",
@@ -53,6 +53,7 @@ __all__ = [
     "SurfaceOperator",
     "View",
     "__version__",
+    "actuators",
     "available_limbs",
     "decibels",
     "edits",
@@ -82,7 +83,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> object:
-    # What reads files of others is imported when it is first asked for: few scripts need it.
-    if name == "recordings":
-        return importlib.import_module("skinsource.recordings")
+    # What few scripts need is imported when it is first asked for.
+    if name in ("actuators", "recordings"):
+        return importlib.import_module(f"skinsource.{name}")
     raise AttributeError(f"module 'skinsource' has no attribute {quoted(name)}")

@@ -14,7 +14,14 @@ from typing import Any
 
 from skinsource.fields.breakpoints import SEGMENTS, Breakpoint, BreakpointsSpec, Segment
 from skinsource.fields.choices_and_texts import BytesSpec, ChoiceSpec, SwitchSpec, TextSpec
-from skinsource.fields.numbers import CurveSpec, NumberSpec, PointsSpec, Range, RangeSpec
+from skinsource.fields.numbers import (
+    SMALLEST,
+    CurveSpec,
+    NumberSpec,
+    PointsSpec,
+    Range,
+    RangeSpec,
+)
 from skinsource.fields.plain import PlainSpec
 from skinsource.fields.recipes import check, field, specs_of
 from skinsource.fields.spec import Address, Misfit, Spec, Tree, made_for
@@ -48,6 +55,7 @@ def text(default: str, spec: TextSpec) -> Any:
 
 __all__ = [
     "SEGMENTS",
+    "SMALLEST",
     "Address",
     "Breakpoint",
     "BreakpointsSpec",

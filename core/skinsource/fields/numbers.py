@@ -8,6 +8,9 @@ import numpy as np
 
 from skinsource.fields.spec import Address, Misfit, Spec, Tree
 
+#: As the minimum of what has to be above 0 and has no other bound.
+SMALLEST = 5e-324
+
 #: Low and high.
 Range = tuple[float, float]
 
@@ -59,6 +62,10 @@ class NumberSpec(Spec):
         words = f"a {'whole ' if self.whole else ''}number"
         if np.isfinite([self.minimum, self.maximum]).all():
             words += f" from {self.minimum:g} to {self.maximum:g}"
+        elif self.minimum == SMALLEST:
+            words += " above 0"
+        elif np.isfinite(self.minimum):
+            words += f" of at least {self.minimum:g}"
         return f"{words} {self.unit}" if self.unit else words
 
     def checked(self, value: Any) -> float | int:

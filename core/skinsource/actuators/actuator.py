@@ -1,0 +1,105 @@
+"""What every actuator can do."""
+
+from abc import ABC, abstractmethod
+from fractions import Fraction
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from skinsource.actuators.equations import Equations
+from skinsource.actuators.motion import ActuatorMotion
+from skinsource.actuators.simulating import simulated, step_of
+from skinsource.actuators.stepping import Hold
+from skinsource.arguments import finite_array
+from skinsource.arrays import Complexes
+from skinsource.errors import InvalidInputError
+
+
+class Actuator(ABC):
+    """A frozen dataclass of parameters, with linear equations of motion.
+
+    Attributes
+    ----------
+    title
+        What a user calls this kind.
+    """
+
+    __slots__ = ()
+
+    title: ClassVar[str]
+
+    @abstractmethod
+    def equations(self, step_s: Fraction) -> Equations:
+        """Equations of motion, with storages that suit steps of this length."""
+
+    @abstractmethod
+    def response_at(self, s: Complexes) -> Complexes:
+        """Acceleration over voltage at complex frequencies other than 0, in m/s² per V."""
+
+    @abstractmethod
+    def current_at(self, s: Complexes) -> Complexes:
+        """Current over voltage at complex frequencies other than 0, in A/V."""
+
+    def response(self, frequency_hz: ArrayLike) -> Complexes:
+        """Acceleration of what touches the skin over the voltage, in m/s² per V.
+
+        Parameters
+        ----------
+        frequency_hz
+            Of any shape, finite; at 0 nothing is accelerated for ever.
+
+        Returns
+        -------
+        Complex amplitudes of the shape of ``frequency_hz``: a voltage of cos(2 pi f t) gives the
+        real part of response exp(2 pi i f t) once what the start caused has died away.
+        """
+        s = _imaginary(frequency_hz)
+        with np.errstate(all="ignore"):
+            found = self.response_at(np.where(s == 0.0, 1j, s))
+        return _known(np.where(s == 0.0, 0.0, found))
+
+    def admittance(self, frequency_hz: ArrayLike) -> Complexes:
+        """Current over voltage, in A/V, of the shape of ``frequency_hz``; each above 0."""
+        with np.errstate(all="ignore"):
+            found = self.current_at(_imaginary(frequency_hz))
+        return _known(found)
+
+    def simulate(
+        self, voltage: ArrayLike, sample_rate_hz: float, hold: Hold = "zero"
+    ) -> ActuatorMotion:
+        """Motion under a voltage, from rest, at its samples.
+
+        Exact for the voltage as it is held, at any rate; rounding is all that is lost, and the
+        motion neither diverges nor gains energy, however lightly it is damped.
+
+        Parameters
+        ----------
+        voltage : (n_times,)
+            In V; there is none before.
+        sample_rate_hz
+            Any rate above 0.
+        hold
+            What the voltage does between two samples: ``"zero"``, it stays; ``"first"``, it goes
+            evenly from one to the next.
+
+        Raises
+        ------
+        InvalidInputError
+            The voltage is not one row of finite numbers, or the motion is beyond all floats.
+        """
+        return simulated(self.equations(step_of(sample_rate_hz)), voltage, sample_rate_hz, hold)
+
+
+def _imaginary(frequency_hz: ArrayLike) -> Complexes:
+    found = finite_array("frequency_hz", frequency_hz, "finite frequencies in Hz")
+    return 2j * np.pi * found
+
+
+def _known(values: Complexes) -> Complexes:
+    if not np.isfinite(values).all():
+        raise InvalidInputError(
+            "the response is beyond all floating-point numbers; move the parameters nearer to "
+            "those of real actuators"
+        )
+    return values

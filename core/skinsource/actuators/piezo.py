@@ -1,0 +1,103 @@
+"""A piezoelectric actuator."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import ClassVar
+
+from skinsource import fields
+from skinsource.actuators import parameters
+from skinsource.actuators.actuator import Actuator
+from skinsource.actuators.equations import Equations, held, row
+from skinsource.arrays import Complexes
+
+CAPACITANCE = parameters.positive("Capacitance", "F", "Of the clamped actuator")
+COUPLING = parameters.not_negative("Coupling", "N/V", "Force for each volt, and A for each m/s")
+SERIES = parameters.positive("Series resistance", "Ω", "Of amplifier and leads")
+
+
+@dataclass(frozen=True, slots=True)
+class Piezo(Actuator):
+    """A piezoelectric bender or stack behind the resistance of its amplifier.
+
+    With the voltage e over the capacitance: u = R i + e, i = C de/dt + alpha v, and
+    alpha e = m a + (c + c_skin) v + (k + k_skin) x.
+
+    Attributes
+    ----------
+    capacitance_f, coupling_n_per_v
+        C, clamped, above 0, and alpha, 0 or more.
+    moving_mass_kg, damping_n_s_per_m, stiffness_n_per_m
+        m, above 0, c and k (short-circuited), 0 or more.
+    series_resistance_ohm
+        R, above 0: it bounds the current that charges the capacitance.
+    skin_stiffness_n_per_m, skin_damping_n_s_per_m
+        k_skin and c_skin of the skin at the contact, 0 or more; 0 in air.
+    """
+
+    title: ClassVar[str] = "Piezo"
+
+    capacitance_f: float = fields.field(CAPACITANCE)
+    coupling_n_per_v: float = fields.field(COUPLING)
+    moving_mass_kg: float = fields.field(parameters.MOVING_MASS)
+    damping_n_s_per_m: float = fields.field(parameters.DAMPING)
+    stiffness_n_per_m: float = fields.field(parameters.STIFFNESS)
+    series_resistance_ohm: float = fields.number(100.0, SERIES)
+    skin_stiffness_n_per_m: float = fields.number(0.0, parameters.SKIN_STIFFNESS)
+    skin_damping_n_s_per_m: float = fields.number(0.0, parameters.SKIN_DAMPING)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    def equations(self, step_s: Fraction) -> Equations:
+        """Voltage over the capacitance, velocity and displacement."""
+        (capacitance, coupling, mass, damping, stiffness, series) = row(
+            self.capacitance_f,
+            self.coupling_n_per_v,
+            self.moving_mass_kg,
+            self.damping_n_s_per_m,
+            self.stiffness_n_per_m,
+            self.series_resistance_ohm,
+        )
+        damping += Fraction(self.skin_damping_n_s_per_m)
+        stiffness += Fraction(self.skin_stiffness_n_per_m)
+        charging = 1 / (series * capacitance)
+        pushed = (coupling / mass, -damping / mass, -stiffness / mass)
+        return Equations(
+            dynamics=((-charging, -coupling / capacitance, Fraction(0)), pushed, row(0, 1, 0)),
+            drive=(charging, Fraction(0), Fraction(0)),
+            outputs=(
+                pushed,
+                row(0, 1, 0),
+                row(0, 0, 1),
+                (-1 / series, Fraction(0), Fraction(0)),
+            ),
+            passed=(Fraction(0), Fraction(0), Fraction(0), 1 / series),
+            storage=(capacitance, mass, held(stiffness, mass, step_s)),
+        )
+
+    def response_at(self, s: Complexes) -> Complexes:
+        """s alpha / (Z (1 + s R C) + R alpha²) with Z = m s + c + k / s."""
+        coupling = self.coupling_n_per_v
+        return s / self._divisor(s) if coupling else 0.0 * s
+
+    def current_at(self, s: Complexes) -> Complexes:
+        """(s C Z + alpha²) / (Z (1 + s R C) + R alpha²)."""
+        coupling = self.coupling_n_per_v
+        if not coupling:
+            return s * self.capacitance_f / self._charged(s)
+        flowing = s * self.capacitance_f * (self._mechanical(s) / coupling) + coupling
+        return flowing / self._divisor(s)
+
+    def _mechanical(self, s: Complexes) -> Complexes:
+        damping = self.damping_n_s_per_m + self.skin_damping_n_s_per_m
+        stiffness = self.stiffness_n_per_m + self.skin_stiffness_n_per_m
+        return self.moving_mass_kg * s + damping + stiffness / s
+
+    def _charged(self, s: Complexes) -> Complexes:
+        return 1.0 + s * self.series_resistance_ohm * self.capacitance_f
+
+    def _divisor(self, s: Complexes) -> Complexes:
+        """What responses are divided by, itself divided by the coupling."""
+        coupling = self.coupling_n_per_v
+        moved = self._mechanical(s) / coupling
+        return moved * self._charged(s) + self.series_resistance_ohm * coupling

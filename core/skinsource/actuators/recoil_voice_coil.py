@@ -1,0 +1,118 @@
+"""A coil inside a casing that recoils."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import ClassVar
+
+from skinsource import fields
+from skinsource.actuators import parameters
+from skinsource.actuators.actuator import Actuator
+from skinsource.actuators.equations import Equations, held, row
+from skinsource.arrays import Complexes
+
+CASING_MASS = parameters.positive("Casing mass", "kg", "What touches the skin, and recoils")
+
+
+@dataclass(frozen=True, slots=True)
+class RecoilVoiceCoil(Actuator):
+    """An inertial actuator: a mass moves inside a casing, and the casing touches the skin.
+
+    With the velocity v of the mass inside and w of the casing, r = v - w and its integral q:
+    u = R i + L di/dt + Bl r;  F = Bl i - c r - k q;  m dv/dt = F;
+    M dw/dt = -F - c_skin w - k_skin z, where z is the displacement of the casing.  Motions and
+    responses are those of the casing: above its resonance it recoils as one half of a pair of
+    free masses, against the sign of the mass inside.
+
+    Attributes
+    ----------
+    resistance_ohm, inductance_h, moving_mass_kg, casing_mass_kg
+        R, L, m and M, above 0.
+    force_factor_n_per_a, damping_n_s_per_m, stiffness_n_per_m
+        Bl, c and k, 0 or more.
+    skin_stiffness_n_per_m, skin_damping_n_s_per_m
+        Of the skin under the casing, 0 or more; 0 where it hangs free.
+    """
+
+    title: ClassVar[str] = "Recoil voice coil"
+
+    resistance_ohm: float = fields.field(parameters.RESISTANCE)
+    inductance_h: float = fields.field(parameters.INDUCTANCE)
+    force_factor_n_per_a: float = fields.field(parameters.FORCE_FACTOR)
+    moving_mass_kg: float = fields.field(parameters.MOVING_MASS)
+    damping_n_s_per_m: float = fields.field(parameters.DAMPING)
+    stiffness_n_per_m: float = fields.field(parameters.STIFFNESS)
+    casing_mass_kg: float = fields.field(CASING_MASS)
+    skin_stiffness_n_per_m: float = fields.number(0.0, parameters.SKIN_STIFFNESS)
+    skin_damping_n_s_per_m: float = fields.number(0.0, parameters.SKIN_DAMPING)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    def equations(self, step_s: Fraction) -> Equations:
+        """Current, relative velocity, velocity of the casing, and what they add up to."""
+        (resistance, inductance, coupling, mass, damping, stiffness, casing, skin_k, skin_c) = row(
+            self.resistance_ohm,
+            self.inductance_h,
+            self.force_factor_n_per_a,
+            self.moving_mass_kg,
+            self.damping_n_s_per_m,
+            self.stiffness_n_per_m,
+            self.casing_mass_kg,
+            self.skin_stiffness_n_per_m,
+            self.skin_damping_n_s_per_m,
+        )
+        zero = Fraction(0)
+        force = (coupling, -damping, zero, -stiffness, zero)
+        skin = (zero, zero, -skin_c, zero, -skin_k)
+        recoiled = tuple((s - f) / casing for f, s in zip(force, skin, strict=True))
+        parted = tuple(f / mass - w for f, w in zip(force, recoiled, strict=True))
+        reduced = mass * casing / (mass + casing)
+        return Equations(
+            dynamics=(
+                (-resistance / inductance, -coupling / inductance, zero, zero, zero),
+                parted,
+                recoiled,
+                row(0, 1, 0, 0, 0),
+                row(0, 0, 1, 0, 0),
+            ),
+            drive=(1 / inductance, zero, zero, zero, zero),
+            outputs=(recoiled, row(0, 0, 1, 0, 0), row(0, 0, 0, 0, 1), row(1, 0, 0, 0, 0)),
+            passed=row(0, 0, 0, 0),
+            storage=(
+                inductance,
+                reduced,
+                casing,
+                held(stiffness, reduced, step_s),
+                held(skin_k, casing, step_s),
+            ),
+        )
+
+    def response_at(self, s: Complexes) -> Complexes:
+        """-s Bl i / (Z_casing (1 + Z Y)), i as `current_at` gives it."""
+        if not self.force_factor_n_per_a:
+            return 0.0 * s
+        apart, both, inner = self._joined(s)
+        return -s * inner / (apart * self._electrical(s) + self.force_factor_n_per_a * both)
+
+    def current_at(self, s: Complexes) -> Complexes:
+        """1 / (R + s L + Bl² / (Z + 1 / Y)) with Y = 1 / (s m) + 1 / Z_casing."""
+        electrical = self._electrical(s)
+        if not self.force_factor_n_per_a:
+            return 1.0 / electrical
+        apart, both, _ = self._joined(s)
+        return apart / (apart * electrical + self.force_factor_n_per_a * both)
+
+    def _joined(self, s: Complexes) -> tuple[Complexes, Complexes, Complexes]:
+        """Impedances: what parts the masses, times both and over Bl; both; and that inside.
+
+        All is multiplied out, so that nothing is divided by what may be 0.
+        """
+        casing = self.casing_mass_kg * s
+        casing = casing + self.skin_damping_n_s_per_m + self.skin_stiffness_n_per_m / s
+        inner = self.moving_mass_kg * s
+        both = inner + casing
+        suspension = self.damping_n_s_per_m + self.stiffness_n_per_m / s
+        return (inner * casing + suspension * both) / self.force_factor_n_per_a, both, inner
+
+    def _electrical(self, s: Complexes) -> Complexes:
+        return self.resistance_ohm + s * self.inductance_h

@@ -1,0 +1,95 @@
+"""A coil that moves a contactor."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import ClassVar
+
+from skinsource import fields
+from skinsource.actuators import parameters
+from skinsource.actuators.actuator import Actuator
+from skinsource.actuators.equations import Equations, held, row
+from skinsource.arrays import Complexes
+
+
+@dataclass(frozen=True, slots=True)
+class VoiceCoil(Actuator):
+    """A voice coil, or a linear resonant actuator, whose moving mass touches the skin.
+
+    u = R i + L di/dt + Bl v and Bl i = m a + (c + c_skin) v + (k + k_skin) x, driven by a voltage.
+
+    Attributes
+    ----------
+    resistance_ohm, inductance_h, moving_mass_kg
+        R, L and m, above 0 without another bound.
+    force_factor_n_per_a, damping_n_s_per_m, stiffness_n_per_m
+        Bl, c and k, 0 or more.
+    skin_stiffness_n_per_m, skin_damping_n_s_per_m
+        k_skin and c_skin of the skin at the contact, 0 or more; 0 in air.
+
+    References
+    ----------
+    Thiele, Loudspeakers in vented boxes, J. Audio Eng. Soc. 19, 1971: the same mechanics and coil.
+    """
+
+    title: ClassVar[str] = "Voice coil"
+
+    resistance_ohm: float = fields.field(parameters.RESISTANCE)
+    inductance_h: float = fields.field(parameters.INDUCTANCE)
+    force_factor_n_per_a: float = fields.field(parameters.FORCE_FACTOR)
+    moving_mass_kg: float = fields.field(parameters.MOVING_MASS)
+    damping_n_s_per_m: float = fields.field(parameters.DAMPING)
+    stiffness_n_per_m: float = fields.field(parameters.STIFFNESS)
+    skin_stiffness_n_per_m: float = fields.number(0.0, parameters.SKIN_STIFFNESS)
+    skin_damping_n_s_per_m: float = fields.number(0.0, parameters.SKIN_DAMPING)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    def equations(self, step_s: Fraction) -> Equations:
+        """Current, velocity and displacement."""
+        (resistance, inductance, coupling, mass, damping, stiffness) = row(
+            self.resistance_ohm,
+            self.inductance_h,
+            self.force_factor_n_per_a,
+            self.moving_mass_kg,
+            self.damping_n_s_per_m,
+            self.stiffness_n_per_m,
+        )
+        damping += Fraction(self.skin_damping_n_s_per_m)
+        stiffness += Fraction(self.skin_stiffness_n_per_m)
+        pulled = (coupling / mass, -damping / mass, -stiffness / mass)
+        return Equations(
+            dynamics=(
+                (-resistance / inductance, -coupling / inductance, Fraction(0)),
+                pulled,
+                row(0, 1, 0),
+            ),
+            drive=(1 / inductance, Fraction(0), Fraction(0)),
+            outputs=(pulled, row(0, 1, 0), row(0, 0, 1), row(1, 0, 0)),
+            passed=row(0, 0, 0, 0),
+            storage=(inductance, mass, held(stiffness, mass, step_s)),
+        )
+
+    def response_at(self, s: Complexes) -> Complexes:
+        """s Bl / (Z (R + s L) + Bl²) with the mechanical impedance Z = m s + c + k / s."""
+        coupling = self.force_factor_n_per_a
+        if not coupling:
+            return 0.0 * s
+        # Divided by Bl above and below, so that no square leaves the range of floats.
+        return s / (self._mechanical(s) * self._electrical(s) / coupling + coupling)
+
+    def current_at(self, s: Complexes) -> Complexes:
+        """Z / (Z (R + s L) + Bl²)."""
+        coupling, electrical = self.force_factor_n_per_a, self._electrical(s)
+        if not coupling:
+            return 1.0 / electrical
+        moved = self._mechanical(s) / coupling
+        return moved / (moved * electrical + coupling)
+
+    def _mechanical(self, s: Complexes) -> Complexes:
+        damping = self.damping_n_s_per_m + self.skin_damping_n_s_per_m
+        stiffness = self.stiffness_n_per_m + self.skin_stiffness_n_per_m
+        return self.moving_mass_kg * s + damping + stiffness / s
+
+    def _electrical(self, s: Complexes) -> Complexes:
+        return self.resistance_ohm + s * self.inductance_h

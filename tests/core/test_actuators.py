@@ -1,0 +1,284 @@
+"""Motions of actuators, against exponentials computed elsewhere with 50 digits."""
+
+import json
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.actuators.equations import OUTPUTS
+from skinsource.actuators.stepping import steps
+from skinsource.errors import InvalidInputError
+
+REFERENCES = Path(__file__).parents[1] / "references"
+KNOWN = json.loads((REFERENCES / "actuators.json").read_text())
+CASES, LONG, RATE_HZ = KNOWN["cases"], KNOWN["long"], KNOWN["rate_hz"]
+COIL = ss.actuators.VoiceCoil(8.0, 8e-4, 0.8, 1e-3, 0.07, 1209.0)
+RECOIL = ss.actuators.RecoilVoiceCoil(4.0, 5e-4, 1.5, 4e-3, 0.5, 1280.0, 1.1e-2, 700.0, 1.0)
+PIEZO = ss.actuators.Piezo(1e-7, 1e-2, 1e-3, 0.1, 2000.0)
+
+
+@pytest.fixture(scope="module")
+def stored():
+    with np.load(REFERENCES / "actuators.npz") as found:
+        return dict(found)
+
+
+def actuator_of(case):
+    """The model with the parameters of a case."""
+    return getattr(ss.actuators, case["kind"])(**{k: v for k, v in case.items() if k != "kind"})
+
+
+def errors(motion, reference, at=slice(None)):
+    """Largest error of each output over its peak."""
+    found = {}
+    for name, exact in zip(OUTPUTS, reference, strict=True):
+        values = getattr(motion, name)
+        peak = max(np.abs(values).max(), np.abs(exact).max(), 1e-300)
+        found[name] = np.abs(values[at] - exact).max() / peak
+    return found
+
+
+@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("drive", ["step", "uneven", "ramps"])
+def test_a_motion_is_the_exact_one_of_the_held_voltage(stored, name, drive):
+    voltage = np.ones(401) if drive == "step" else stored["uneven"]
+    hold = "first" if drive == "ramps" else "zero"
+    motion = actuator_of(CASES[name]).simulate(voltage, RATE_HZ, hold)
+    # The promise is max(1e-12, 30 eps |A h|); coarser errors than these would be a mistake.
+    found = errors(motion, stored[f"{name}/{drive}"])
+    assert max(found.values()) < 1e-13, found
+
+
+@pytest.mark.parametrize("name", [name for name in CASES if name[:2] in ("d1", "d4", "d6")])
+def test_a_million_steps_lose_nothing(stored, name):
+    motion = actuator_of(CASES[name]).simulate(np.ones(LONG[-1] + 1), RATE_HZ)
+    found = errors(motion, stored[f"{name}/long"], LONG)
+    assert max(found.values()) < 1e-13, found
+
+
+@pytest.mark.parametrize("hold", ["zero", "first"])
+@pytest.mark.parametrize("actuator", [COIL, RECOIL, PIEZO])
+def test_samples_between_change_nothing_at_the_samples(actuator, hold):
+    voltage = np.sin(0.37 * np.arange(90) ** 2)
+    coarse = actuator.simulate(voltage, 1300.0, hold)
+    k = np.arange(89 * 37 + 1)
+    fine = np.interp(k / 37, np.arange(90), voltage) if hold == "first" else voltage[k // 37]
+    dense = actuator.simulate(fine, 37 * 1300.0, hold)
+    for name in OUTPUTS:
+        exact, values = getattr(coarse, name), getattr(dense, name)[::37]
+        assert np.abs(values - exact).max() <= 1e-12 * np.abs(exact).max()
+
+
+def test_a_block_of_steps_ends_where_the_next_one_goes_on():
+    voltage = np.sin(0.37 * np.arange(70_000) ** 2)
+    whole = COIL.simulate(voltage, 5000.0, "first")
+    for n in (1, 2, 32, 33, 34, 1025, 32_769, 33_000):
+        part = COIL.simulate(voltage[:n], 5000.0, "first")
+        for name in OUTPUTS:
+            exact = getattr(whole, name)
+            values = getattr(part, name)
+            assert values.shape == (n,)
+            assert np.abs(values - exact[:n]).max() <= 1e-14 * np.abs(exact).max()
+
+
+@pytest.mark.parametrize("actuator", [COIL, RECOIL, PIEZO])
+def test_a_long_tone_moves_it_as_its_response_says(actuator):
+    rate_hz, n = 96_000.0, 4 * 96_000
+    turn = np.exp(2j * np.pi * 150.0 * np.arange(n) / rate_hz)
+    motion = actuator.simulate(turn.real, rate_hz, "first")
+    last = slice(n - 9600, n)
+    shown = 2.0 * np.mean(motion.acceleration[last] * turn[last].conj())
+    assert shown == pytest.approx(actuator.response(150.0), rel=1e-4)
+    flowing = 2.0 * np.mean(motion.current[last] * turn[last].conj())
+    assert flowing == pytest.approx(actuator.admittance(150.0), rel=1e-3)
+
+
+@pytest.mark.parametrize("frequency_hz", [25.0, 60.0, 175.0, 300.0, 600.0])
+@pytest.mark.parametrize("hold", ["zero", "first"])
+def test_holding_at_48_khz_costs_less_than_5_thousandths_of_a_decibel(frequency_hz, hold):
+    rate_hz, n = 48_000.0, 2 * 48_000
+    turn = np.exp(2j * np.pi * frequency_hz * np.arange(n) / rate_hz)
+    motion = COIL.simulate(turn.real, rate_hz, hold)
+    last = slice(n - 48_000, n)
+    shown = 2.0 * np.mean(motion.acceleration[last] * turn[last].conj())
+    ratio = shown / COIL.response(frequency_hz)
+    assert abs(20.0 * np.log10(abs(ratio))) < 0.005
+    # What is held lies half a sample late on average.
+    late_s = 0.5 / rate_hz if hold == "zero" else 0.0
+    angle_rad = np.angle(ratio * np.exp(2j * np.pi * frequency_hz * late_s))
+    assert abs(angle_rad) < 5e-3
+
+
+def test_a_full_square_wave_at_resonance_settles_to_the_sum_of_its_harmonics():
+    rate_hz, n = 175.0 * 400, 70_000
+    coil = actuator_of(CASES["d1 linear resonant actuator"])
+    voltage = np.where(np.arange(n) % 400 < 200, 1.0, -1.0)
+    motion = coil.simulate(voltage, rate_hz)
+    last = motion.velocity[-400:]
+    orders = np.arange(1, 4001, 2)
+    per_volt = coil.response(175.0 * orders) / (2j * np.pi * 175.0 * orders)
+    phases = np.exp(2j * np.pi * np.outer(np.arange(400) / 400, orders))
+    exact = (phases @ (per_volt * 4.0 / (1j * np.pi * orders))).real
+    assert np.abs(last - exact).max() < 1e-6 * np.abs(exact).max()
+    assert np.abs(motion.velocity).max() < 1.01 * np.abs(exact).max()
+
+
+def test_ten_minutes_end_as_they_should():
+    rate_hz, frequency_hz = 2600, 100.0
+    turn = np.exp(2j * np.pi * frequency_hz * np.arange(600 * rate_hz) / rate_hz)
+    motion = COIL.simulate(turn.imag, rate_hz, "first")
+    seconds = motion.acceleration.reshape(600, rate_hz)
+    assert np.abs(seconds[-1] - seconds[10]).max() < 1e-9 * np.abs(seconds).max()
+
+
+EXTREME = {
+    "a coil of 0.1 µs": ss.actuators.VoiceCoil(8.0, 8e-7, 0.8, 1e-3, 0.07, 1209.0),
+    "a mass of a picogram": ss.actuators.VoiceCoil(8.0, 8e-4, 0.8, 1e-15, 0.07, 1209.0),
+    "no damping": ss.actuators.VoiceCoil(8.0, 8e-4, 1e-6, 1e-3, 0.0, 1209.0),
+    "no force and no damping": ss.actuators.VoiceCoil(8.0, 8e-4, 0.0, 1e-3, 0.0, 1209.0),
+    "a strong force": ss.actuators.VoiceCoil(1e-6, 1e-6, 1e4, 1e-3, 0.0, 1209.0),
+    "a stiff spring": ss.actuators.VoiceCoil(8.0, 8e-4, 0.8, 1e-3, 1e-9, 1e9),
+    "no stiffness": ss.actuators.VoiceCoil(8.0, 8e-4, 0.8, 1e-3, 0.07, 0.0),
+    "recoil without damping": ss.actuators.RecoilVoiceCoil(
+        4.0, 5e-4, 1e-6, 4e-3, 0.0, 1280.0, 1e-2, 700.0
+    ),
+    "piezo without damping": ss.actuators.Piezo(1e-7, 1e-9, 1e-3, 0.0, 2000.0),
+}
+
+
+@pytest.mark.parametrize("name", EXTREME)
+@pytest.mark.parametrize("rate_hz", [1.0, 1300.0, 192_000.0])
+def test_no_step_makes_states_grow(name, rate_hz):
+    step_s = 1 / Fraction(rate_hz)
+    known = steps(EXTREME[name].equations(step_s), step_s, "zero", 0).step
+    values = np.abs(np.linalg.eigvals(known))
+    # A pair of equal values, as of a free mass, is known to the root of the rounding only.
+    assert values.max() <= (1 + 1e-7 if name == "no stiffness" else 1 + 1e-13)
+
+
+@pytest.mark.parametrize("quality", [0.5, 10.0, 1e4, np.inf])
+def test_energy_never_grows_where_no_voltage_is(quality):
+    coil = ss.actuators.VoiceCoil(8.0, 8e-4, 1e-3, 1e-3, 1.1 / quality, 1209.0)
+    voltage = np.zeros(20_000)
+    voltage[:100] = np.sin(np.arange(100))
+    motion = coil.simulate(voltage, 1300.0)
+    energy = 8e-4 * motion.current**2 + 1e-3 * motion.velocity**2 + 1209.0 * motion.displacement**2
+    # The energy in the coil has gone by then.
+    left = energy[110:]
+    assert left[0] > 0.0
+    assert (np.diff(left) <= 2e-15 * left[0]).all()
+    if quality == np.inf:
+        # The coil brakes it a little.
+        assert 0.9 * left[0] < left[-1] < left[0]
+
+
+def test_without_force_only_the_coil_reacts():
+    coil = ss.actuators.VoiceCoil(8.0, 8e-4, 0.0, 1e-3, 0.07, 1209.0)
+    motion = coil.simulate(np.ones(50), 48_000.0)
+    assert not motion.velocity.any()
+    assert not motion.acceleration.any()
+    exact = -np.expm1(-np.arange(50) / 48_000.0 / 1e-4) / 8.0
+    assert np.abs(motion.current - exact).max() < 1e-15
+    assert coil.response(100.0) == 0.0
+    assert coil.admittance(100.0) == pytest.approx(1.0 / (8.0 + 2j * np.pi * 0.08))
+
+
+def test_silence_moves_nothing_and_twice_the_voltage_moves_twice_as_far():
+    silent = COIL.simulate(np.zeros(100), 1300.0)
+    assert not any(getattr(silent, name).any() for name in OUTPUTS)
+    voltage = np.sin(np.arange(100.0))
+    once, twice = (COIL.simulate(factor * voltage, 1300.0) for factor in (1.0, 2.0))
+    assert np.array_equal(2.0 * once.displacement, twice.displacement)
+
+
+def test_a_recoiling_casing_keeps_the_momentum_where_it_hangs_free():
+    free = ss.actuators.RecoilVoiceCoil(4.0, 5e-4, 1.5, 4e-3, 0.5, 1280.0, 1.1e-2)
+    fixed = ss.actuators.VoiceCoil(4.0, 5e-4, 1.5, 4e-3 * 1.1e-2 / 1.5e-2, 0.5, 1280.0)
+    frequency_hz = np.array([20.0, 90.0, 600.0])
+    # Both masses swing about their common centre, as one reduced mass does about a wall.
+    share = -4e-3 / 1.5e-2
+    assert free.response(frequency_hz) == pytest.approx(share * fixed.response(frequency_hz))
+
+
+def test_a_response_is_zero_where_nothing_oscillates_and_mirrored_below():
+    for one in (COIL, RECOIL, PIEZO, ss.actuators.VoiceCoil(8.0, 8e-4, 0.0, 1e-3, 0.0, 0.0)):
+        assert one.response(0.0) == 0.0
+        assert one.response([[-50.0, 50.0]]).shape == (1, 2)
+        assert one.response(-50.0) == one.response(50.0).conjugate()
+
+
+def test_a_response_peaks_where_mass_and_spring_resonate():
+    frequency_hz = np.linspace(100.0, 300.0, 20_001)
+    displaced = np.abs(COIL.response(frequency_hz)) / frequency_hz
+    assert frequency_hz[displaced.argmax()] == pytest.approx(
+        np.sqrt(1209.0 / 1e-3) / 2 / np.pi, 0.01
+    )
+
+
+PARAMETERS = {
+    COIL: {
+        "resistance_ohm": False,
+        "inductance_h": False,
+        "moving_mass_kg": False,
+        "force_factor_n_per_a": True,
+        "damping_n_s_per_m": True,
+        "stiffness_n_per_m": True,
+        "skin_stiffness_n_per_m": True,
+        "skin_damping_n_s_per_m": True,
+    },
+    RECOIL: {"casing_mass_kg": False},
+    PIEZO: {"capacitance_f": False, "coupling_n_per_v": True, "series_resistance_ohm": False},
+}
+
+
+@pytest.mark.parametrize(
+    ("actuator", "name"), [(one, name) for one, names in PARAMETERS.items() for name in names]
+)
+def test_wrong_parameters_are_refused_by_name(actuator, name):
+    zero_allowed = PARAMETERS[actuator][name]
+    for wrong in (
+        -1e-12,
+        -1.0,
+        np.nan,
+        np.inf,
+        "1",
+        None,
+        True,
+        1j,
+        *(() if zero_allowed else (0,)),
+    ):
+        with pytest.raises(InvalidInputError, match=name):
+            replace(actuator, **{name: wrong})
+    for right in (1e-12, 1e12, np.float32(1.0), *((0, 0.0) if zero_allowed else ())):
+        replace(actuator, **{name: right})
+
+
+@pytest.mark.parametrize(
+    ("voltage", "rate_hz", "hold", "word"),
+    [
+        ([0.0, np.nan], 1300.0, "zero", "voltage"),
+        ([[0.0]], 1300.0, "zero", "voltage"),
+        ([1j], 1300.0, "zero", "voltage"),
+        ([0.0], 0.0, "zero", "sample_rate_hz"),
+        ([0.0], np.inf, "zero", "sample_rate_hz"),
+        ([0.0], 1300.0, "second", "hold"),
+        ([1e308] * 90, 1300.0, "zero", "voltage"),
+    ],
+)
+def test_what_cannot_be_simulated_is_refused(voltage, rate_hz, hold, word):
+    with pytest.raises(InvalidInputError, match=word):
+        COIL.simulate(voltage, rate_hz, hold)
+
+
+def test_no_voltage_at_all_is_no_motion():
+    assert COIL.simulate([], 1300.0).current.shape == (0,)
+    assert PIEZO.simulate([3.0], 1300.0).current == pytest.approx([0.03])
+
+
+def test_responses_beyond_all_numbers_are_refused():
+    with pytest.raises(InvalidInputError, match="parameters"):
+        ss.actuators.VoiceCoil(1e-300, 1e-300, 1e-300, 1e-300, 0.0, 0.0).response(1e9)

@@ -1,0 +1,186 @@
+"""Motion of actuators to 50 digits, rounded once: ``actuators.npz``, read by their tests.
+
+Each is its equations of motion, put into one matrix with the held voltage and its slope beside the
+states, whose exponential mpmath computes.  Nothing here knows the library.
+
+    python tests/references/make_actuators.py
+"""
+
+import json
+from pathlib import Path
+
+import numpy as np
+from mpmath import expm, matrix, mp, mpf, pi, sqrt
+
+RATE_HZ = 1300
+N_STEP, N_UNEVEN = 400, 120
+#: Samples of the long run whose motion is kept.
+LONG = (1000, 10_000, 100_000, 300_000, 1_000_000)
+
+
+def coil(frequency_hz, quality, tau_s, force_factor, mass=1e-3, resistance=8.0, damping=None):
+    """Parameters of a voice coil whose undriven mass has this resonance, in doubles."""
+    stiffness = float((2 * pi * mpf(frequency_hz)) ** 2 * mpf(mass))
+    if damping is None:
+        damping = float(sqrt(mpf(stiffness) * mpf(mass)) / mpf(quality))
+    return {
+        "kind": "VoiceCoil",
+        "resistance_ohm": resistance,
+        "inductance_h": float(mpf(resistance) * mpf(tau_s)),
+        "force_factor_n_per_a": force_factor,
+        "moving_mass_kg": mass,
+        "damping_n_s_per_m": damping,
+        "stiffness_n_per_m": stiffness,
+    }
+
+
+def triple_root():
+    """Coil and mass alike: 1 / tau and twice the resonance, nearly uncoupled."""
+    frequency_hz = 175.0
+    tau_s = float(1 / (2 * pi * mpf(frequency_hz)))
+    return coil(frequency_hz, 0.5, tau_s, 1e-9)
+
+
+CASES = {
+    "d1 linear resonant actuator": coil(175.0, 15.0, 1e-4, 0.8),
+    "d2 voice coil": coil(60.0, 2.0, 1.5e-4, 1.9, mass=1e-2, resistance=4.0),
+    "d3 quality of 10 000": coil(175.0, 1e4, 1e-4, 1e-3),
+    "d4 no damping": coil(175.0, 1.0, 1e-4, 1e-6, damping=0.0),
+    "d5 coil of 1 µs on 5 Hz": coil(5.0, 0.5, 1e-6, 0.8),
+    "d6 just below half the rate": coil(640.0, 50.0, 1e-4, 0.8),
+    "d7 double root": coil(175.0, 0.5, 1e-4, 1e-6),
+    "d8 triple root": triple_root(),
+    "coil of 0.1 µs": coil(175.0, 15.0, 1e-7, 0.8),
+    "mass of a microgram": coil(175.0, 15.0, 1e-4, 0.8, mass=1e-9),
+    "no stiffness": coil(175.0, 15.0, 1e-4, 0.8) | {"stiffness_n_per_m": 0.0},
+    "neither stiffness nor damping": coil(175.0, 15.0, 1e-4, 0.8, damping=0.0)
+    | {"stiffness_n_per_m": 0.0},
+    "hardly any stiffness": coil(175.0, 15.0, 1e-4, 0.8) | {"stiffness_n_per_m": 1e-150},
+    "no force": coil(175.0, 15.0, 1e-4, 0.0),
+    "on the skin": coil(60.0, 2.0, 1.5e-4, 1.9, mass=1e-2)
+    | {"skin_stiffness_n_per_m": 800.0, "skin_damping_n_s_per_m": 1.0},
+    "recoil": coil(90.0, 4.0, 1.2e-4, 1.5, mass=4e-3)
+    | {
+        "kind": "RecoilVoiceCoil",
+        "casing_mass_kg": 1.1e-2,
+        "skin_stiffness_n_per_m": 700.0,
+        "skin_damping_n_s_per_m": 1.0,
+    },
+    "recoil, hanging free": coil(90.0, 4.0, 1.2e-4, 1.5, mass=4e-3)
+    | {"kind": "RecoilVoiceCoil", "casing_mass_kg": 1.1e-2},
+    "piezo": {
+        "kind": "Piezo",
+        "capacitance_f": 1e-7,
+        "coupling_n_per_v": 1e-2,
+        "moving_mass_kg": 1e-3,
+        "damping_n_s_per_m": 0.1,
+        "stiffness_n_per_m": 2000.0,
+        "series_resistance_ohm": 150.0,
+        "skin_stiffness_n_per_m": 500.0,
+    },
+}
+
+
+def equations(case):
+    """A, b, and what gives acceleration, velocity, displacement and current; states and voltage."""
+    p = {name: mpf(value) for name, value in case.items() if name != "kind"}
+    zero, one = mpf(0), mpf(1)
+    m, c, k = p["moving_mass_kg"], p["damping_n_s_per_m"], p["stiffness_n_per_m"]
+    ks = p.get("skin_stiffness_n_per_m", zero)
+    cs = p.get("skin_damping_n_s_per_m", zero)
+    if case["kind"] == "Piezo":
+        cap, alpha, r = p["capacitance_f"], p["coupling_n_per_v"], p["series_resistance_ohm"]
+        rows = [
+            [-1 / (r * cap), -alpha / cap, zero, 1 / (r * cap)],
+            [alpha / m, -(c + cs) / m, -(k + ks) / m, zero],
+            [zero, one, zero, zero],
+        ]
+        return rows, [rows[1], rows[2], [zero, zero, one, zero], [-1 / r, zero, zero, 1 / r]]
+    r, ind, bl = p["resistance_ohm"], p["inductance_h"], p["force_factor_n_per_a"]
+    if case["kind"] == "VoiceCoil":
+        rows = [
+            [-r / ind, -bl / ind, zero, 1 / ind],
+            [bl / m, -(c + cs) / m, -(k + ks) / m, zero],
+            [zero, one, zero, zero],
+        ]
+        return rows, [rows[1], rows[2], [zero, zero, one, zero], [one, zero, zero, zero]]
+    # Current, velocity and place of the mass inside, velocity and place of the casing.
+    big = p["casing_mass_kg"]
+    force = [bl, -c, -k, c, k, zero]
+    rows = [
+        [-r / ind, -bl / ind, zero, bl / ind, zero, 1 / ind],
+        [part / m for part in force],
+        [zero, one, zero, zero, zero, zero],
+        [(s - f) / big for f, s in zip(force, [zero, zero, zero, -cs, -ks, zero], strict=True)],
+        [zero, zero, zero, one, zero, zero],
+    ]
+    reads = [rows[3], rows[4], [zero] * 4 + [one, zero], [one] + [zero] * 5]
+    return rows, reads
+
+
+def stepped(rows, step_s):
+    """Exponential for one step, with voltage and slope beside the states."""
+    n = len(rows)
+    grown = matrix(n + 2, n + 2)
+    for k in range(n):
+        for j in range(n + 1):
+            grown[k, j] = rows[k][j] * step_s
+    grown[n, n + 1] = step_s
+    return expm(grown)
+
+
+def motion(case, voltage, hold):
+    """Outputs, (4, n_times), at the samples of a voltage."""
+    rows, reads = equations(case)
+    n, step_s = len(rows), 1 / mpf(RATE_HZ)
+    grown = stepped(rows, step_s)
+    state, found = [mpf(0)] * n, []
+    for k, now in enumerate(voltage):
+        known = [*state, mpf(now)]
+        found.append([sum(a * b for a, b in zip(read, known, strict=True)) for read in reads])
+        if k + 1 < len(voltage):
+            slope = (mpf(voltage[k + 1]) - mpf(now)) / step_s if hold == "first" else mpf(0)
+            known = [*known, slope]
+            state = [sum(grown[j, i] * known[i] for i in range(n + 2)) for j in range(n)]
+    return np.array([[float(value) for value in line] for line in found]).T
+
+
+def long_motion(case):
+    """Outputs, (4, len(LONG)), so many samples after 1 V came on, each by one exponential."""
+    rows, reads = equations(case)
+    n, found = len(rows), []
+    for samples in LONG:
+        grown = stepped(rows, mpf(samples) / RATE_HZ)
+        known = [*(grown[j, n] for j in range(n)), mpf(1)]
+        found.append([sum(a * b for a, b in zip(read, known, strict=True)) for read in reads])
+    return np.array([[float(value) for value in line] for line in found]).T
+
+
+def uneven():
+    """A voltage that steps and wanders, in doubles."""
+    k = np.arange(N_UNEVEN + 1)
+    return np.round(np.sin(0.37 * k * k) + (k > 40) - 1.5 * (k > 80), 6)
+
+
+def main():
+    """Write all cases."""
+    mp.dps = 50
+    found = {"uneven": uneven()}
+    for name, case in CASES.items():
+        # Faster parts than these digits can hold beside the slow ones need more of them.
+        mp.dps = 120 if case.get("moving_mass_kg") == 1e-9 else 60
+        found[f"{name}/step"] = motion(case, np.ones(N_STEP + 1), "zero")
+        found[f"{name}/uneven"] = motion(case, uneven(), "zero")
+        found[f"{name}/ramps"] = motion(case, uneven(), "first")
+    for name in ("d1", "d4", "d6"):
+        full = next(case for case in CASES if case.startswith(name))
+        found[f"{full}/long"] = long_motion(CASES[full])
+    place = Path(__file__).parent
+    np.savez_compressed(place / "actuators.npz", **found)
+    (place / "actuators.json").write_text(
+        json.dumps({"rate_hz": RATE_HZ, "long": LONG, "cases": CASES}, indent=1) + "\n"
+    )
+
+
+if __name__ == "__main__":
+    main()
