@@ -56,6 +56,8 @@ CASES = {
     "neither stiffness nor damping": coil(175.0, 15.0, 1e-4, 0.8, damping=0.0)
     | {"stiffness_n_per_m": 0.0},
     "hardly any stiffness": coil(175.0, 15.0, 1e-4, 0.8) | {"stiffness_n_per_m": 1e-150},
+    "hardly any inductance": coil(175.0, 15.0, 1e-120, 0.8),
+    "hardly any force": coil(175.0, 15.0, 1e-4, 1e-120),
     "no force": coil(175.0, 15.0, 1e-4, 0.0),
     "on the skin": coil(60.0, 2.0, 1.5e-4, 1.9, mass=1e-2)
     | {"skin_stiffness_n_per_m": 800.0, "skin_damping_n_s_per_m": 1.0},
@@ -77,6 +79,7 @@ CASES = {
         "stiffness_n_per_m": 2000.0,
         "series_resistance_ohm": 150.0,
         "skin_stiffness_n_per_m": 500.0,
+        "skin_damping_n_s_per_m": 0.8,
     },
 }
 
@@ -167,8 +170,8 @@ def main():
     mp.dps = 50
     found = {"uneven": uneven()}
     for name, case in CASES.items():
-        # Faster parts than these digits can hold beside the slow ones need more of them.
-        mp.dps = 120 if case.get("moving_mass_kg") == 1e-9 else 60
+        # Parts far apart need more digits than 50 to end with 50.
+        mp.dps = 400 if name.startswith("hardly") else 120 if "microgram" in name else 60
         found[f"{name}/step"] = motion(case, np.ones(N_STEP + 1), "zero")
         found[f"{name}/uneven"] = motion(case, uneven(), "zero")
         found[f"{name}/ramps"] = motion(case, uneven(), "first")

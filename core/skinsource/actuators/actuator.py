@@ -93,7 +93,8 @@ class Actuator(ABC):
 
 def _imaginary(frequency_hz: ArrayLike) -> Complexes:
     found = finite_array("frequency_hz", frequency_hz, "finite frequencies in Hz")
-    return 2j * np.pi * found
+    s: Complexes = 2j * np.pi * found
+    return s
 
 
 def _known(values: Complexes) -> Complexes:

@@ -76,7 +76,7 @@ class Piezo(Actuator):
         )
 
     def response_at(self, s: Complexes) -> Complexes:
-        """s alpha / (Z (1 + s R C) + R alpha²) with Z = m s + c + k / s."""
+        """A / U = s alpha / (Z (1 + s R C) + R alpha²) with Z = m s + c + k / s."""
         coupling = self.coupling_n_per_v
         return s / self._divisor(s) if coupling else 0.0 * s
 

@@ -71,7 +71,7 @@ class VoiceCoil(Actuator):
         )
 
     def response_at(self, s: Complexes) -> Complexes:
-        """s Bl / (Z (R + s L) + Bl²) with the mechanical impedance Z = m s + c + k / s."""
+        """A / U = s Bl / (Z (R + s L) + Bl²) with the mechanical impedance Z = m s + c + k / s."""
         coupling = self.force_factor_n_per_a
         if not coupling:
             return 0.0 * s

@@ -49,7 +49,7 @@ def identity(n: int, bits: int) -> WholeNumbers:
 
 
 def exponential(matrix: WholeNumbers, bits: int) -> WholeNumbers:
-    """e to the power of a square matrix: its series at a small part of it, squared up.
+    """Exponential of a square matrix: its series at a small part of it, squared up.
 
     References
     ----------
