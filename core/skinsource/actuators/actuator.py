@@ -93,7 +93,7 @@ class Actuator(ABC):
 
 def _imaginary(frequency_hz: ArrayLike) -> Complexes:
     found = finite_array("frequency_hz", frequency_hz, "finite frequencies in Hz")
-    s: Complexes = 2j * np.pi * found
+    s: Complexes = (2j * np.pi * found).astype(np.complex128)
     return s
 
 
