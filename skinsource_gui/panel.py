@@ -1,6 +1,6 @@
 """What every panel is."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -50,6 +50,9 @@ class Panel(QWidget):
         super().__init__(parent)
         # The window behind is not painted again for each change in here.
         self.setAutoFillBackground(True)
+        #: Where something would go in another panel that is dragged from here and held over a
+        #: place of the screen; None: it is let go.  The window says how to find out.
+        self.held_over: Callable[[QPoint | None], DropPlace | None] = _nowhere
 
     @property
     def needs(self) -> frozenset[str]:
@@ -109,3 +112,8 @@ class Panel(QWidget):
     def hideEvent(self, event) -> None:
         super().hideEvent(event)
         self.visibility_changed.emit()
+
+
+def _nowhere(at: QPoint | None) -> None:
+    """Without a window there is no other panel."""
+    del at

@@ -20,6 +20,7 @@ from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.arrangements import Arrangements
 from skinsource_gui.shell.bars import setup_toolbar
+from skinsource_gui.shell.clip_drops import ClipDrops
 from skinsource_gui.shell.dock_layout import DockLayout
 from skinsource_gui.shell.docks import dock_of, toggles
 from skinsource_gui.shell.focus_order import move_focus
@@ -221,6 +222,7 @@ class MainWindow(QMainWindow):
         self.exports.failed.connect(reports.complain)
         self.imports.done.connect(reports.report)
         self.imports.risk_ahead.connect(self.keeping.autosave.keep_now)
+        ClipDrops(self.panels, self)
         drops = FileDrops(self, self.panels)
         drops.design_dropped.connect(self.files.open)
         drops.recording_dropped.connect(self.imports.open_page)

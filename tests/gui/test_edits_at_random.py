@@ -105,6 +105,7 @@ ARGUMENTS = {
     "look_along": (st.sampled_from(["x", "yz", "xyz", "", "zyx"]),),
     "look_by_method": (st.sampled_from(["mag", "pca", "other"]),),
     "move_clips": (ids, anything, steps_down),
+    "move_clips_to_place": (ids, places, switches),
     "forget_snapshot": (numbers,),
     "match_levels": (st.sampled_from([True, False, None]),),
     "move_inputs": (ids, places),

@@ -20,6 +20,7 @@ from skinsource.edits.clips import (
     set_clips,
     toggle_mute_clips,
 )
+from skinsource.edits.clips_to_places import move_clips_to_place
 from skinsource.edits.cutting import fade_clip, join_clips, split_clips, stretch_clip, trim_clip
 from skinsource.edits.drawing import bound_clip, draw_clip
 from skinsource.edits.edit import Edit, Refusal
@@ -133,6 +134,7 @@ __all__ = [
     "look_by_method",
     "match_levels",
     "move_clips",
+    "move_clips_to_place",
     "move_effect",
     "move_inputs",
     "move_marker",

@@ -17,7 +17,7 @@ from skinsource.view import View
 from skinsource.waveforms import Waveform
 
 NO_CLIP = Refusal(sentence="No clip is selected; click one in the timeline.")
-_TOO_MANY = Refusal(
+TOO_MANY_CLIPS = Refusal(
     sentence=f"A track holds at most {MAX_CLIPS} clips; put some of them on another track."
 )
 #: What of clips is set by name; what they play is set by `change_field`.
@@ -83,7 +83,7 @@ def move_clips(
         own = {clip.id for clip in one.clips}
         clips += [clip for track_id, clip in moved if track_id == one.id and clip.id not in own]
         if len(clips) > MAX_CLIPS:
-            return _TOO_MANY
+            return TOO_MANY_CLIPS
         inputs.append(replace_clips(one, clips))
     after = replace(design, inputs=tuple(inputs))
     selected = view.selected_clips
@@ -197,7 +197,7 @@ def with_new_clips(
     for (track_id, clip), id in zip(new, new_ids, strict=True):
         on_track.setdefault(track_id, []).append(replace(clip, id=id))
     if any(len(one.clips) + len(on_track.get(one.id, ())) > MAX_CLIPS for one in design.inputs):
-        return _TOO_MANY
+        return TOO_MANY_CLIPS
     inputs = tuple(
         replace(one, clips=(*one.clips, *on_track[one.id])) if one.id in on_track else one
         for one in design.inputs

@@ -174,6 +174,9 @@ class HandPicture:
         )
 
     def _paint_site(self, painter: QPainter, site: int, state: HandState) -> None:
+        if site == state.target and state.moving is None:
+            # What is held over it comes from another panel.
+            paint_cursor(painter, self._place(site), self.theme)
         place, front = self._place(site), state.front_at(site)
         chosen = site in (state.hovered, state.target)
         if front is None:

@@ -63,7 +63,7 @@ class HandPanel(Panel):
 
     def show_drop(self, at: QPoint | None) -> None:
         place = None if at is None else self.drop_place(at)
-        self.diagram.stage.change(hovered=None if place is None else place.location)
+        self.diagram.stage.change(target=None if place is None else place.location)
 
     def _show_inputs(self) -> None:
         if self._design is None:

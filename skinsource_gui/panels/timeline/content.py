@@ -90,6 +90,17 @@ class Content:
         return found
 
     @property
+    def place_of_keys(self) -> QPointF:
+        """Where the keyboard is: on the clip that was selected last, or else at the playhead."""
+        last = self.view.selected_clip
+        for box in self.boxes:
+            if box.clip.id == last:
+                return box.rect.center()
+        lane = next((one for one in self.lanes if one.selected), None)
+        y = self.ruler_px / 2 if lane is None else lane.top_px + lane.height_px / 2
+        return QPointF(self.scale.x(self.view.playhead_s), y)
+
+    @property
     def reach_s(self) -> float:
         """From how far away an edge snaps."""
         return REACH_PX / self.scale.px_per_s

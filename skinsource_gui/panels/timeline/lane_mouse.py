@@ -21,6 +21,7 @@ from skinsource_gui.panels.timeline.gestures.times import (
     snapped_time,
 )
 from skinsource_gui.panels.timeline.lane import Box
+from skinsource_gui.widgets.drop_place import DropPlace
 
 # A movement shorter than this is a click.
 _DRAG_PX = 4.0
@@ -34,6 +35,11 @@ class LaneMouse(QObject):
     ----------
     content
         Returns what is shown now.
+
+    Attributes
+    ----------
+    elsewhere
+        Returns where in another panel something goes that is held over a place, px.
     """
 
     edited = Signal(object, object)
@@ -49,6 +55,7 @@ class LaneMouse(QObject):
     def __init__(self, content: Callable[[], Content], parent: QObject) -> None:
         super().__init__(parent)
         self._content = content
+        self.elsewhere: Callable[[QPointF | None], DropPlace | None] = lambda at: None
         self._gesture: Gesture | None = None
         self._click: Callable[[], None] | None = None
         self._at = QPointF()
@@ -144,6 +151,7 @@ class LaneMouse(QObject):
             apply=self.edited.emit,
             look=self.looked.emit,
             put_playhead=self.playhead_wanted.emit,
+            elsewhere=lambda at: self.elsewhere(at),
             before=self._content(),
         )
 

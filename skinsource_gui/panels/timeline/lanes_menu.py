@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QInputDialog, QMenu, QWidget
 
 from skinsource import edits
 from skinsource.edits import Edit, Refusal
+from skinsource.locations import INPUTS
 from skinsource_gui.panels.timeline.content import Content
 from skinsource_gui.panels.timeline.lane_mouse import marker_at
 from skinsource_gui.panels.timeline.timeline_edits import TimelineEdits
@@ -75,9 +76,19 @@ class LanesMenu(QObject):
         self._act(menu, f"Duplicate {what}", "duplicate", edits.duplicate_clips)
         self._act(menu, f"Mute {what}", "mute", edits.toggle_mute_clips)
         menu.addSeparator()
+        self._fill_places(menu, f"Move {what} to")
         self._line(menu, "Copy", "copy", self._clips.copy)
         self._line(menu, "Cut", "cut", self._cut)
         self._act(menu, f"Remove {what}", "remove", edits.remove_clips)
+
+    def _fill_places(self, menu: QMenu, words: str) -> None:
+        places = menu.addMenu(words)
+        places.setObjectName("lanes_places")
+        taken = {one.location for one in self._content().design.inputs}
+        for place in INPUTS:
+            track = "" if place.number in taken else " (new track)"
+            title = f"{place.number} · {place.name}{track}"
+            self._act(places, title, "", edits.move_clips_to_place, place.number)
 
     def _fill_ground(self, menu: QMenu, content: Content, place: QPointF, time_s: float) -> None:
         lane = content.lane_at(place.y())

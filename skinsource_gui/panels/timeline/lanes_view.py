@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from skinsource.arrays import Floats
@@ -153,7 +153,11 @@ class LanesView(Canvas):
         event.accept()
 
     def contextMenuEvent(self, event) -> None:
-        self.menu_wanted.emit(event.globalPos(), QPointF(event.pos()))
+        place = QPointF(event.pos())
+        if event.reason() == QContextMenuEvent.Reason.Keyboard:
+            # The menu key means the clip that was selected last, or else the playhead.
+            place = self.content.place_of_keys
+        self.menu_wanted.emit(self.mapToGlobal(place).toPoint(), place)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         turns = event.angleDelta()

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtWidgets import QLabel, QStackedLayout, QVBoxLayout, QWidget
 
 from skinsource.design import Design
@@ -119,6 +119,7 @@ class TimelinePanel(Panel):
             part.clip_wanted.connect(clips.add)
             part.marker_wanted.connect(clips.add_marker)
             part.opened.connect(self._open)
+        lanes.mouse.elsewhere = self._elsewhere
         lanes.looked.connect(self._look)
         menu = LanesMenu(lambda: lanes.content, clips, lanes)
         menu.edited.connect(self.edited)
@@ -136,6 +137,13 @@ class TimelinePanel(Panel):
     def _look(self, view: View) -> None:
         if view != self._view:
             self.view_changed.emit(view)
+
+    def _elsewhere(self, at: QPointF | None) -> DropPlace | None:
+        lanes = self._table.lanes
+        # What is held over the lanes themselves goes to one of them.
+        if at is None or QRectF(lanes.rect()).contains(at):
+            return self.held_over(None)
+        return self.held_over(lanes.mapToGlobal(at).toPoint())
 
     def _open(self, clip: int) -> None:
         self.action_wanted.emit("show_clip_editor")

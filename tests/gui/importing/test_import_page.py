@@ -266,11 +266,11 @@ def test_a_site_lights_up_while_a_recording_is_held_over_it(window, sound, tmp_p
     at = site(window, 13)
     drop(window, sound, at, QDragEnterEvent)
     drop(window, sound, at, QDragMoveEvent)
-    assert stage.state.hovered == 13
+    assert stage.state.target == 13
     QApplication.sendEvent(window, QDragLeaveEvent())
-    assert stage.state.hovered is None
+    assert stage.state.target is None
     drop(window, tmp_path / "a.skinsource", at, QDragEnterEvent)
-    assert stage.state.hovered is None
+    assert stage.state.target is None
 
 
 def test_the_menu_asks_for_a_file(window, monkeypatch, qtbot, sound):

@@ -9,6 +9,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from skinsource.edits import Edit, Refusal
 from skinsource.view import View
 from skinsource_gui.panels.timeline.content import Content
+from skinsource_gui.widgets.drop_place import DropPlace
 from skinsource_gui.widgets.fields.gesture import new_gesture
 
 Held = Qt.KeyboardModifier
@@ -49,6 +50,9 @@ class Stage:
         Takes where the playhead shall be, s.
     number
         Number of this gesture: all its edits are one step of the history.
+    elsewhere
+        Returns where in another panel something goes that is held over a place, px; None: it is
+        let go.
     before
         What was shown when the button went down.
     """
@@ -57,6 +61,7 @@ class Stage:
     apply: Callable[[Edit | Refusal, int], None]
     look: Callable[[View], None]
     put_playhead: Callable[[float], None]
+    elsewhere: Callable[[QPointF | None], DropPlace | None]
     before: Content
     number: int = field(default_factory=new_gesture)
     edited: bool = False
