@@ -34,6 +34,8 @@ from skinsource.response import predict
 from skinsource.signals import impulse, sinusoid, tap, white_noise, window
 from skinsource.spectra import magnitude_spectrum, peak_hold_spectrum, rms
 from skinsource.stimulus import Stimulus, stimulus_of
+from skinsource.stimulus_export import StimulusOptions, export_stimulus
+from skinsource.stimulus_formats import export_formats
 from skinsource.surface import SurfaceOperator, surface_operator
 from skinsource.version import __version__
 from skinsource.view import View
@@ -50,6 +52,7 @@ __all__ = [
     "Marker",
     "SkinSourceError",
     "Stimulus",
+    "StimulusOptions",
     "SurfaceOperator",
     "View",
     "__version__",
@@ -59,6 +62,8 @@ __all__ = [
     "edits",
     "effects",
     "evaluate",
+    "export_formats",
+    "export_stimulus",
     "impulse",
     "load_limb",
     "magnitude_spectrum",

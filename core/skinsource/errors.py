@@ -14,6 +14,7 @@ SkinSourceError
 ├── StorageError           reading or writing failed: full disk, no permission, no such folder
 ├── DownloadError          the network, or the server, did not deliver
 ├── TooInaccurateError     what was to be written is more wrong than was asked for
+├── NotConfirmedError      what was to be written clips or passes a limit, and nobody agreed to that
 ├── MissingExtraError      an optional package is needed and not installed
 └── Stopped                the user stopped it
 """
@@ -75,6 +76,10 @@ class DownloadError(SkinSourceError):
 
 class TooInaccurateError(SkinSourceError):
     """What was to be written is more wrong than was asked for; nothing was written."""
+
+
+class NotConfirmedError(SkinSourceError):
+    """What was to be written clips or passes a limit, and was not confirmed; nothing was."""
 
 
 class MissingExtraError(SkinSourceError):

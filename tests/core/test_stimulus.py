@@ -223,6 +223,9 @@ def test_a_sync_channel_marks_time_0_at_full_scale():
     # What begins later is marked where it begins.
     late = stimulus.with_sync(stimulus.part_of_time(quiet, 0.09, 0.2), 0.001)
     assert np.flatnonzero(late.samples[1]).tolist() == list(range(8))
+    # Or at another time.
+    other = stimulus.with_sync(quiet, 0.001, at_s=0.05)
+    assert np.flatnonzero(other.samples[1]).tolist() == list(range(400, 408))
 
 
 def test_a_channel_map_says_what_each_output_gets():

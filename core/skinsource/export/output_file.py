@@ -27,7 +27,7 @@ def output_file(path: Path, stop: Stop) -> Iterator[BinaryIO]:
     Stopped
         ``stop`` said so at the end.
     """
-    with replacing(path) as temporary, BufferedRandom(_SteadyFile(temporary, "r+b")) as file:
+    with replacing(path) as temporary, steadily_written(temporary) as file:
         try:
             yield file
             file.flush()
@@ -39,6 +39,11 @@ def output_file(path: Path, stop: Stop) -> Iterator[BinaryIO]:
             with suppress(OSError):
                 temporary.unlink()
             raise
+
+
+def steadily_written(path: Path) -> BinaryIO:
+    """Open ``path`` for writing; what is written goes to the disk now and then."""
+    return BufferedRandom(_SteadyFile(path, "w+b"))
 
 
 class _SteadyFile(FileIO):

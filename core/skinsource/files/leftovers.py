@@ -22,16 +22,18 @@ def sweep(folder: Path) -> None:
 
     What cannot be looked at or deleted stays: the writing that follows is what matters.
     """
-    latest = time.time() - _A_DAY_S
+    now = time.time()
     with suppress(OSError), os.scandir(folder) as entries:
         for entry in entries:
             if _NAME.fullmatch(entry.name):
                 with suppress(OSError):
                     about = entry.stat(follow_symlinks=False)
-                    if _is_own(about) and about.st_mtime < latest:
+                    if stat.S_ISREG(about.st_mode) and is_left_over(entry.name, about, now):
                         Path(entry.path).unlink()
 
 
-def _is_own(about: os.stat_result) -> bool:
+def is_left_over(name: str, about: os.stat_result, now_s: float) -> bool:
+    """Whether something is one's own temporary one, and nobody has written to it for a day."""
     owner = getattr(os, "getuid", lambda: about.st_uid)()
-    return stat.S_ISREG(about.st_mode) and about.st_uid == owner
+    own = _NAME.fullmatch(name) is not None and about.st_uid == owner
+    return own and about.st_mtime < now_s - _A_DAY_S

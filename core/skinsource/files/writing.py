@@ -27,20 +27,20 @@ def replacing(path: Path) -> Iterator[Path]:
     StorageError
         The folder cannot be written, or the disk is full.
     """
-    with _explained(path):
+    with explained(path):
         target = _link_followed(path)
         mode = _mode_of(target)
         sweep(target.parent)
         temporary = temporary_beside(target)
         _create(temporary, private=mode is not None)
     try:
-        with _explained(path):
+        with explained(path):
             yield temporary
-            _flush(temporary)
+            flush_file(temporary)
             if mode is not None:
                 temporary.chmod(mode)
             temporary.replace(target)
-            _flush_folder(target.parent)
+            flush_folder(target.parent)
     finally:
         _discard(temporary)
 
@@ -53,12 +53,13 @@ def write_bytes(path: Path, content: bytes) -> None:
 
 def make_folder(path: Path) -> None:
     """Create ``path`` and its parents; say in one sentence why that is not possible."""
-    with _explained(path):
+    with explained(path):
         path.mkdir(parents=True, exist_ok=True)
 
 
 @contextmanager
-def _explained(path: Path) -> Iterator[None]:
+def explained(path: Path) -> Iterator[None]:
+    """Turn what the system refuses into a `StorageError` that names ``path``."""
     try:
         if "\0" in str(path):
             raise _BadPath("its name holds a character of value zero")
@@ -104,7 +105,8 @@ def _discard(temporary: Path) -> None:
         temporary.unlink(missing_ok=True)
 
 
-def _flush(path: Path) -> None:
+def flush_file(path: Path) -> None:
+    """Send what was written to a file to the disk."""
     handle = os.open(path, os.O_RDWR)
     try:
         os.fsync(handle)
@@ -112,7 +114,8 @@ def _flush(path: Path) -> None:
         os.close(handle)
 
 
-def _flush_folder(path: Path) -> None:
+def flush_folder(path: Path) -> None:
+    """Send what was renamed in a folder to the disk, where the system can."""
     # Windows cannot open folders, and some file systems cannot flush them; the move is made.
     with suppress(OSError):
         handle = os.open(path, os.O_RDONLY)

@@ -1,0 +1,71 @@
+"""What can be asked for when a stimulus is exported."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from skinsource.arguments import one_of, real_number
+from skinsource.errors import InvalidInputError
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StimulusOptions:
+    """How a stimulus is made ready for a file; as given, nothing is added to it.
+
+    Attributes
+    ----------
+    per
+        ``"place"``: one channel for each place in use; ``"input"``: one for each input.
+    one_file_per_input
+        A file of one channel for each input, PATH with ``_input-2`` before its ending; all have
+        the same full scale.
+    inputs, clips
+        Ids of the inputs, or clips, that take part; None: all that are heard.
+    from_s, to_s
+        Part of the time of the design; None: from its beginning, or to its end.
+    fade_in_s, fade_out_s
+        Fades at the ends of that part.
+    lead_in_s
+        Silence before it.
+    sync
+        Whether a last channel marks time 0, or ``from_s``, with a pulse at full scale.
+    channel_map
+        For each output of the device the channel that it gets, 0 for none; (): as they are.
+    full_scale
+        What full scale stands for, in the unit of the drive; None: the largest sample.
+    dither_seed
+        Of dither where whole numbers are written; None: no dither.
+    choices
+        Of what the format offers: ``{"samples": "pcm24"}``.
+    """
+
+    per: Literal["place", "input"] = "place"
+    one_file_per_input: bool = False
+    inputs: tuple[int, ...] | None = None
+    clips: tuple[int, ...] | None = None
+    from_s: float | None = None
+    to_s: float | None = None
+    fade_in_s: float = 0.0
+    fade_out_s: float = 0.0
+    lead_in_s: float = 0.0
+    sync: bool = False
+    channel_map: tuple[int, ...] = ()
+    full_scale: float | None = None
+    dither_seed: int | None = None
+    choices: Mapping[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        one_of("per", self.per, ("place", "input"))
+        for name in ("inputs", "clips", "channel_map"):
+            value = getattr(self, name)
+            if value is not None:
+                object.__setattr__(self, name, tuple(value))
+        if self.full_scale is not None:
+            expected = "a positive number in the unit of the drive"
+            least = 1e-30
+            real_number("full_scale", self.full_scale, expected, least=least, most=1e30)
+        if self.one_file_per_input and self.channel_map:
+            raise InvalidInputError(
+                "channel_map says what each output of one file gets, and each input shall have a "
+                "file of its own. Leave one of them out."
+            )

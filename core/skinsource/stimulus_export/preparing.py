@@ -1,0 +1,200 @@
+"""From a design to what is written: samples in parts of full scale, one stimulus per file."""
+
+import hashlib
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from skinsource import codec
+from skinsource.codec.json_text import dumped
+from skinsource.codec.references import taken_out
+from skinsource.design import Design, audible_inputs
+from skinsource.errors import InvalidInputError
+from skinsource.job import Progress, Stop, never, silent
+from skinsource.stimulus import (
+    Stage,
+    Stimulus,
+    faded,
+    full_scale_factor,
+    in_order,
+    part_of_time,
+    scaled,
+    stimulus_of,
+    with_lead_in,
+    with_sync,
+)
+from skinsource.stimulus_export.options import StimulusOptions
+from skinsource.stimulus_formats import Outgoing, StimulusFormat
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Prepared:
+    """What will be written, file by file.
+
+    Attributes
+    ----------
+    format
+        As what.
+    gain
+        The one factor between the drives and the samples.
+    drives
+        All channels before that factor, in the unit of the drive: what limits are about.
+    files
+        Path and content of each file.
+    """
+
+    format: StimulusFormat
+    gain: float
+    drives: Stimulus
+    files: tuple[tuple[Path, Outgoing], ...]
+
+    @property
+    def n_bytes(self) -> int:
+        """About how many bytes all files take together."""
+        return sum(
+            self.format.bytes_of(len(one.stimulus.channels), one.stimulus.n_times, one.choices)
+            for _, one in self.files
+        )
+
+    @property
+    def clipped(self) -> int:
+        """Samples beyond full scale, if that is all that a device can play."""
+        if not self.format.to_device:
+            return 0
+        return sum(int(clipped_samples(one.stimulus).sum()) for _, one in self.files)
+
+
+def clipped_samples(stimulus: Stimulus) -> np.ndarray:
+    """How many samples of each channel lie beyond full scale, (n_channels,)."""
+    samples = stimulus.samples
+    return np.array([np.count_nonzero((row > 1.0) | (row < -1.0)) for row in samples], np.int64)
+
+
+def prepared(
+    design: Design,
+    path: Path,
+    format: StimulusFormat,
+    rate_hz: int | None,
+    options: StimulusOptions,
+    *,
+    stages: Sequence[Stage] = (),
+    progress: Progress = silent,
+    stop: Stop = never,
+) -> Prepared:
+    """Make a design ready for files.
+
+    Parameters
+    ----------
+    design, path, format, options
+        What goes where, as what, and how.
+    rate_hz
+        None: the usual one of the format, which is also taken where it knows no other.
+    stages
+        What is done at that rate, before anything is cut or scaled: an equaliser.
+
+    Raises
+    ------
+    InvalidInputError
+        Nothing is heard, the format does not hold that many channels, or an option cannot be.
+    """
+    choices = format.chosen(options.choices)
+    own_rate = format.fixed_rate or rate_hz is None
+    progress(0, 0, "Computing")
+    made = stimulus_of(
+        design,
+        format.rate_hz if own_rate else rate_hz,
+        per="input" if options.one_file_per_input else options.per,
+        inputs=options.inputs,
+        clips=options.clips,
+        stages=stages,
+        stop=stop,
+    )
+    if not made.channels:
+        raise InvalidInputError(
+            "Nothing is heard: there is no channel to export. Unmute an input, or choose others."
+        )
+    drives = _cut(made, options)
+    gain = full_scale_factor(drives) if options.full_scale is None else 1.0 / options.full_scale
+    files = tuple(
+        (place, _outgoing(one, design, place.name, format, choices, options, gain))
+        for place, one in _files(drives, path, format, options)
+    )
+    return Prepared(format=format, gain=gain, drives=drives, files=files)
+
+
+def _cut(made: Stimulus, options: StimulusOptions) -> Stimulus:
+    if options.from_s is not None or options.to_s is not None:
+        from_s = 0.0 if options.from_s is None else options.from_s
+        made = part_of_time(made, from_s, made.duration_s if options.to_s is None else options.to_s)
+    return with_lead_in(faded(made, options.fade_in_s, options.fade_out_s), options.lead_in_s)
+
+
+def _files(
+    drives: Stimulus, path: Path, format: StimulusFormat, options: StimulusOptions
+) -> list[tuple[Path, Stimulus]]:
+    if not options.one_file_per_input:
+        return [(path, drives)]
+    suffix = format.suffix if path.name.endswith(format.suffix) else path.suffix
+    stem = path.name[: len(path.name) - len(suffix)]
+    return [
+        (
+            path.with_name(f"{stem}_input-{channel.inputs[0]}{suffix}"),
+            drives.with_samples(
+                drives.samples[row : row + 1], channels=(replace(channel, number=1),)
+            ),
+        )
+        for row, channel in enumerate(drives.channels)
+    ]
+
+
+def _outgoing(
+    drives: Stimulus,
+    design: Design,
+    name: str,
+    format: StimulusFormat,
+    choices: dict[str, str],
+    options: StimulusOptions,
+    gain: float,
+) -> Outgoing:
+    stimulus = scaled(drives, gain)
+    if options.sync:
+        # What comes before is the lead-in.
+        stimulus = with_sync(stimulus, at_s=options.from_s or 0.0)
+    if options.channel_map:
+        stimulus = in_order(stimulus, options.channel_map)
+    n = len(stimulus.channels)
+    if format.most_channels is not None and n > format.most_channels:
+        raise InvalidInputError(
+            f"The format {format.name} holds at most {format.most_channels} "
+            f"channel{'' if format.most_channels == 1 else 's'}, found {n}. Choose WAV, fewer "
+            "inputs, or one file per input."
+        )
+    return Outgoing(
+        stimulus=stimulus,
+        full_scale=1.0 / gain,
+        design=_part_of(design, stimulus, options),
+        name=name,
+        digest=digest_of(design),
+        choices=choices,
+        dither_seed=options.dither_seed,
+    )
+
+
+def _part_of(design: Design, stimulus: Stimulus, options: StimulusOptions) -> Design:
+    """The design with those inputs and clips that are in ``stimulus``."""
+    there = {id for one in stimulus.channels for id in one.inputs}
+    inputs = [one for one in audible_inputs(design.inputs) if one.id in there]
+    if options.clips is not None:
+        chosen = set(options.clips)
+        inputs = [
+            replace(one, clips=tuple(clip for clip in one.clips if clip.id in chosen))
+            for one in inputs
+        ]
+    return replace(design, inputs=tuple(inputs))
+
+
+def digest_of(design: Design) -> str:
+    """SHA-256 of all that a design says, in hexadecimal; samples take part by theirs."""
+    return hashlib.sha256(dumped(taken_out(codec.encode(design))[0])).hexdigest()

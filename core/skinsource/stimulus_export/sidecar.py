@@ -1,0 +1,136 @@
+"""The JSON beside each exported file: what its numbers mean."""
+
+import json
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import scipy
+
+from skinsource.choice_words import SCALINGS, word_of
+from skinsource.decibels import decibels
+from skinsource.design import Input
+from skinsource.stimulus import Stimulus
+from skinsource.stimulus_export.preparing import Prepared, clipped_samples
+from skinsource.stimulus_formats import Outgoing
+from skinsource.stimulus_formats.about import about
+from skinsource.stimulus_formats.stimulus_format import Facts
+from skinsource.version import __version__
+
+#: What `skinsource.resample` promises within the band.
+_RESAMPLING = {"gain_db": 0.001, "phase_rad": 1e-6, "aliases_db": -115.0}
+_UPSTREAM = (
+    "Under this scaling an amplitude is a peak on the skin, computed for each input by itself: the "
+    "drives have no unit, and strong and weak channels do not keep the ratio that was predicted."
+)
+
+
+def sidecar_of(
+    ready: Prepared,
+    outgoing: Outgoing,
+    facts: Facts,
+    *,
+    sha256: str | None,
+    n_bytes: int,
+    confirmed: Sequence[str],
+) -> bytes:
+    """Return the sidecar of one file, as JSON.
+
+    Parameters
+    ----------
+    ready, outgoing
+        What was written, and its part of it.
+    facts
+        What the format says.
+    sha256, n_bytes
+        Of the file; None for a folder.
+    confirmed
+        What was objected to, and written all the same.
+    """
+    stimulus = outgoing.stimulus
+    counts = facts.get("clipped_samples")
+    if counts is None:
+        to_device = ready.format.to_device
+        counts = clipped_samples(stimulus).tolist() if to_device else [0] * len(stimulus.channels)
+    content: dict[str, Any] = {
+        "what": "SkinSource stimulus",
+        "file": outgoing.name,
+        "format": ready.format.name,
+        "choices": dict(outgoing.choices),
+        "sha256": sha256,
+        "bytes": n_bytes,
+        **about(outgoing),
+        "n_channels": len(stimulus.channels),
+        "n_times": stimulus.n_times,
+        "duration_s": stimulus.duration_s,
+        "channels": _channels(stimulus, counts),
+        "inputs": [_about_input(one) for one in outgoing.design.inputs],
+        "gain": ready.gain,
+        "meaning": "samples times full_scale are the drive: amplitude times gain times waveform, "
+        "in the unit",
+        "scaling_means": word_of(SCALINGS, stimulus.scaling).sentence,
+        "actuator": None,
+        "equaliser": None,
+        "clip_count": int(sum(counts)),
+        "confirmed": list(confirmed),
+        "errors": _errors(stimulus, facts),
+        "loses": ready.format.loses(outgoing.choices),
+        "versions": versions(),
+        **{name: value for name, value in facts.items() if name != "clipped_samples"},
+    }
+    if stimulus.scaling == "upstream":
+        content["note"] = _UPSTREAM
+    return (json.dumps(content, ensure_ascii=False, indent=2, allow_nan=False) + "\n").encode()
+
+
+def _channels(stimulus: Stimulus, counts: Sequence[int]) -> list[dict[str, Any]]:
+    found = []
+    for one, samples, count in zip(stimulus.channels, stimulus.samples, counts, strict=True):
+        peak = float(np.abs(samples).max(initial=0.0))
+        found.append(
+            {
+                "number": one.number,
+                "place": one.place,
+                "title": one.title,
+                "inputs": list(one.inputs),
+                "unit": stimulus.unit if one.place is not None else "full scale",
+                "peak_of_full_scale": peak,
+                "rms_of_full_scale": float(np.sqrt(np.mean(samples**2))),
+                "clip_count": int(count),
+            }
+        )
+    return found
+
+
+def _about_input(one: Input) -> dict[str, Any]:
+    return {
+        "number": one.id,
+        "place": one.location,
+        "amplitude": one.amplitude,
+        "gain_curve": [list(point) for point in one.gain_curve],
+        "clips": [
+            {"number": clip.id, "onset_s": clip.onset_s, "gain": clip.gain, "muted": clip.muted}
+            for clip in one.clips
+        ],
+    }
+
+
+def _errors(stimulus: Stimulus, facts: Facts) -> dict[str, Any]:
+    """How far what is written can be from what is predicted."""
+    found: dict[str, Any] = {"band_hz": list(stimulus.band_hz)}
+    if stimulus.sample_rate_hz != stimulus.own_rate_hz:
+        found["resampling_at_most"] = dict(_RESAMPLING)
+        found["edges"] = (
+            "what sounds at the first or last sample rings there for up to 0.1 s, and what rings "
+            "outside is cut off"
+        )
+    rounding = facts.get("largest_rounding_error")
+    if rounding is not None:
+        found["rounding_of_full_scale"] = rounding
+        found["rounding_db"] = float(decibels(np.array([rounding]))[0]) if rounding else None
+    return found
+
+
+def versions() -> dict[str, str]:
+    """Of what took part."""
+    return {"skinsource": __version__, "numpy": np.__version__, "scipy": scipy.__version__}

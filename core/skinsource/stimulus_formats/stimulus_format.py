@@ -1,0 +1,155 @@
+"""What a format is, and what it is given to write."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from skinsource.design import Design
+from skinsource.errors import InvalidInputError
+from skinsource.fields import ChoiceSpec
+from skinsource.job import Progress, Stop, never, silent
+from skinsource.quantising import Quantised, quantised
+from skinsource.quoting import quoted
+from skinsource.stimulus import Stimulus
+
+#: Facts of one file that join its sidecar.
+Facts = Mapping[str, Any]
+
+SAMPLES = "samples"
+
+
+def nothing_lost(_: Mapping[str, str]) -> str:
+    """Nothing of the drive is missing."""
+    return ""
+
+
+def nothing_beside(_path: Path, _facts: Facts) -> Mapping[Path, bytes]:
+    """No other file belongs to it."""
+    return {}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Outgoing:
+    """A stimulus on its way to a file.
+
+    Attributes
+    ----------
+    stimulus
+        Samples in parts of full scale, (n_channels, n_times).
+    full_scale
+        What 1 stands for, in the unit of the stimulus.
+    design
+        Those inputs and clips of the design that take part.
+    name
+        Name of the file, without its folder.
+    digest
+        Of the design.
+    choices
+        What was chosen of what the format offers.
+    dither_seed
+        Of whole numbers; None: no dither.
+    progress, stop
+        Told how far it is; asked now and then.
+    """
+
+    stimulus: Stimulus
+    full_scale: float
+    design: Design
+    name: str
+    digest: str
+    choices: Mapping[str, str]
+    dither_seed: int | None = None
+    progress: Progress = silent
+    stop: Stop = never
+
+    @property
+    def rate_hz(self) -> int | float:
+        """Its rate, as a whole number where it is one."""
+        rate_hz = self.stimulus.sample_rate_hz
+        return int(rate_hz) if rate_hz.is_integer() else rate_hz
+
+    def whole_numbers(self, kind: str) -> tuple[Quantised, Facts]:
+        """Samples as whole numbers, and what the sidecar says of them."""
+        found = quantised(self.stimulus.samples, kind, dither_seed=self.dither_seed)
+        return found, {
+            "samples": kind,
+            "integer_zero": found.kind.zero,
+            "integer_full_scale": found.full_scale,
+            "clipped_samples": [int(count) for count in found.clipped],
+            "largest_rounding_error": found.largest_error,
+            "dither_seed": self.dither_seed,
+        }
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StimulusFormat:
+    """One kind of file that a stimulus is exported as.
+
+    Attributes
+    ----------
+    name, title, suffix
+        For scripts; for people; usual ending of files (of a folder: none).
+    hint
+        What it is good for, in a sentence.
+    write
+        Writes a file, or fills a folder that is there; gives what the sidecar says of it.
+    bytes_of
+        About how many bytes ``n_channels`` of ``n_times`` take, with such choices.
+    rate_hz
+        Usual rate; None: that of the limb.
+    fixed_rate
+        Whether there is no other: what is asked for is then ignored.
+    choices
+        What can be chosen, by name; the first option of each is the usual one.
+    most_channels
+        None: any number.
+    folder
+        Whether it is a folder.
+    to_device
+        Whether full scale is all that a device can play: what lies beyond would be cut off.
+    beside
+        Small files that belong to it besides the sidecar, and what is in them.
+    loses
+        What of the drive is not in the file, in a sentence, for such choices; "": nothing.
+    """
+
+    name: str
+    title: str
+    suffix: str
+    hint: str
+    write: Callable[[Outgoing, Path], Facts]
+    bytes_of: Callable[[int, int, Mapping[str, str]], int]
+    rate_hz: int | None = 48_000
+    fixed_rate: bool = False
+    choices: Mapping[str, ChoiceSpec] = field(default_factory=dict)
+    most_channels: int | None = None
+    folder: bool = False
+    to_device: bool = True
+    beside: Callable[[Path, Facts], Mapping[Path, bytes]] = nothing_beside
+    loses: Callable[[Mapping[str, str]], str] = nothing_lost
+
+    def chosen(self, choices: Mapping[str, str]) -> dict[str, str]:
+        """Return ``choices`` and the usual ones where nothing was chosen.
+
+        Raises
+        ------
+        InvalidInputError
+            The format does not offer that.
+        """
+        for name, value in choices.items():
+            spec = self.choices.get(name)
+            if spec is None:
+                offered = ", ".join(self.choices) or "nothing"
+                raise InvalidInputError(
+                    f"{name} {quoted(value)} cannot be chosen for the format {self.name}, which "
+                    f"offers {offered}"
+                )
+            known = dict(spec.options)
+            if value not in known:
+                raise InvalidInputError(
+                    f"{name} is {quoted(value)}, expected for the format {self.name} one of "
+                    f"{', '.join(known)}"
+                )
+        usual = {name: spec.options[0][0] for name, spec in self.choices.items()}
+        return {**usual, **choices}

@@ -1,0 +1,90 @@
+"""Exports that are killed at random times: how many leave half a file under the final name.
+
+Run as a program: ``python killed_exports.py FOLDER KILLS SEED``; it prints what it found as JSON.
+"""
+
+import hashlib
+import json
+import os
+import signal
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+
+import skinsource as ss
+
+
+def designs() -> list[ss.Design]:
+    """Two designs whose files differ in length and content."""
+    return [
+        ss.Design(
+            limb="synthetic-1",
+            inputs=(ss.track(7, ss.waveforms.Noise(seed=seed, duration_s=0.2 * seed)),),
+        )
+        for seed in (1, 2)
+    ]
+
+
+def state(path: Path) -> str:
+    """What stands under a final name, as a digest over all of it; "" for nothing."""
+    if path.is_dir():
+        inside = sorted(one for one in path.rglob("*") if one.is_file())
+        content = b"".join(str(one.relative_to(path)).encode() + one.read_bytes() for one in inside)
+    elif path.exists():
+        content = path.read_bytes()
+    else:
+        return ""
+    return hashlib.sha256(content).hexdigest()
+
+
+def targets(folder: Path) -> dict[str, Path]:
+    """Where each format is written to."""
+    return {name: folder / f"stimulus.{name}" for name in ss.export_formats()}
+
+
+def export_without_end(folder: Path) -> None:
+    """Replace all files again and again, by those of the other design."""
+    both = designs()
+    while True:
+        for name, path in targets(folder).items():
+            for design in both:
+                ss.export_stimulus(design, path, format=name)
+
+
+def whole_states(folder: Path) -> set[str]:
+    """Digests of all whole files and sidecars."""
+    found = {""}
+    for design in designs():
+        for name, path in targets(folder).items():
+            ss.export_stimulus(design, path, format=name)
+            found |= {state(path), state(path.with_name(f"{path.name}.json"))}
+    return found
+
+
+def main(folder: Path, kills: int, seed: int) -> None:
+    """Kill ``kills`` children, and look at all final names after each."""
+    whole = whole_states(folder)
+    rng = np.random.default_rng(seed)
+    broken: list[str] = []
+    states: set[str] = set()
+    for _ in range(kills):
+        child = os.fork()
+        if child == 0:
+            export_without_end(folder)
+        time.sleep(rng.uniform(0.0, 0.3))
+        os.kill(child, signal.SIGKILL)
+        os.waitpid(child, 0)
+        for path in targets(folder).values():
+            for one in (path, path.with_name(f"{path.name}.json")):
+                states.add(state(one))
+                if state(one) not in whole:
+                    broken.append(one.name)
+    left = [one.name for one in folder.iterdir() if one.name.endswith(".part")]
+    told = {"kills": kills, "broken": broken, "states": len(states), "left_over": len(left)}
+    sys.stdout.write(json.dumps(told) + "\n")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3]))

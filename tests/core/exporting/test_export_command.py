@@ -1,0 +1,62 @@
+"""``skinsource export``."""
+
+import json
+
+import pytest
+import soundfile
+
+import skinsource as ss
+from skinsource.commands.command_line import main
+
+
+@pytest.fixture
+def saved(design, tmp_path):
+    path = tmp_path / "scene.skinsource"
+    ss.save_design(path, design)
+    return path
+
+
+def test_it_writes_the_file_and_its_sidecar_and_says_where(saved, tmp_path, capsys):
+    out = tmp_path / "drive.wav"
+    call = ["export", str(saved), "--format", "wav", "--rate", "44100", "--out", str(out)]
+    assert main(call) == 0
+    told = capsys.readouterr()
+    assert told.out == f"{out}\n"
+    assert told.err == ""
+    about = soundfile.info(out)
+    assert (about.samplerate, about.channels, about.subtype) == (44_100, 2, "FLOAT")
+    assert json.loads((tmp_path / "drive.wav.json").read_text())["rate_hz"] == 44_100
+
+
+@pytest.mark.parametrize("name", ss.export_formats())
+def test_every_format_takes_a_rate_or_ignores_it(saved, tmp_path, capsys, name):
+    out = tmp_path / "out"
+    assert main(["export", str(saved), "--format", name, "--rate", "8000", "--out", str(out)]) == 0
+    capsys.readouterr()
+    assert out.exists()
+    assert json.loads((tmp_path / "out.json").read_text())["format"] == name
+
+
+def test_options_reach_the_file(saved, tmp_path, capsys):
+    out = tmp_path / "drive.wav"
+    call = ["export", str(saved), "--out", str(out), "--samples", "pcm16", "--sync"]
+    assert main([*call, "--lead-in", "0.1", "--inputs", "2", "--dither", "3"]) == 0
+    about = json.loads((tmp_path / "drive.wav.json").read_text())
+    assert about["samples"] == "int16"
+    assert about["dither_seed"] == 3
+    assert about["start_s"] == -0.1
+    assert [one["title"] for one in about["channels"]] == ["Digit II, base", "Sync"]
+    capsys.readouterr()
+
+
+def test_it_never_asks_and_says_in_one_line_what_is_wrong(saved, tmp_path, capsys):
+    out = tmp_path / "drive.wav"
+    call = ["export", str(saved), "--out", str(out), "--full-scale", "0.1"]
+    assert main(call) == 1
+    told = capsys.readouterr().err
+    assert told.startswith("skinsource: drive.wav: samples beyond full scale")
+    assert told.count("\n") == 1
+    assert not out.exists()
+    assert main([*call, "--confirm"]) == 0
+    assert "confirmed: drive.wav" in capsys.readouterr().err
+    assert out.exists()

@@ -1,0 +1,24 @@
+"""No kill leaves half a file under the final name; 300 of them at night."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+PROGRAM = Path(__file__).with_name("killed_exports.py")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="children are made by forking")
+def test_a_killed_export_leaves_whole_files_only(tmp_path):
+    done = subprocess.run(
+        [sys.executable, str(PROGRAM), str(tmp_path), "12", "1"],
+        check=True,
+        capture_output=True,
+        text=True,
+    )
+    found = json.loads(done.stdout)
+    assert found["broken"] == []
+    # The children did write: more was seen than the files of one design.
+    assert found["states"] > 8
