@@ -6,6 +6,10 @@ from pathlib import Path
 
 import pytest
 
+import skinsource as ss
+from skinsource.commands.command_line import main
+from skinsource.design import start_design
+
 ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
@@ -17,6 +21,15 @@ def test_the_script_in_the_readme_runs():
     assert values["acceleration"].shape == (72, 3, 260 + 521)
     assert values["heatmap"].ndim == 2
     assert values["levels"].shape == (72,)
+
+
+def test_the_export_in_the_readme_is_written(tmp_path, monkeypatch, capsys):
+    (call,) = re.findall(r"`skinsource (export scene.*?)`", README, re.DOTALL)
+    monkeypatch.chdir(tmp_path)
+    ss.save_design("scene.skinsource", start_design("synthetic-1"))
+    assert main(call.split()) == 0
+    assert capsys.readouterr().out == "drive.wav\n"
+    assert (tmp_path / "drive.wav.json").exists()
 
 
 def test_make_has_the_targets_that_the_readme_names():

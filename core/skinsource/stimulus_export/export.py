@@ -59,22 +59,18 @@ def export_stimulus(
 ) -> Exported:
     """Write what the actuators get to play a design, and a sidecar ``PATH.json``.
 
-    One channel per place in use, in the order of first use; inputs that are heard; amplitude x
+    One channel per place in use, in the order of first use, of inputs that are heard: amplitude x
     gain x waveform, times one factor for all channels that brings the largest sample to full
-    scale; time 0 of the file is time 0 of the design.  File and sidecar are written whole or not
-    at all.
+    scale.  Time 0 of the file is time 0 of the design.  Nothing is left half written.
 
     Parameters
     ----------
-    design
-        What is played.
-    path
-        The file, or folder; what an earlier export left there is replaced.
+    design, path
+        What is played; the file, or folder.
     format
         One of `export_formats`; None: the one that the ending of ``path`` tells.
     rate_hz
-        A whole number of hertz; None: the usual one of the format.  Formats without a choice of
-        rate ignore it.
+        A whole number of hertz; None: the usual one.  Formats that know one rate only ignore it.
     options
         What shall differ from the above.
     confirmed
@@ -96,15 +92,9 @@ def export_stimulus(
         ``stop`` said so.
     """
     target = Path(path)
+    kind, wanted = format_named(format, target), options or StimulusOptions()
     ready = prepared(
-        design,
-        target,
-        format_named(format, target),
-        rate_hz,
-        StimulusOptions() if options is None else options,
-        stages=stages,
-        progress=progress,
-        stop=stop,
+        design, target, kind, rate_hz, wanted, stages=stages, progress=progress, stop=stop
     )
     return write_prepared(ready, confirmed=confirmed, limits=limits, progress=progress, stop=stop)
 

@@ -44,11 +44,12 @@ def targets(folder: Path) -> dict[str, Path]:
     return {name: folder / f"stimulus.{name}" for name in ss.export_formats()}
 
 
-def export_without_end(folder: Path) -> None:
+def export_without_end(folder: Path, order: list[str]) -> None:
     """Replace all files again and again, by those of the other design."""
     both = designs()
     while True:
-        for name, path in targets(folder).items():
+        for name in order:
+            path = targets(folder)[name]
             for design in both:
                 ss.export_stimulus(design, path, format=name)
 
@@ -70,9 +71,10 @@ def main(folder: Path, kills: int, seed: int) -> None:
     broken: list[str] = []
     states: set[str] = set()
     for _ in range(kills):
+        order = rng.permutation(ss.export_formats()).tolist()
         child = os.fork()
         if child == 0:
-            export_without_end(folder)
+            export_without_end(folder, order)
         time.sleep(rng.uniform(0.0, 0.3))
         os.kill(child, signal.SIGKILL)
         os.waitpid(child, 0)
