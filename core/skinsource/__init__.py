@@ -41,7 +41,7 @@ from skinsource.version import __version__
 from skinsource.view import View
 
 if TYPE_CHECKING:
-    from skinsource import actuators, recordings
+    from skinsource import actuators, equalising, recordings
 
 __all__ = [
     "Clip",
@@ -61,6 +61,7 @@ __all__ = [
     "decibels",
     "edits",
     "effects",
+    "equalising",
     "evaluate",
     "export_formats",
     "export_stimulus",
@@ -89,6 +90,6 @@ __all__ = [
 
 def __getattr__(name: str) -> object:
     # What few scripts need is imported when it is first asked for.
-    if name in ("actuators", "recordings"):
+    if name in ("actuators", "equalising", "recordings"):
         return importlib.import_module(f"skinsource.{name}")
     raise AttributeError(f"module 'skinsource' has no attribute {quoted(name)}")

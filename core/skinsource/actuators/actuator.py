@@ -17,7 +17,7 @@ from skinsource.errors import InvalidInputError
 
 
 class Actuator(ABC):
-    """A frozen dataclass of parameters, with linear equations of motion.
+    """A frozen dataclass of parameters.
 
     Attributes
     ----------
@@ -30,17 +30,6 @@ class Actuator(ABC):
     title: ClassVar[str]
 
     @abstractmethod
-    def equations(self, step_s: Fraction) -> Equations:
-        """Equations of motion, with storages that suit steps of this length."""
-
-    @abstractmethod
-    def response_at(self, s: Complexes) -> Complexes:
-        """Acceleration over voltage at complex frequencies other than 0, in m/s² per V."""
-
-    @abstractmethod
-    def current_at(self, s: Complexes) -> Complexes:
-        """Current over voltage at complex frequencies other than 0, in A/V."""
-
     def response(self, frequency_hz: ArrayLike) -> Complexes:
         """Acceleration of what touches the skin over the voltage, in m/s² per V.
 
@@ -54,24 +43,16 @@ class Actuator(ABC):
         Complex amplitudes of the shape of ``frequency_hz``: a voltage of cos(2 pi f t) gives the
         real part of response exp(2 pi i f t) once what the start caused has died away.
         """
-        s = _imaginary(frequency_hz)
-        with np.errstate(all="ignore"):
-            found = self.response_at(np.where(s == 0.0, 1j, s))
-        return _known(np.where(s == 0.0, 0.0, found))
 
+    @abstractmethod
     def admittance(self, frequency_hz: ArrayLike) -> Complexes:
-        """Current over voltage, in A/V, of the shape of ``frequency_hz``; each above 0."""
-        with np.errstate(all="ignore"):
-            found = self.current_at(_imaginary(frequency_hz))
-        return _known(found)
+        """Current over voltage, in A/V, of the shape of ``frequency_hz``; NaN where not known."""
 
+    @abstractmethod
     def simulate(
         self, voltage: ArrayLike, sample_rate_hz: float, hold: Hold = "zero"
     ) -> ActuatorMotion:
         """Motion under a voltage, from rest, at its samples.
-
-        Exact for the voltage as it is held, at any rate; rounding is all that is lost, and the
-        motion neither diverges nor gains energy, however lightly it is damped.
 
         Parameters
         ----------
@@ -88,6 +69,47 @@ class Actuator(ABC):
         InvalidInputError
             The voltage is not one row of finite numbers, or the motion is beyond all floats.
         """
+
+
+class LinearActuator(Actuator):
+    """An actuator with linear equations of motion.
+
+    What it does under a voltage is exact for the voltage as it is held, at any rate; rounding is
+    all that is lost, and the motion neither diverges nor gains energy, however lightly it is
+    damped.
+    """
+
+    __slots__ = ()
+
+    @abstractmethod
+    def equations(self, step_s: Fraction) -> Equations:
+        """Equations of motion, with storages that suit steps of this length."""
+
+    @abstractmethod
+    def response_at(self, s: Complexes) -> Complexes:
+        """Acceleration over voltage at complex frequencies other than 0, in m/s² per V."""
+
+    @abstractmethod
+    def current_at(self, s: Complexes) -> Complexes:
+        """Current over voltage at complex frequencies other than 0, in A/V."""
+
+    def response(self, frequency_hz: ArrayLike) -> Complexes:
+        """Acceleration over voltage, in m/s² per V."""
+        s = _imaginary(frequency_hz)
+        with np.errstate(all="ignore"):
+            found = self.response_at(np.where(s == 0.0, 1j, s))
+        return _known(np.where(s == 0.0, 0.0, found))
+
+    def admittance(self, frequency_hz: ArrayLike) -> Complexes:
+        """Current over voltage, in A/V, at frequencies other than 0."""
+        with np.errstate(all="ignore"):
+            found = self.current_at(_imaginary(frequency_hz))
+        return _known(found)
+
+    def simulate(
+        self, voltage: ArrayLike, sample_rate_hz: float, hold: Hold = "zero"
+    ) -> ActuatorMotion:
+        """Motion under a voltage, from rest, at its samples."""
         return simulated(self.equations(step_of(sample_rate_hz)), voltage, sample_rate_hz, hold)
 
 

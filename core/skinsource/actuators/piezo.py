@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from skinsource import fields
 from skinsource.actuators import parameters
-from skinsource.actuators.actuator import Actuator
+from skinsource.actuators.actuator import LinearActuator
 from skinsource.actuators.equations import Equations, held, row
 from skinsource.arrays import Complexes
 
@@ -16,7 +16,7 @@ SERIES = parameters.positive("Series resistance", "Ω", "Of amplifier and leads"
 
 
 @dataclass(frozen=True, slots=True)
-class Piezo(Actuator):
+class Piezo(LinearActuator):
     """A piezoelectric bender or stack behind the resistance of its amplifier.
 
     With the voltage e over the capacitance: u = R i + e, i = C de/dt + alpha v, and

@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from skinsource import fields
 from skinsource.actuators import parameters
-from skinsource.actuators.actuator import Actuator
+from skinsource.actuators.actuator import LinearActuator
 from skinsource.actuators.equations import Equations, held, row
 from skinsource.arrays import Complexes
 
@@ -14,7 +14,7 @@ CASING_MASS = parameters.positive("Casing mass", "kg", "What touches the skin, a
 
 
 @dataclass(frozen=True, slots=True)
-class RecoilVoiceCoil(Actuator):
+class RecoilVoiceCoil(LinearActuator):
     """An inertial actuator: a mass moves inside a casing, and the casing touches the skin.
 
     With the velocity v of the mass inside and w of the casing, r = v - w and its integral q:

@@ -25,12 +25,7 @@ def simulated(
     A sum over blocks of samples and over blocks of blocks: each step is exact, and rounding grows
     with the logarithm of their number.
     """
-    samples = finite_array("voltage", voltage, "finite numbers in V, (n_times,)")
-    if samples.ndim != 1 or samples.size > MAX_SAMPLES:
-        raise InvalidInputError(
-            f"voltage has the shape {samples.shape}, expected (n_times,) of at most {MAX_SAMPLES}"
-        )
-    one_of("hold", hold, HOLDS)
+    samples = samples_of(voltage, hold)
     n_steps = max(samples.size - 1, 0)
     known = steps(equations, step_of(sample_rate_hz), hold, n_steps)
     # At rest, but what the first sample passes on at once.
@@ -45,6 +40,17 @@ def simulated(
             "parameters nearer to those of real actuators"
         )
     return ActuatorMotion(**dict(zip(OUTPUTS, found, strict=True)))
+
+
+def samples_of(voltage: ArrayLike, hold: Hold) -> Floats:
+    """The voltage as one row of floats; refuses what is none, and holds that are not known."""
+    samples = finite_array("voltage", voltage, "finite numbers in V, (n_times,)")
+    if samples.ndim != 1 or samples.size > MAX_SAMPLES:
+        raise InvalidInputError(
+            f"voltage has the shape {samples.shape}, expected (n_times,) of at most {MAX_SAMPLES}"
+        )
+    one_of("hold", hold, HOLDS)
+    return samples
 
 
 def step_of(sample_rate_hz: float) -> Fraction:

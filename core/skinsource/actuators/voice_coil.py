@@ -6,13 +6,13 @@ from typing import ClassVar
 
 from skinsource import fields
 from skinsource.actuators import parameters
-from skinsource.actuators.actuator import Actuator
+from skinsource.actuators.actuator import LinearActuator
 from skinsource.actuators.equations import Equations, held, row
 from skinsource.arrays import Complexes
 
 
 @dataclass(frozen=True, slots=True)
-class VoiceCoil(Actuator):
+class VoiceCoil(LinearActuator):
     """A voice coil, or a linear resonant actuator, whose moving mass touches the skin.
 
     u = R i + L di/dt + Bl v and Bl i = m a + (c + c_skin) v + (k + k_skin) x, driven by a voltage.

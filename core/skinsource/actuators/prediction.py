@@ -1,0 +1,211 @@
+"""What an actuator will do under a voltage: the figures by which it is judged."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from skinsource.actuators.actuator import Actuator
+from skinsource.actuators.limits import Limits, Thermal
+from skinsource.actuators.motion import ActuatorMotion
+from skinsource.arguments import finite_array, whole_number
+from skinsource.arrays import Floats
+from skinsource.errors import InvalidInputError
+from skinsource.loudest_window import loudest_energy
+from skinsource.resampling import MAX_RATE_HZ, resample
+
+#: Motion is computed at this rate at least.
+LEAST_RATE_HZ = 48_000
+#: Up to this velocity the measured skin was seen to respond linearly.
+LINEAR_VELOCITY_M_PER_S = 0.04
+# An RMS is over the loudest so many seconds, or over a shorter stimulus.
+_RMS_S = 1.0
+# It is driven wherever a stretch of so many seconds holds a sample above a part of the peak.
+_STRETCH_S, _DRIVEN = 0.01, 1e-3
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Prediction:
+    """Figures of one actuator under one voltage; NaN where the model does not tell.
+
+    Attributes
+    ----------
+    peak_voltage_v, rms_voltage_v, slew_v_per_s
+        Largest voltage, its RMS over the loudest second (or over all, where that is shorter), and
+        its fastest change.
+    duration_s
+        Of the stimulus.
+    duty
+        Share of the time in which it is driven.
+    peak_current_a, rms_current_a
+        As of the voltage.
+    mean_power_w, peak_power_w
+        Into the actuator, on average and at most.
+    peak_acceleration_m_per_s2, peak_velocity_m_per_s, peak_displacement_m
+        Of what touches the skin.
+    linear_share
+        Peak velocity over 40 mm/s, up to which the measured skin was linear.
+    temperature_rise_k
+        Highest, where it is known how the actuator warms.
+    """
+
+    peak_voltage_v: float
+    rms_voltage_v: float
+    slew_v_per_s: float
+    duration_s: float
+    duty: float
+    peak_current_a: float
+    rms_current_a: float
+    mean_power_w: float
+    peak_power_w: float
+    peak_acceleration_m_per_s2: float
+    peak_velocity_m_per_s: float
+    peak_displacement_m: float
+    linear_share: float
+    temperature_rise_k: float
+
+
+def predicted(
+    voltage: ArrayLike,
+    sample_rate_hz: int,
+    actuators: Actuator | Sequence[Actuator],
+    *,
+    thermal: Thermal | None = None,
+) -> tuple[Prediction, ...]:
+    """What each channel's actuator will do, from rest.
+
+    Parameters
+    ----------
+    voltage : (n_times,) or (n_channels, n_times)
+        In V, band-limited between its samples; resampled to 48 kHz where the rate is lower.
+    sample_rate_hz
+        A whole number of hertz.
+    actuators
+        One for all channels, or one for each.
+    thermal
+        How they warm; None: not known.
+
+    Returns
+    -------
+    As many predictions as there are channels.
+
+    Raises
+    ------
+    InvalidInputError
+        The voltage is none, or there are not as many actuators as channels.
+    """
+    rate_hz = whole_number("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ)
+    rows = finite_array("voltage", voltage, "finite numbers in V, (n_channels, n_times)")
+    if rows.ndim not in (1, 2) or not rows.shape[-1]:
+        raise InvalidInputError(
+            f"voltage has the shape {rows.shape}, expected (n_times,) or (n_channels, n_times)"
+        )
+    rows = np.atleast_2d(rows)
+    models = [actuators] * len(rows) if isinstance(actuators, Actuator) else list(actuators)
+    if len(models) != len(rows):
+        raise InvalidInputError(
+            f"{len(models)} actuators for {len(rows)} channels, expected one each"
+        )
+    return tuple(
+        _of_channel(row, rate_hz, model, thermal) for row, model in zip(rows, models, strict=True)
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Breach:
+    """A limit that is passed.
+
+    Attributes
+    ----------
+    name
+        The field of `Limits`.
+    found, limit
+        In the unit of that field.
+    """
+
+    name: str
+    found: float
+    limit: float
+
+    def __str__(self) -> str:
+        words = self.name.replace("_", " ")
+        return f"{words}: {self.found:.4g}, expected at most {self.limit:.4g}"
+
+
+def breaches(prediction: Prediction, limits: Limits) -> tuple[Breach, ...]:
+    """The limits that a prediction passes; what the model does not tell passes none."""
+    found = {
+        one.name: getattr(prediction, one.name)
+        for one in fields(Limits)
+        if one.name != "displacement_m"
+    }
+    found["displacement_m"] = prediction.peak_displacement_m
+    return tuple(
+        Breach(name, value, limit)
+        for name, value in found.items()
+        if (limit := getattr(limits, name)) is not None and value > limit
+    )
+
+
+def _of_channel(
+    voltage: Floats, sample_rate_hz: int, actuator: Actuator, thermal: Thermal | None
+) -> Prediction:
+    rate_hz = max(sample_rate_hz, LEAST_RATE_HZ)
+    dense = resample(voltage, sample_rate_hz, rate_hz)
+    motion = actuator.simulate(dense, rate_hz, "first")
+    power = dense * motion.current
+    velocity = _peak(motion.velocity)
+    return Prediction(
+        peak_voltage_v=_peak(dense),
+        rms_voltage_v=_loudest_rms(dense, rate_hz),
+        slew_v_per_s=_peak(np.diff(dense, prepend=0.0)) * rate_hz,
+        duration_s=voltage.size / sample_rate_hz,
+        duty=_duty(dense, rate_hz),
+        peak_current_a=_peak(motion.current),
+        rms_current_a=_loudest_rms(motion.current, rate_hz),
+        mean_power_w=float(power.mean()),
+        peak_power_w=float(power.max()),
+        peak_acceleration_m_per_s2=_peak(motion.acceleration),
+        peak_velocity_m_per_s=velocity,
+        peak_displacement_m=_peak(motion.displacement),
+        linear_share=velocity / LINEAR_VELOCITY_M_PER_S,
+        temperature_rise_k=_rise(motion, actuator, rate_hz, thermal),
+    )
+
+
+def _peak(values: Floats) -> float:
+    return float(np.abs(values).max())
+
+
+def _loudest_rms(values: Floats, rate_hz: int) -> float:
+    if np.isnan(values).any():
+        return float("nan")
+    n_window = min(int(_RMS_S * rate_hz), values.size)
+    return float(np.sqrt(loudest_energy(values, n_window) / n_window))
+
+
+def _duty(voltage: Floats, rate_hz: int) -> float:
+    n = max(int(_STRETCH_S * rate_hz), 1)
+    padded = np.zeros(-(-voltage.size // n) * n)
+    padded[: voltage.size] = np.abs(voltage)
+    peaks = padded.reshape(-1, n).max(axis=1)
+    return float(np.mean(peaks > _DRIVEN * peaks.max())) if peaks.max() else 0.0
+
+
+def _rise(
+    motion: ActuatorMotion, actuator: Actuator, rate_hz: int, thermal: Thermal | None
+) -> float:
+    """Highest rise of the coil's temperature: its heat through one capacity and one resistance."""
+    resistance = getattr(actuator, "resistance_ohm", None)
+    if thermal is None or resistance is None:
+        return float("nan")
+    n = max(int(_STRETCH_S * rate_hz), 1)
+    heat = np.zeros(-(-motion.current.size // n) * n)
+    heat[: motion.current.size] = resistance * motion.current**2
+    kept = float(np.exp(-n / rate_hz / thermal.time_constant_s))
+    rise = highest = 0.0
+    for watts in heat.reshape(-1, n).mean(axis=1).tolist():
+        rise = kept * rise + (1.0 - kept) * thermal.resistance_k_per_w * watts
+        highest = max(highest, rise)
+    return highest
