@@ -6,8 +6,8 @@ as a limited boost reaches.
 >>> from skinsource import actuators, equalising
 >>> coil = actuators.load("example-voice-coil")
 >>> curves = equalising.curves(equalising.RegularisedInverse(), coil, [100.0, 200.0])
->>> curves.after_db.round(1).tolist()
-[-0.1, 0.0]
+>>> bool(abs(curves.after_db).max() < 0.1)
+True
 """
 
 from skinsource.equalising.applying import equalised
