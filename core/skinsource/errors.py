@@ -13,6 +13,7 @@ SkinSourceError
 ├── DatasetMissingError    a measured limb is asked for, and none is installed
 ├── StorageError           reading or writing failed: full disk, no permission, no such folder
 ├── DownloadError          the network, or the server, did not deliver
+├── PlaybackError          there is nothing to play on, or it does not take what it is asked for
 ├── TooInaccurateError     what was to be written is more wrong than was asked for
 ├── NotConfirmedError      what was to be written clips or passes a limit, and nobody agreed to that
 ├── MissingExtraError      an optional package is needed and not installed
@@ -72,6 +73,10 @@ class StorageError(SkinSourceError):
 
 class DownloadError(SkinSourceError):
     """The network, or the server, did not deliver what was asked for."""
+
+
+class PlaybackError(SkinSourceError):
+    """There is no device to play on, or it does not take what it is asked for."""
 
 
 class TooInaccurateError(SkinSourceError):

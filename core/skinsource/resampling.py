@@ -9,6 +9,7 @@ long, and steeper it does not get.
 
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import lru_cache
 from math import ceil
 
 import numpy as np
@@ -29,6 +30,8 @@ _BETA = 0.1102 * (_STOP_BAND_DB - 8.7)
 _WIDEST, _NARROWEST = 1.0 / 13.0, 1.0 / 130.0
 # Of a filter that is kept whole; longer ones are computed where they are needed.
 _LONGEST_FILTER = 2**25
+# … and of one that is kept for the next time: to compute it takes longer than to use it.
+_LONGEST_KEPT = 2**18
 # Values that a block works on.
 _BLOCK = 2**18
 
@@ -103,6 +106,15 @@ def by_ratio(
     return result
 
 
+def reach_samples(from_hz: int, to_hz: int) -> int:
+    """Samples at ``from_hz``, on either side, that a sample at ``to_hz`` is made of."""
+    if from_hz == to_hz:
+        return 0
+    ratio = Fraction(to_hz, from_hz)
+    kernel = _Kernel(ratio.numerator, ratio.denominator, _half_transition(min(from_hz, to_hz)))
+    return kernel.half_length // kernel.up + 1
+
+
 class _Signals:
     """What is resampled; given part by part, as float64."""
 
@@ -133,7 +145,7 @@ class _Kernel:
     """
 
     def __init__(self, up: int, down: int, half_transition: float) -> None:
-        self.up, self.down = up, down
+        self.up, self.down, self._half_transition = up, down, half_transition
         self._slower = max(up, down)
         # Kaiser's formula; the transition is twice the half, of half the lower rate.
         width = 2.0 * half_transition * np.pi / self._slower
@@ -147,11 +159,24 @@ class _Kernel:
         return np.where(np.abs(place) <= self.half_length, ideal * taper, 0.0)
 
     def whole(self) -> Floats:
-        """All of it, (2 half_length + 1,)."""
+        """All of it, (2 half_length + 1,); the last few that are not long are kept."""
+        if self.half_length <= _LONGEST_KEPT:
+            return _kept(self.up, self.down, self._half_transition)
+        return self.made()
+
+    def made(self) -> Floats:
+        """Compute all of it, (2 half_length + 1,)."""
         found = np.empty(2 * self.half_length + 1)
         for start, end in _blocks(found.size, _BLOCK):
             found[start:end] = self.at(np.arange(start, end) - self.half_length)
         return found
+
+
+@lru_cache(maxsize=4)
+def _kept(up: int, down: int, half_transition: float) -> Floats:
+    found = _Kernel(up, down, half_transition).made()
+    found.flags.writeable = False
+    return found
 
 
 def _half_transition(lower_hz: float) -> float:

@@ -1,0 +1,146 @@
+"""Devices that can be played on."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from skinsource.errors import PlaybackError
+from skinsource.playing.output import RATES_HZ, Output
+from skinsource.playing.sounding import sound_library
+from skinsource.quoting import printable, quoted
+
+_NONE = (
+    "No device to play on was found. Connect one and look again; without one, the playhead runs "
+    "in silence."
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Device:
+    """Something with outputs.
+
+    Attributes
+    ----------
+    index
+        Its number, until devices are looked for again.
+    name, host_api
+        As the system has them; both together tell it from the others.
+    n_outputs
+        How many outputs it has, as it says.
+    sample_rate_hz
+        The rate that it prefers.
+    is_default
+        Whether it is what the system plays on.
+    """
+
+    index: int
+    name: str
+    host_api: str
+    n_outputs: int
+    sample_rate_hz: int
+    is_default: bool
+
+    @property
+    def title(self) -> str:
+        """Words for it."""
+        return f"{self.name} ({self.host_api}, {self.n_outputs} outputs)"
+
+
+def devices() -> tuple[Device, ...]:
+    """Return what can be played on, the default device first.
+
+    Raises
+    ------
+    MissingExtraError, PlaybackError
+        sounddevice or PortAudio is missing, or does not answer.
+    """
+    library = sound_library()
+    try:
+        apis, listed = library.query_hostapis(), library.query_devices()
+        default = library.default.device["output"]
+        if default < 0:
+            default = next((one["default_output_device"] for one in apis), -1)
+    except library.PortAudioError as error:
+        raise PlaybackError(f"The sound system does not answer: {printable(error)}.") from error
+    found = [
+        Device(
+            index=index,
+            name=one["name"],
+            host_api=apis[one["hostapi"]]["name"],
+            n_outputs=one["max_output_channels"],
+            sample_rate_hz=round(one["default_samplerate"]),
+            is_default=index == default,
+        )
+        for index, one in enumerate(listed)
+        if one["max_output_channels"] > 0
+    ]
+    return tuple(sorted(found, key=lambda one: not one.is_default))
+
+
+def look_again() -> tuple[Device, ...]:
+    """Return what can be played on now, with what was connected since; nothing may be playing."""
+    library = sound_library()
+    try:
+        # PortAudio looks once, when it starts; sounddevice offers no other door to that.
+        library._terminate()
+        library._initialize()
+    except library.PortAudioError as error:
+        raise PlaybackError(f"The sound system does not answer: {printable(error)}.") from error
+    return devices()
+
+
+def device_of(output: Output, found: Sequence[Device]) -> Device:
+    """Return the device that ``output`` names.
+
+    Raises
+    ------
+    PlaybackError
+        There is none at all, or not that one.
+    """
+    if not found:
+        raise PlaybackError(_NONE)
+    if not output.device:
+        return found[0]
+    for one in found:
+        if one.name == output.device and output.host_api in ("", one.host_api):
+            return one
+    raise PlaybackError(
+        f"The device {quoted(output.device)} is not there. Connect it and look again, or choose "
+        f"another; there {'is' if len(found) == 1 else 'are'} "
+        f"{', '.join(one.name for one in found[:5])}."
+    )
+
+
+def check_outputs(device: Device, outputs: Mapping[int, int]) -> None:
+    """Refuse a device that does not have all ``outputs``, by place.
+
+    Raises
+    ------
+    PlaybackError
+        It has too few; the message says which place has none.
+    """
+    place, output = max(outputs.items(), key=lambda one: one[1], default=(0, 0))
+    if output > device.n_outputs:
+        raise PlaybackError(
+            f"{device.name} has {device.n_outputs} output"
+            f"{'' if device.n_outputs == 1 else 's'}, and place {place} is to play on output "
+            f"{output}. Mute what has no actuator, give it another output, or choose another "
+            "device."
+        )
+
+
+def rates_of(device: Device) -> tuple[int, ...]:
+    """Rates, in Hz, that a device takes; asked one by one, so that it takes a while."""
+    library = sound_library()
+    rates = sorted({*RATES_HZ, device.sample_rate_hz})
+    return tuple(rate for rate in rates if _takes(library, device, rate))
+
+
+def _takes(library: object, device: Device, rate_hz: int) -> bool:
+    channels = min(device.n_outputs, 2)
+    try:
+        library.check_output_settings(  # type: ignore[attr-defined]
+            device=device.index, channels=channels, dtype="float32", samplerate=rate_hz
+        )
+    except library.PortAudioError:  # type: ignore[attr-defined]
+        return False
+    return True

@@ -1,0 +1,147 @@
+"""A deck that is heard on a device."""
+
+from collections.abc import Callable
+from time import perf_counter
+from typing import Any
+
+from skinsource.errors import PlaybackError
+from skinsource.playing.block import next_block
+from skinsource.playing.deck import Deck
+from skinsource.playing.devices import Device
+from skinsource.playing.mix import Frames
+from skinsource.playing.sounding import sound_library
+from skinsource.playing.timing import Delay, HeardPosition
+from skinsource.quoting import printable
+
+#: What a device asks for at once.
+BLOCK_S = 0.005
+# What PortAudio calls them.
+_WRONG_RATE, _TOO_MANY_CHANNELS, _UNAVAILABLE = -9997, -9998, -9985
+_GONE_AFTER_S = 2.0
+
+
+class Stream:
+    """Plays a deck from when it is opened until the deck ends, or is closed.
+
+    Parameters
+    ----------
+    deck
+        What to play.
+    device
+        Where; it is asked for as many outputs as the deck has.
+    latency_s
+        Delay that is asked for.
+    finished
+        Called once from another thread when nothing is played any more, for whatever reason.
+
+    Attributes
+    ----------
+    underruns
+        How often the device ran out of samples.
+
+    Raises
+    ------
+    MissingExtraError, PlaybackError
+        sounddevice is missing, or the device does not take what it is asked for.
+    """
+
+    def __init__(
+        self, deck: Deck, device: Device, latency_s: float, finished: Callable[[], None]
+    ) -> None:
+        self._library = sound_library()
+        self.deck, self.device = deck, device
+        self.underruns = 0
+        self._heard = HeardPosition(deck.sample_rate_hz)
+        self._called_s = perf_counter()
+        self._inside_s = 0.0
+        self._taken_s = 0.0
+        try:
+            self._stream = self._library.OutputStream(
+                samplerate=deck.sample_rate_hz,
+                blocksize=round(BLOCK_S * deck.sample_rate_hz),
+                device=device.index,
+                channels=deck.n_outputs,
+                dtype="float32",
+                latency=latency_s,
+                # What arrives is what was sent: nothing is added, and full scale is kept before.
+                dither_off=True,
+                clip_off=True,
+                callback=self._fill,
+                finished_callback=finished,
+            )
+        except self._library.PortAudioError as error:
+            raise PlaybackError(_refusal(error, device, deck)) from error
+
+    def start(self) -> None:
+        """Begin.
+
+        Raises
+        ------
+        PlaybackError
+            The device does not begin.
+        """
+        self._called_s = perf_counter()
+        try:
+            self._stream.start()
+        except self._library.PortAudioError as error:
+            self.close()
+            raise PlaybackError(_refusal(error, self.device, self.deck)) from error
+
+    def close(self) -> None:
+        """Stop, and let go of the device."""
+        # A device that is gone cannot be closed in order, and need not be.
+        self._stream.close(ignore_errors=True)
+
+    @property
+    def gone(self) -> bool:
+        """Whether the device has not asked for anything for two seconds."""
+        return perf_counter() - self._called_s > _GONE_AFTER_S
+
+    def position_s(self) -> float | None:
+        """Time in the design of what is heard now; None: nothing is yet."""
+        try:
+            return self._heard.at(self._stream.time)
+        except self._library.PortAudioError:  # it is closed, or gone
+            return None
+
+    def delay(self, render_s: float) -> Delay:
+        """From the last edit to the outputs; ``render_s`` is what came before the deck."""
+        return Delay(render_s=render_s, wait_s=self.deck.waited_s, device_s=self._inside_s)
+
+    def _fill(self, out: Frames, frames: int, times: Any, status: Any) -> None:
+        self._called_s = perf_counter()
+        self.underruns += bool(status.output_underflow)
+        deck = self.deck
+        inside_s = times.outputBufferDacTime - times.currentTime
+        if inside_s <= 0.0:
+            # Some systems do not say when a block is heard.
+            inside_s = self._stream.latency
+        next_block(deck, out)
+        heard_s = times.currentTime + inside_s
+        self._heard.note(heard_s, deck.began_at, deck.began_in)
+        if deck.taken_s != self._taken_s:
+            self._taken_s, self._inside_s = deck.taken_s, inside_s
+        if deck.silent:
+            raise self._library.CallbackStop
+
+
+def _refusal(error: Any, device: Device, deck: Deck) -> str:
+    """Say what a device does not take, and what to do."""
+    code = error.args[1] if len(error.args) > 1 else 0
+    if code == _WRONG_RATE:
+        return (
+            f"{device.name} does not take {deck.sample_rate_hz} Hz; it prefers "
+            f"{device.sample_rate_hz} Hz. Choose another rate."
+        )
+    if code == _TOO_MANY_CHANNELS:
+        return (
+            f"{device.name} does not take {deck.n_outputs} outputs. Mute what has no actuator, "
+            "give it another output, or choose another device."
+        )
+    if code == _UNAVAILABLE:
+        return (
+            f"{device.name} is not free: another program uses it, or it was taken away. Close that "
+            "program, or choose another device."
+        )
+    reason = printable(error.args[0] if error.args else error)
+    return f"{device.name} cannot be played on: {reason}. Choose another device."

@@ -1,0 +1,149 @@
+"""Sound cards that are files: what a process plays there can be read, sample by sample.
+
+To be run as a script in a process of its own, as ALSA reads its configuration once:
+``file_card.py SCENE FOLDER`` prints what was seen as JSON, and leaves ``heard.raw`` in the folder.
+"""
+
+import fcntl
+import json
+import os
+import sys
+import threading
+from pathlib import Path
+from time import perf_counter, sleep
+
+import numpy as np
+
+RATE_HZ = 48_000
+N_OUTPUTS = 3
+#: A loop that does not come to its end in a test.
+LONG, LONG_S = 480_000, 10.0
+_SET_PIPE_SIZE = 1031
+_ALSA = Path("/usr/share/alsa/alsa.conf")
+
+
+def rows(seed: int, n: int) -> np.ndarray:
+    """Noise that fills the range, and whose first and last samples are not silent."""
+    found = np.random.default_rng(seed).uniform(-1.0, 1.0, (N_OUTPUTS, n)).astype(np.float32)
+    found[:, [0, -1]] = 0.5
+    return found
+
+
+def first_sounding(heard: np.ndarray) -> int:
+    """Sample before which all outputs are silent."""
+    return int(np.flatnonzero(np.any(heard != 0.0, axis=0))[0])
+
+
+def read_heard(folder: Path) -> np.ndarray:
+    """What arrived, (n_outputs, n_times)."""
+    raw = np.fromfile(folder / "heard.raw", np.float32)
+    return raw[: raw.size // N_OUTPUTS * N_OUTPUTS].reshape(-1, N_OUTPUTS).T
+
+
+def configure(folder: Path, file: Path) -> None:
+    """Make ``card`` the one device there is; what is played on it goes to ``file``."""
+    own = folder / "asound.conf"
+    own.write_text(f'pcm.card {{ type file slave.pcm {{ type null }} file "{file}" format raw }}\n')
+    os.environ["ALSA_CONFIG_PATH"] = f"{_ALSA}:{own}"
+
+
+class PacedCard:
+    """Takes samples out of a pipe as fast as they would be heard, and can be pulled out."""
+
+    def __init__(self, folder: Path, pulled_after_s: float | None = None) -> None:
+        self.pipe, self._folder, self._pulled_after_s = folder / "pipe", folder, pulled_after_s
+        os.mkfifo(self.pipe)
+        self.frames = 0
+        self.thread = threading.Thread(target=self._listen, daemon=True)
+        self.thread.start()
+
+    def _listen(self) -> None:
+        pipe = os.open(self.pipe, os.O_RDONLY)
+        fcntl.fcntl(pipe, _SET_PIPE_SIZE, 4096)
+        frame = 4 * N_OUTPUTS
+        begun_s, taken = perf_counter(), 0
+        with (self._folder / "heard.raw").open("wb") as file:
+            while data := os.read(pipe, 240 * frame):
+                file.write(data)
+                taken += len(data)
+                self.frames = taken // frame
+                ahead_s = self.frames / RATE_HZ - (perf_counter() - begun_s)
+                if ahead_s > 0:
+                    sleep(ahead_s)
+                pulled = self._pulled_after_s
+                if pulled is not None and self.frames > pulled * RATE_HZ:
+                    break
+        os.close(pipe)
+
+
+def opened(of_mix, at, gain_db=0.0):
+    """A stream on the card, and what tells that it has finished."""
+    from skinsource.playing import Deck, Output
+    from skinsource.playing.devices import device_of, devices
+    from skinsource.playing.stream import Stream
+
+    device = device_of(Output(device="card"), devices())
+    deck, finished = Deck(N_OUTPUTS, RATE_HZ, gain_db), threading.Event()
+    deck.play(of_mix, at)
+    return Stream(deck, device, 0.02, finished.set), finished
+
+
+def mix(samples, loop_s=None):
+    """All rows, one output each."""
+    from skinsource.playing import mix_of
+
+    numbers = range(1, N_OUTPUTS + 1)
+    titles = [f"place {number}" for number in numbers]
+    return mix_of(
+        samples, RATE_HZ, outputs=numbers, titles=titles, n_outputs=N_OUTPUTS, loop_s=loop_s
+    )
+
+
+def once(folder: Path) -> dict:
+    """Play noise once, as fast as it is taken."""
+    configure(folder, folder / "heard.raw")
+    stream, finished = opened(mix(rows(1, 20_011)), 0)
+    stream.start()
+    done = finished.wait(30)
+    stream.close()
+    return {"done": done, "reason": stream.deck.ending.reason}
+
+
+def live(folder: Path) -> dict:
+    """Change what is looped while it is heard; then stop."""
+    configure(folder, folder / "pipe")
+    card = PacedCard(folder)
+    stream, finished = opened(mix(rows(1, LONG), (0.0, LONG_S)), 0)
+    stream.start()
+    sleep(0.15)
+    stream.deck.play(mix(rows(2, LONG), (0.0, LONG_S)))
+    sleep(0.15)
+    seen = {
+        "position_s": stream.position_s(),
+        "frames": card.frames,
+        "total_s": stream.delay(0.0).total_s,
+        "gone": stream.gone,
+        "peak_db": stream.deck.levels().peak_db.tolist(),
+    }
+    stream.deck.stop()
+    seen |= {"done": finished.wait(30), "reason": stream.deck.ending.reason}
+    stream.close()
+    card.thread.join(10)
+    return seen
+
+
+def pulled(folder: Path) -> dict:
+    """Pull the device out while it plays."""
+    configure(folder, folder / "pipe")
+    card = PacedCard(folder, pulled_after_s=0.2)
+    stream, finished = opened(mix(rows(1, 24_000), (0.0, 0.5)), 0)
+    stream.start()
+    done = finished.wait(30)
+    stream.close()
+    card.thread.join(10)
+    return {"done": done, "ending": stream.deck.ending}
+
+
+if __name__ == "__main__":
+    scenes = {"once": once, "live": live, "pulled": pulled}
+    sys.stdout.write(json.dumps(scenes[sys.argv[1]](Path(sys.argv[2]))))

@@ -1,0 +1,49 @@
+"""What the tests of playing share."""
+
+import numpy as np
+
+from skinsource.playing import Deck, Mix, mix_of, next_block
+
+RATE_HZ = 8000
+#: Samples of a fade at that rate, and of the fall to silence.
+FADE, FALL = 40, 8
+
+
+def mix(rows, *, loop=None, n_outputs=None, rate_hz=RATE_HZ) -> Mix:
+    """A mix of rows, one output each; the loop in samples."""
+    rows = np.atleast_2d(np.asarray(rows, float))
+    return mix_of(
+        rows,
+        rate_hz,
+        outputs=range(1, rows.shape[0] + 1),
+        titles=[f"place {k + 1}" for k in range(rows.shape[0])],
+        n_outputs=n_outputs or rows.shape[0],
+        loop_s=None if loop is None else (loop[0] / rate_hz, loop[1] / rate_hz),
+    )
+
+
+def tone(n, cycles=10.0, amplitude=0.5):
+    """A tone that begins and ends at zero."""
+    return amplitude * np.sin(2 * np.pi * cycles * np.arange(n) / n)
+
+
+def deck(n_outputs=1, gain_db=0.0) -> Deck:
+    return Deck(n_outputs, RATE_HZ, gain_db)
+
+
+def block(of, n) -> np.ndarray:
+    """The next samples, (n_outputs, n), as the device gets them."""
+    out = np.full((n, of.n_outputs), np.nan, np.float32)
+    next_block(of, out)
+    return out.T
+
+
+def blocks(of, sizes) -> np.ndarray:
+    """The next blocks, one behind the other, (n_outputs, n_times)."""
+    return np.concatenate([block(of, n) for n in sizes], axis=1)
+
+
+def largest_step(heard) -> float:
+    """Between one sample and the next, silence before and after."""
+    padded = np.pad(np.asarray(heard, float), ((0, 0), (1, 1)))
+    return float(np.abs(np.diff(padded, axis=1)).max(initial=0.0))

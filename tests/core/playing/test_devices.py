@@ -1,0 +1,151 @@
+"""Devices of a made-up sound library, which answers as sounddevice does."""
+
+import importlib
+import subprocess
+import sys
+from types import SimpleNamespace
+
+import pytest
+
+from skinsource.errors import MissingExtraError, PlaybackError, SkinSourceError
+from skinsource.playing import Deck, Output, devices, sounding, stream
+
+CARDS = (("Built-in", 0, 2, 44100.0), ("Microphone", 0, 0, 44100.0), ("Eight", 1, 8, 48000.0))
+
+
+class PortAudioError(Exception):
+    pass
+
+
+class Library:
+    """Three devices, of which one only hears."""
+
+    PortAudioError = PortAudioError
+
+    def __init__(self, cards=CARDS, default=2, refusal=None, rates=(44_100, 48_000)):
+        self.cards, self.refusal, self.rates = cards, refusal, rates
+        self.default = SimpleNamespace(device={"output": default})
+        self.looked = 0
+
+    def query_hostapis(self):
+        return ({"name": "ALSA", "default_output_device": 0}, {"name": "JACK"})
+
+    def query_devices(self):
+        names = ("name", "hostapi", "max_output_channels", "default_samplerate")
+        return [dict(zip(names, card, strict=True)) for card in self.cards]
+
+    def check_output_settings(self, *, device, channels, dtype, samplerate):
+        assert channels <= self.cards[device][2]
+        if samplerate not in self.rates:
+            raise PortAudioError("Invalid sample rate", -9997)
+
+    def OutputStream(self, **asked):  # as sounddevice calls it
+        raise PortAudioError(*self.refusal)
+
+    def _terminate(self):
+        self.looked -= 1
+
+    def _initialize(self):
+        self.looked += 2
+
+
+@pytest.fixture
+def library(monkeypatch):
+    def use(**made):
+        found = Library(**made)
+        monkeypatch.setattr(importlib, "import_module", lambda name: found)
+        return found
+
+    return use
+
+
+def test_what_the_system_plays_on_comes_first_and_what_cannot_play_not_at_all(library):
+    library()
+    found = devices.devices()
+    assert [one.title for one in found] == ["Eight (JACK, 8 outputs)", "Built-in (ALSA, 2 outputs)"]
+    assert [one.is_default for one in found] == [True, False]
+
+
+def test_where_no_default_is_said_the_first_host_has_one(library):
+    library(default=-1)
+    assert devices.devices()[0].name == "Built-in"
+
+
+def test_looking_again_starts_the_sound_system_anew(library):
+    made = library()
+    assert len(devices.look_again()) == 2
+    assert made.looked == 1
+
+
+def test_a_device_is_found_by_its_name_and_its_host(library):
+    library(cards=(*CARDS, ("Built-in", 1, 2, 48000.0)))
+    found = devices.devices()
+    assert devices.device_of(Output(), found).name == "Eight"
+    wanted = Output(device="Built-in", host_api="JACK")
+    assert devices.device_of(wanted, found).index == 3
+    assert devices.device_of(Output(device="Built-in"), found).index == 0
+
+
+def test_a_device_that_is_not_there_is_named_with_those_that_are(library):
+    library()
+    with pytest.raises(PlaybackError, match=r"'Nine' is not there.*there are Eight, Built-in"):
+        devices.device_of(Output(device="Nine"), devices.devices())
+
+
+def test_no_device_at_all_is_said(library):
+    library(cards=())
+    with pytest.raises(PlaybackError, match="No device to play on was found"):
+        devices.device_of(Output(), devices.devices())
+
+
+def test_too_few_outputs_are_said_with_the_place_that_has_none(library):
+    library()
+    small = devices.devices()[1]
+    devices.check_outputs(small, {7: 1, 3: 2})
+    with pytest.raises(PlaybackError, match="has 2 outputs, and place 9 is to play on output 5"):
+        devices.check_outputs(small, {7: 1, 9: 5, 3: 2})
+
+
+def test_rates_are_those_that_the_device_takes(library):
+    library(rates=(8_000, 48_000, 12_345))
+    assert devices.rates_of(devices.devices()[0]) == (8_000, 48_000)
+
+
+@pytest.mark.parametrize(
+    ("refusal", "words"),
+    [
+        (("Invalid sample rate", -9997), "Eight does not take 48000 Hz; it prefers 48000 Hz"),
+        (("Invalid number of channels", -9998), "Eight does not take 3 outputs"),
+        (("Device unavailable", -9985), "Eight is not free: another program uses it"),
+        (("Unanticipated host error", -9999), "cannot be played on: Unanticipated host error"),
+        (("no code",), "cannot be played on: no code"),
+    ],
+)
+def test_what_a_device_refuses_is_said_in_plain_words(library, refusal, words):
+    library(refusal=refusal)
+    with pytest.raises(PlaybackError, match=words):
+        stream.Stream(Deck(3, 48_000), devices.devices()[0], 0.02, lambda: None)
+
+
+def test_without_the_extra_the_line_to_type_is_said(monkeypatch):
+    monkeypatch.setitem(sys.modules, "sounddevice", None)
+    with pytest.raises(MissingExtraError, match=r'pip install "skinsource\[audio\]"'):
+        sounding.sound_library()
+
+
+def test_without_portaudio_the_package_of_the_system_is_said(monkeypatch):
+    def fail(name):
+        raise OSError("PortAudio library not found")
+
+    monkeypatch.setattr(importlib, "import_module", fail)
+    with pytest.raises(PlaybackError, match=r"apt install libportaudio2.*library not found"):
+        sounding.sound_library()
+
+
+def test_nothing_of_sound_is_imported_before_somebody_asks():
+    words = "import sys, skinsource.playing, skinsource.playing.stream; print(*sys.modules)"
+    found = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True)
+    assert found.returncode == 0, found.stderr
+    assert "skinsource.playing.stream" in found.stdout
+    assert "sounddevice" not in found.stdout.split()
+    assert issubclass(PlaybackError, SkinSourceError)

@@ -1,0 +1,71 @@
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from skinsource.errors import SkinSourceError
+from skinsource.playing.sounding import sound_library
+from tests.core.playing import file_card
+from tests.core.playing.file_card import LONG, RATE_HZ, first_sounding, read_heard, rows
+
+FADE = 240
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _sound():
+    if not sys.platform.startswith("linux"):
+        pytest.skip("sound cards that are files are a thing of ALSA, on Linux")
+    try:
+        sound_library()
+    except SkinSourceError as missing:
+        pytest.skip(str(missing))
+    if not file_card._ALSA.is_file():
+        pytest.skip(f"{file_card._ALSA} is not there: the settings of ALSA are not installed")
+
+
+def seen(scene, folder):
+    done = subprocess.run(
+        [sys.executable, file_card.__file__, scene, str(folder)],
+        capture_output=True, text=True, timeout=120,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout.splitlines()[-1])
+
+
+def test_what_arrives_at_the_device_is_what_was_sent_sample_by_sample(tmp_path):
+    assert seen("once", tmp_path) == {"done": True, "reason": "end"}
+    heard, sent = read_heard(tmp_path), rows(1, 20_011)
+    begin = first_sounding(heard)
+    assert np.array_equal(heard[:, begin : begin + sent.shape[1]], sent)
+    assert not heard[:, begin + sent.shape[1] :].any()
+
+
+def test_a_live_change_arrives_in_its_place_while_the_playhead_keeps_step(tmp_path):
+    found = seen("live", tmp_path)
+    assert (found["done"], found["reason"], found["gone"]) == (True, "stopped", False)
+    assert 0.0 < found["total_s"] < 0.5
+    assert all(-1.0 < peak <= 0.0 for peak in found["peak_db"])
+    heard, before, after = read_heard(tmp_path), rows(1, LONG), rows(2, LONG)
+    begin = first_sounding(heard)
+    assert found["position_s"] == pytest.approx((found["frames"] - begin) / RATE_HZ, abs=0.1)
+    heard = heard[:, begin:]
+    n = heard.shape[1]
+    first_change = int(np.flatnonzero(np.any(heard != before[:, :n], axis=0))[0])
+    settled = first_change + FADE
+    # From there on it is the new one, until it fades out.
+    last = settled + int(
+        np.flatnonzero(np.any(heard[:, settled:] != after[:, settled:n], axis=0))[0]
+    )
+    assert last - settled > 0.05 * RATE_HZ
+    assert not heard[:, last + FADE :].any()
+    # On the way the two add up.
+    weight = 0.5 - 0.5 * np.cos(np.pi * np.arange(1, FADE + 1) / (FADE + 1))
+    way = slice(first_change, settled)
+    expected = (1 - weight) * before[:, way] + weight * after[:, way]
+    assert heard[:, way] == pytest.approx(expected, abs=1e-6)
+
+
+def test_a_device_that_is_pulled_out_ends_playing_without_a_reason_of_ours(tmp_path):
+    assert seen("pulled", tmp_path) == {"done": True, "ending": None}

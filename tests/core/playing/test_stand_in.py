@@ -1,0 +1,43 @@
+import numpy as np
+import pytest
+
+from skinsource.playing.stand_in import analytic, on_two_ears, shifted
+
+RATE_HZ, THERE_HZ = 1300, 48_000
+
+
+def burst(frequency_hz, rate_hz, n, phase=0.0):
+    """A tone under a window that is smooth to a millionth, so that its ends do not ring."""
+    time = np.arange(n) / rate_hz
+    centre = 1.0
+    envelope = np.exp(-0.5 * ((time - centre) / 0.12) ** 2)
+    return envelope * np.cos(2 * np.pi * frequency_hz * time + phase)
+
+
+@pytest.mark.parametrize("frequency_hz", [40.0, 100.0, 250.0, 550.0])
+def test_a_tone_is_heard_so_many_hertz_higher_under_the_same_envelope(frequency_hz):
+    row = burst(frequency_hz, RATE_HZ, 2600)
+    found = shifted(row[np.newaxis], RATE_HZ, THERE_HZ, 300.0)[0]
+    expected = burst(frequency_hz + 300.0, THERE_HZ, found.size)
+    assert np.abs(found - expected).max() < 1e-4
+
+
+def test_no_mirror_image_is_heard():
+    row = burst(200.0, RATE_HZ, 2600)
+    found = shifted(row[np.newaxis], RATE_HZ, THERE_HZ, 300.0)[0]
+    spectrum = np.abs(np.fft.rfft(found))
+    at = np.fft.rfftfreq(found.size, 1 / THERE_HZ)
+    mirror = spectrum[np.argmin(np.abs(at - 100.0))]
+    assert 20 * np.log10(mirror / spectrum.max()) < -80.0
+
+
+def test_the_real_part_of_the_analytic_signal_is_the_signal():
+    rows = np.random.default_rng(3).standard_normal((2, 501))
+    assert np.allclose(analytic(rows).real, rows, rtol=0, atol=1e-12)
+
+
+def test_channels_are_spread_from_left_to_right_in_their_order():
+    rows = np.eye(2)
+    assert on_two_ears(rows).tolist() == [[0.75, 0.25], [0.25, 0.75]]
+    assert on_two_ears(np.ones((1, 3))).tolist() == [[0.5] * 3, [0.5] * 3]
+    assert on_two_ears(np.zeros((0, 3))).tolist() == [[0.0] * 3, [0.0] * 3]

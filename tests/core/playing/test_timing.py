@@ -1,0 +1,56 @@
+import numpy as np
+import pytest
+
+from skinsource.playing import Delay
+from skinsource.playing.timing import HeardPosition
+from tests.core.playing.playing_bench import mix
+
+RATE_HZ = 8000
+
+
+def test_what_is_heard_now_is_not_what_was_computed_last():
+    heard = HeardPosition(RATE_HZ)
+    for k in range(10):
+        heard.note(100.0 + k * 0.005, 400 + k * 40, None)
+    assert heard.at(99.999) is None
+    assert heard.at(100.0) == pytest.approx(0.05)
+    assert heard.at(100.0175) == pytest.approx(0.05 + 0.0175)
+
+
+def test_it_goes_on_between_blocks_round_the_loop():
+    heard = HeardPosition(RATE_HZ)
+    heard.note(10.0, 1990, mix(np.zeros(2000), loop=(1000, 2000)))
+    assert heard.at(10.0 + 9 / RATE_HZ) == pytest.approx(1999 / RATE_HZ)
+    assert heard.at(10.0 + 10 / RATE_HZ) == pytest.approx(1000 / RATE_HZ)
+    assert heard.at(10.0 + 2015 / RATE_HZ) == pytest.approx(1005 / RATE_HZ)
+
+
+def test_behind_a_loop_it_goes_straight_on():
+    heard = HeardPosition(RATE_HZ)
+    heard.note(10.0, 2500, mix(np.zeros(2000), loop=(1000, 2000)))
+    assert heard.at(10.1) == pytest.approx(2500 / RATE_HZ + 0.1)
+
+
+def test_the_fade_before_the_first_sample_is_no_time_of_the_design():
+    heard = HeardPosition(RATE_HZ)
+    heard.note(10.0, -40, None)
+    assert heard.at(10.001) == 0.0
+    assert heard.at(10.005) == pytest.approx(0.0, abs=1e-12)
+    assert heard.at(10.006) == pytest.approx(0.001)
+
+
+def test_it_forgets_what_is_long_past():
+    heard = HeardPosition(RATE_HZ)
+    for k in range(100_000):
+        heard.note(k * 0.005, k * 40, None)
+    assert heard.at(99_999 * 0.005 + 0.001) == pytest.approx(99_999 * 0.005 + 0.001)
+    assert heard.at(5.0) is None
+
+
+def test_a_delay_names_its_parts():
+    delay = Delay(render_s=0.011, wait_s=0.003, device_s=0.02)
+    assert delay.total_s == pytest.approx(0.034)
+    assert delay.words == (
+        "34 ms from an edit to the output: computing 11 ms, waiting for the device 3 ms, "
+        "inside the device 20 ms"
+    )
