@@ -262,3 +262,41 @@ def test_nothing_grows_while_it_plays():
     assert abs(after - before) < 2000
     # Less than one block of one output: views and numbers, no samples.
     assert peak - before < 240 * 8 * 2
+
+
+def test_the_smallest_number_beyond_full_scale_is_too_much():
+    row = np.full(100, 0.25)
+    row[50] = np.nextafter(np.float32(1.0), np.float32(2.0))
+    live = playing(mix(row))
+    assert block(live, FADE + 100).max() <= 0.25
+    assert live.ending.reason == "limit"
+
+
+@pytest.mark.parametrize("into_the_block", [0, 1, 2])
+def test_the_limit_at_the_beginning_of_a_block_falls_from_the_sample_before(into_the_block):
+    row = np.concatenate((np.linspace(0.1, 0.9, 100), np.full(50, 2.0)))
+    live = playing(mix(row))
+    heard = blocks(live, [FADE + 100 - into_the_block, 50])[0, FADE:]
+    assert np.array_equal(heard[:100], row[:100].astype(np.float32))
+    weight = 0.5 - 0.5 * np.cos(np.pi * np.arange(1, FALL + 1) / (FALL + 1))
+    assert heard[100 : 100 + FALL] == pytest.approx(0.9 * (1 - weight), abs=1e-6)
+    assert not heard[100 + FALL :].any()
+
+
+def test_a_loop_that_ends_at_this_very_sample_is_entered_at_its_beginning():
+    row = np.random.default_rng(7).uniform(-0.5, 0.5, 4000)
+    live = playing(mix(row))
+    block(live, FADE + 1000)
+    assert live.position == 1000
+    live.play(mix(row, loop=(200, 1000)))
+    assert np.array_equal(block(live, FADE + 300)[0, FADE:], row[200:500].astype(np.float32))
+
+
+def test_it_is_silent_as_soon_as_it_has_fallen_and_not_before():
+    live = playing(mix(np.full(4000, 0.8)))
+    block(live, 500)
+    live.stop_at_once()
+    block(live, FALL - 1)
+    assert not live.silent
+    block(live, 1)
+    assert live.silent
