@@ -7,6 +7,7 @@ To be run as a script in a process of its own, as ALSA reads its configuration o
 import fcntl
 import json
 import os
+import select
 import sys
 import threading
 from pathlib import Path
@@ -51,19 +52,32 @@ class PacedCard:
     """Takes samples out of a pipe as fast as they would be heard, and can be pulled out."""
 
     def __init__(self, folder: Path, pulled_after_s: float | None = None) -> None:
-        self.pipe, self._folder, self._pulled_after_s = folder / "pipe", folder, pulled_after_s
-        os.mkfifo(self.pipe)
+        self._folder, self._pulled_after_s = folder, pulled_after_s
+        os.mkfifo(folder / "pipe")
+        # Open at both ends: PortAudio opens and closes the other one when it looks for devices.
+        self._pipe = os.open(folder / "pipe", os.O_RDWR)
+        fcntl.fcntl(self._pipe, _SET_PIPE_SIZE, 4096)
         self.frames = 0
-        self.thread = threading.Thread(target=self._listen, daemon=True)
-        self.thread.start()
+        self._over = threading.Event()
+        self._thread = threading.Thread(target=self._listen, daemon=True)
+        self._thread.start()
+
+    def close(self) -> None:
+        """Take what is left, and end."""
+        self._over.set()
+        self._thread.join(30)
 
     def _listen(self) -> None:
-        pipe = os.open(self.pipe, os.O_RDONLY)
-        fcntl.fcntl(pipe, _SET_PIPE_SIZE, 4096)
         frame = 4 * N_OUTPUTS
-        begun_s, taken = perf_counter(), 0
+        begun_s, taken = None, 0
         with (self._folder / "heard.raw").open("wb") as file:
-            while data := os.read(pipe, 240 * frame):
+            while True:
+                if not select.select([self._pipe], [], [], 0.05)[0]:
+                    if self._over.is_set():
+                        break
+                    continue
+                data = os.read(self._pipe, 240 * frame)
+                begun_s = perf_counter() if begun_s is None else begun_s
                 file.write(data)
                 taken += len(data)
                 self.frames = taken // frame
@@ -73,7 +87,7 @@ class PacedCard:
                 pulled = self._pulled_after_s
                 if pulled is not None and self.frames > pulled * RATE_HZ:
                     break
-        os.close(pipe)
+        os.close(self._pipe)
 
 
 def opened(of_mix, at, gain_db=0.0):
@@ -117,10 +131,12 @@ def live(folder: Path) -> dict:
     stream.start()
     sleep(0.15)
     stream.deck.play(mix(rows(2, LONG), (0.0, LONG_S)))
-    sleep(0.15)
+    seen_at = []
+    for _ in range(15):
+        sleep(0.01)
+        seen_at.append((stream.position_s(), card.frames))
     seen = {
-        "position_s": stream.position_s(),
-        "frames": card.frames,
+        "seen_at": seen_at,
         "total_s": stream.delay(0.0).total_s,
         "gone": stream.gone,
         "peak_db": stream.deck.levels().peak_db.tolist(),
@@ -128,7 +144,7 @@ def live(folder: Path) -> dict:
     stream.deck.stop()
     seen |= {"done": finished.wait(30), "reason": stream.deck.ending.reason}
     stream.close()
-    card.thread.join(10)
+    card.close()
     return seen
 
 
@@ -140,7 +156,7 @@ def pulled(folder: Path) -> dict:
     stream.start()
     done = finished.wait(30)
     stream.close()
-    card.thread.join(10)
+    card.close()
     return {"done": done, "ending": stream.deck.ending}
 
 

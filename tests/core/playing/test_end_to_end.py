@@ -49,7 +49,9 @@ def test_a_live_change_arrives_in_its_place_while_the_playhead_keeps_step(tmp_pa
     assert all(-1.0 < peak <= 0.0 for peak in found["peak_db"])
     heard, before, after = read_heard(tmp_path), rows(1, LONG), rows(2, LONG)
     begin = first_sounding(heard)
-    assert found["position_s"] == pytest.approx((found["frames"] - begin) / RATE_HZ, abs=0.1)
+    # The middle one: on a busy machine one or the other thread stands still now and then.
+    ahead_s = [at_s - (frames - begin) / RATE_HZ for at_s, frames in found["seen_at"]]
+    assert np.median(ahead_s) == pytest.approx(0.0, abs=0.1)
     heard = heard[:, begin:]
     n = heard.shape[1]
     first_change = int(np.flatnonzero(np.any(heard != before[:, :n], axis=0))[0])
