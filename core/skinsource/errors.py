@@ -13,7 +13,8 @@ SkinSourceError
 ├── DatasetMissingError    a measured limb is asked for, and none is installed
 ├── StorageError           reading or writing failed: full disk, no permission, no such folder
 ├── DownloadError          the network, or the server, did not deliver
-├── PlaybackError          there is nothing to play on, or it does not take what it is asked for
+├── PlaybackError          a device does not take what it is asked for, or is not there
+│   └── NothingToPlayOnError   … there is none at all, or what speaks to devices is not installed
 ├── TooInaccurateError     what was to be written is more wrong than was asked for
 ├── NotConfirmedError      what was to be written clips or passes a limit, and nobody agreed to that
 ├── MissingExtraError      an optional package is needed and not installed
@@ -76,7 +77,11 @@ class DownloadError(SkinSourceError):
 
 
 class PlaybackError(SkinSourceError):
-    """There is no device to play on, or it does not take what it is asked for."""
+    """A device does not take what it is asked for, or is not there."""
+
+
+class NothingToPlayOnError(PlaybackError):
+    """There is no device at all, or what speaks to devices is not installed."""
 
 
 class TooInaccurateError(SkinSourceError):

@@ -1,6 +1,7 @@
 """What is known while something is played, and what is wanted next."""
 
 from dataclasses import dataclass
+from math import log10
 from time import perf_counter
 
 import numpy as np
@@ -103,6 +104,11 @@ class Deck:
     def silent(self) -> bool:
         """Whether nothing but silence will come."""
         return self.ending is not None and (self.fallen is None or self.fallen >= self.fall.size)
+
+    @property
+    def gain_db(self) -> float:
+        """The gain that is wanted."""
+        return 20.0 * log10(self.gain.wanted)
 
     def levels(self) -> Levels:
         """How loud each output is."""

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from skinsource.errors import PlaybackError
+from skinsource.errors import NothingToPlayOnError, PlaybackError
 from skinsource.playing.output import RATES_HZ, Output
 from skinsource.playing.sounding import sound_library
 from skinsource.quoting import printable, quoted
@@ -50,7 +50,7 @@ def devices() -> tuple[Device, ...]:
 
     Raises
     ------
-    MissingExtraError, PlaybackError
+    PlaybackError
         sounddevice or PortAudio is missing, or does not answer.
     """
     library = sound_library()
@@ -97,7 +97,7 @@ def device_of(output: Output, found: Sequence[Device]) -> Device:
         There is none at all, or not that one.
     """
     if not found:
-        raise PlaybackError(_NONE)
+        raise NothingToPlayOnError(_NONE)
     if not output.device:
         return found[0]
     for one in found:

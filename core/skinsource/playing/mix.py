@@ -62,13 +62,9 @@ class Mix:
         """How long it lasts."""
         return self.n_times / self.sample_rate_hz
 
-    def after(self, position: int, n: int) -> int:
-        """Sample that stands ``n`` samples after ``position``, round the loop."""
-        later = position + n
-        if self.loop is None or not position < self.loop[1] <= later:
-            return later
-        first, end = self.loop
-        return first + (later - first) % (end - first)
+    def plays_on(self, output: int) -> bool:
+        """Whether an output, from 1, plays something."""
+        return output <= len(self.names) and self.names[output - 1] != ""
 
     def read(self, position: int, out: Floats) -> int:
         """Fill ``out``, (n_outputs, n), with what is played from ``position`` on.

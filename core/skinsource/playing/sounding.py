@@ -3,7 +3,7 @@
 import importlib
 from types import ModuleType
 
-from skinsource.errors import MissingExtraError, PlaybackError
+from skinsource.errors import NothingToPlayOnError
 from skinsource.quoting import printable
 
 #: What to type where it is missing.
@@ -20,17 +20,15 @@ def sound_library() -> ModuleType:
 
     Raises
     ------
-    MissingExtraError
-        It is not installed; the message holds the line to type.
-    PlaybackError
-        It is, but PortAudio is not, or does not start.
+    NothingToPlayOnError
+        It is not installed, or PortAudio is not, or does not start; the message says what to type.
     """
     try:
         return importlib.import_module("sounddevice")
     except ImportError as error:
-        raise MissingExtraError(
+        raise NothingToPlayOnError(
             f"To play needs the package sounddevice, which cannot be imported "
             f"({printable(error)}). Install it with: {INSTALL}"
         ) from error
     except OSError as error:
-        raise PlaybackError(f"{_LIBRARY} ({printable(error)})") from error
+        raise NothingToPlayOnError(f"{_LIBRARY} ({printable(error)})") from error

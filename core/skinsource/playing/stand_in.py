@@ -9,7 +9,6 @@ import numpy as np
 import scipy
 
 from skinsource.arrays import Complexes, Floats
-from skinsource.resampling import resample
 
 
 def analytic(rows: Floats) -> Complexes:
@@ -24,27 +23,27 @@ def analytic(rows: Floats) -> Complexes:
     return found
 
 
-def shifted(rows: Floats, from_hz: int, to_hz: int, shift_hz: float) -> Floats:
-    """Return ``rows`` with all frequencies ``shift_hz`` higher, at another rate.
+def turned_up(parts: Floats, sample_rate_hz: int, shift_hz: float) -> Floats:
+    """Return signals with all frequencies ``shift_hz`` higher.
 
     Parameters
     ----------
-    rows : (n_channels, n_times)
-        Samples at ``from_hz``.
-    to_hz
-        Rate of the result, high enough for half of ``from_hz`` plus the shift.
+    parts : (2 n_channels, n_times)
+        Real parts of all analytic signals, then their imaginary parts.
+    sample_rate_hz
+        Their rate, high enough for what comes out.
     shift_hz
         How far.
 
     Returns
     -------
-    (n_channels, n_times at ``to_hz``)
+    (n_channels, n_times)
     """
-    whole = analytic(rows)
-    real, imaginary = (resample(part, from_hz, to_hz) for part in (whole.real, whole.imag))
+    n = parts.shape[0] // 2
     # Whole turns are taken off first, so that long designs lose no accuracy.
-    turns = (np.arange(real.shape[1]) * (shift_hz / to_hz)) % 1.0
-    found: Floats = real * np.cos(2.0 * np.pi * turns) - imaginary * np.sin(2.0 * np.pi * turns)
+    turns = (np.arange(parts.shape[1]) * (shift_hz / sample_rate_hz)) % 1.0
+    angle = 2.0 * np.pi * turns
+    found: Floats = parts[:n] * np.cos(angle) - parts[n:] * np.sin(angle)
     return found
 
 

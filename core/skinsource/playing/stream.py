@@ -41,7 +41,7 @@ class Stream:
 
     Raises
     ------
-    MissingExtraError, PlaybackError
+    PlaybackError
         sounddevice is missing, or the device does not take what it is asked for.
     """
 

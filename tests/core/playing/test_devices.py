@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from skinsource.errors import MissingExtraError, PlaybackError, SkinSourceError
+from skinsource.errors import NothingToPlayOnError, PlaybackError, SkinSourceError
 from skinsource.playing import Deck, Output, devices, sounding, stream
 
 CARDS = (("Built-in", 0, 2, 44100.0), ("Microphone", 0, 0, 44100.0), ("Eight", 1, 8, 48000.0))
@@ -94,7 +94,7 @@ def test_a_device_that_is_not_there_is_named_with_those_that_are(library):
 
 def test_no_device_at_all_is_said(library):
     library(cards=())
-    with pytest.raises(PlaybackError, match="No device to play on was found"):
+    with pytest.raises(NothingToPlayOnError, match="No device to play on was found"):
         devices.device_of(Output(), devices.devices())
 
 
@@ -129,7 +129,7 @@ def test_what_a_device_refuses_is_said_in_plain_words(library, refusal, words):
 
 def test_without_the_extra_the_line_to_type_is_said(monkeypatch):
     monkeypatch.setitem(sys.modules, "sounddevice", None)
-    with pytest.raises(MissingExtraError, match=r'pip install "skinsource\[audio\]"'):
+    with pytest.raises(NothingToPlayOnError, match=r'pip install "skinsource\[audio\]"'):
         sounding.sound_library()
 
 
@@ -138,7 +138,7 @@ def test_without_portaudio_the_package_of_the_system_is_said(monkeypatch):
         raise OSError("PortAudio library not found")
 
     monkeypatch.setattr(importlib, "import_module", fail)
-    with pytest.raises(PlaybackError, match=r"apt install libportaudio2.*library not found"):
+    with pytest.raises(NothingToPlayOnError, match=r"apt install libportaudio2.*library not found"):
         sounding.sound_library()
 
 

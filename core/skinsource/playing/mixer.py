@@ -1,0 +1,104 @@
+"""From a design to what a device gets."""
+
+import numpy as np
+
+from skinsource.design import Design
+from skinsource.errors import InvalidInputError
+from skinsource.playing.device_rows import DeviceRows
+from skinsource.playing.mix import SHORTEST_LOOP_S, Mix, mix_of
+from skinsource.playing.output import Output
+from skinsource.playing.stand_in import analytic, on_two_ears, turned_up
+from skinsource.stimulus import Stimulus, stimulus_of
+
+#: Samples of all outputs together: one gigabyte.
+MOST_SAMPLES = 2**28
+_EARS = {1: "left", 2: "right"}
+
+
+class Mixer:
+    """Makes mixes; what has not changed since the last one is not computed again.
+
+    An amplitude of 1 is full scale, before the gain: what is heard of one track does not change
+    because another becomes louder.
+    """
+
+    def __init__(self) -> None:
+        self.rows = DeviceRows()
+
+    def mix(
+        self,
+        design: Design,
+        output: Output,
+        *,
+        loops: bool = False,
+        least_outputs: int = 1,
+    ) -> Mix:
+        """Return what ``output`` plays of ``design``, from time 0 on.
+
+        Parameters
+        ----------
+        loops
+            Whether all of it is played again and again, where the design has no loop.
+        least_outputs
+            The mix has silent outputs up to so many.
+
+        Raises
+        ------
+        InvalidInputError
+            The design cannot be played: what its inputs play cannot be computed, it is too long,
+            or its loop too short.
+        DatasetMissingError
+            Its limb is a measured one, and no measured dataset is installed.
+        """
+        stimulus = stimulus_of(design)
+        rate_hz = output.sample_rate_hz
+        own_hz = _whole(stimulus.sample_rate_hz)
+        _refuse_too_long(stimulus, rate_hz)
+        if output.stand_in:
+            whole = analytic(stimulus.samples)
+            parts = self.rows.at(np.concatenate((whole.real, whole.imag)), own_hz, rate_hz)
+            rows = on_two_ears(turned_up(parts, rate_hz, output.shift_hz))
+            outputs, titles = list(_EARS), list(_EARS.values())
+        else:
+            rows = self.rows.at(stimulus.samples, own_hz, rate_hz)
+            wired = outputs_by_place(design, output)
+            places = [one.place for one in stimulus.channels if one.place is not None]
+            outputs = [wired[place] for place in places]
+            titles = [f"place {place}" for place in places]
+        return mix_of(
+            rows,
+            rate_hz,
+            outputs=outputs,
+            titles=titles,
+            n_outputs=max([1, least_outputs, *outputs]),
+            loop_s=loop_of(design, stimulus.duration_s, loops=loops),
+        )
+
+
+def outputs_by_place(design: Design, output: Output) -> dict[int, int]:
+    """Output of each place of a design, heard or not."""
+    return output.outputs_of(one.location for one in design.inputs)
+
+
+def loop_of(design: Design, duration_s: float, *, loops: bool) -> tuple[float, float] | None:
+    """Begin and end of what is played again and again, s; None: nothing is."""
+    if design.loop_s is not None:
+        return design.loop_s
+    return (0.0, max(duration_s, SHORTEST_LOOP_S)) if loops else None
+
+
+def _whole(rate_hz: float) -> int:
+    if not float(rate_hz).is_integer():
+        raise InvalidInputError(
+            f"The limb is sampled at {rate_hz:g} Hz, expected a whole number of hertz to play"
+        )
+    return int(rate_hz)
+
+
+def _refuse_too_long(stimulus: Stimulus, rate_hz: int) -> None:
+    samples = len(stimulus.channels) * stimulus.duration_s * rate_hz
+    if samples > MOST_SAMPLES:
+        raise InvalidInputError(
+            f"The design lasts {stimulus.duration_s:.4g} s on {len(stimulus.channels)} outputs, "
+            f"which is too much to be held at {rate_hz} Hz. Choose a lower rate, or mute inputs."
+        )

@@ -1,0 +1,177 @@
+"""Designs played on a device: one after the other, and changed while they play."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from skinsource.design import Design
+from skinsource.errors import NothingToPlayOnError
+from skinsource.playing.deck import Deck
+from skinsource.playing.devices import Device, check_outputs, device_of, devices, look_again
+from skinsource.playing.mix import Mix
+from skinsource.playing.mixer import Mixer, loop_of, outputs_by_place
+from skinsource.playing.output import Output
+from skinsource.playing.silent_run import SilentRun
+from skinsource.playing.stream import Stream
+from skinsource.playing.tones import tone_of
+from skinsource.stimulus import stimulus_of
+
+#: A device of two outputs gets both: what is given one alone, it may play on both.
+_FEWEST = 2
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Playing:
+    """What is being played.
+
+    Attributes
+    ----------
+    stream
+        Where it is heard; None where it is not.
+    silent
+        What tells where playing would be, where nothing is heard.
+    reason
+        Why nothing is heard, and what to do.
+    """
+
+    stream: Stream | None = None
+    silent: SilentRun | None = None
+    reason: str = ""
+
+    def position_s(self) -> float | None:
+        """Time in the design of what is heard now; None: nothing is yet."""
+        if self.stream is not None:
+            return self.stream.position_s()
+        return None if self.silent is None else self.silent.position_s()
+
+    @property
+    def over(self) -> bool:
+        """Whether nothing comes any more, and nobody says so: it ran out in silence, or is gone."""
+        if self.stream is not None:
+            return self.stream.gone
+        return self.silent is not None and self.silent.over
+
+
+class Session:
+    """Renders and plays; all methods belong to one thread, which may wait for the device.
+
+    Parameters
+    ----------
+    finished
+        Called from the thread of the device, with its stream, when nothing is played any more.
+    """
+
+    def __init__(self, finished: Callable[[Stream], None]) -> None:
+        self._finished = finished
+        self._mixer = Mixer()
+        self._stream: Stream | None = None
+
+    def devices(self) -> tuple[Device, ...]:
+        """What can be played on, with what was connected since; ends what is played."""
+        self.close()
+        return look_again()
+
+    def play(
+        self, design: Design, output: Output, *, loops: bool, at_s: float, gain_db: float
+    ) -> Playing:
+        """Begin to play a design; where there is nothing to play on, in silence.
+
+        Parameters
+        ----------
+        design, output
+            What, and where.
+        loops
+            Whether all of it is played again and again, where the design has no loop.
+        at_s
+            From when on; from the beginning where that is behind the end, or outside the loop.
+        gain_db
+            Gain.
+
+        Raises
+        ------
+        SkinSourceError
+            The design cannot be played, or the device refuses; nothing is played then.
+        """
+        self.close()
+        try:
+            found = devices()
+            device = device_of(output, found)
+        except NothingToPlayOnError as missing:
+            return self._in_silence(design, loops=loops, at_s=at_s, reason=str(missing))
+        mix = self._mix(design, output, device, loops=loops)
+        begin_s = _begin(at_s, mix.duration_s, loop_of(design, mix.duration_s, loops=loops))
+        return Playing(stream=self._open(mix, device, output, begin_s, gain_db))
+
+    def change(
+        self, playing: Playing, design: Design, output: Output, *, loops: bool
+    ) -> Playing | None:
+        """Go over to an edited design, where it is; None: nothing is played any more."""
+        if playing.silent is not None:
+            duration_s = stimulus_of(design).duration_s
+            playing.silent.change(duration_s, loop_of(design, duration_s, loops=loops))
+            return playing
+        stream = playing.stream
+        if stream is None or stream is not self._stream or stream.deck.ending is not None:
+            return None
+        deck = stream.deck
+        mix = self._mix(design, output, stream.device, loops=loops)
+        if mix.n_outputs <= deck.n_outputs:
+            deck.play(mix)
+            return playing
+        # More outputs than the device was opened with.
+        at_s, gain_db = stream.position_s() or 0.0, deck.gain_db
+        self.close()
+        return Playing(stream=self._open(mix, stream.device, output, at_s, gain_db))
+
+    def tone(self, number: int, output: Output, gain_db: float) -> Playing:
+        """Play the test tone on one output.
+
+        Raises
+        ------
+        SkinSourceError
+            There is nothing to play on, or the device refuses.
+        """
+        self.close()
+        device = device_of(output, devices())
+        check_outputs(device, {0: number})
+        n_outputs = max(number, min(_FEWEST, device.n_outputs))
+        tone = tone_of(number, n_outputs, output.sample_rate_hz)
+        return Playing(stream=self._open(tone, device, output, 0.0, gain_db))
+
+    def close(self) -> None:
+        """End what is played, and let go of the device."""
+        if self._stream is not None:
+            self._stream.close()
+            self._stream = None
+
+    def _open(
+        self, mix: Mix, device: Device, output: Output, at_s: float, gain_db: float
+    ) -> Stream:
+        deck = Deck(mix.n_outputs, mix.sample_rate_hz, gain_db)
+        deck.play(mix, round(at_s * mix.sample_rate_hz))
+        opened: list[Stream] = []
+        stream = Stream(deck, device, output.latency_s, lambda: self._finished(opened[0]))
+        opened.append(stream)
+        self._stream = stream
+        stream.start()
+        return stream
+
+    def _mix(self, design: Design, output: Output, device: Device, *, loops: bool) -> Mix:
+        least = min(_FEWEST, device.n_outputs)
+        mix = self._mixer.mix(design, output, loops=loops, least_outputs=least)
+        if not output.stand_in:
+            wired = outputs_by_place(design, output)
+            heard = {place: number for place, number in wired.items() if mix.plays_on(number)}
+            check_outputs(device, heard)
+        return mix
+
+    def _in_silence(self, design: Design, *, loops: bool, at_s: float, reason: str) -> Playing:
+        duration_s = stimulus_of(design).duration_s
+        loop_s = loop_of(design, duration_s, loops=loops)
+        begin_s = _begin(at_s, duration_s, loop_s)
+        return Playing(silent=SilentRun(duration_s, loop_s, begin_s), reason=reason)
+
+
+def _begin(at_s: float, duration_s: float, loop_s: tuple[float, float] | None) -> float:
+    """Where it begins: at the playhead, where that is inside of what is played."""
+    first_s, end_s = loop_s or (0.0, duration_s)
+    return at_s if first_s <= at_s < end_s else first_s
