@@ -17,6 +17,7 @@ from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.spectra.panel import SpectraPanel
 from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.panels.timeline.panel import TimelinePanel
+from skinsource_gui.panels.timeline.settings import TimelineSettings
 from skinsource_gui.panels.traces.panel import TracesPanel
 from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.shell.arrangements import Place
@@ -76,6 +77,7 @@ PANELS: tuple[PanelSpec, ...] = (
     ),
     PanelSpec(
         panel=TimelinePanel,
+        settings=TimelineSettings,
         places=_places(design=Place(0, 38, at_foot=True), drawing=Place(0, 30, at_foot=True)),
     ),
     PanelSpec(panel=InspectorPanel, places=_places(design=Place(2))),

@@ -13,7 +13,7 @@ from PySide6.QtGui import QKeyEvent, QKeySequence
 from skinsource_gui.widgets.effect_keys import CURVE, EFFECTS
 from skinsource_gui.widgets.key_hint import KeyHint
 from skinsource_gui.widgets.library_keys import LIBRARY
-from skinsource_gui.widgets.timeline_keys import CLIP_EDITOR, PLAYHEAD, TIMELINE
+from skinsource_gui.widgets.timeline_keys import CLIP_EDITOR, GAIN_CURVE, PLAYHEAD, TIMELINE
 
 _ARROWS = ("Left", "Right", "Up", "Down")
 _ENTER = ("Return", "Enter", "Space")
@@ -102,6 +102,7 @@ WIDGET_KEYS: dict[str, tuple[str, tuple[KeyHint, ...]]] = {
                 means="type the amplitude",
                 keys=("Return", "Enter", "F2"),
             ),
+            GAIN_CURVE,
             _ALL_INPUTS,
             KeyHint(
                 name="duplicate",

@@ -2,6 +2,10 @@
 
 from skinsource_gui.widgets.key_hint import KeyHint
 
+GAIN_CURVE = KeyHint(
+    name="gain_curve", words="G", means="show or hide the gain curve of the track", keys=("G",)
+)
+
 TIMELINE: tuple[KeyHint, ...] = (
     KeyHint(
         name="nudge",
@@ -21,6 +25,7 @@ TIMELINE: tuple[KeyHint, ...] = (
         means="select the clip before, the next clip",
         keys=("Ctrl+Left", "Ctrl+Right"),
     ),
+    KeyHint(name="below", words="O", means="select the next of clips that overlap", keys=("O",)),
     KeyHint(name="select_all", words="Ctrl+A", means="select all clips", keys=("Ctrl+A",)),
     KeyHint(name="open", words="Enter", means="edit the clip", keys=("Return", "Enter")),
     KeyHint(name="add", words="N", means="add a clip at the playhead", keys=("N",)),
@@ -32,6 +37,25 @@ TIMELINE: tuple[KeyHint, ...] = (
     KeyHint(name="cut", words="Ctrl+X", means="cut the selected clips", keys=("Ctrl+X",)),
     KeyHint(name="paste", words="Ctrl+V", means="paste clips at the playhead", keys=("Ctrl+V",)),
     KeyHint(name="remove", words="Delete", means="remove clips", keys=("Del", "Backspace")),
+    GAIN_CURVE,
+    KeyHint(
+        name="gain_point",
+        words="Ctrl+Page Up, Ctrl+Page Down",
+        means="choose a point of the gain curve: arrow keys move it, Delete removes it",
+        keys=("Ctrl+PgUp", "Ctrl+PgDown"),
+    ),
+    KeyHint(
+        name="gain_add",
+        words="Insert",
+        means="add a point to the gain curve at the playhead",
+        keys=("Ins",),
+    ),
+    KeyHint(
+        name="gain_far",
+        words="Shift+Up, Shift+Down",
+        means="raise or lower the chosen point of the gain curve by ten steps",
+        keys=("Shift+Up", "Shift+Down"),
+    ),
     KeyHint(name="marker", words="I", means="put a marker at the playhead", keys=("I",)),
     KeyHint(
         name="playhead",

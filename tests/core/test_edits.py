@@ -235,6 +235,7 @@ def test_only_what_a_user_may_set_can_be_set_by_name():
         settable = edits.fields_of(one)
         assert settable.keys() == {
             "amplitude",
+            "gain_curve",
             "gain",
             "label",
             "onset_s",

@@ -6,7 +6,7 @@ from typing import Any
 
 from skinsource.clips import GAIN, ONSET, Clip
 from skinsource.clips.clip import LABEL
-from skinsource.design import AMPLITUDE, Design, Input
+from skinsource.design import AMPLITUDE, GAIN_CURVE, Design, Input
 from skinsource.edits.edit import NOTHING_CHOSEN, Edit, Refusal, changed, present, refused
 from skinsource.edits.kinds import as_kind, nearest
 from skinsource.edits.selection import clip_of, clips_of
@@ -16,7 +16,7 @@ from skinsource.quoting import quoted
 from skinsource.view import View
 from skinsource.waveforms import Waveform, kinds
 
-_OF_TRACK: dict[str, Spec] = {"amplitude": AMPLITUDE}
+_OF_TRACK: dict[str, Spec] = {"amplitude": AMPLITUDE, "gain_curve": GAIN_CURVE}
 _OF_CLIP: dict[str, Spec] = {"onset_s": ONSET, "gain": GAIN, "label": LABEL}
 
 
@@ -85,7 +85,7 @@ def drag_field(
 
 
 def fields_of(one: Input, clip: Clip | None = None) -> dict[str, Spec]:
-    """What of an input can be set: its amplitude, and the fields of its clip and what that plays.
+    """What of an input can be set: amplitude, gain curve, and fields of its clip and what it plays.
 
     ``clip`` is one of its clips; None: its first, if it has any.
     """

@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource import edits
 from skinsource.clips import GAIN, ONSET, Clip
-from skinsource.design import AMPLITUDE, Input
+from skinsource.design import AMPLITUDE, GAIN_CURVE, Input
 from skinsource.edits.kinds import kind_name, kind_spec
 from skinsource.edits.selection import clip_of, clips_of
 from skinsource.fields import ChoiceSpec, NumberSpec, specs_of
@@ -28,7 +28,8 @@ _PLACE = ChoiceSpec(
 class InputFields(QObject):
     """Fields of an input and a clip of it: kind, the waveform's own, amplitude, onset, place.
 
-    The gain of a clip is shown where it has others beside it.
+    The gain of a clip is shown where it has others beside it, the gain curve of a track where
+    there is one.
 
     Attributes
     ----------
@@ -49,6 +50,7 @@ class InputFields(QObject):
         self._built_for: type[Waveform] | None = None
         self._length: WordsCell | None = None
         self._several = False
+        self._curve_of: int | None = None
         self._view = View()
         self.grid = FieldGrid()
         self.kind = FieldCell("kind", kind_spec())
@@ -56,7 +58,8 @@ class InputFields(QObject):
         self._amplitude = FieldCell("amplitude", AMPLITUDE)
         self._onset = FieldCell("onset_s", ONSET)
         self._gain = FieldCell("gain", GAIN)
-        for cell in (self._amplitude, self._onset, self._gain):
+        self._curve = FieldCell("gain_curve", GAIN_CURVE)
+        for cell in (self._amplitude, self._onset, self._gain, self._curve):
             cell.edited.connect(self.edited)
 
     def show_input(
@@ -69,8 +72,12 @@ class InputFields(QObject):
         self._view = view
         clip = clip_of(one, view)
         kind = None if clip is None else type(clip.waveform)
-        if kind is not self._built_for or (len(one.clips) > 1) != self._several:
-            self._several = len(one.clips) > 1
+        several = len(one.clips) > 1
+        # A curve that is typed away can be typed again, until another track is looked at.
+        curved = one.id if one.gain_curve or self._curve_of == one.id else None
+        others = (several, curved) != (self._several, self._curve_of)
+        if kind is not self._built_for or others:
+            self._several, self._curve_of = several, curved
             self._build_own(None if clip is None else clip.waveform)
         if self._length is not None and clip is not None:
             self._length.words.setText(fixed_length_text(clip.waveform))
@@ -111,7 +118,9 @@ class InputFields(QObject):
     def _cells(self) -> tuple[LabelledCell, ...]:
         of_clip = () if self._built_for is None else (self._onset,)
         gain = (self._gain,) if self._several else ()
-        return (self.kind, *self._own, self._amplitude, *gain, *of_clip, self.place)
+        own = (self.kind, *self._own)
+        curve = () if self._curve_of is None else (self._curve,)
+        return (*own, self._amplitude, *gain, *of_clip, self.place, *curve)
 
     def _fields(self) -> list[FieldCell]:
         return [cell for cell in self._cells() if isinstance(cell, FieldCell)]

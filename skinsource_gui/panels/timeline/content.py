@@ -10,7 +10,9 @@ from skinsource.arrays import Floats
 from skinsource.design import Design
 from skinsource.edits.selection import clip_of
 from skinsource.view import View
+from skinsource_gui.panels.timeline.gain.gain_strip import GainStrip, top_of
 from skinsource_gui.panels.timeline.lane import Box, Lane, box_at, boxes_of, lane_at
+from skinsource_gui.panels.timeline.overlaps import Overlaps, boxes_at
 from skinsource_gui.widgets.time.snapping import REACH_PX, grid_step_s
 from skinsource_gui.widgets.time.time_scale import Range, TimeScale
 
@@ -40,6 +42,14 @@ class Content:
         Whether edges snap.
     ruler_px
         How high the ruler is.
+    gain_shown
+        Ids of the tracks whose gain curve is edited.
+    gain_tops
+        The largest gain that a lane has room for, by the id of its track, while it is held.
+    chosen_point
+        Id of a track and number of a point on its gain curve, or None.
+    overlaps
+        Knows where clips of a track overlap.
     """
 
     design: Design
@@ -50,6 +60,10 @@ class Content:
     waveforms: Mapping[int, Floats] = field(default_factory=dict)
     snaps: bool = True
     ruler_px: float = RULER_PX
+    gain_shown: frozenset[int] = frozenset()
+    gain_tops: Mapping[int, float] = field(default_factory=dict)
+    chosen_point: tuple[int, int] | None = None
+    overlaps: Overlaps = field(default_factory=Overlaps)
 
     @cached_property
     def durations_s(self) -> dict[int, float]:
@@ -68,6 +82,20 @@ class Content:
         return sorted(boxes, key=lambda box: box.clip.id in self.view.selected_clips)
 
     @cached_property
+    def strips(self) -> list[GainStrip]:
+        """Gain curves that can be seen: those that are edited, and those that do something."""
+        return [
+            GainStrip(
+                lane=lane,
+                scale=self.scale,
+                top=self.gain_tops.get(lane.track.id) or top_of(lane.track.gain_curve),
+                shown=lane.track.id in self.gain_shown,
+            )
+            for lane in self.lanes
+            if lane.track.gain_curve or lane.track.id in self.gain_shown
+        ]
+
+    @cached_property
     def whole_s(self) -> Range:
         """All of the time that there is to see."""
         return whole_of(self.design)
@@ -84,7 +112,7 @@ class Content:
         """The same with the playhead of ``view``, of which all else is as it is here."""
         found = replace(self, view=view)
         # Nothing of what is known already depends on where the playhead is.
-        for name in ("durations_s", "boxes", "whole_s", "chosen"):
+        for name in ("durations_s", "boxes", "strips", "whole_s", "chosen"):
             if name in self.__dict__:
                 found.__dict__[name] = self.__dict__[name]
         return found
@@ -113,6 +141,10 @@ class Content:
     def box_at(self, at: QPointF) -> Box | None:
         """The uppermost clip at a place; the ruler lies over all."""
         return None if at.y() < self.ruler_px else box_at(self.boxes, at)
+
+    def boxes_at(self, at: QPointF) -> list[Box]:
+        """All clips at a place, in the order of their track."""
+        return [] if at.y() < self.ruler_px else boxes_at(self.boxes, at)
 
     def lane_at(self, y_px: float) -> Lane | None:
         """The lane at a height."""

@@ -8,6 +8,8 @@ from PySide6.QtGui import QKeyEvent
 
 from skinsource import edits
 from skinsource_gui.panels.timeline.content import Content
+from skinsource_gui.panels.timeline.gain.gain_points import GainPoints
+from skinsource_gui.panels.timeline.overlaps import after, overlapping
 from skinsource_gui.widgets.fields.burst import Burst
 from skinsource_gui.widgets.key_table import meant
 from skinsource_gui.widgets.time.playhead_keys import PLAYHEAD, moved_playhead
@@ -35,9 +37,9 @@ class LaneKeys(QObject):
     clip_wanted = Signal(int, float)
     marker_wanted = Signal(float)
 
-    def __init__(self, content: Callable[[], Content], parent: QObject) -> None:
+    def __init__(self, content: Callable[[], Content], gain: GainPoints, parent: QObject) -> None:
         super().__init__(parent)
-        self._content = content
+        self._content, self._gain = content, gain
         self._burst = Burst(self)
         self._nudged: object = None
 
@@ -47,6 +49,8 @@ class LaneKeys(QObject):
 
     def press(self, event: QKeyEvent) -> bool:
         """Do what a key means; whether it means anything."""
+        if self._gain.key(event):
+            return True
         content = self._content()
         playhead_s = moved_playhead(event, content.design, content.view.playhead_s)
         if playhead_s is not None:
@@ -58,6 +62,8 @@ class LaneKeys(QObject):
             self._nudge(wanted, _STEPS[_Key(event.key())] * (_LEAP if leap else 1))
         elif wanted == "go":
             self._go(_STEPS[_Key(event.key())])
+        elif wanted == "below":
+            self._go_below()
         elif wanted == "playhead":
             ends = (clip.end_s for clip in content.design.clips)
             at_start = event.key() == _Key.Key_Home
@@ -132,6 +138,15 @@ class LaneKeys(QObject):
         chosen = view.selected_clips
         here = ids.index(chosen[-1]) if chosen and chosen[-1] in ids else (-1 if step > 0 else 0)
         self.looked.emit(edits.select_clips(design, view, (ids[(here + step) % len(ids)],)).view)
+
+    def _go_below(self) -> None:
+        """Select the next of the clips that overlap."""
+        content = self._content()
+        for clip in content.chosen[-1:]:
+            track = content.design.track_of(clip)
+            following = after(overlapping(track, content.design.clip(clip)), clip)
+            chosen = (clip if following is None else following,)
+            self.looked.emit(edits.select_clips(content.design, content.view, chosen).view)
 
     def _nudge(self, wanted: str, steps: int) -> None:
         content = self._content()

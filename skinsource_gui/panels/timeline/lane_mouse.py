@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
 
@@ -9,6 +10,7 @@ from skinsource import edits
 from skinsource.clips import Marker
 from skinsource_gui.panels.timeline.clip_part import CURSORS, Part, part_at
 from skinsource_gui.panels.timeline.content import Content
+from skinsource_gui.panels.timeline.gain.gain_points import GainPoints
 from skinsource_gui.panels.timeline.gestures.clip_ends import FadeEnd, MoveEnd
 from skinsource_gui.panels.timeline.gestures.gesture import Gesture, Held, Shown, Stage
 from skinsource_gui.panels.timeline.gestures.marquee import Marquee
@@ -21,6 +23,7 @@ from skinsource_gui.panels.timeline.gestures.times import (
     snapped_time,
 )
 from skinsource_gui.panels.timeline.lane import Box
+from skinsource_gui.panels.timeline.overlaps import after
 from skinsource_gui.widgets.drop_place import DropPlace
 
 # A movement shorter than this is a click.
@@ -35,6 +38,8 @@ class LaneMouse(QObject):
     ----------
     content
         Returns what is shown now.
+    gain
+        Knows where gain curves are, which lie over the clips.
 
     Attributes
     ----------
@@ -52,14 +57,16 @@ class LaneMouse(QObject):
     clip_wanted = Signal(int, float)
     marker_wanted = Signal(float)
 
-    def __init__(self, content: Callable[[], Content], parent: QObject) -> None:
+    def __init__(self, content: Callable[[], Content], gain: GainPoints, parent: QObject) -> None:
         super().__init__(parent)
-        self._content = content
+        self._content, self._gain = content, gain
         self.elsewhere: Callable[[QPointF | None], DropPlace | None] = lambda at: None
         self._gesture: Gesture | None = None
         self._click: Callable[[], None] | None = None
         self._at = QPointF()
         self._moving = False
+        # The clip on which the button went down last.
+        self._pressed: int | None = None
 
     @property
     def busy(self) -> bool:
@@ -80,6 +87,8 @@ class LaneMouse(QObject):
             return
         elif at.y() < content.ruler_px:
             self._gesture = self._on_ruler(stage, at, held)
+        elif (curve := self._gain.press(stage, at, held)) is not None:
+            self._gesture = curve
         elif box is not None:
             self._gesture = self._on_clip(box, at, held, rate_hz)
         else:
@@ -110,8 +119,7 @@ class LaneMouse(QObject):
         gesture, self._gesture, self._click = self._gesture, None, None
         if gesture is None:
             return False
-        if self._moving:
-            gesture.cancel()
+        gesture.cancel()
         self.shown.emit(Shown())
         return True
 
@@ -122,8 +130,14 @@ class LaneMouse(QObject):
         box, lane = content.box_at(at), content.lane_at(at.y())
         if at.y() < content.ruler_px:
             self.marker_wanted.emit(max(content.scale.time(at.x()), 0.0))
+        elif self._gain.double_click(at):
+            return
         elif box is not None:
-            self.opened.emit(box.clip.id)
+            # The first of the two clicks may have gone on to a clip below.
+            under = [one.clip.id for one in content.boxes_at(at)]
+            wanted = self._pressed if self._pressed in under else box.clip.id
+            self._select(wanted)
+            self.opened.emit(wanted)
         elif lane is not None:
             self.clip_wanted.emit(lane.track.id, self.time_at(at))
 
@@ -137,6 +151,10 @@ class LaneMouse(QObject):
         if at.y() < content.ruler_px:
             caught = _loop_end_at(content, at) is not None or marker_at(content, at) is not None
             return Qt.CursorShape.SizeHorCursor if caught else Qt.CursorShape.PointingHandCursor
+        strip = self._gain.strip_at(at)
+        if strip is not None:
+            on_point = strip.point_at(at) is not None
+            return Qt.CursorShape.SizeAllCursor if on_point else Qt.CursorShape.SizeVerCursor
         box = content.box_at(at)
         if box is None:
             return Qt.CursorShape.ArrowCursor
@@ -157,22 +175,30 @@ class LaneMouse(QObject):
 
     def _on_clip(self, box: Box, at: QPointF, held: Held, rate_hz: float) -> Gesture:
         content, clip = self._content(), box.clip
+        self._pressed = clip.id
         chosen = clip.id in content.view.selected_clips
         if held & Held.ControlModifier:
             # Ctrl copies if it moves, and otherwise adds to the selection or takes away.
             toggled = edits.toggle_clip(content.design, content.view, clip.id).view
             self._click = lambda: self.looked.emit(toggled)
+        elif content.view.selected_clips == (clip.id,):
+            # Clips may lie over each other: another click goes on to the next one below.
+            ids = [one.clip.id for one in content.boxes_at(at)]
+            self._click = partial(self._select, after(ids, clip.id) or clip.id)
         elif not chosen:
             self.looked.emit(edits.select_clips(content.design, content.view, (clip.id,)).view)
         else:
-            alone = edits.select_clips(content.design, content.view, (clip.id,)).view
-            self._click = lambda: self.looked.emit(alone)
+            self._click = partial(self._select, clip.id)
         stage = self._stage()
         part = part_at(box.rect, at, box.fades_px)
         if part is Part.BODY or held & Held.ControlModifier:
             return MoveClips(stage, box, at, rate_hz)
         ends = (Part.START, Part.END)
         return MoveEnd(stage, box, at, part) if part in ends else FadeEnd(stage, box, at, part)
+
+    def _select(self, clip: int) -> None:
+        content = self._content()
+        self.looked.emit(edits.select_clips(content.design, content.view, (clip,)).view)
 
     def _on_ruler(self, stage: Stage, at: QPointF, held: Held) -> Gesture:
         content = stage.before

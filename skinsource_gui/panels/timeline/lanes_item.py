@@ -11,6 +11,7 @@ from skinsource_gui.panels.timeline.clip_pictures import ClipPictures
 from skinsource_gui.panels.timeline.content import Content
 from skinsource_gui.panels.timeline.gestures.gesture import Shown
 from skinsource_gui.panels.timeline.lane import Lane
+from skinsource_gui.panels.timeline.overlaps import paint_overlaps
 from skinsource_gui.panels.timeline.ruler_painter import grid_lines, paint_ruler
 from skinsource_gui.theme import LIGHT, Theme
 
@@ -102,6 +103,9 @@ class LanesItem(pyqtgraph.GraphicsObject):
         painter.drawLines(grid_lines(content.scale, lanes))
         self._paint_after_end(painter, content, lanes)
         self._paint_clips(painter, content, lanes)
+        for lane in content.lanes:
+            found = content.overlaps.of(lane.track)
+            paint_overlaps(painter, lane, found, content.scale, self._theme)
         painter.restore()
         paint_ruler(
             painter, content, QRectF(rect.left(), 0, rect.width(), content.ruler_px), self._theme

@@ -1,6 +1,7 @@
 """What the right button offers on clips, on the ground and on the ruler."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
 
 from PySide6.QtCore import QObject, QPoint, QPointF, Qt, Signal
 from PySide6.QtWidgets import QInputDialog, QMenu, QWidget
@@ -9,7 +10,12 @@ from skinsource import edits
 from skinsource.edits import Edit, Refusal
 from skinsource.locations import INPUTS
 from skinsource_gui.panels.timeline.content import Content
+from skinsource_gui.panels.timeline.gain.gain_points import GainPoints
+from skinsource_gui.panels.timeline.gain.gain_strip import GainStrip
+from skinsource_gui.panels.timeline.lane import Box
 from skinsource_gui.panels.timeline.lane_mouse import marker_at
+from skinsource_gui.panels.timeline.overlaps import clip_words
+from skinsource_gui.panels.timeline.settings import toggle_gain_curves
 from skinsource_gui.panels.timeline.timeline_edits import TimelineEdits
 from skinsource_gui.widgets.key_table import key_text
 
@@ -23,8 +29,8 @@ class LanesMenu(QObject):
     ----------
     content
         Returns what is shown now.
-    clips
-        Does what the keys do too.
+    clips, gain
+        Do what the keys do too.
     parent
         Over which it opens.
     """
@@ -34,10 +40,14 @@ class LanesMenu(QObject):
     opened = Signal(int)
 
     def __init__(
-        self, content: Callable[[], Content], clips: TimelineEdits, parent: QWidget
+        self,
+        content: Callable[[], Content],
+        clips: TimelineEdits,
+        gain: GainPoints,
+        parent: QWidget,
     ) -> None:
         super().__init__(parent)
-        self._content, self._clips, self._parent = content, clips, parent
+        self._content, self._clips, self._gain, self._parent = content, clips, gain, parent
 
     def open(self, at: QPoint, place: QPointF) -> None:
         """Open the menu of a place, at a place of the screen."""
@@ -49,15 +59,35 @@ class LanesMenu(QObject):
         time_s = max(content.scale.time(place.x()), 0.0)
         if place.y() < content.ruler_px:
             self._fill_ruler(menu, content, place, time_s)
+        elif (strip := self._gain.strip_at(place)) is not None:
+            self._fill_curve(menu, strip, place)
         elif box is not None:
             if box.clip.id not in content.view.selected_clips:
                 self.looked.emit(
                     edits.select_clips(content.design, content.view, (box.clip.id,)).view
                 )
+            self._fill_clips_here(menu, content.boxes_at(place))
             self._fill_clip(menu, box.clip.id)
         else:
             self._fill_ground(menu, content, place, time_s)
         menu.popup(at)
+
+    def _fill_clips_here(self, menu: QMenu, boxes: Sequence[Box]) -> None:
+        """Where clips lie over each other, offer to select each of them."""
+        if len(boxes) < 2:
+            return
+        here = menu.addMenu("Clips here")
+        here.setObjectName("clips_here")
+        for box in boxes:
+            line = here.addAction(clip_words(box.clip))
+            line.setCheckable(True)
+            line.setChecked(box.clip.id in self._content().view.selected_clips)
+            line.triggered.connect(partial(self._select, box.clip.id))
+        menu.addSeparator()
+
+    def _select(self, clip: int, _checked: bool = False) -> None:
+        content = self._content()
+        self.looked.emit(edits.select_clips(content.design, content.view, (clip,)).view)
 
     def _fill_clip(self, menu: QMenu, clip: int) -> None:
         content = self._content()
@@ -95,9 +125,29 @@ class LanesMenu(QObject):
         if lane is not None:
             track = lane.track.id
             self._line(menu, "Add clip here", "", lambda: self._clips.add(track, time_s))
+            shown = track in content.gain_shown
+            words = "Hide gain curve" if shown else "Show gain curve"
+            self._line(menu, words, "gain_curve", lambda: self._toggle_gain(track))
         self._line(menu, "Paste at playhead", "paste", self._clips.paste)
         menu.addSeparator()
         self._fill_time(menu, content)
+
+    def _fill_curve(self, menu: QMenu, strip: GainStrip, place: QPointF) -> None:
+        track, near = strip.lane.track.id, strip.point_at(place)
+        if near is not None:
+            self._gain.choose((track, near))
+            self._line(
+                menu, "Remove this point", "remove", lambda: self._gain.remove(track, (near,))
+            )
+        else:
+            self._line(menu, "Add point here", "", lambda: self._gain.double_click(place))
+        everything = tuple(range(len(strip.points)))
+        self._line(menu, "Remove gain curve", "", lambda: self._gain.remove(track, everything))
+        self._line(menu, "Hide gain curve", "gain_curve", lambda: self._toggle_gain(track))
+
+    def _toggle_gain(self, track: int) -> None:
+        content = self._content()
+        self.looked.emit(toggle_gain_curves(content.design, content.view, (track,)).view)
 
     def _fill_ruler(self, menu: QMenu, content: Content, place: QPointF, time_s: float) -> None:
         marker = marker_at(content, place)

@@ -4,26 +4,32 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QMouseEvent, QWheelEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtGui import QContextMenuEvent, QHelpEvent, QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtWidgets import QToolTip, QWidget
 
 from skinsource.arrays import Floats
 from skinsource.design import Design
 from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.view import View
 from skinsource_gui.panels.timeline.content import Content, ruler_px, whole_of
+from skinsource_gui.panels.timeline.gain.gain_item import GainItem
+from skinsource_gui.panels.timeline.gain.gain_points import GainPoints
 from skinsource_gui.panels.timeline.gestures.gesture import Shown
 from skinsource_gui.panels.timeline.lane import Lane
 from skinsource_gui.panels.timeline.lane_keys import LaneKeys
 from skinsource_gui.panels.timeline.lane_mouse import LaneMouse
 from skinsource_gui.panels.timeline.lanes_item import LanesItem
+from skinsource_gui.panels.timeline.overlaps import Overlaps
 from skinsource_gui.panels.timeline.playhead_item import PlayheadItem
+from skinsource_gui.panels.timeline.settings import shown_gain_curves
 from skinsource_gui.theme import Theme, scaled, tabular
+from skinsource_gui.widgets.key_table import key_text
 from skinsource_gui.widgets.plot.canvas import Canvas
 from skinsource_gui.widgets.time.time_scale import Range, TimeScale, panned, within, zoomed
 from skinsource_gui.widgets.wheel import NOTCH, ZOOM_PER_NOTCH
 
 _SIDE_PX = 8.0
+_NEXT = key_text("timeline", "below")
 _TEXT = 0.9
 _PAN_PART = 0.1
 
@@ -35,8 +41,10 @@ class LanesView(Canvas):
     ----------
     mouse, keys
         What is done here.
-    item, playhead
+    item, gains, playhead
         What paints.
+    gain
+        What is done to gain curves.
     sample_rate_hz
         A free drag goes by whole samples of this rate.
     """
@@ -56,17 +64,23 @@ class LanesView(Canvas):
         self.setMinimumSize(120, 60)
         self.item = LanesItem()
         self.addItem(self.item)
-        self.playhead = PlayheadItem()
+        self.gains, self.playhead = GainItem(), PlayheadItem()
+        self.addItem(self.gains)
         self.addItem(self.playhead)
         self.sample_rate_hz = SAMPLE_RATE_HZ
         self._design, self._view = Design(limb=""), View()
         self._lanes: tuple[Lane, ...] = ()
         self._waveforms: Mapping[int, Floats] = {}
         self._held_s: Range | None = None
+        self._overlaps = Overlaps()
+        self._held_tops: Mapping[int, float] = {}
         self.snaps = True
+        self.gain = GainPoints(lambda: self.content, self)
         self.content = self._made()
-        self.mouse = LaneMouse(lambda: self.content, self)
-        self.keys = LaneKeys(lambda: self.content, self)
+        self.mouse = LaneMouse(lambda: self.content, self.gain, self)
+        self.keys = LaneKeys(lambda: self.content, self.gain, self)
+        self.gain.looked.connect(self.looked)
+        self.gain.chose.connect(self.lay_out)
         self.mouse.looked.connect(self.looked)
         self.keys.looked.connect(self.looked)
         self.mouse.shown.connect(self._show_over)
@@ -96,7 +110,8 @@ class LanesView(Canvas):
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
         self.set_ground(theme)
-        self.item.show_look(theme, scaled(tabular(self.font()), _TEXT))
+        for item in (self.item, self.gains):
+            item.show_look(theme, scaled(tabular(self.font()), _TEXT))
         self.playhead.show_theme(theme)
 
     def set_snaps(self, snaps: bool) -> None:
@@ -127,6 +142,7 @@ class LanesView(Canvas):
         self.setFocus(Qt.FocusReason.MouseFocusReason)
         # The range stays while something is dragged, though the design may become longer.
         self._held_s = self.content.scale.shown_s
+        self._held_tops = {one.lane.track.id: one.top for one in self.content.strips}
         self.mouse.press(event.position(), event.button(), event.modifiers(), self.sample_rate_hz)
         event.accept()
 
@@ -181,6 +197,16 @@ class LanesView(Canvas):
         elif not self.keys.press(event):
             event.ignore()
 
+    def viewportEvent(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
+            count = len(self.content.boxes_at(QPointF(event.pos())))
+            words = (
+                f"{count} clips here: click again, or {_NEXT}, for the next" if count > 1 else ""
+            )
+            QToolTip.showText(event.globalPos(), words, self)
+            return True
+        return super().viewportEvent(event)
+
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
         self.item.show_hovered(None)
@@ -191,7 +217,7 @@ class LanesView(Canvas):
             self.looked.emit(replace(self._view, time_range_s=shown_s))
 
     def _let_go(self) -> None:
-        self._held_s = None
+        self._held_s, self._held_tops = None, {}
         self.lay_out()
 
     def _show_over(self, shown: Shown) -> None:
@@ -200,6 +226,8 @@ class LanesView(Canvas):
     def lay_out(self) -> None:
         self.content = self._made()
         self.item.show_content(self.content, QRectF(self.rect()))
+        self.gains.show_content(self.content, QRectF(self.rect()))
+        self.setAccessibleDescription(self.gain.words())
         self.playhead.show_content(self.content, float(self.height()))
 
     def _made(self) -> Content:
@@ -214,4 +242,8 @@ class LanesView(Canvas):
             waveforms=self._waveforms,
             snaps=self.snaps,
             ruler_px=self.ruler_px,
+            gain_shown=shown_gain_curves(self._view),
+            gain_tops=self._held_tops,
+            chosen_point=self.gain.chosen,
+            overlaps=self._overlaps,
         )

@@ -120,8 +120,9 @@ class TimelinePanel(Panel):
             part.marker_wanted.connect(clips.add_marker)
             part.opened.connect(self._open)
         lanes.mouse.elsewhere = self._elsewhere
+        lanes.gain.edited.connect(self.edited)
         lanes.looked.connect(self._look)
-        menu = LanesMenu(lambda: lanes.content, clips, lanes)
+        menu = LanesMenu(lambda: lanes.content, clips, lanes.gain, lanes)
         menu.edited.connect(self.edited)
         menu.looked.connect(self._look)
         menu.opened.connect(self._open)

@@ -10,6 +10,7 @@ from skinsource.edits.kinds import KindSpec
 from skinsource.fields import (
     BreakpointsSpec,
     ChoiceSpec,
+    CurveSpec,
     ListSpec,
     NumberSpec,
     OptionalSpec,
@@ -24,7 +25,7 @@ from skinsource.signals import BAND_HZ
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.curve_field import CurveField
-from skinsource_gui.widgets.fields.list_editors import NumbersEditor
+from skinsource_gui.widgets.fields.list_editors import CurveText, NumbersEditor
 from skinsource_gui.widgets.fields.live_text import LiveText
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.fields.points_editor import PointsEditor
@@ -253,7 +254,8 @@ EDITORS: dict[type[Spec], Callable[[Any, QWidget], Editor]] = {
     BreakpointsSpec: CurveEditor,
     ListSpec: list_editor,
     PointsSpec: PointsEditor,
-    # Curves, samples, …: what has no editor of its own is shown.
+    CurveSpec: CurveText,
+    # Samples, …: what has no editor of its own is shown.
     Spec: ShownOnly,
 }
 

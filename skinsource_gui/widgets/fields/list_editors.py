@@ -6,12 +6,18 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
 from skinsource.errors import InvalidInputError
-from skinsource.fields import ListSpec, TextSpec
+from skinsource.fields import CurveSpec, ListSpec, PointsSpec, TextSpec
 from skinsource.signals import BAND_HZ
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.live_text import LiveText
 from skinsource_gui.widgets.fields.sweep_dialog import SweepDialog
-from skinsource_gui.widgets.fields.typed_numbers import numbers_text, read_numbers
+from skinsource_gui.widgets.fields.typed_numbers import (
+    column_words,
+    numbers_text,
+    points_text,
+    read_numbers,
+    read_points,
+)
 
 _LONGEST = 100_000
 
@@ -112,3 +118,20 @@ class NumbersEditor(Listed):
         dialog.accepted.connect(lambda: self.edited.emit(dialog.values, None))
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
+
+
+class CurveText(Listed):
+    """Edits the breakpoints of a curve, typed as pairs; none is allowed where the curve may be."""
+
+    def __init__(self, spec: CurveSpec, parent: QWidget) -> None:
+        self._pairs = PointsSpec(
+            label=spec.label, columns=(spec.x, spec.y), fewest=spec.fewest, most=spec.most
+        )
+        names = ", ".join(column_words(one) for one in self._pairs.columns)
+        super().__init__(spec, parent, f"{spec.hint}. Each point: {names}; semicolons between")
+
+    def _read(self, text: str) -> tuple[tuple[float, ...], ...]:
+        return read_points(text, self._pairs)
+
+    def _text(self, value: tuple[Any, ...]) -> str:
+        return points_text(value, self._pairs)

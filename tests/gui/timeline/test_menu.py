@@ -9,7 +9,7 @@ from skinsource_gui.widgets.key_table import key_text
 
 MOUSE, KEYBOARD = QContextMenuEvent.Reason.Mouse, QContextMenuEvent.Reason.Keyboard
 CONTROL = Qt.KeyboardModifier.ControlModifier
-ALL = ["Mute", "Solo", "Duplicate", "Remove", "Move up", "Move down"]
+ALL = ["Mute", "Solo", "Duplicate", "Remove", "Move up", "Move down", "Gain curve"]
 
 
 @pytest.fixture
@@ -76,7 +76,7 @@ def test_the_menu_key_means_the_row_that_was_selected_last(bench, menu_of):
 
 def test_lines_say_the_keys_of_the_table(bench, menu_of):
     shown = {words: line.text().split("\t")[1] for words, line in menu_of(0).items()}
-    names = ("mute", "solo", "duplicate", "remove", "shift_up", "shift_down")
+    names = ("mute", "solo", "duplicate", "remove", "shift_up", "shift_down", "gain_curve")
     assert shown == {
         words: key_text("inputs", name) for words, name in zip(ALL, names, strict=True)
     }

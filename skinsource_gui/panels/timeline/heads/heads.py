@@ -12,7 +12,8 @@ from skinsource_gui.panels.timeline.heads.input_list import InputList
 from skinsource_gui.panels.timeline.heads.list_edits import ListEdits
 from skinsource_gui.panels.timeline.heads.list_selection import ListSelection
 from skinsource_gui.panels.timeline.heads.row_state import RowState
-from skinsource_gui.widgets.inputs.inputs_menu import ENTRIES, ORDER, fill_inputs_menu
+from skinsource_gui.panels.timeline.settings import shown_gain_curves, toggle_gain_curves
+from skinsource_gui.widgets.inputs.inputs_menu import ENTRIES, ORDER, Entry, fill_inputs_menu
 
 
 class Heads(QObject):
@@ -30,12 +31,14 @@ class Heads(QObject):
         super().__init__(parent)
         self.list = InputList()
         self._edits, self._selection = ListEdits(self), ListSelection(self)
+        self._gain_shown: frozenset[int] = frozenset()
         self._connect()
 
     def show_state(self, design: Design, view: View) -> None:
         """Show the tracks of a design."""
         for part in (self._edits, self._selection):
             part.show_state(design, view)
+        self._gain_shown = shown_gain_curves(view)
         audible = {id(one) for one in audible_inputs(design.inputs)}
         unit = amplitude_unit(design.scaling)
         self.list.rows.show_rows(
@@ -77,6 +80,10 @@ class Heads(QObject):
         keys.solo_toggled.connect(changes.toggle_solo)
         keys.removed.connect(changes.remove)
         keys.duplicated.connect(changes.duplicate)
+        keys.gain_toggled.connect(self._toggle_gain)
+
+    def _toggle_gain(self) -> None:
+        self._edits.edit(self._edits.together(None), toggle_gain_curves)
 
     def _open_menu(self, one: int, at: QPoint) -> None:
         self._selection.enter(one)
@@ -86,5 +93,12 @@ class Heads(QObject):
         ids = self._edits.together(one)
         chosen = [row.state.shown for row in self.list.rows.rows if row.id in ids]
         act = partial(self._edits.edit, ids)
-        fill_inputs_menu(menu, chosen, act, place="inputs", entries=ENTRIES + ORDER)
+        gain = Entry(
+            words="Gain curve",
+            key="gain_curve",
+            edit=toggle_gain_curves,
+            on=lambda one: one.id in self._gain_shown,
+            separated=True,
+        )
+        fill_inputs_menu(menu, chosen, act, place="inputs", entries=(*ENTRIES, *ORDER, gain))
         menu.popup(at)

@@ -24,6 +24,7 @@ class ListKeys(QObject):
     solo_toggled = Signal()
     duplicated = Signal()
     typing_wanted = Signal()
+    gain_toggled = Signal()
 
     def claims(self, event: QKeyEvent) -> bool:
         """Whether the list wants this key for itself, before any shortcut of the window."""
@@ -54,6 +55,7 @@ class ListKeys(QObject):
             "solo": self.solo_toggled,
             "duplicate": self.duplicated,
             "type": self.typing_wanted,
+            "gain_curve": self.gain_toggled,
             "remove": self.removed,
         }[wanted].emit()
 

@@ -1,0 +1,1 @@
+"""Gain curves of tracks, over their clips."""

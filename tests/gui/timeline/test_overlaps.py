@@ -1,0 +1,140 @@
+"""Clips that lie over each other: each can be reached, by mouse and keys."""
+
+import pytest
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QHelpEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu, QToolTip
+
+from skinsource.clips import Clip
+from skinsource.design import Input
+from skinsource.waveforms import Tone
+from skinsource_gui.panels.timeline import lanes_item, overlaps
+from skinsource_gui.panels.timeline.overlaps import Overlaps, Stretch, overlapping, stretches
+from tests.gui.timeline.lanes_bench import LEFT, LanesBench
+
+LONG, SHORT = Tone(100.0, 0.0, 0.6), Tone(100.0, 0.0, 0.1)
+# The second lies wholly below the first; the third over the end of the first.
+CLIPS = (
+    Clip(onset_s=0.0, waveform=LONG),
+    Clip(onset_s=0.2, waveform=SHORT),
+    Clip(onset_s=0.55, waveform=SHORT),
+    Clip(onset_s=0.65, waveform=SHORT),
+)
+
+
+@pytest.fixture
+def lanes(qtbot):
+    bench = LanesBench(qtbot)
+    bench.show(bench.design.with_input(0, clips=CLIPS))
+    return bench
+
+
+def test_stretches_are_where_two_clips_or_more_play():
+    assert stretches(CLIPS) == (Stretch(0.2, pytest.approx(0.3)), Stretch(0.55, 0.6))
+    assert stretches((CLIPS[0], CLIPS[0], CLIPS[1])) == (Stretch(0.0, 0.6),)
+    # Clips that follow each other, with the rounding of their lengths, do not overlap.
+    assert stretches((Clip(onset_s=0.1, waveform=SHORT), Clip(onset_s=0.2, waveform=SHORT))) == ()
+    assert stretches(()) == ()
+
+
+def test_the_stretches_of_a_track_that_stays_are_found_once(monkeypatch):
+    found, count = overlaps.stretches, []
+    monkeypatch.setattr(overlaps, "stretches", lambda clips: count.append(1) or found(clips))
+    memory, track = Overlaps(), Input(location=1, clips=CLIPS, id=1)
+    assert memory.of(track) is memory.of(track)
+    assert len(count) == 1
+    assert memory.of(Input(location=1, clips=CLIPS[2:], id=1)) == ()
+
+
+def test_repeated_clicks_go_through_the_clips_below_the_pointer(lanes):
+    place = lanes.at(0.25)
+    ids = [clip.id for clip in lanes.design.inputs[0].clips]
+    found = []
+    for _ in range(4):
+        lanes.click(place)
+        found += lanes.view.selected_clips
+    assert set(found[:2]) == set(ids[:2])
+    assert found[2:] == found[:2]
+    assert lanes.edits == []
+
+
+def test_a_clip_below_is_dragged_once_it_is_selected(lanes):
+    small = lanes.design.inputs[0].clips[1].id
+    place = lanes.at(0.25)
+    while lanes.view.selected_clips != (small,):
+        lanes.click(place)
+    lanes.lanes.set_snaps(False)
+    lanes.drag(place, place + QPointF(lanes.content.scale.px_per_s * 0.1, 0))
+    assert lanes.onset(small) == pytest.approx(0.3, abs=0.003)
+    assert lanes.design.inputs[0].clips[0].onset_s == 0.0
+
+
+def test_a_double_click_opens_the_clip_that_was_on_top(lanes):
+    small = lanes.design.inputs[0].clips[1].id
+    place = lanes.at(0.25)
+    while lanes.view.selected_clips != (small,):
+        lanes.click(place)
+    opened = []
+    lanes.lanes.mouse.opened.connect(opened.append)
+    # A double click begins with a click, which goes on to the next clip.
+    lanes.click(place)
+    QTest.mouseDClick(lanes.lanes.viewport(), LEFT, pos=place.toPoint())
+    assert opened == [small]
+    assert lanes.view.selected_clips == (small,)
+
+
+def test_a_key_goes_through_clips_that_overlap(lanes):
+    ids = [clip.id for clip in lanes.design.inputs[0].clips]
+    lanes.click(lanes.at(0.05))
+    found = []
+    for _ in range(3):
+        lanes.key(Qt.Key.Key_O)
+        found.append(lanes.view.selected_clips[0])
+    assert found == [ids[1], ids[0], ids[1]]
+    track = lanes.design.inputs[0]
+    assert overlapping(track, track.clips[0]) == tuple(ids[:3])
+    assert overlapping(track, track.clips[3]) == (ids[3],)
+
+
+def test_the_menu_lists_the_clips_here(lanes):
+    place = lanes.at(0.25)
+    lanes.lanes.menu_wanted.emit(QPoint(0, 0), place)
+    menu = lanes.panel.findChild(QMenu, "clips_here")
+    words = [one.text() for one in menu.actions()]
+    assert words == ["Tone · 0 ms", "Tone · 200 ms"]
+    menu.actions()[1].trigger()
+    assert lanes.view.selected_clips == (lanes.design.inputs[0].clips[1].id,)
+    for one in lanes.panel.findChildren(QMenu, "lanes_menu"):
+        one.close()
+
+
+def test_where_one_clip_is_the_menu_lists_none(lanes):
+    lanes.lanes.menu_wanted.emit(QPoint(0, 0), lanes.at(0.05))
+    assert lanes.panel.findChild(QMenu, "clips_here") is None
+    for one in lanes.panel.findChildren(QMenu, "lanes_menu"):
+        one.close()
+
+
+def test_the_pointer_is_told_how_many_clips_are_here(lanes):
+    at = lanes.at(0.25).toPoint()
+    view = lanes.lanes.viewport()
+    event = QHelpEvent(QEvent.Type.ToolTip, at, view.mapToGlobal(at))
+    QApplication.sendEvent(view, event)
+    assert QToolTip.text() == "2 clips here: click again, or O, for the next"
+
+
+def test_overlaps_are_marked_at_the_foot_of_the_lane(lanes, monkeypatch):
+    marked = lanes.lanes.grab().toImage()
+    monkeypatch.setattr(lanes_item, "paint_overlaps", lambda *_: None)
+    lanes.lanes.item.update()
+    plain = lanes.lanes.grab().toImage()
+    lane, scale = lanes.content.lanes[0], lanes.content.scale
+    y = round(lane.bottom_px - 5)
+
+    def is_marked(time_s):
+        x = round(scale.x(time_s))
+        return marked.pixel(x, y) != plain.pixel(x, y)
+
+    found = [is_marked(time_s) for time_s in (0.1, 0.25, 0.4, 0.575, 0.62)]
+    assert found == [False, True, False, True, False]
