@@ -1,5 +1,6 @@
 """One upper limb: its impulse responses and its map."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -104,6 +105,7 @@ class Limb:
         self.bytes_read = 0
         self._read_response = read_response
         self._responses: dict[int, Floats] = {}
+        self._largest: dict[int, float] = {}
         self._everything: Floats | None = None
 
     def __repr__(self) -> str:
@@ -127,6 +129,15 @@ class Limb:
             tally(bytes_read=response.nbytes)
             self._responses[location] = response
         return self._responses[location]
+
+    def largest_response_to(self, location: int) -> float:
+        """Largest magnitude of a response to one input place, m/s²; NaN where one is no number."""
+        if location not in self._largest:
+            response = self.response_to(location)
+            # Twice through it, but without a copy of it all.
+            highest, lowest = float(response.max(initial=0.0)), float(response.min(initial=0.0))
+            self._largest[location] = math.nan if math.isnan(highest) else max(highest, -lowest)
+        return self._largest[location]
 
     @property
     def impulse_responses(self) -> Floats:

@@ -1,7 +1,7 @@
 """How the skin answers: superposition of convolutions (eq. 1 of the SkinSource paper)."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from itertools import islice
 
@@ -15,17 +15,16 @@ from skinsource.errors import InvalidInputError
 from skinsource.limb import Limb, check_input_location
 from skinsource.prediction.gains_of_drives import GainsOfDrives
 from skinsource.prediction.spectra_of_limbs import SpectraOfLimbs
-from skinsource.prediction.superposition import superposed
+from skinsource.prediction.superposition import caused_by_one, superposed
 from skinsource.quoting import quoted
 from skinsource.rendering.drives import active_samples
 from skinsource.rendering.gains import exceeds_rounding, unit_gains
-from skinsource.rendering.response_spectra import Norms, ResponseSpectra, scaled_taps
+from skinsource.rendering.response_spectra import Norms, ResponseSpectra, bounded_taps
 from skinsource.rendering.segments import Blocks, Played, length_at_once
 from skinsource.rendering.streaming import StreamedVibration
 from skinsource.rendering.sums import parts_of
-from skinsource.rendering.transforms import forward, forward_here
+from skinsource.rendering.transforms import forward
 from skinsource.scaling.response_scaling import Scaling, check_scaling
-from skinsource.work import tally
 
 
 def predict(
@@ -119,14 +118,13 @@ def _at_once(
     drives = [drive for drive, _, _ in heard]
     played = [forward(drive.samples, n_fft) for drive in drives]
     together = _alone if len(heard) == 1 else _together
-    pieces, factor = together(limb, heard, played, scaling, shape, n_fft)
-    vibration = np.empty(shape)
-    for part, piece in zip(parts_of(limb.n_outputs), pieces, strict=True):
-        np.multiply(piece, factor, out=vibration[part])
+    vibration = together(limb, heard, played, scaling, shape, n_fft)
+    # Where nothing can move nothing does, not even by the rounding of the transforms.
+    if any(drive.samples.all() for drive in drives):
+        return vibration
     sounding = np.zeros(response_samples, bool)
     for drive in drives:
         sounding[: drive.samples.size] |= drive.samples != 0.0
-    # Where nothing can move nothing does, not even by the rounding of the transforms.
     active = active_samples(sounding, limb.n_taps)
     if not active.all():
         vibration[..., ~active] = 0.0
@@ -140,8 +138,7 @@ def _together(
     scaling: Scaling,
     shape: tuple[int, int, int],
     n_fft: int,
-) -> tuple[list[Floats], float]:
-    """Vibration by several drives in pieces, and what to multiply it with."""
+) -> Floats:
     drives, places = [drive for drive, _, _ in heard], [place for _, place, _ in heard]
     responses = _remembered().of(limb, places, scaling, n_fft)
     gains = [drive.factor for drive in drives]
@@ -151,8 +148,11 @@ def _together(
         spectrum * (gain * amplitude)
         for spectrum, gain, (_, _, amplitude) in zip(played, gains, heard, strict=True)
     ]
-    spectra = [response.values.__getitem__ for response in responses]
-    return superposed(spectra, weighted, shape, n_fft)[0], 1.0
+    vibration = np.empty(shape)
+    pieces = superposed([one.values.__getitem__ for one in responses], weighted, shape, n_fft)
+    for part, piece in zip(parts_of(limb.n_outputs), pieces, strict=True):
+        vibration[part] = piece
+    return vibration
 
 
 def _alone(
@@ -162,31 +162,32 @@ def _alone(
     scaling: Scaling,
     shape: tuple[int, int, int],
     n_fft: int,
-) -> tuple[list[Floats], float]:
+) -> Floats:
     """As `_together` by one drive, which has its maximum in what is computed anyway."""
     ((drive, place, amplitude),) = heard
     known = _remembered().of_one(limb, place, scaling, n_fft)
     if known is None:
-        taps = scaled_taps(limb, place, scaling)
-        pieces, largest = superposed(
-            [lambda part: forward_here(taps[part], n_fft)], played, shape, n_fft, kept=False
-        )
-        tally(forward_transforms=limb.n_outputs * limb.n_axes)
+        taps, largest_tap = bounded_taps(limb, place, scaling)
+        vibration, largest = caused_by_one(taps, played[0], shape, n_fft)
+        energies = _energies(taps, largest_tap)
     else:
-        taps = known.taps
-        pieces, largest = superposed([known.values.__getitem__], played, shape, n_fft)
-    if scaling == "upstream" and _is_positive(largest, drive, taps, n_fft):
-        return pieces, amplitude * (1.0 / largest)
-    return pieces, amplitude * drive.factor
+        vibration, largest = caused_by_one(known.values, played[0], shape, n_fft)
+        energies = iter([float(known.norms.energies.max())])
+    gain = drive.factor
+    if scaling == "upstream" and any(
+        exceeds_rounding(largest, drive, energy, n_fft) for energy in energies
+    ):
+        gain = 1.0 / largest
+    vibration *= amplitude * gain
+    return vibration
 
 
-def _is_positive(largest: float, drive: Drive, taps: Floats, n_fft: int) -> bool:
-    # No response has more energy than one that is at its largest all the time: most often this is
-    # enough to know, and norms need not be computed.
-    energy = math.sqrt(taps.shape[-1]) * max(float(taps.max()), -float(taps.min()))
-    return exceeds_rounding(largest, drive, energy, n_fft) or exceeds_rounding(
-        largest, drive, float(Norms.of(taps).energies.max()), n_fft
-    )
+def _energies(taps: Floats, largest_tap: float) -> Iterator[float]:
+    """What the largest energy of a response is at most, and what it is."""
+    # None has more than one that is at its largest all the time.  Most often this is enough to
+    # know, and norms need not be computed.
+    yield math.sqrt(taps.shape[-1]) * largest_tap
+    yield float(Norms.of(taps).energies.max())
 
 
 @cache

@@ -5,9 +5,11 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
+from scipy.signal import fftconvolve
 
 import skinsource as ss
 from skinsource import response
+from skinsource.prediction import helped
 from skinsource.prediction.spectra_of_limbs import SpectraOfLimbs
 from skinsource.work import counting
 
@@ -85,6 +87,26 @@ def test_one_input_alone_is_transformed_back_once(limb):
     with counting() as work:
         ss.predict(limb, DRIVES[:1], [7])
     assert work.inverse_transforms == 216
+
+
+@pytest.mark.parametrize("n_times", [1, 325, 1300, 5200])
+def test_one_input_alone_is_the_convolution_however_it_is_cut_into_parts(limb, n_times):
+    drive = np.random.default_rng(5).standard_normal(n_times)
+    expected = fftconvolve(limb.response_to(7), drive[None, None], axes=-1)
+    # Transformed and forgotten, transformed and kept, remembered.
+    for _ in range(3):
+        found = ss.predict(limb, drive, 7, scaling="relative")
+        np.testing.assert_allclose(found, expected, rtol=0, atol=1e-13 * np.abs(expected).max())
+
+
+def test_one_input_alone_asks_for_no_second_thread(limb, monkeypatch):
+    asked = []
+    monkeypatch.setattr(helped, "start_new_thread", lambda *_: asked.append("one"))
+    for _ in range(3):
+        ss.predict(limb, DRIVES[:1], [7])
+    assert not asked
+    ss.predict(limb, DRIVES[:2], [7, 8])
+    assert asked
 
 
 def test_one_input_alone_has_its_amplitude_as_beside_a_silent_one(limb):

@@ -1,5 +1,6 @@
 """Sampled drives, far from over- and underflow."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -87,8 +88,8 @@ def drive_of(samples: Floats) -> Drive:
     peak = float(np.abs(samples).max(initial=0.0))
     if peak == 0.0:
         return Drive(samples, 0.0)
-    exponent = int(np.frexp(peak)[1]) - 1
-    return Drive(np.ldexp(samples, -exponent), float(np.ldexp(1.0, exponent)))
+    exponent = math.frexp(peak)[1] - 1
+    return Drive(np.ldexp(samples, -exponent), math.ldexp(1.0, exponent))
 
 
 def first_unusable(samples: Floats) -> tuple[int, ...] | None:

@@ -4,6 +4,7 @@ from _thread import start_new_thread
 from collections import deque
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from math import inf
 from queue import Empty, SimpleQueue
 from time import perf_counter
 from typing import TypeVar
@@ -14,8 +15,8 @@ Result = TypeVar("Result")
 def helped(tasks: Sequence[Callable[[], Result]]) -> list[Result]:
     """Return what ``tasks`` return, in their order.
 
-    A second thread takes some of them.  What it has begun and not finished in about the time that
-    a task takes, this one does itself: a task may be done twice, and be done again when this has
+    A second thread takes some of them.  What it has begun and not finished in the least time that
+    a task took, this one does itself: a task may be done twice, and be done again when this has
     returned.  It may write only what it would write each time, and count no work, which belongs to
     a thread.  What a task raises is raised here.
     """
@@ -35,7 +36,7 @@ def helped(tasks: Sequence[Callable[[], Result]]) -> list[Result]:
         with suppress(RuntimeError):  # no more threads are to be had
             # One of the threading module would be waited for until it runs.
             start_new_thread(help_out, ())
-    longest_s = 0.0
+    shortest_s = inf
     while waiting:
         try:
             number = waiting.popleft()
@@ -43,8 +44,9 @@ def helped(tasks: Sequence[Callable[[], Result]]) -> list[Result]:
             break
         begin = perf_counter()
         found[number] = tasks[number]()
-        longest_s = max(longest_s, perf_counter() - begin)
-    deadline = perf_counter() + longest_s
+        shortest_s = min(shortest_s, perf_counter() - begin)
+    # Others took longer where other programs had the processor meanwhile.
+    deadline = perf_counter() + (shortest_s if found else 0.0)
     while len(found) < len(tasks):
         try:
             number, result = done.get(timeout=max(deadline - perf_counter(), 0.0))

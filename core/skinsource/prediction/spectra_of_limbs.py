@@ -13,8 +13,8 @@ from skinsource.prediction.helped import helped
 from skinsource.rendering.budgets import PREDICT_BYTES
 from skinsource.rendering.large_pages import room_for
 from skinsource.rendering.response_spectra import Norms, ResponseSpectrum, scaled_taps
-from skinsource.rendering.sums import parts_of
-from skinsource.rendering.transforms import forward_here
+from skinsource.rendering.sums import OUTPUTS_AT_ONCE
+from skinsource.rendering.transforms import forward_in_parts
 from skinsource.scaling.response_scaling import Scaling
 from skinsource.work import tally
 
@@ -47,8 +47,8 @@ class _Places:
 
 def _response(taps: Floats, values: Complexes, n_fft: int) -> ResponseSpectrum:
     # Some outputs at a time: their spectra stay in a core's own cache.
-    for part in parts_of(len(taps)):
-        values[part] = forward_here(taps[part], n_fft)
+    for part, spectra in forward_in_parts(taps, n_fft, OUTPUTS_AT_ONCE):
+        values[part] = spectra
     return ResponseSpectrum(taps, values, n_fft, Norms.of(taps))
 
 

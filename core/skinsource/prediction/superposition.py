@@ -1,6 +1,6 @@
 """The vibration by drives at some places, from spectra."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 
 import numpy as np
@@ -8,7 +8,7 @@ import numpy as np
 from skinsource.arrays import Complexes, Floats
 from skinsource.prediction.helped import helped
 from skinsource.rendering.sums import add_up, parts_of
-from skinsource.rendering.transforms import inverse_here
+from skinsource.rendering.transforms import forward_in_parts, inverse_here
 from skinsource.work import tally
 
 #: Spectra of the responses at some outputs.
@@ -20,10 +20,8 @@ def superposed(
     drives: Sequence[Complexes],
     shape: tuple[int, int, int],
     n_fft: int,
-    *,
-    kept: bool = True,
-) -> tuple[list[Floats], float]:
-    """Vibration by ``drives``, and its largest sample.
+) -> list[Floats]:
+    """Vibration by ``drives``.
 
     Parameters
     ----------
@@ -33,23 +31,71 @@ def superposed(
         Spectra, at least one.
     shape
         Outputs, axes and samples of the vibration.
-    kept
-        Whether the spectra are wanted afterwards.
 
     Returns
     -------
-    The vibration, m/s², in pieces of some outputs (`parts_of`), and m/s².  Each piece is taken from
-    the spectra to the samples at once: what lies between stays in a core's own cache.
+    The vibration, m/s², in pieces of some outputs (`parts_of`).  Each piece is taken from the
+    spectra to the samples at once: what lies between stays in a core's own cache.
     """
 
-    def samples_of(part: slice) -> tuple[Floats, float]:
+    def samples_of(part: slice) -> Floats:
         found = [spectra_of(part) for spectra_of in spectra]
-        # What was transformed for this alone is not needed any more.
-        total = np.empty_like(found[0]) if kept else found[0]
+        total = np.empty_like(found[0])
         add_up(found, drives, total)
-        samples = inverse_here(total, n_fft)[..., : shape[-1]]
-        return samples, float(samples.max())
+        return inverse_here(total, n_fft)[..., : shape[-1]]
 
     pieces = helped([partial(samples_of, part) for part in parts_of(shape[0])])
     tally(inverse_transforms=shape[0] * shape[1])
-    return [samples for samples, _ in pieces], max(largest for _, largest in pieces)
+    return pieces
+
+
+def caused_by_one(
+    responses: Floats | Complexes, drive: Complexes, shape: tuple[int, int, int], n_fft: int
+) -> tuple[Floats, float]:
+    """Vibration by one drive, and its largest sample.
+
+    One thread does it: where no processor is free a second one would make it slower than the plain
+    way, and where one is free it gains little of what is over in a few milliseconds.
+
+    Parameters
+    ----------
+    responses
+        To its place: as samples, (n_outputs, 3 axes, n_taps), or as spectra, (n_outputs, 3 axes,
+        n_fft // 2 + 1).
+    drive : (n_fft // 2 + 1,)
+        Its spectrum.
+    shape
+        Outputs, axes and samples of the vibration.
+
+    Returns
+    -------
+    The vibration, (n_outputs, 3 axes, n_times), m/s², and m/s².
+    """
+    n_outputs, n_axes, n_times = shape
+    vibration, largest = np.empty(shape), -np.inf
+    at_once = max(1, _SAMPLES_AT_ONCE // (n_axes * n_fft))
+    for part, spectra in _spectra_in_parts(responses, drive, n_fft, at_once):
+        piece = vibration[part]
+        piece[:] = inverse_here(spectra, n_fft)[..., :n_times]
+        largest = max(largest, float(piece.max()))
+    tally(inverse_transforms=n_outputs * n_axes)
+    return vibration, largest
+
+
+def _spectra_in_parts(
+    responses: Floats | Complexes, drive: Complexes, n_fft: int, at_once: int
+) -> Iterator[tuple[slice, Complexes]]:
+    if np.iscomplexobj(responses):
+        for low in range(0, len(responses), at_once):
+            part = slice(low, low + at_once)
+            yield part, responses[part] * drive
+    else:
+        for part, spectra in forward_in_parts(responses, n_fft, at_once):
+            # They are wanted for nothing else.
+            spectra *= drive
+            yield part, spectra
+        tally(forward_transforms=responses.shape[0] * responses.shape[1])
+
+
+# What a core's own cache holds of spectra and as many samples, beside what they come from.
+_SAMPLES_AT_ONCE = 2**16

@@ -1,5 +1,7 @@
 """What no sample of a channel exceeds, without computing the samples."""
 
+import math
+import sys
 from collections.abc import Sequence
 
 import numpy as np
@@ -23,7 +25,7 @@ def rounding_bound(norms: float, n_fft: int) -> float:
     n_fft
         Length of the transforms.
     """
-    return float(_ROUNDING_FACTOR * np.finfo(np.float64).eps * np.log2(n_fft) * norms)
+    return _ROUNDING_FACTOR * sys.float_info.epsilon * math.log2(n_fft) * norms
 
 
 def channel_bounds(

@@ -205,10 +205,14 @@ class ResponseSpectra:
 
 def scaled_taps(limb: Limb, location: int, scaling: Scaling) -> Floats:
     """Responses to ``location``, (n_outputs, 3, n_taps); refused where one is no usable number."""
-    taps = limb.response_to(location)
+    return bounded_taps(limb, location, scaling)[0]
+
+
+def bounded_taps(limb: Limb, location: int, scaling: Scaling) -> tuple[Floats, float]:
+    """As `scaled_taps`, with the largest magnitude of them all, m/s²."""
+    taps, largest = limb.response_to(location), limb.largest_response_to(location)
     # Not a number is neither.
-    usable = taps.size == 0 or (taps.max() <= LARGEST and taps.min() >= -LARGEST)
-    bad = None if usable else first_unusable(taps)
+    bad = None if largest <= LARGEST else first_unusable(taps)
     if bad is not None:
         output, axis, tap = bad
         raise InvalidInputError(
@@ -216,7 +220,10 @@ def scaled_taps(limb: Limb, location: int, scaling: Scaling) -> Floats:
             f"{'xyz'[axis]}, tap {tap} is {taps[bad]}, expected a finite number of at most "
             f"{LARGEST:g}. Install or load the limb again."
         )
-    return per_probe_acceleration(taps, limb.sample_rate_hz) if scaling == "probe" else taps
+    if scaling != "probe":
+        return taps, largest
+    taps = per_probe_acceleration(taps, limb.sample_rate_hz)
+    return taps, float(np.abs(taps).max(initial=0.0))
 
 
 def _stack(limb: Limb, places: tuple[int, ...], scaling: Scaling, n_fft: int) -> Stack:

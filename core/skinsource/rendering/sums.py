@@ -8,7 +8,8 @@ import numpy as np
 from skinsource.arrays import Complexes
 from skinsource.rendering.side_by_side import side_by_side
 
-_OUTPUTS_AT_ONCE = 18
+#: Outputs whose spectra, at the lengths of a second, stay in a core's own cache.
+OUTPUTS_AT_ONCE = 18
 # A second thread pays from about a millisecond of work on.
 _WORTH_A_THREAD = 10**6
 
@@ -43,7 +44,7 @@ def sum_of_vibrations(responses: Sequence[Complexes], drives: Sequence[Complexes
 
 def parts_of(n_outputs: int) -> list[slice]:
     """Outputs that are summed at a time: they stay in a core's own cache."""
-    return [slice(low, low + _OUTPUTS_AT_ONCE) for low in range(0, n_outputs, _OUTPUTS_AT_ONCE)]
+    return [slice(low, low + OUTPUTS_AT_ONCE) for low in range(0, n_outputs, OUTPUTS_AT_ONCE)]
 
 
 def add_up(responses: Sequence[Complexes], drives: Sequence[Complexes], total: Complexes) -> None:

@@ -1,5 +1,8 @@
 """Fourier transforms, counted; and their lengths."""
 
+from collections.abc import Iterator
+
+import numpy as np
 import scipy
 
 from skinsource.arrays import Complexes, Floats
@@ -37,10 +40,31 @@ def inverse(spectra: Complexes, n_fft: int) -> Floats:
     return signals
 
 
-def forward_here(signals: Floats, n_fft: int) -> Complexes:
-    """As `forward`, by this thread alone; whoever shares work out counts it."""
-    spectra: Complexes = scipy.fft.rfft(signals, n_fft)
-    return spectra
+def forward_in_parts(
+    signals: Floats, n_fft: int, at_once: int
+) -> Iterator[tuple[slice, Complexes]]:
+    """As `forward`, some signals at a time, by this thread alone; whoever wants them counts them.
+
+    Parameters
+    ----------
+    signals : (n, m, n_times)
+        They are padded in one piece of memory, which is used again for each part.
+    at_once
+        How many of the n are transformed at a time.
+
+    Yields
+    ------
+    Which of the n, and their spectra, (at most at_once, m, n_fft // 2 + 1), which are the caller's.
+    """
+    count, each, n_times = signals.shape
+    padded = np.empty((min(at_once, count), each, n_fft))
+    padded[..., n_times:] = 0.0
+    for low in range(0, count, at_once):
+        part = slice(low, min(low + at_once, count))
+        room = padded[: part.stop - low]
+        room[..., :n_times] = signals[part]
+        spectra: Complexes = scipy.fft.rfft(room)
+        yield part, spectra
 
 
 def inverse_here(spectra: Complexes, n_fft: int) -> Floats:
