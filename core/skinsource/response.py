@@ -171,7 +171,7 @@ def _alone(
         vibration, largest = caused_by_one(taps, played[0], shape, n_fft)
         energies = _energies(taps, largest_tap)
     else:
-        vibration, largest = caused_by_one(known.values, played[0], shape, n_fft)
+        vibration, largest = caused_by_one(known, played[0], shape, n_fft)
         energies = iter([float(known.norms.energies.max())])
     gain = drive.factor
     if scaling == "upstream" and any(

@@ -7,6 +7,7 @@ import numpy as np
 
 from skinsource.arrays import Complexes, Floats
 from skinsource.prediction.helped import helped
+from skinsource.rendering.response_spectra import ResponseSpectrum
 from skinsource.rendering.sums import add_up, parts_of
 from skinsource.rendering.transforms import forward_in_parts, inverse_here
 from skinsource.work import tally
@@ -50,7 +51,10 @@ def superposed(
 
 
 def caused_by_one(
-    responses: Floats | Complexes, drive: Complexes, shape: tuple[int, int, int], n_fft: int
+    responses: Floats | ResponseSpectrum,
+    drive: Complexes,
+    shape: tuple[int, int, int],
+    n_fft: int,
 ) -> tuple[Floats, float]:
     """Vibration by one drive, and its largest sample.
 
@@ -60,8 +64,7 @@ def caused_by_one(
     Parameters
     ----------
     responses
-        To its place: as samples, (n_outputs, 3 axes, n_taps), or as spectra, (n_outputs, 3 axes,
-        n_fft // 2 + 1).
+        To its place: as samples, (n_outputs, 3 axes, n_taps), or transformed.
     drive : (n_fft // 2 + 1,)
         Its spectrum.
     shape
@@ -83,12 +86,12 @@ def caused_by_one(
 
 
 def _spectra_in_parts(
-    responses: Floats | Complexes, drive: Complexes, n_fft: int, at_once: int
+    responses: Floats | ResponseSpectrum, drive: Complexes, n_fft: int, at_once: int
 ) -> Iterator[tuple[slice, Complexes]]:
-    if np.iscomplexobj(responses):
-        for low in range(0, len(responses), at_once):
+    if isinstance(responses, ResponseSpectrum):
+        for low in range(0, len(responses.values), at_once):
             part = slice(low, low + at_once)
-            yield part, responses[part] * drive
+            yield part, responses.values[part] * drive
     else:
         for part, spectra in forward_in_parts(responses, n_fft, at_once):
             # They are wanted for nothing else.
