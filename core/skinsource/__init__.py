@@ -41,7 +41,8 @@ from skinsource.version import __version__
 from skinsource.view import View
 
 if TYPE_CHECKING:
-    from skinsource import actuators, equalising, recordings
+    from skinsource import actuators, equalising, measuring, recordings, rigs
+    from skinsource.rigs import open_rig, save_rig
 
 __all__ = [
     "Clip",
@@ -68,15 +69,19 @@ __all__ = [
     "impulse",
     "load_limb",
     "magnitude_spectrum",
+    "measuring",
     "motions",
     "open_design",
+    "open_rig",
     "peak_hold_spectrum",
     "predict",
     "project_axes",
     "recordings",
     "resample",
+    "rigs",
     "rms",
     "save_design",
+    "save_rig",
     "sinusoid",
     "stimulus_of",
     "surface_operator",
@@ -90,6 +95,8 @@ __all__ = [
 
 def __getattr__(name: str) -> object:
     # What few scripts need is imported when it is first asked for.
-    if name in ("actuators", "equalising", "recordings"):
+    if name in ("actuators", "equalising", "measuring", "recordings", "rigs"):
         return importlib.import_module(f"skinsource.{name}")
+    if name in ("open_rig", "save_rig"):
+        return getattr(importlib.import_module("skinsource.rigs"), name)
     raise AttributeError(f"module 'skinsource' has no attribute {quoted(name)}")

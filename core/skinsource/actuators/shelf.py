@@ -6,8 +6,9 @@ from skinsource import codec
 from skinsource.actuators.profile import ActuatorProfile, Model
 from skinsource.actuators.response_shape import ResponseShape
 from skinsource.arguments import one_of
-from skinsource.codec.json_text import MAX_TEXT_BYTES, loaded
-from skinsource.errors import FileFormatError, InvalidInputError
+from skinsource.codec.json_text import MAX_TEXT_BYTES
+from skinsource.codec.plain_text import from_plain_text
+from skinsource.errors import InvalidInputError
 from skinsource.fields import Address
 from skinsource.files import read_bytes
 from skinsource.files.assets import data_folder
@@ -74,9 +75,6 @@ def _shelf() -> dict[str, ActuatorProfile]:
     folder = data_folder() / "actuators"
     found = {}
     for path in sorted(folder.glob("*.json")):
-        tree = loaded(read_bytes(path, most=MAX_TEXT_BYTES))
-        known = isinstance(tree, dict) and set(tree) == {"format", "version", "content"}
-        if not known or (tree["format"], tree["version"]) != (_FORMAT, _VERSION):
-            raise FileFormatError(f"{path.name}: not a {_FORMAT} of version {_VERSION}")
-        found[path.stem] = codec.decode(tree["content"], (ActuatorProfile,), Address())
+        tree = from_plain_text(read_bytes(path, most=MAX_TEXT_BYTES), _FORMAT, _VERSION)
+        found[path.stem] = codec.decode(tree, (ActuatorProfile,), Address())
     return found
