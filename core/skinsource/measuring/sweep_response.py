@@ -6,6 +6,7 @@ from numpy.typing import ArrayLike
 
 from skinsource.actuators import MeasuredResponse
 from skinsource.arguments import finite_array, positive_number
+from skinsource.arrays import Floats, Indices
 from skinsource.errors import InvalidInputError
 
 _POINTS = 240
@@ -60,12 +61,7 @@ def response_from_sweep(
     energy = np.cumsum(np.concatenate(([0.0], np.abs(source) ** 2)))
     cross = np.cumsum(np.concatenate(([0.0], source.conj() * scipy.fft.rfft(moved, length))))
     centre_hz = np.geomspace(low_hz, high_hz, _POINTS)
-    step_hz = rate_hz / length
-    first = np.ceil(centre_hz / _HALF_WIDTH / step_hz).astype(int)
-    last = np.floor(centre_hz * _HALF_WIDTH / step_hz).astype(int)
-    middle = np.rint(centre_hz / step_hz).astype(int)
-    first, last = np.minimum(first, middle - 1).clip(1), np.maximum(last, middle + 1)
-    last = last.clip(max=source.size - 1)
+    first, last = _around(centre_hz, rate_hz / length, source.size)
     summed = energy[last + 1] - energy[first]
     density = summed / (last + 1 - first)
     heard = density > _HEARD**2 * density.max(initial=0.0)
@@ -76,3 +72,11 @@ def response_from_sweep(
         )
     response = (cross[last + 1] - cross[first])[heard] / summed[heard]
     return MeasuredResponse.of(centre_hz[heard], response)
+
+
+def _around(centre_hz: Floats, step_hz: float, n: int) -> tuple[Indices, Indices]:
+    """First and last of ``n`` frequencies ``step_hz`` apart that each point takes in."""
+    middle = np.rint(centre_hz / step_hz).astype(np.intp)
+    first = np.ceil(centre_hz / _HALF_WIDTH / step_hz).astype(np.intp)
+    last = np.floor(centre_hz * _HALF_WIDTH / step_hz).astype(np.intp)
+    return np.minimum(first, middle - 1).clip(1), np.maximum(last, middle + 1).clip(max=n - 1)
