@@ -3,16 +3,29 @@
 from collections.abc import Callable, Sequence
 from functools import partial
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt, QTimer
 from PySide6.QtGui import QPixmap
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QMainWindow, QPushButton, QToolButton, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QHBoxLayout,
+    QLabel,
+    QMainWindow,
+    QPushButton,
+    QToolButton,
+    QWidget,
+)
 
 from skinsource_gui.theme import UNIT_PX, Theme
 
 #: How long good news stay, which nobody need close; bad ones stay until they are dealt with.
 PASSING_MS = 5000
+#: How long a passing notice stays at least, and for each of its letters besides.
+_LEAST_MS, _LETTER_MS = 4000, 60
+#: A click so soon belongs to what the notice is about, and takes nothing away.
+_FRESH_MS = 700
 #: What can be done about it: words of the button, and what it does.
 Choice = tuple[str, Callable[[], object]]
+_LAID_OUT = (QEvent.Type.Resize, QEvent.Type.LayoutRequest)
 
 
 class Notice(QObject):
@@ -54,6 +67,9 @@ class Notice(QObject):
         self._close.setAccessibleName("Close this notice")
         self._close.clicked.connect(self.be_quiet)
         self._row.addWidget(self._close)
+        self._passing, self._watches = QTimer(self), False
+        self._passing.setSingleShot(True)
+        self._passing.timeout.connect(self.be_quiet)
         self.be_quiet()
         window.installEventFilter(self)
 
@@ -68,10 +84,13 @@ class Notice(QObject):
         kind: str = "info",
         choices: Sequence[Choice] = (),
         picture: QPixmap | None = None,
+        *,
+        passes: bool = False,
     ) -> None:
         """Show ``text``; ``kind`` is ``"error"``, ``"warning"`` or ``"info"``.
 
-        A ``picture`` stands before the words.
+        A ``picture`` stands before the words.  What ``passes`` goes by itself after a while, which
+        is long enough to read it, or at the next click anywhere.
         """
         self._kind = kind
         self._offer(choices)
@@ -84,11 +103,13 @@ class Notice(QObject):
             part.raise_()
         self._picture.raise_()
         self._place()
+        self._let_pass(_LEAST_MS + _LETTER_MS * len(text) if passes else None)
 
     def be_quiet(self) -> None:
         """Take away what it says."""
         if self.buttons.isAncestorOf(self._window.focusWidget()):
             self._window.setFocus()
+        self._let_pass(None)
         for part in (self._words, self.buttons, self._picture):
             part.hide()
 
@@ -99,9 +120,25 @@ class Notice(QObject):
         self._paint()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() in (QEvent.Type.Resize, QEvent.Type.LayoutRequest) and self.text:
+        if event.type() == QEvent.Type.MouseButtonPress and self._passing.isActive():
+            stood_ms = self._passing.interval() - self._passing.remainingTime()
+            if stood_ms >= _FRESH_MS and not self.buttons.underMouse():
+                self.be_quiet()
+        elif watched is self._window and self.text and event.type() in _LAID_OUT:
             self._place()
         return super().eventFilter(watched, event)
+
+    def _let_pass(self, after_ms: int | None) -> None:
+        """Go after a while, or at a click; None: stay."""
+        application = QApplication.instance()
+        # Looking at each event of the studio is worth it for some seconds only.
+        if application is not None and self._watches:
+            application.removeEventFilter(self)
+        self._passing.stop()
+        self._watches = after_ms is not None
+        if application is not None and after_ms is not None:
+            application.installEventFilter(self)
+            self._passing.start(after_ms)
 
     def _offer(self, choices: Sequence[Choice]) -> None:
         for button in self._choices:

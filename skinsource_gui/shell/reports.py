@@ -49,6 +49,12 @@ class Reports(QObject):
         self._said_of = self._document.design
         self._notice.say(reason, "error")
 
+    def refuse(self, reason: str) -> None:
+        """Show why an edit was not made; it goes again after a while, or at the next click."""
+        self._status_bar.clearMessage()
+        self._said_of = self._document.design
+        self._notice.say(reason, "error", passes=True)
+
     def report(self, words: str) -> None:
         """Show what went well, for some seconds."""
         self._notice.be_quiet()

@@ -211,7 +211,7 @@ class MainWindow(QMainWindow):
         document, reports = self.document, self.reports
         document.changed.connect(self._show_state)
         document.playhead_moved.connect(lambda: self.setup_bar.show_playhead(document.view))
-        document.refused.connect(reports.complain)
+        document.refused.connect(reports.refuse)
         self.action_set.edited.connect(document.apply)
         self.appearance.changed.connect(self._show_theme)
         self.arrangements.text_scaled.connect(self.appearance.fit_room)

@@ -3,6 +3,9 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton, QToolButton
 
+from skinsource.edits import Refusal
+from skinsource_gui.shell import notice
+
 LONG = "A long reason that goes on and on. " * 20
 
 
@@ -71,3 +74,38 @@ def test_what_went_well_is_forgotten_when_another_design_is_begun(window):
     window.reports.report("Saved second.skinsource")
     window.do("new_design")
     assert "second" not in window.statusBar().currentMessage()
+
+
+def refusal(window, qtbot, stands_ms):
+    """A refusal that has stood for so long."""
+    window.document.apply(Refusal(sentence="That cannot be."))
+    timer = window.notice._passing
+    assert window.notice.text == "That cannot be."
+    timer.start(timer.interval())
+    qtbot.waitUntil(lambda: timer.interval() - timer.remainingTime() >= stands_ms)
+    return timer
+
+
+def test_a_refusal_goes_by_itself_after_time_to_read_it(window, qtbot):
+    timer = refusal(window, qtbot, 0)
+    assert timer.interval() >= 4000
+    timer.start(1)
+    qtbot.waitUntil(lambda: window.notice.text == "")
+
+
+def test_a_refusal_goes_with_the_next_click_but_not_with_the_one_that_caused_it(window, qtbot):
+    below = window.panel("hand")
+    refusal(window, qtbot, 0)
+    QTest.mouseClick(below, Qt.MouseButton.LeftButton, pos=QPoint(3, 3))
+    assert window.notice.text == "That cannot be."
+    refusal(window, qtbot, notice._FRESH_MS)
+    QTest.mouseClick(below, Qt.MouseButton.LeftButton, pos=QPoint(3, 3))
+    assert window.notice.text == ""
+
+
+def test_what_failed_stays_through_clicks_also_after_a_refusal(window, qtbot):
+    refusal(window, qtbot, notice._FRESH_MS)
+    window.reports.complain("The disk is full.")
+    QTest.mouseClick(window.panel("hand"), Qt.MouseButton.LeftButton, pos=QPoint(3, 3))
+    assert window.notice.text == "The disk is full."
+    assert not window.notice._passing.isActive()

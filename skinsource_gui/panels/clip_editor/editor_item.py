@@ -12,12 +12,12 @@ from skinsource.arrays import Floats
 from skinsource_gui.panels.clip_editor.content import EditorContent
 from skinsource_gui.panels.clip_editor.tools.tool import Tool
 from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.plot.decimation import visible_points
 from skinsource_gui.widgets.plot.ticks import linear_ticks
 
 _TICK_PX, _ROW_PX = 64.0, 28.0
 _PALE = 0.4
-_LONG_S = 10.0
 
 
 class EditorItem(pyqtgraph.GraphicsObject):
@@ -88,7 +88,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
                 room, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, tick.label
             )
         shown = content.scale.shown_s
-        unit, factor = ("s", 1.0) if shown[1] > _LONG_S else ("ms", 1e3)
+        unit, factor = axis_unit(shown[1])
         ticks = linear_ticks(*shown, max(area.width() / _TICK_PX, 2), factor)
         unit_left = area.right() - metrics.horizontalAdvance(unit)
         free_from = area.left() - 20

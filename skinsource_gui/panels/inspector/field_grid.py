@@ -13,6 +13,8 @@ from skinsource_gui.widgets.fields.field_cell import LabelledCell
 #: From this width on, two fields stand side by side.
 WIDE_PX = 440
 _MOST_PAIRS = 2
+# Height of a line of text at which that width is enough, px.
+_USUAL_LINE_PX = 14
 _ANY_HEIGHT_PX = 16_777_215
 
 
@@ -55,7 +57,8 @@ class FieldGrid(QWidget):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        pairs = _MOST_PAIRS if self.width() >= WIDE_PX else 1
+        wide_px = WIDE_PX * max(self.fontMetrics().height() / _USUAL_LINE_PX, 1.0)
+        pairs = _MOST_PAIRS if self.width() >= wide_px else 1
         if pairs != self._pairs:
             self._pairs = pairs
             self._arrange()

@@ -9,7 +9,7 @@ from skinsource_gui.panels.timeline.lane import Box
 from skinsource_gui.theme import Theme
 
 _ROUNDING_PX = 3.0
-_WORDS_PX, _WORDS_FROM_PX = 13.0, 40.0
+_WORDS_FROM_PX = 40.0
 _BODY_ALPHA, _PALE_BODY_ALPHA, _SELECTED_ALPHA = 46, 18, 84
 _PALE = 0.45
 _HANDLE_PX = 5.0
@@ -120,13 +120,14 @@ def _peak(samples: Floats) -> float:
 
 
 def _write(painter: QPainter, words: str, shown: QRectF, theme: Theme, *, pale: bool) -> None:
-    room = QRectF(shown.left() + 5, shown.top() + 1, shown.width() - 10, _WORDS_PX)
     metrics = QFontMetricsF(painter.font())
+    line_px = metrics.height()
+    room = QRectF(shown.left() + 5, shown.top() + 1, shown.width() - 10, line_px)
     text = metrics.elidedText(words, Qt.TextElideMode.ElideRight, room.width())
     ground = QColor(theme.base)
     ground.setAlpha(190)
     painter.fillRect(
-        QRectF(room.left() - 2, room.top(), metrics.horizontalAdvance(text) + 4, _WORDS_PX), ground
+        QRectF(room.left() - 2, room.top(), metrics.horizontalAdvance(text) + 4, line_px), ground
     )
     painter.setPen(QColor(theme.dim if pale else theme.text))
     painter.drawText(room, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, text)

@@ -11,9 +11,10 @@ from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.timeline.gestures.gesture import Shown
 from skinsource_gui.panels.timeline.heads.heads import Heads
+from skinsource_gui.panels.timeline.heads.row_places import HEADS_PX
 from skinsource_gui.panels.timeline.lanes_menu import LanesMenu
 from skinsource_gui.panels.timeline.timeline_edits import TimelineEdits
-from skinsource_gui.panels.timeline.track_table import HEADS_PX, TrackTable
+from skinsource_gui.panels.timeline.track_table import TrackTable
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.drop_place import DropPlace
 from skinsource_gui.widgets.inputs.clip_waveforms import waveforms_of

@@ -7,19 +7,18 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from skinsource_gui.panels.timeline.content import Content
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.plot.ticks import Tick, linear_ticks
 from skinsource_gui.widgets.time.time_scale import TimeScale
 
 _TICK_PX = 64.0
 _GAP_PX = 6.0
-# From here on, times are in seconds.
-_LONG_S = 10.0
 _LOOP_ALPHA = 60
 
 
 def ticks_of(scale: TimeScale) -> tuple[str, tuple[Tick, ...]]:
     """Unit of the ruler, and its ticks."""
-    unit, factor = ("s", 1.0) if scale.shown_s[1] > _LONG_S else ("ms", 1e3)
+    unit, factor = axis_unit(scale.shown_s[1])
     return unit, linear_ticks(*scale.shown_s, max(scale.width_px / _TICK_PX, 2), factor)
 
 

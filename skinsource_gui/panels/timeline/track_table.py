@@ -2,19 +2,19 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtCore import QEvent, QSignalBlocker, Qt
 from PySide6.QtWidgets import QGridLayout, QScrollBar, QWidget
 
 from skinsource.design import Design, Input, audible_inputs
 from skinsource.view import View
 from skinsource_gui.panels.timeline.heads.input_list import InputList
 from skinsource_gui.panels.timeline.heads.input_row import InputRow
+from skinsource_gui.panels.timeline.heads.row_places import heads_px
 from skinsource_gui.panels.timeline.lane import Lane
 from skinsource_gui.panels.timeline.lanes_view import LanesView
 from skinsource_gui.panels.timeline.time_scroll_bar import TimeBar
 from skinsource_gui.panels.timeline.timeline_toolbar import TimelineToolbar
 
-HEADS_PX = 196
 _ROWS_PER_NOTCH = 3
 
 
@@ -30,7 +30,7 @@ class TrackTable(QWidget):
     def __init__(self, heads: InputList, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._heads = heads
-        heads.setFixedWidth(HEADS_PX)
+        heads.setFixedWidth(heads_px(self.fontMetrics().height()))
         heads.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._design, self._view = Design(limb=""), View()
         self.lanes, self.toolbar, self.time_bar = LanesView(), TimelineToolbar(), TimeBar()
@@ -67,7 +67,8 @@ class TrackTable(QWidget):
 
     def place_lanes(self) -> None:
         """Put each lane beside its head."""
-        self.toolbar.setFixedSize(HEADS_PX, int(self.lanes.ruler_px))
+        self._heads.setFixedWidth(heads_px(self.fontMetrics().height()))
+        self.toolbar.setFixedSize(self._heads.width(), int(self.lanes.ruler_px))
         top = int(self.lanes.ruler_px) - self._heads.verticalScrollBar().value()
         lanes = lanes_of(self._design, self._view, self._heads.rows.rows, top)
         self.lanes.show_state(self._design, self._view, lanes)
@@ -77,6 +78,11 @@ class TrackTable(QWidget):
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
         self.place_lanes()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self.place_lanes()
 
     def _scroll(self, notches: float) -> None:
         bar = self._heads.verticalScrollBar()

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 from PySide6.QtGui import QKeyEvent
@@ -14,32 +15,23 @@ from skinsource.quantities import PRE_TRIGGER_DELAY_S
 from skinsource.view import View
 from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.signal_panel import NO_OUTPUTS, SignalPanel
+from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
 from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_later
 from skinsource_gui.widgets.time.playhead_keys import moved_playhead
 
 _DELAY = f"{PRE_TRIGGER_DELAY_S * 1e3:.0f} ms"
-_DELAYED_AXIS = XAxis(
-    titles=(
-        f"Time (ms) · responses start ~{_DELAY} late (pre-trigger of the measurement)",
-        f"Time (ms) · starts ~{_DELAY} late (pre-trigger)",
-        f"Time (ms), ~{_DELAY} late",
-        "Time (ms)",
-    ),
-    unit="ms",
-    column="time_s",
-    factor=1e3,
-    decimals=2,
+#: What is said after the unit, longest first.
+_DELAYED = (
+    f" · responses start ~{_DELAY} late (pre-trigger of the measurement)",
+    f" · starts ~{_DELAY} late (pre-trigger)",
+    f", ~{_DELAY} late",
+    "",
 )
-_DELAY_REMOVED_AXIS = replace(
-    _DELAYED_AXIS,
-    titles=(
-        f"Time (ms), {_DELAY} pre-trigger removed",
-        f"Time (ms), {_DELAY} removed",
-        "Time (ms)",
-    ),
-)
+_DELAY_REMOVED = (f", {_DELAY} pre-trigger removed", f", {_DELAY} removed", "")
+# Readings tell samples of 1300 Hz apart.
+_DECIMALS = {"ms": 2, "s": 5}
 
 
 class TracesPanel(SignalPanel):
@@ -63,8 +55,8 @@ class TracesPanel(SignalPanel):
         self._plot.zoom_requested.connect(self._zoom)
         self._plot.plot.playhead.wanted.connect(self.playhead_wanted)
         self._plot.plot.playhead_key.connect(self._press)
-        # Which delay the curves on screen have.
-        self._drawn_removed = False
+        # Which delay the curves on screen have, and when they end.
+        self._drawn_removed, self._end_s = False, 0.0
 
     @property
     def needs(self) -> frozenset[str]:
@@ -94,6 +86,7 @@ class TracesPanel(SignalPanel):
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._drawn_removed = results["delay_removed"]
+        self._end_s = float(results["response_time_s"][-1])
         self._apply_view()
         if not results["outputs"]:
             self._plot.show_message(NO_OUTPUTS)
@@ -113,7 +106,8 @@ class TracesPanel(SignalPanel):
 
     def _apply_view(self) -> None:
         view = self._view
-        axis = _DELAY_REMOVED_AXIS if self._drawn_removed else _DELAYED_AXIS
+        seen_until_s = self._end_s if view.time_range_s is None else view.time_range_s[1]
+        axis = _axis(axis_unit(seen_until_s)[0], removed=self._drawn_removed)
         self._plot.set_view(axis, view.time_range_s, stacked=self._settings.layout == "stacked")
 
     def _choose_layout(self, layout: str) -> None:
@@ -140,6 +134,19 @@ class TracesPanel(SignalPanel):
         changed = replace(self._view, **changes)
         if changed != self._view:
             self.view_changed.emit(changed)
+
+
+@cache
+def _axis(unit: str, *, removed: bool) -> XAxis:
+    """The time axis in ms or s, which says what became of the delay."""
+    said = _DELAY_REMOVED if removed else _DELAYED
+    return XAxis(
+        titles=tuple(f"Time ({unit}){words}" for words in said),
+        unit=unit,
+        column="time_s",
+        factor=1e3 if unit == "ms" else 1.0,
+        decimals=_DECIMALS[unit],
+    )
 
 
 def _heard(outputs: tuple[int, ...], results: Mapping[str, Any]) -> tuple[int, ...]:

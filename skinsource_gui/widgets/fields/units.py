@@ -132,6 +132,11 @@ def with_unit(number: str, unit: DisplayUnit) -> str:
     return f"{number}{symbol}" if symbol in ("", "°") else f"{number} {symbol}"
 
 
+def axis_unit(until_s: float) -> tuple[str, float]:
+    """Unit of a time axis that ends there, and how many of them are a second."""
+    return ("s", 1.0) if until_s >= LONG_S * (1 - 1e-9) else ("ms", 1e3)
+
+
 def value_text(value_si: float, unit: str, digits: int = SHOWN_DIGITS) -> str:
     """Number and unit to show for a value: ``"200 ms"``."""
     return with_unit(number_text(value_si, unit, digits), display_unit(unit, value_si))

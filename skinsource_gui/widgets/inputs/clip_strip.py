@@ -12,8 +12,9 @@ from skinsource.arrays import Floats
 from skinsource.clips import Clip, Fragment
 from skinsource.effects import played
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
+from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.inputs.swatch import paint_swatch
-from skinsource_gui.widgets.inputs.waveform_preview import axis_unit, tick_step
+from skinsource_gui.widgets.inputs.waveform_preview import tick_step
 from skinsource_gui.widgets.kept_picture import KeptPicture
 
 _HEAD_PX, _AXIS_PX = 34, 20

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
 from skinsource_gui.theme import LIGHT, Theme, tabular
-from skinsource_gui.widgets.fields.units import LONG_S
+from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.plot.decimation import visible_points
 
@@ -30,11 +30,6 @@ def tick_step(span: float, most: int) -> float:
     least = span / max(most, 1)
     decade = 10.0 ** math.floor(math.log10(least))
     return next(decade * factor for factor in (1, 2, 5, 10, 20) if decade * factor >= least)
-
-
-def axis_unit(span_s: float) -> tuple[str, float]:
-    """Unit of the axis of a waveform of this length, and how many of them are a second."""
-    return ("s", 1.0) if span_s >= LONG_S else ("ms", 1000.0)
 
 
 class WaveformPreview(QWidget):

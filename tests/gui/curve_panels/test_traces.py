@@ -167,3 +167,22 @@ def test_silence_misses_no_main_axis(show):
 def test_a_projection_on_a_fixed_axis_asks_for_no_main_axis(show):
     for view in (View(axes="z"), View(axes="xyz", method="soc")):
         assert "selected_without_main_axis" not in show(view).needs
+
+
+@pytest.mark.parametrize(("until_s", "unit"), [(0.999, "ms"), (1.0, "s"), (60.0, "s")])
+def test_times_are_in_seconds_from_one_second_on(show, until_s, unit):
+    panel = show(n_times=round(1300 * until_s) + 1)
+    axis = plot_of(panel).window.axis
+    assert axis.unit == unit
+    assert axis.titles[0].startswith(f"Time ({unit}) · responses start ~52 ms late")
+    ticks = [tick.label for tick in axis.ticks(0.0, until_s, 400.0)]
+    assert float(ticks[-1]) == pytest.approx(until_s * (1 if unit == "s" else 1000), rel=0.2)
+
+
+def test_the_part_that_is_seen_decides_the_unit(show):
+    view = replace(SIGNED, time_range_s=(0.1, 0.3))
+    assert plot_of(show(view, n_times=13_001)).window.axis.unit == "ms"
+    later = replace(SIGNED, time_range_s=(5.1, 5.3))
+    plot = plot_of(show(later, n_times=13_001))
+    assert plot.window.axis.unit == "s"
+    assert plot.window.axis.reading(5.123077) == "5.12308 s"

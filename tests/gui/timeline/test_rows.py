@@ -1,7 +1,9 @@
+import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
 from skinsource.design import Design
+from skinsource_gui.panels.timeline.heads.row_places import row_places
 from tests.gui.timeline.bench import PLACES, Bench, click, design_of, results_of
 
 
@@ -91,3 +93,18 @@ def test_a_muted_row_looks_different(bench):
     before = bench.row(1).grab().toImage()
     bench.show(bench.design.with_input(1, muted=True))
     assert bench.row(1).grab().toImage() != before
+
+
+@pytest.mark.parametrize("scale", [1.0, 1.3, 2.0])
+def test_heads_and_the_buttons_above_them_have_room_for_larger_text(bench, scale):
+    font = bench.panel.font()
+    font.setPointSizeF(font.pointSizeF() * scale)
+    bench.panel.setFont(font)
+    QApplication.processEvents()
+    buttons = bench.panel.findChildren(QToolButton)
+    snap = next(one for one in buttons if one.objectName() == "timeline_snap")
+    assert snap.width() >= snap.sizeHint().width()
+    places = row_places(bench.row(0).width(), bench.row(0).fontMetrics().height())
+    number = bench.row(0).fontMetrics().horizontalAdvance("15")
+    assert places.swatch.width() >= number
+    assert places.name.left() >= places.swatch.right()

@@ -9,10 +9,11 @@ from skinsource_gui.widgets.inputs.swatch import SWATCH_PX
 
 #: Height of a row.
 ROW_PX = 48
-#: Height of a line of text at which sizes are as written here, px.
-USUAL_LINE_PX = 14
+#: Width of a head; height of a line of text at which sizes are as written here, px.
+HEADS_PX, USUAL_LINE_PX = 196, 14
+# Heads of larger text leave the lanes room too.
+_MOST_HEADS_PX = 320
 _LINE_PX, _FIRST_LINE_PX = 20, 3
-_TEXT_LEFT_PX = UNIT_PX + SWATCH_PX + UNIT_PX
 _AMPLITUDE_PX = 90
 _BETWEEN_PX = 2
 
@@ -43,6 +44,11 @@ class RowPlaces:
     words: QRect
 
 
+def heads_px(line_px: int) -> int:
+    """Width of heads where a line of text is so high, px."""
+    return min(round(HEADS_PX * max(line_px / USUAL_LINE_PX, 1.0)), _MOST_HEADS_PX)
+
+
 def row_places(width: int, line_px: int = USUAL_LINE_PX) -> RowPlaces:
     """Places in a head, in two lines.
 
@@ -58,18 +64,19 @@ def row_places(width: int, line_px: int = USUAL_LINE_PX) -> RowPlaces:
     def px(usual: int) -> int:
         return round(scale * usual)
 
-    height, line = px(ROW_PX), px(_LINE_PX)
+    height, line, swatch = px(ROW_PX), px(_LINE_PX), px(SWATCH_PX)
+    text_left = UNIT_PX + swatch + UNIT_PX
     first = px(_FIRST_LINE_PX)
     second = first + line + 2
     step, right = line + _BETWEEN_PX, width - UNIT_PX // 2
     solo, mute = (QRect(right - step * count, first, line, line) for count in (1, 2))
     remove = QRect(right - step, second, line, line)
-    amplitude_px = min(px(_AMPLITUDE_PX), remove.x() - _TEXT_LEFT_PX - UNIT_PX // 2)
+    amplitude_px = min(px(_AMPLITUDE_PX), remove.x() - text_left - UNIT_PX // 2)
     return RowPlaces(
         row=QRect(0, 0, width, height),
-        swatch=QRectF(UNIT_PX, (height - SWATCH_PX) / 2, SWATCH_PX, SWATCH_PX),
-        name=QRect(_TEXT_LEFT_PX, first, mute.x() - _TEXT_LEFT_PX - _BETWEEN_PX, line),
-        amplitude=QRect(_TEXT_LEFT_PX, second, amplitude_px, line + 1),
+        swatch=QRectF(UNIT_PX, (height - swatch) / 2, swatch, swatch),
+        name=QRect(text_left, first, mute.x() - text_left - _BETWEEN_PX, line),
+        amplitude=QRect(text_left, second, amplitude_px, line + 1),
         mute=mute,
         solo=solo,
         remove=remove,
