@@ -126,6 +126,9 @@ class Autosave(QObject):
         except SkinSourceError as error:
             self._landed.emit(str(error))
             return False
+        except Exception as error:  # noqa: BLE001  nobody else would hear of it
+            self._landed.emit(f"The studio made a mistake: {type(error).__name__}: {error}.")
+            return False
         self._landed.emit(None)
         return True
 
@@ -133,3 +136,6 @@ class Autosave(QObject):
         if reason is not None and not self._complained:
             self.failed.emit(f"No copy of unsaved work could be kept. {reason}")
         self._complained = reason is not None
+        if self._complained and not self._ended and self._document.modified:
+            # There may be room later, also where nothing more is edited.
+            self._timer.start()

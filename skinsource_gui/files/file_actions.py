@@ -60,9 +60,13 @@ class FileActions(QObject):
         if self.may_lose_changes():
             limb = self._document.design.limb
             self._document.start_over(Design(limb=limb), View(), None)
-            self._note_file(None)
-            self.held.keep_only(None)
+            self.leave_file()
             self.done.emit("Started a new design")
+
+    def leave_file(self) -> None:
+        """No file is open any more: others may have the one that was."""
+        self._note_file(None)
+        self.held.keep_only(None)
 
     def ask_and_open(self) -> None:
         """Ask for a file and open it."""
@@ -129,7 +133,8 @@ class FileActions(QObject):
         if path.suffix.lower() not in (start.suffix.lower(), *endings):
             # The dialog asked about the name as it was typed.
             path = Path(f"{name}{start.suffix}")
-            if is_there(path) and not self._may_replace(path):
+            question = f"{path.name} exists already. Replace it?"
+            if is_there(path) and not self._agreed("Replace the file?", question):
                 return None
         return path
 
@@ -186,9 +191,6 @@ class FileActions(QObject):
             "Replace what another program saved?",
             f"{path.name} {_CHANGED}. Replace it, and lose what was saved there?",
         )
-
-    def _may_replace(self, path: Path) -> bool:
-        return self._agreed("Replace the file?", f"{path.name} exists already. Replace it?")
 
     def _agreed(self, title: str, question: str) -> bool:
         answer = QMessageBox.question(

@@ -17,7 +17,7 @@ from skinsource.motions import MOTIONS, Motion
 from skinsource.motions.changes import following, with_field
 from skinsource.quoting import sentence
 from skinsource.waveforms import Waveform
-from skinsource_gui.widgets.inputs.clip_strip import Lane, shown_clip
+from skinsource_gui.widgets.inputs.clip_strip import Lane, ShownClips
 
 
 class Draft(QObject):
@@ -122,13 +122,12 @@ class Draft(QObject):
             after = after.adding(one)
         added = after.inputs[len(self._design.inputs) :]
         largest = max(abs(one.amplitude) for one in added) or 1.0
+        shown = ShownClips(SAMPLE_RATE_HZ)
         return tuple(
             Lane(
                 place=one.location,
                 colour=one.colour,
-                clips=tuple(
-                    shown_clip(clip, SAMPLE_RATE_HZ, one.amplitude / largest) for clip in one.clips
-                ),
+                clips=tuple(shown.of(clip, one.amplitude / largest) for clip in one.clips),
             )
             for one in added
         )

@@ -251,6 +251,7 @@ class MainWindow(QMainWindow):
         Installations(self.runner, self.limbs, reports)
         self.limbs.changed.connect(self._show_limbs)
         # What could not be computed before is tried again.
+        self.limbs.changed.connect(self.comparison.forget_problems)
         self.limbs.changed.connect(document.changed)
 
     def _findable(self) -> list[QAction]:

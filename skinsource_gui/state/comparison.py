@@ -92,6 +92,12 @@ class Comparison(QObject):
         document.apply(edits.store_snapshot(document.design, document.view, int(number)))
         self.done.emit(f"Stored snapshot {number}; X shows the one before, and this again")
 
+    def forget_problems(self) -> None:
+        """Try again what could not be predicted: limbs came or went."""
+        for number in [n for n, known in self._known.items() if known.problem]:
+            del self._known[number]
+            self._asked.pop(number, None)
+
     def toggle(self) -> None:
         """Show the other one of the last two that were shown."""
         document = self._document
@@ -155,7 +161,7 @@ class Comparison(QObject):
             complete = False
             if one.design is self._document.design and self._engine.busy:
                 continue  # the window is about to show it
-            request = Request(wanted, self._given(one), slot=_slot(one.number))
+            request = Request(wanted, _given(one, self._document.view), slot=_slot(one.number))
             if self._asked.get(one.number) != request:
                 self._asked[one.number] = request
                 self._engine.request(request)
@@ -163,15 +169,9 @@ class Comparison(QObject):
             then, self._then = self._then, None
             then()
 
-    def _given(self, one: Snapshot) -> dict[str, Any]:
-        # Of the view only what levels depend on: the rest changes while one looks around.
-        view = self._document.view
-        seen = View(axes=view.axes, method=view.method, span=view.span, selected_inputs=())
-        return sources(one.design, seen)
-
     def _found(self, one: Snapshot, wanted: frozenset[str]) -> _Known | None:
         """What is known of a snapshot as it was stored, whoever asked for it."""
-        key = _key(self._given(one))
+        key = _key(_given(one, self._document.view))
         for number in (one.number, *self._known):
             known = self._known.get(number)
             if known is not None and known.key == key and known.holds(wanted):
@@ -224,6 +224,12 @@ class Comparison(QObject):
             if known is None or known.values is None
             else loudest_db(known.values["output_levels_db"])
         )
+
+
+def _given(one: Snapshot, view: View) -> dict[str, Any]:
+    # Of the view only what levels depend on: the rest changes while one looks around.
+    seen = View(axes=view.axes, method=view.method, span=view.span, selected_inputs=())
+    return sources(one.design, seen)
 
 
 def _key(given: Mapping[str, Any]) -> tuple[Any, ...]:

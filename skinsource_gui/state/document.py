@@ -39,6 +39,8 @@ class Document(QObject):
         self._design = self._saved = design
         self._view = _existing(view or View(), design)
         self._path: Path | None = None
+        #: The file that the history begins with; None: it began with a new design.
+        self.opened: Path | None = None
         self._saved_view = self._view
         self._was_modified = self._lost = self._read_only = self._on_the_way = False
         self.undo_stack = QUndoStack(self)
@@ -105,7 +107,7 @@ class Document(QObject):
         """
         self.undo_stack.clear()
         self._read_only = read_only
-        self._saved, self._path = design, path
+        self._saved, self._path, self.opened = design, path, path
         self._design, self._view = design, _existing(view, design)
         self._saved_view = self._view
         self.jumped.emit()

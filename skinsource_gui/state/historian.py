@@ -39,7 +39,7 @@ class Historian(QObject):
         """All that can be taken back or done again now."""
         document, stack = self._document, self._document.undo_stack
         steps = tuple(Step(stack.text(k), stack.command(k).at_s) for k in range(stack.count()))
-        start = f"Opened {document.path.name}" if document.path else "New design"
+        start = f"Opened {document.opened.name}" if document.opened else "New design"
         clean = stack.cleanIndex()
         return History(
             start=_FORGOTTEN if len(steps) >= MOST_STEPS else start,

@@ -19,10 +19,25 @@ def placed_chain(
         if not one.muted:
             at, shift_s = placed(one.waveform, one.effects, one.onset_s, sample_rate_hz)
             found.append((at, shift_s, one.gain, one))
-    found.sort(key=lambda entry: entry[:3])
+    _put_in_order(found)
     first = found[0][0] if found else 0
     parts = tuple(
         Part(one.waveform, tuple(effect for effect in one.effects if effect.on), at - first, *rest)
         for at, *rest, one in found
     )
     return first, Chain(parts, gain_curve, first if gain_curve else 0)
+
+
+def _put_in_order(found: list[tuple[int, float, float, Clip]]) -> None:
+    """Sort by place and gain; what is alike in both by what it plays, in words.
+
+    Sums of three numbers depend on their order in the last digit.
+    """
+    found.sort(key=_where)
+    alike = len(found) - len(set(map(_where, found)))
+    if alike:
+        found.sort(key=lambda entry: (*_where(entry), repr(entry[3])))
+
+
+def _where(entry: tuple[int, float, float, Clip]) -> tuple[int, float, float]:
+    return entry[:3]

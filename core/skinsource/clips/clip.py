@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from skinsource import fields
 from skinsource.arrays import Floats
 from skinsource.effects import Effect, effect_kinds, placed, played, played_s
+from skinsource.effects.places import LONGEST_S
+from skinsource.errors import InvalidInputError
 from skinsource.fields import ListSpec, NumberSpec, RecipeSpec, SwitchSpec, TextSpec
 from skinsource.synthesis.known_kinds import first_kind, known_kinds
 from skinsource.synthesis.waveform import Waveform
@@ -66,6 +68,11 @@ class Clip:
 
     def __post_init__(self) -> None:
         fields.check(self)
+        if not self.duration_s <= LONGEST_S:
+            raise InvalidInputError(
+                f"Clip plays {self.duration_s:g} s, expected at most {LONGEST_S:g} s; repeat it "
+                "less often, or stretch it less"
+            )
 
     @property
     def duration_s(self) -> float:

@@ -36,6 +36,8 @@ class Snapshot:
 
     def __post_init__(self) -> None:
         fields.check(self)
+        # Whoever looks at it asks for this, and must get it.
+        louder(self.design, self.gain)
 
     @property
     def played(self) -> Design:

@@ -4,11 +4,12 @@ A recipe cannot be cut, but what it plays can: a part is the same recipe through
 the same samples.  Trims made by dragging an end stand before the fades, which stay at the ends.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
-from skinsource.clips import Clip, numbered
+from skinsource.clips import ONSET, Clip, numbered
+from skinsource.clips.clip import MAX_EFFECTS
 from skinsource.design import MAX_CLIPS, Design, Input
 from skinsource.edits.clip_selection import clips_selected
 from skinsource.edits.clips import NO_CLIP, clips_words, present_clips, replace_clips, short
@@ -22,6 +23,9 @@ from skinsource.view import View
 SAME_S = 1e-9
 #: What a drag of an end leaves at least.
 SHORTEST_S = 0.001
+_FULL = (
+    f"A clip has at most {MAX_EFFECTS} effects, and cut in two it needs one more; remove one first."
+)
 _GONE = Refusal(sentence="That clip is no longer there; choose another one.")
 
 
@@ -32,7 +36,9 @@ def split_clips(design: Design, view: View, ids: Iterable[int], at_s: float) -> 
         return NO_CLIP
     if not _is_time(at_s):
         return Refusal(sentence="A time is a number of seconds.")
-    cut = {one.id: parts for one in chosen if (parts := parts_of(one, at_s)) is not None}
+    cut = parts_by_id(chosen, at_s)
+    if isinstance(cut, Refusal):
+        return cut
     if not cut:
         return Refusal(
             sentence=f"None of the selected clips plays at {at_s:.6g} s; put the playhead "
@@ -117,6 +123,7 @@ def stretch_clip(
     [one] = found
     if one.duration_s == 0.0:
         return Refusal(sentence="This clip cannot be stretched; change its duration instead.")
+    start_s = max(start_s, 0.0)
     factor = max(end_s - start_s, SHORTEST_S) / one.duration_s
     inner, fades = _without_fades(one.effects)
     old = Stretch()
@@ -128,7 +135,12 @@ def stretch_clip(
     except InvalidInputError as error:
         return refused(error)
     kept = () if abs(factor - 1.0) < SAME_S else (changed,)
-    changes = {"onset_s": short(start_s), "effects": (*inner, *kept, *fades)}
+    effects = (*inner, *kept, *fades)
+    from_end_s = max(end_s - played_s(one.waveform, effects), 0.0)
+    if abs(start_s - one.onset_s) > SAME_S and abs(from_end_s - start_s) > SAME_S:
+        # The factor goes no farther: the end stays, whose start was moved.
+        start_s = from_end_s
+    changes = {"onset_s": short(start_s), "effects": effects}
     return _changed(design, view, "Stretch", one, changes)
 
 
@@ -162,8 +174,28 @@ def fades_of(one: Clip) -> tuple[float, float]:
     return (last.in_s, last.out_s)
 
 
+def parts_by_id(clips: Sequence[Clip], at_s: float) -> dict[int, tuple[Clip, Clip]] | Refusal:
+    """Parts of those clips that play at a time, see `parts_of`."""
+    try:
+        found = {one.id: parts_of(one, at_s) for one in clips}
+    except InvalidInputError as error:
+        if at_s > ONSET.maximum:
+            return Refusal(
+                sentence=f"A clip plays at {at_s:.6g} s, and none can begin after "
+                f"{ONSET.maximum:g} s; cut it before that."
+            )
+        return Refusal(sentence=_FULL) if _any_is_full(clips) else refused(error)
+    return {id: parts for id, parts in found.items() if parts is not None}
+
+
 def parts_of(one: Clip, at_s: float) -> tuple[Clip, Clip] | None:
-    """What a clip plays before a time and from it on; None where it does not play then."""
+    """What a clip plays before a time and from it on; None where it does not play then.
+
+    Raises
+    ------
+    InvalidInputError
+        It has no room for another effect, or the later part would begin too late.
+    """
     length_s, own_s = one.duration_s, at_s - one.onset_s
     if not SAME_S < own_s < length_s - SAME_S:
         return None
@@ -195,6 +227,10 @@ def with_parts(design: Design, cut: dict[int, tuple[Clip, Clip]]) -> Design | Re
         return replace(design, inputs=tuple(inputs))
     except InvalidInputError as error:
         return refused(error)
+
+
+def _any_is_full(clips: Sequence[Clip]) -> bool:
+    return any(len(one.effects) == MAX_EFFECTS for one in clips)
 
 
 def _count_after(one: Input, cut: dict[int, tuple[Clip, Clip]]) -> int:

@@ -10,7 +10,6 @@ from skinsource.design import Design
 from skinsource.edits.clips import NO_CLIP, clips_words, present_clips
 from skinsource.edits.edit import Edit, Refusal, refused, with_clips
 from skinsource.effects import Effect, Envelope, Fade, Trim, effect_kinds
-from skinsource.effects.places import LONGEST_S
 from skinsource.errors import InvalidInputError
 from skinsource.fields import Breakpoint, specs_of
 from skinsource.quoting import quoted
@@ -149,12 +148,6 @@ def _changed(
         after = with_clips(design, {id: {"effects": chain} for id, chain in chains.items()})
     except InvalidInputError as error:
         return refused(error)
-    longest_s = max(one.duration_s for one in present_clips(after, chains))
-    if longest_s > LONGEST_S:
-        return Refusal(
-            sentence=f"The clip would play {longest_s:.6g} s, expected at most {LONGEST_S:g} s; "
-            "repeat it less often, or stretch it less."
-        )
     return Edit(label=f"{verb} {clips_words(design, chosen)}", design=after, view=view)
 
 

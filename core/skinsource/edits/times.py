@@ -12,7 +12,7 @@ from skinsource.clips import Clip, Marker
 from skinsource.clips.marker import LATEST_S
 from skinsource.design import Design, Input
 from skinsource.edits.clips import replace_clips, short
-from skinsource.edits.cutting import SAME_S, parts_of, with_parts
+from skinsource.edits.cutting import SAME_S, parts_by_id, with_parts
 from skinsource.edits.edit import Edit, Refusal, refused
 from skinsource.edits.selection import kept_selection
 from skinsource.errors import InvalidInputError
@@ -64,7 +64,9 @@ def _shifted(
 def _cut(design: Design | Refusal, at_s: float) -> Design | Refusal:
     if isinstance(design, Refusal):
         return design
-    cut = {one.id: parts for one in design.clips if (parts := parts_of(one, at_s)) is not None}
+    cut = parts_by_id(design.clips, at_s)
+    if isinstance(cut, Refusal):
+        return cut
     return with_parts(design, cut) if cut else design
 
 
@@ -106,17 +108,22 @@ def _loop(
 
 
 def _curve(curve: Curve, start_s: float, end_s: float, by_s: float) -> Curve:
-    """The curve with the same gain at what is left; a step where time was taken out."""
+    """The curve with the same gain at what is left; a step where time was taken out.
+
+    Time that comes in has the gain before it.
+    """
     if not curve or curve[-1][0] <= start_s:
         return curve
     times_s, gains = np.array(curve).T
-
-    def gain_at(time_s: float) -> float:
-        return float(np.interp(time_s, times_s, gains))
-
+    # Where two points lie at one time, the first one ends what is before, the last begins what
+    # follows.
+    at_start = next((y for x, y in curve if x == start_s), None)
+    ending = float(np.interp(start_s, times_s, gains)) if at_start is None else at_start
+    following = float(np.interp(end_s, times_s, gains))
     before = [point for point in curve if point[0] < start_s]
-    behind = [(short(x + by_s), y) for x, y in curve if x >= end_s]
-    edges = [(start_s, gain_at(start_s)), (short(end_s + by_s), gain_at(end_s))]
+    behind = [(short(x + by_s), y) for x, y in curve if x > end_s]
+    after_s = short(end_s + by_s)
+    edges = [(start_s, ending), (after_s, ending), (after_s, following)]
     # Of points that are all the same one is enough.
     points = [point for point, _ in groupby([*before, *edges, *behind])]
     return tuple((min(x, LATEST_S), y) for x, y in points)

@@ -43,7 +43,7 @@ def equalise_on_skin(
     if not isinstance(train, WaveletTrain) or len(levels_db) != len(train.frequencies_hz):
         return Refusal(sentence="The clip does not play that wavelet train any more; try again.")
     softest_db = min(levels_db)
-    if not isfinite(softest_db) or max(levels_db) - softest_db > -SOFTEST_DB:
+    if not all(map(isfinite, levels_db)) or max(levels_db) - softest_db > -SOFTEST_DB:
         worst_hz = train.frequencies_hz[list(levels_db).index(softest_db)]
         return Refusal(
             sentence=f"The wavelet of {worst_hz:g} Hz moves nothing on the skin, so none can be "

@@ -58,7 +58,6 @@ def curve_at(points: Points, x: Floats) -> Floats:
         # Rounding alone could pass the ends.
         cubic = np.clip(cubic, np.minimum(y0, y1), np.maximum(y0, y1))
         found = np.where(smooth, cubic, found)
-    found = np.where(at < 0, pieces.y[0], found)
     return np.where(at >= len(points) - 1, pieces.y[-1], found)
 
 

@@ -67,7 +67,7 @@ class TextSpec(Spec):
         )
         if not isinstance(value, str) or len(value) > self.longest:
             raise Misfit(expected)
-        if self.one_line and len(value.splitlines()) > 1:
+        if self.one_line and "".join(value.splitlines()) != value:
             raise Misfit(expected)
         try:
             value.encode()

@@ -16,7 +16,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from skinsource.design_file import SUFFIX, DesignFile, save_design
-from skinsource.files import make_folder, write_bytes
+from skinsource.files import is_there, make_folder, write_bytes
 from skinsource.keeping.owner import this_process, to_bytes
 
 #: Below the folder of the user's data.
@@ -68,7 +68,7 @@ class Session:
         InvalidInputError
             The design is larger than any file may be.
         """
-        if self._kept and content == self._last:
+        if self._kept and content == self._last and is_there(self._kept[-1]):
             return self._kept[-1]
         self._note(b"" if file is None else os.fsencode(file.absolute()))
         self._number += 1
@@ -92,7 +92,8 @@ class Session:
 
     def _note(self, file: bytes) -> None:
         """Say whose the folder is, and what the copies in it are of."""
-        if self._noted == file:
+        # Somebody who tidies up may have deleted all of it.
+        if self._noted == file and is_there(self.folder / OWNER):
             return
         make_folder(self.folder)
         # First of all: a folder without an owner is nobody's.

@@ -5,10 +5,12 @@ from dataclasses import replace
 import numpy as np
 
 from skinsource.clips import Clip, Fragment
+from skinsource.clips.clip import MAX_EFFECTS
 from skinsource.design import Design, Input, audible_indices
 from skinsource.edits.fragments import fragment_of
 from skinsource.effects import Envelope
 from skinsource.fields import Breakpoint
+from skinsource.waveforms import Layers
 
 
 def whole_design(design: Design) -> Fragment | None:
@@ -27,6 +29,10 @@ def whole_design(design: Design) -> Fragment | None:
 
 def _alone(one: Input, clip: Clip, heard: bool) -> Clip:
     """The clip with what its track does to it."""
+    if one.gain_curve and len(clip.effects) == MAX_EFFECTS:
+        # There is no room for another one but around it.
+        inside = replace(clip, onset_s=0.0, gain=1.0, muted=False, id=0)
+        clip = replace(clip, waveform=Layers((inside,)), effects=())
     effects = clip.effects
     if one.gain_curve:
         effects = (*effects, Envelope(_points(one.gain_curve, clip)))

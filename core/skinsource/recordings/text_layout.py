@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from skinsource.recordings import limits
+from skinsource.recordings.stated_rate import stated_rate_hz
 from skinsource.recordings.units import split_heading, unit_named
 
 #: Separators, the likelier ones first; the last is any run of blanks.
@@ -12,11 +13,6 @@ SEPARATORS = ("\t", ";", ",", "|", " ")
 COMMENTS = ("#", "%", "//")
 MISSING = ("", "nan", "na", "n/a", "null", "none", "-nan")
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d+)?|[+-]?inf(inity)?", re.IGNORECASE)
-_RATE = re.compile(
-    r"(?:sampl\w*[ _-]*(?:rate|freq\w*)?|fs|rate)\s*(?:\[?\(?hz\)?\]?)?\s*[:=,;\t ]\s*"
-    r"(\d+(?:[.,]\d+)?)\s*(k?hz)?",
-    re.IGNORECASE,
-)
 # Rows that have to look alike for the layout to be believed.
 _ROWS = 40
 
@@ -149,7 +145,7 @@ def _with_headings(
         header_lines=first,
         names=tuple(names),
         units=tuple(units),
-        rate_hz=_stated_rate(before),
+        rate_hz=stated_rate_hz(before, decimal),
         notes=("Commas are taken as separators, not as decimal commas.",) if whole else (),
     )
 
@@ -159,14 +155,3 @@ def _are_units(cells: Sequence[str]) -> bool:
     times = ("s", "ms", "us", "µs", "ns", "sec")
     known = [bool(unit_named(one)) or one.lower() in times for one in plain]
     return any(known) and all(ok or not one for ok, one in zip(known, plain, strict=True))
-
-
-def _stated_rate(lines: Sequence[str]) -> float | None:
-    for line in lines:
-        found = _RATE.search(line)
-        if found:
-            rate_hz = float(found[1].replace(",", "."))
-            rate_hz *= 1000.0 if (found[2] or "").lower() == "khz" else 1.0
-            if limits.LEAST_RATE_HZ <= rate_hz <= limits.MOST_RATE_HZ:
-                return rate_hz
-    return None

@@ -1,5 +1,6 @@
 """CSV, TSV and other tables of numbers in text; read line by line."""
 
+import io
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -94,7 +95,8 @@ def _opened(path: Path) -> Iterator[tuple[TextIO, TextLayout]]:
     encoding = _encoding(head)
     whole = len(head) == size
     text = head.decode(encoding, "replace")
-    lines = text.splitlines()
+    # Cut as files are read below: some more characters end lines elsewhere.
+    lines = list(io.StringIO(text, newline=None))
     if "\0" in text:
         raise refusal(path, "it is no text", "a table of numbers", "Choose another file.")
     layout = layout_of(lines if whole and len(lines) < 2 else lines[: -1 if len(lines) > 1 else 1])

@@ -1,6 +1,7 @@
 """A signal that a text describes."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import ClassVar
 
 from skinsource import fields, formula
@@ -46,8 +47,7 @@ class Formula:
 
     def __post_init__(self) -> None:
         fields.check(self)
-        count = count_of(min(self.duration_s, _TRIED_S), SAMPLE_RATE_HZ, 0.0)
-        self._played(count, SAMPLE_RATE_HZ, 0.0)
+        _try(self.text, self.duration_s)
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
         """Drive, (n_times,), as written.
@@ -58,8 +58,17 @@ class Formula:
             A result is no finite number.
         """
         count = count_of(self.duration_s, sample_rate_hz, shift_s)
-        return self._played(count, sample_rate_hz, shift_s)
+        return _played(self.text, count, sample_rate_hz, shift_s, self.duration_s)
 
-    def _played(self, count: int, sample_rate_hz: float, shift_s: float) -> Floats:
-        program = formula.read(self.text)
-        return formula.played(program, count, sample_rate_hz, shift_s, self.duration_s)
+
+@lru_cache(maxsize=256)
+def _try(text: str, duration_s: float) -> None:
+    """Raise what playing it raises; what was tried, as of many clips alike, is good for ever."""
+    count = count_of(min(duration_s, _TRIED_S), SAMPLE_RATE_HZ, 0.0)
+    _played(text, count, SAMPLE_RATE_HZ, 0.0, duration_s)
+
+
+def _played(
+    text: str, count: int, sample_rate_hz: float, shift_s: float, duration_s: float
+) -> Floats:
+    return formula.played(formula.read(text), count, sample_rate_hz, shift_s, duration_s)

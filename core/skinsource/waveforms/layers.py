@@ -73,7 +73,8 @@ class Layers:
     def _in_order(self) -> list[Clip]:
         # The order in which they are listed plays no part, not even for rounding.
         return sorted(
-            (one for one in self.parts if not one.muted), key=lambda one: (one.onset_s, one.gain)
+            (one for one in self.parts if not one.muted),
+            key=lambda one: (one.onset_s, one.gain, repr(one)),
         )
 
     def _placed(self, one: Clip, n: int, sample_rate_hz: float, shift_s: float) -> Floats:

@@ -10,7 +10,7 @@ from skinsource.design import Design
 from skinsource.edits import Edit, Refusal
 from skinsource.quoting import sentence
 from skinsource.view import View
-from skinsource.waveforms import Drawn
+from skinsource.waveforms import Drawn, Waveform
 from skinsource_gui.panels.clip_editor.tools.pen import Pen
 from skinsource_gui.widgets.inputs.input_words import figure_text
 
@@ -33,7 +33,8 @@ class Drawing(QWidget):
         self._design, self._view = Design(limb=""), View()
         self._clip: Clip | None = None
         self._rate_hz = 1.0
-        self._allowed: int | None = None
+        # By identity: another design has clips of the same numbers.
+        self._allowed: Waveform | None = None
         # Number of the stroke, and what there was before it.
         self._before: tuple[int, Design, View] | None = None
         self.pen.drawn.connect(self._draw)
@@ -46,7 +47,7 @@ class Drawing(QWidget):
 
     def may_draw(self, clip: Clip) -> bool:
         """Whether nothing need be asked before a clip is drawn on."""
-        return isinstance(clip.waveform, Drawn) or self._allowed == clip.id
+        return isinstance(clip.waveform, Drawn) or self._allowed is clip.waveform
 
     def is_allowed(self, clip: Clip) -> bool:
         """Whether a clip may become samples; asks, unless it is drawn or was asked before."""
@@ -60,8 +61,8 @@ class Drawing(QWidget):
             QMessageBox.StandardButton.Ok | QMessageBox.StandardButton.Cancel,
         )
         if answer == QMessageBox.StandardButton.Ok:
-            self._allowed = clip.id
-        return self._allowed == clip.id
+            self._allowed = clip.waveform
+        return self._allowed is clip.waveform
 
     def bound(self) -> None:
         """Take away what lies outside the measured band."""

@@ -52,6 +52,10 @@ def matching_words(compared: Sequence[Compared], *, matched: bool) -> str:
         return ""
     if not matched:
         return "As loud as they were stored"
+    silent = played_db(known[0])
+    if silent is not None and silent <= FLOOR_DB:
+        words = title(known[0])
+        return f"{words[:1].upper()}{words[1:]} is silent: levels cannot be matched to it"
     return f"Alike at the loudest output: {level_words(known[0])[:-3]} {_UNIT}"
 
 

@@ -30,6 +30,7 @@ class LaneKeys(QObject):
     looked = Signal(object)
     playhead_wanted = Signal(float)
     copied = Signal()
+    cut = Signal()
     pasted = Signal()
     zoomed = Signal(float)
     everything_wanted = Signal()
@@ -94,8 +95,10 @@ class LaneKeys(QObject):
         content = self._content()
         design, view = content.design, content.view
         chosen, at_s = content.chosen, view.playhead_s
-        if wanted in ("copy", "cut"):
+        if wanted == "copy":
             self.copied.emit()
+        elif wanted == "cut":
+            self.cut.emit()
         elif wanted == "paste":
             self.pasted.emit()
         elif wanted == "marker":
@@ -108,7 +111,6 @@ class LaneKeys(QObject):
             "mute": lambda: edits.toggle_mute_clips(design, view, chosen),
             "duplicate": lambda: edits.duplicate_clips(design, view, chosen),
             "remove": lambda: edits.remove_clips(design, view, chosen),
-            "cut": lambda: edits.cut_clips(design, view, chosen),
         }.get(wanted)
         if outcome is not None:
             self.edited.emit(outcome(), None)

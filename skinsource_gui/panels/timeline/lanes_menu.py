@@ -108,7 +108,7 @@ class LanesMenu(QObject):
         menu.addSeparator()
         self._fill_places(menu, f"Move {what} to")
         self._line(menu, "Copy", "copy", self._clips.copy)
-        self._line(menu, "Cut", "cut", self._cut)
+        self._line(menu, "Cut", "cut", self._clips.cut)
         self._act(menu, f"Remove {what}", "remove", edits.remove_clips)
 
     def _fill_places(self, menu: QMenu, words: str) -> None:
@@ -196,12 +196,6 @@ class LanesMenu(QObject):
         # A tab makes the key stand at the right; it is the widget's, no shortcut of the menu.
         shown = f"{words}\t{key_text(_PLACE, key)}" if key else words
         menu.addAction(shown).triggered.connect(lambda _=False: act())
-
-    def _cut(self) -> None:
-        self._clips.copy()
-        content = self._content()
-        chosen = content.view.selected_clips
-        self.edited.emit(edits.cut_clips(content.design, content.view, chosen), None)
 
     def _rename(self, index: int) -> None:
         content = self._content()

@@ -129,6 +129,7 @@ class TimelinePanel(Panel):
         menu.opened.connect(self._open)
         lanes.menu_wanted.connect(menu.open)
         lanes.keys.copied.connect(clips.copy)
+        lanes.keys.cut.connect(clips.cut)
         lanes.keys.pasted.connect(clips.paste)
         lanes.keys.zoomed.connect(lanes.zoom)
         lanes.keys.everything_wanted.connect(lanes.show_everything)

@@ -44,16 +44,24 @@ class TimelineEdits(QObject):
         name = str(len(self._design.markers) + 1)
         self._emit(edits.add_marker(self._design, self._view, at_s, name))
 
-    def copy(self) -> None:
-        """Put the selected clips on the clipboard."""
+    def copy(self) -> bool:
+        """Put the selected clips on the clipboard; whether they are there."""
         fragment = edits.fragment_of(self._design, chosen_clips(self._design, self._view))
         if fragment is None:
             self._emit(_NO_CLIPS)
-            return
+            return False
         try:
             clipboard.copy(fragment)
         except SkinSourceError as error:
             self._emit(Refusal(sentence=sentence(str(error))))
+            return False
+        return True
+
+    def cut(self) -> None:
+        """Move the selected clips to the clipboard; what cannot be there stays."""
+        if self.copy():
+            chosen = chosen_clips(self._design, self._view)
+            self._emit(edits.cut_clips(self._design, self._view, chosen))
 
     def paste(self) -> None:
         """Put the clips of the clipboard at the playhead."""

@@ -122,6 +122,7 @@ class Keeping(QObject):
         return kept
 
     def _suggest(self, file: Path | None) -> None:
+        self._files.leave_file()
         self._files.suggested = file
 
     def _note_results(self, outcome: Outcome) -> None:

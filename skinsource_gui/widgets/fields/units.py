@@ -182,7 +182,10 @@ def parse_number(text: str, spec: NumberSpec, beside_si: float = 0.0) -> float:
         known = ", ".join(name for name in (unit.symbol, *dict(unit.spellings)) if name)
         instead = f"Units: {known}." if known else "Type the number alone."
         raise InvalidInputError(f"{spec.label}: “{match[2]}” is not one of its units. {instead}")
-    value = _at_bound(float(Fraction(match[1].replace(",", ".")) * factor), spec)
+    try:
+        value = _at_bound(float(Fraction(match[1].replace(",", ".")) * factor), spec)
+    except (OverflowError, ValueError):  # beyond all floats; more digits than Python reads
+        raise InvalidInputError(f"{spec.label}: the number is too long. {allowed}") from None
     if not spec.minimum <= value <= spec.maximum:
         side = "low" if value < spec.minimum else "high"
         found = minus(with_unit(match[1], unit) if not match[2] else typed)

@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
 from skinsource.clips import Clip, Fragment
-from skinsource.effects import played
+from skinsource.effects import Effect, played
+from skinsource.waveforms import Waveform
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
 from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.inputs.swatch import paint_swatch
@@ -49,15 +50,28 @@ class Lane:
     clips: tuple[ShownClip, ...]
 
 
-def shown_clip(clip: Clip, sample_rate_hz: float, factor: float) -> ShownClip:
-    """A clip, its samples times its gain and ``factor``; those that pass 1 are not cut off."""
-    samples = played(clip.waveform, clip.effects, sample_rate_hz)
-    reach = max(float(np.abs(samples).max(initial=0.0)), 1.0)
-    return ShownClip(
-        start_s=clip.onset_s,
-        duration_s=clip.duration_s,
-        samples=samples * (clip.gain * factor / reach),
-    )
+class ShownClips:
+    """Draws clips; what is alike is drawn once, however often it comes: some motions repeat much.
+
+    Parameters
+    ----------
+    sample_rate_hz
+        Of what is shown.
+    """
+
+    def __init__(self, sample_rate_hz: float) -> None:
+        self._rate_hz = sample_rate_hz
+        self._drawn: dict[tuple[Waveform, tuple[Effect, ...], float], Floats] = {}
+
+    def of(self, clip: Clip, factor: float) -> ShownClip:
+        """A clip, its samples times its gain and ``factor``; those that pass 1 are not cut off."""
+        key = (clip.waveform, clip.effects, clip.gain * factor)
+        samples = self._drawn.get(key)
+        if samples is None:
+            plain = played(clip.waveform, clip.effects, self._rate_hz)
+            reach = max(float(np.abs(plain).max(initial=0.0)), 1.0)
+            samples = self._drawn[key] = plain * (clip.gain * factor / reach)
+        return ShownClip(start_s=clip.onset_s, duration_s=clip.duration_s, samples=samples)
 
 
 def strip_lanes(fragment: Fragment, sample_rate_hz: float) -> tuple[Lane, ...]:
@@ -72,14 +86,12 @@ def strip_lanes(fragment: Fragment, sample_rate_hz: float) -> tuple[Lane, ...]:
         (abs(lane.amplitude * clip.gain) for lane in fragment.lanes for clip in lane.clips),
         default=1.0,
     )
-    factor = 1.0 / (largest or 1.0)
+    factor, shown = 1.0 / (largest or 1.0), ShownClips(sample_rate_hz)
     return tuple(
         Lane(
             place=lane.location,
             colour=number,
-            clips=tuple(
-                shown_clip(clip, sample_rate_hz, lane.amplitude * factor) for clip in lane.clips
-            ),
+            clips=tuple(shown.of(clip, lane.amplitude * factor) for clip in lane.clips),
         )
         for number, lane in enumerate(fragment.lanes)
     )
@@ -94,6 +106,8 @@ class ClipStrip(QWidget):
         self._lanes: tuple[Lane, ...] = ()
         self._words = ""
         self._picture = KeptPicture()
+        # Outlines of what is painted, by samples and size.
+        self._outlines: dict[tuple[int, float, float], QPainterPath] = {}
         self.setObjectName("clip_strip")
         self.setAccessibleName("Clips")
         self.setFont(tabular(self.font()))
@@ -164,6 +178,7 @@ class ClipStrip(QWidget):
             painter.drawLine(QLineF(area.left(), area.bottom(), area.right(), area.bottom()))
             for clip in lane.clips:
                 self._paint_clip(painter, area, colour, clip, x_of)
+        self._outlines.clear()
 
     def _paint_head(self, painter: QPainter, area: QRectF, lane: Lane, colour: QColor) -> None:
         high = min(area.height() - 2.0, _SWATCH_PX)
@@ -181,7 +196,14 @@ class ClipStrip(QWidget):
         painter.drawRoundedRect(box, 3, 3)
         painter.setBrush(colour)
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.drawPath(_outline(clip.samples, box))
+        painter.drawPath(self._outline(clip.samples, box))
+
+    def _outline(self, samples: Floats, box: QRectF) -> QPainterPath:
+        size = QRectF(0.0, 0.0, round(box.width(), 3), round(box.height(), 3))
+        key = (id(samples), size.width(), size.height())
+        if key not in self._outlines:
+            self._outlines[key] = _outline(samples, size)
+        return self._outlines[key].translated(box.topLeft())
 
     def _paint_axis(self, painter: QPainter, plot: QRectF, start_s: float, span_s: float) -> None:
         unit, per_s = axis_unit(start_s + span_s)

@@ -1,5 +1,6 @@
 """Any recipe that fits its fields, for Hypothesis to choose: designs, views, whole files."""
 
+import dataclasses
 from dataclasses import replace
 from functools import cache
 
@@ -146,4 +147,9 @@ def made(kind: type, given: dict):
     try:
         return kind(**given)
     except InvalidInputError:
-        return kind()
+        needed = {
+            one.name
+            for one in dataclasses.fields(kind)
+            if one.default is one.default_factory is dataclasses.MISSING
+        }
+        return kind(**{name: value for name, value in given.items() if name in needed})

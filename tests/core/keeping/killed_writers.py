@@ -23,6 +23,7 @@ from skinsource.keeping.session import Session
 EDIT = struct.Struct("<qd")
 MOST_EDITS = 4000
 AT_A_TIME = 25
+LONGEST_S = 60.0
 
 
 def write_until_killed(folder, notes, interval_s):
@@ -51,16 +52,25 @@ def born(folder, interval_s):
     return pid, notes
 
 
+def wait_for(notes, life_s):
+    """Until a writer has worked for so long by its own notes, however busy the machine is."""
+    latest_s = time.monotonic() + LONGEST_S
+    while time.monotonic() < latest_s:
+        last, last_s = EDIT.unpack_from(notes, 0)
+        if last > 1 and last_s - EDIT.unpack_from(notes, EDIT.size)[1] >= life_s:
+            return
+        time.sleep(0.001)
+
+
 def main(folder, kills, interval_s, seed):
     told = []
     chance = np.random.default_rng(seed)
     while len(told) < kills:
         count = min(AT_A_TIME, kills - len(told))
         writers = [born(folder, interval_s) for _ in range(count)]
-        start_s = time.monotonic()
-        ends_s = sorted(start_s + chance.uniform(0.5, 5.0) * interval_s for _ in writers)
-        for (pid, notes), end_s in zip(writers, ends_s, strict=True):
-            time.sleep(max(end_s - time.monotonic(), 0.0))
+        lives_s = sorted(chance.uniform(0.5, 5.0) * interval_s for _ in writers)
+        for (pid, notes), life_s in zip(writers, lives_s, strict=True):
+            wait_for(notes, life_s)
             os.kill(pid, signal.SIGKILL)
             os.waitpid(pid, 0)
             last, _ = EDIT.unpack_from(notes, 0)

@@ -99,7 +99,7 @@ def test_the_file_that_was_saved_is_named_and_marked(window, panel, tmp_path):
     edit(window, 2.0)
     window.document.mark_saved(tmp_path / "tap.skinsource")
     edit(window, 3.0)
-    assert rows(panel)[0] == "Opened tap.skinsource"
+    assert rows(panel)[0] == "New design"
     assert [when.startswith("saved") for when in rows(panel, TIME)] == [False, True, False]
 
 

@@ -235,3 +235,9 @@ def test_a_long_time_is_shown_typed_and_copied_in_seconds(bench):
     assert QApplication.clipboard().text() == "12.5 s"
     one.type("601")
     assert one.field.problem == "Duration: 601 s is too high. Allowed: 1 ms to 600 s."
+
+
+@pytest.mark.parametrize("digits", ["9" * 400, "9" * 5000])
+def test_a_number_that_nobody_can_hold_is_not_taken(digits):
+    with pytest.raises(InvalidInputError, match="too long"):
+        parse_number(digits, AMPLITUDE)

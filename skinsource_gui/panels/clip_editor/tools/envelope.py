@@ -53,6 +53,8 @@ class EnvelopeTool(QObject):
 
     #: The points, and the number of the gesture or None.
     changed = Signal(object, object)
+    #: The drag of this number is given up: all is as it was before.
+    given_up = Signal(int)
 
     cursor = Qt.CursorShape.ArrowCursor
 
@@ -150,7 +152,7 @@ class EnvelopeTool(QObject):
     def cancel(self) -> bool:
         drag, self._drag = self._drag, None
         if drag is not None and drag.moved and drag.box is None:
-            self.changed.emit(drag.before or drag.points, drag.number)
+            self.given_up.emit(drag.number)
         return drag is not None
 
     def nudge(self, by_s: float, by_value: float, gesture: int) -> None:

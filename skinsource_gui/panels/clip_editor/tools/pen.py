@@ -6,7 +6,7 @@ from PySide6.QtGui import QColor, QPainter, QPen
 from skinsource.arrays import Floats
 from skinsource.drawing import Stroke, drawn_over, zeroed
 from skinsource.errors import InvalidInputError
-from skinsource_gui.panels.clip_editor.content import EditorContent
+from skinsource_gui.panels.clip_editor.content import REACH, EditorContent
 from skinsource_gui.panels.clip_editor.tools.tool import Button, Held
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.gesture import new_gesture
@@ -94,4 +94,6 @@ class Pen(QObject):
 
     def _place(self, content: EditorContent, at: QPointF) -> tuple[float, float]:
         time_s, value = content.place(at)
-        return max(time_s, 0.0), min(max(value, -_FULL), _FULL)
+        # As far as 1, or as far as is seen of what is louder.
+        full = max(_FULL, content.reach) if content.reach > REACH else _FULL
+        return max(time_s, 0.0), min(max(value, -full), full)

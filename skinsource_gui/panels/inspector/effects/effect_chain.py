@@ -133,6 +133,8 @@ class EffectChain(QWidget):
         for row in self._rows:
             self._column.removeWidget(row)
         for row in gone:
+            # What was being typed in it is for no other effect.
+            row.forget_typing()
             row.hide()
             row.deleteLater()
         self._rows = rows

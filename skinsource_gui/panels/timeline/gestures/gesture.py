@@ -6,6 +6,7 @@ from typing import Protocol
 
 from PySide6.QtCore import QPointF, QRectF, Qt
 
+from skinsource.design import Design
 from skinsource.edits import Edit, Refusal
 from skinsource.view import View
 from skinsource_gui.panels.timeline.content import Content
@@ -55,6 +56,8 @@ class Stage:
         let go.
     before
         What was shown when the button went down.
+    made
+        What the last edit led to; None before there is any.
     """
 
     content: Callable[[], Content]
@@ -64,18 +67,29 @@ class Stage:
     elsewhere: Callable[[QPointF | None], DropPlace | None]
     before: Content
     number: int = field(default_factory=new_gesture)
-    edited: bool = False
+    made: Design | None = None
+
+    @property
+    def disturbed(self) -> bool:
+        """Whether something else has changed the design since the button went down."""
+        now, expected = self.content().design, self.made or self.before.design
+        return now is not expected and now != expected
 
     def edit(self, outcome: Edit | Refusal) -> None:
-        """Show an edit of the design that there was before."""
-        self.edited = self.edited or isinstance(outcome, Edit)
+        """Show an edit of the design that there was before, unless that has become another."""
+        if self.disturbed:
+            return
+        if isinstance(outcome, Edit):
+            self.made = outcome.design
         self.apply(outcome, self.number)
 
     def take_back(self) -> None:
         """Put the design back as if the gesture had not begun."""
-        if self.edited:
+        if self.made is not None and not self.disturbed:
             before = self.before
             self.apply(Edit(label="", design=before.design, view=before.view), self.number)
+            # It may go on from there.
+            self.made = None
 
 
 class Gesture(Protocol):

@@ -84,7 +84,7 @@ class MoveClips:
 
     def _lanes_to(self, at: QPointF) -> int:
         lanes = self._stage.content().lanes
-        tracks = [lane.track.id for lane in lanes]
-        here = tracks.index(self._box.lane.track.id)
+        # Where it was when the button went down: its track may have gone meanwhile.
+        here = self._stage.before.design.index_of(self._box.lane.track.id)
         under = next((k for k, lane in enumerate(lanes) if at.y() < lane.bottom_px), len(lanes) - 1)
         return under - here

@@ -1,0 +1,28 @@
+"""Effects at their very ends: before own time 0, and at half the sample rate."""
+
+import numpy as np
+import pytest
+
+from skinsource.effects import BandLimit, Reverse
+
+RATE_HZ = 1000.0
+
+
+@pytest.mark.parametrize("shift_s", [0.0, 0.0003, 0.0009])
+def test_backwards_too_nothing_plays_before_time_0(shift_s):
+    # What a delayed recording has behind its end would come first.
+    found = Reverse().applied(np.ones(13), RATE_HZ, shift_s, 0.0105)
+    own_s = np.arange(found.size) / RATE_HZ - shift_s
+    assert (found[own_s < 0.0] == 0.0).all()
+    assert (found[own_s >= 0.0] == 1.0).all()
+
+
+@pytest.mark.parametrize("n", range(50, 60))
+def test_the_share_that_is_removed_counts_half_the_rate_once(n):
+    limit = BandLimit(0.0, 400.0)
+    samples = np.where(np.arange(n) % 2, -1.0, 1.0)
+    size = limit._spectrum(samples, RATE_HZ)[1]
+    frequencies_hz = np.abs(np.fft.fftfreq(size, 1.0 / RATE_HZ))
+    energy = np.abs(np.fft.fft(samples, size)) ** 2
+    kept = (energy * limit.gains_at(frequencies_hz) ** 2).sum() / energy.sum()
+    assert limit.share_removed(samples, RATE_HZ) == pytest.approx(1.0 - kept, abs=1e-12)

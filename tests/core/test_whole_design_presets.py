@@ -1,0 +1,35 @@
+"""A whole design as a preset, where a chain has no room for the gain curve of its track."""
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource import edits
+from skinsource.clips import Clip
+from skinsource.clips.clip import MAX_EFFECTS
+from skinsource.design import Design, Input
+from skinsource.effects import SoftClip, Trim
+from skinsource.presets import whole_design
+from skinsource.view import View
+from skinsource.waveforms import Tone
+
+CURVE = ((0.05, 0.2), (0.3, 1.0))
+
+
+@pytest.mark.parametrize("count", [MAX_EFFECTS - 1, MAX_EFFECTS])
+def test_a_full_chain_plays_what_it_played_below_its_gain_curve(count):
+    effects = (*(SoftClip(drive=1.1, level=2.0),) * (count - 1), Trim(0.0, 0.25))
+    clip = Clip(waveform=Tone(97.0, duration_s=0.3), onset_s=0.0337, gain=-0.7, effects=effects)
+    design = Design(
+        limb="synthetic-1", inputs=(Input(location=7, clips=(clip,), gain_curve=CURVE),)
+    )
+    kept = whole_design(design)
+    [lane] = kept.lanes
+    assert len(lane.clips[0].effects) <= MAX_EFFECTS
+    outcome = edits.place_fragment(
+        Design(limb="synthetic-1"), View(), kept, "all", clip.onset_s, location=7
+    )
+    before, after = (
+        ss.evaluate(one, "output_levels_db")["output_levels_db"] for one in (design, outcome.design)
+    )
+    assert np.allclose(before, after, rtol=0.0, atol=1e-9)

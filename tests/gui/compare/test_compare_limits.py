@@ -1,0 +1,49 @@
+"""Snapshots that cannot be predicted yet, or that are silent."""
+
+import pytest
+from PySide6.QtCore import QEvent
+from PySide6.QtWidgets import QApplication
+
+from skinsource.design import Design, track
+from skinsource_gui.panels.compare.card_words import matching_words
+
+
+@pytest.fixture
+def panel(window, settle):
+    window.docks["compare"].show()
+    settle()
+    return window.panel("compare")
+
+
+def card(panel, number):
+    return next(one for one in panel.cards if one.number == number)
+
+
+def test_a_snapshot_on_a_limb_that_was_missing_is_predicted_once_it_is_installed(
+    window, settle, panel, qtbot, made_up_installed
+):
+    away = made_up_installed.with_suffix(".away")
+    made_up_installed.rename(away)
+    start = window.document.design
+    window.document.edit("a", Design(limb="measured-2", inputs=(track(7),)))
+    window.do("store_snapshot_1")
+    window.document.edit("b", start)
+    settle()
+    qtbot.waitUntil(lambda: bool(card(panel, 1).compared.problem))
+    away.rename(made_up_installed)
+    QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
+    settle()
+    qtbot.waitUntil(lambda: card(panel, 1).compared.problem == "", timeout=5000)
+    assert card(panel, 1).compared.values is not None
+
+
+def test_what_is_silent_is_not_said_to_be_as_loud(window, settle, panel):
+    window.document.edit("a", Design(limb="synthetic-1"))
+    window.do("store_snapshot_1")
+    window.document.edit("b", Design(limb="synthetic-1", inputs=(track(7),)))
+    window.do("store_snapshot_2")
+    settle()
+    words = panel.words.text()
+    assert "sil " not in words
+    assert words == "Snapshot 1 is silent: levels cannot be matched to it"
+    assert matching_words((), matched=True) == ""

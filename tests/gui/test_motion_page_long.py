@@ -1,0 +1,24 @@
+"""The page of motions with as much as fits a design."""
+
+from PySide6.QtCore import QObject
+
+from skinsource.design import Design
+from skinsource_gui.motion_page.draft import Draft
+from skinsource_gui.widgets.inputs import clip_strip
+
+
+def test_a_motion_that_repeats_one_long_burst_draws_it_once(qtbot, monkeypatch):
+    drawn = []
+    played = clip_strip.played
+    monkeypatch.setattr(clip_strip, "played", lambda *one: (drawn.append(one), played(*one))[1])
+    owner = QObject()
+    draft = Draft(Design(limb="any"), 0.0, owner)
+    draft.change_kind("Alternation")
+    draft.change_field("rounds", 200)
+    draft.change_waveform_field("duration_s", 60.0)
+    drawn.clear()
+    lanes = draft.lanes()
+    clips = [clip for lane in lanes for clip in lane.clips]
+    assert len(clips) == 600
+    assert len(drawn) == 1
+    assert len({id(clip.samples) for clip in clips}) == 1
