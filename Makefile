@@ -5,7 +5,7 @@ BIN := .venv/bin
 PYTEST_OPTIONS ?=
 AT_ONCE := -n auto --maxprocesses 8
 
-BENCHMARKS := "engine_speed.py --long" predict_speed.py slots.py frequency_drag.py slider_storm.py start.py long_design.py import_hour.py
+BENCHMARKS := "engine_speed.py --long" predict_speed.py slots.py frequency_drag.py slider_storm.py start.py long_design.py import_hour.py sweeps.py
 
 .PHONY: run test checks fix pictures bench nightly growth clean
 

@@ -19,6 +19,7 @@ import importlib
 from typing import TYPE_CHECKING
 
 from skinsource import edits, effects, motions, waveforms
+from skinsource.analysis import Extent, extent, windowed_rms
 from skinsource.catalogue import available_limbs, load_limb
 from skinsource.clips import Clip, Marker
 from skinsource.decibels import decibels
@@ -41,12 +42,22 @@ from skinsource.version import __version__
 from skinsource.view import View
 
 if TYPE_CHECKING:
-    from skinsource import actuators, equalising, measuring, recordings, rigs
+    from skinsource import (
+        actuators,
+        equalising,
+        measuring,
+        perception,
+        recordings,
+        rigs,
+        sweeps,
+    )
     from skinsource.rigs import open_rig, save_rig
+    from skinsource.sweeps import sweep
 
 __all__ = [
     "Clip",
     "Design",
+    "Extent",
     "Input",
     "Limb",
     "LimbMap",
@@ -66,6 +77,7 @@ __all__ = [
     "evaluate",
     "export_formats",
     "export_stimulus",
+    "extent",
     "impulse",
     "load_limb",
     "magnitude_spectrum",
@@ -74,6 +86,7 @@ __all__ = [
     "open_design",
     "open_rig",
     "peak_hold_spectrum",
+    "perception",
     "predict",
     "project_axes",
     "recordings",
@@ -85,18 +98,33 @@ __all__ = [
     "sinusoid",
     "stimulus_of",
     "surface_operator",
+    "sweep",
+    "sweeps",
     "tap",
     "track",
     "waveforms",
     "white_noise",
     "window",
+    "windowed_rms",
 ]
 
 
+# What few scripts need is imported when it is first asked for: packages, and names of theirs.
+_PACKAGES = (
+    "actuators",
+    "equalising",
+    "measuring",
+    "perception",
+    "recordings",
+    "rigs",
+    "sweeps",
+)
+_NAMES = {"open_rig": "rigs", "save_rig": "rigs", "sweep": "sweeps"}
+
+
 def __getattr__(name: str) -> object:
-    # What few scripts need is imported when it is first asked for.
-    if name in ("actuators", "equalising", "measuring", "recordings", "rigs"):
+    if name in _PACKAGES:
         return importlib.import_module(f"skinsource.{name}")
-    if name in ("open_rig", "save_rig"):
-        return getattr(importlib.import_module("skinsource.rigs"), name)
+    if name in _NAMES:
+        return getattr(importlib.import_module(f"skinsource.{_NAMES[name]}"), name)
     raise AttributeError(f"module 'skinsource' has no attribute {quoted(name)}")

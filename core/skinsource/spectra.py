@@ -1,6 +1,7 @@
 """Levels over time and over frequency."""
 
 import math
+from functools import lru_cache
 
 import numpy as np
 import scipy
@@ -179,15 +180,25 @@ def share_outside_band(
         return 0.0
     data, _ = _scaled(data)
     low, high = np.minimum(edges_hz, rate / 2).tolist()
-    lag = np.arange(1, data.size)
     # Of numpy: the editor of a clip asks before anything else of scipy.fft has been imported.
     n = 1 << (2 * data.size - 1).bit_length()
     spectrum = np.fft.rfft(data, n)
     correlation = np.fft.irfft(spectrum.real**2 + spectrum.imag**2, n)[: data.size]
-    edges = np.sin(2.0 * np.pi * turns(high, data.size, rate)[1:])
-    edges -= np.sin(2.0 * np.pi * turns(low, data.size, rate)[1:])
-    inside = (high - low) / rate + correlation[1:] @ (edges / (np.pi * lag)) / correlation[0]
+    weights = (_known_weights if data.size <= _SHORT else _weights)(low, high, data.size, rate)
+    inside = (high - low) / rate + correlation[1:] @ weights / correlation[0]
     return min(max(1.0 - 2.0 * float(inside), 0.0), 1.0)
+
+
+def _weights(low_hz: float, high_hz: float, n_times: int, rate_hz: float) -> Floats:
+    """Of the autocorrelation at lags from 1 on, (n_times - 1,), in `share_outside_band`."""
+    edges = np.sin(2.0 * np.pi * turns(high_hz, n_times, rate_hz)[1:])
+    edges -= np.sin(2.0 * np.pi * turns(low_hz, n_times, rate_hz)[1:])
+    return edges / (np.pi * np.arange(1, n_times))
+
+
+# Asked for again and again for stimuli of one length; short ones, so that little is held.
+_SHORT = 2**14
+_known_weights = lru_cache(maxsize=8)(_weights)
 
 
 def _scaled(data: Floats) -> tuple[Floats, Floats]:

@@ -7,7 +7,7 @@ from typing import Any
 
 from skinsource.catalogue import available_limbs, load_limb
 from skinsource.choice_words import LIMBS, word_of
-from skinsource.commands import design_commands, export_command
+from skinsource.commands import design_commands, export_command, sweep_commands
 from skinsource.dataset import commands as dataset_commands
 from skinsource.errors import SkinSourceError, Stopped
 from skinsource.method_comparison import commands as bench_commands
@@ -15,7 +15,13 @@ from skinsource.version import __version__
 
 #: What adds the commands, in the order of the help page.  Each sets ``run``, a function from
 #: the parsed arguments to the exit code.
-COMMAND_MODULES = (design_commands, export_command, dataset_commands, bench_commands)
+COMMAND_MODULES = (
+    design_commands,
+    export_command,
+    sweep_commands,
+    dataset_commands,
+    bench_commands,
+)
 
 _FAILED, _STOPPED = 1, 130
 

@@ -6,9 +6,9 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import IO, Any
 
-from skinsource.dataset.optional import optional_package
 from skinsource.dataset.published import RemoteFile
 from skinsource.errors import DownloadError, StorageError
+from skinsource.extras import package_of_extra
 from skinsource.job import Stop, stop_if
 from skinsource.quoting import printable
 
@@ -44,8 +44,8 @@ def download(file: RemoteFile, part: Path, *, report: Callable[[int], None], sto
     Stopped
         ``stop`` said so.
     """
-    requests = optional_package("requests")
-    network = optional_package("urllib3.exceptions")
+    requests = package_of_extra("requests", "dataset")
+    network = package_of_extra("urllib3.exceptions", "dataset")
     with requests.Session() as session:
         while (before := _size(part)) < file.size_bytes:
             reason = "the answer ended early"

@@ -9,10 +9,10 @@ from typing import Any
 from skinsource.dataset.download import download
 from skinsource.dataset.downloaded_files import download_folder, leftovers
 from skinsource.dataset.install import install
-from skinsource.dataset.optional import optional_package
 from skinsource.dataset.published import RemoteFile, checksum_of, published_files
 from skinsource.dataset.store import StoreInfo
 from skinsource.errors import DownloadError, StorageError
+from skinsource.extras import package_of_extra
 from skinsource.files import make_folder
 from skinsource.job import Progress, Stop, never, silent
 
@@ -53,9 +53,9 @@ def fetch(
     Stopped
         ``stop`` said so; what has arrived is kept for the next time.
     """
-    pooch = optional_package("pooch")
+    pooch = package_of_extra("pooch", "dataset")
     for name in ("requests", "matio"):
-        optional_package(name)
+        package_of_extra(name, "dataset")
     files = published_files() if files is None else files
     downloads = download_folder() if downloads is None else downloads
     make_folder(downloads)

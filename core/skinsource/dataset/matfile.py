@@ -3,9 +3,9 @@
 from pathlib import Path
 from typing import Any
 
-from skinsource.dataset.optional import optional_package
 from skinsource.dataset.pieces import WHAT_TO_DO, refuse_scattered
 from skinsource.errors import DatasetError, StorageError
+from skinsource.extras import package_of_extra
 from skinsource.quoting import printable
 
 
@@ -21,7 +21,7 @@ def read_variable(path: Path, name: str) -> Any:
     DatasetError
         It is no MATLAB file, is cut off or damaged, or does not hold the variable.
     """
-    matio = optional_package("matio")
+    matio = package_of_extra("matio", "dataset")
     try:
         with path.open("rb") as opened:
             opened.read(1)

@@ -1,4 +1,4 @@
-"""Packages that only those need who install the measured dataset."""
+"""Packages that only some need: the extras of the project."""
 
 import importlib
 from types import ModuleType
@@ -7,8 +7,8 @@ from skinsource.errors import MissingExtraError
 from skinsource.quoting import printable, quoted
 
 
-def optional_package(name: str) -> ModuleType:
-    """Import a package of the extra ``dataset``.
+def package_of_extra(name: str, extra: str) -> ModuleType:
+    """Import a package, or a module of it, that comes with an extra.
 
     Raises
     ------
@@ -21,5 +21,5 @@ def optional_package(name: str) -> ModuleType:
         raise MissingExtraError(
             f"the package {quoted(name)} is needed for this and cannot be imported "
             f"({printable(error)}). "
-            'Install it with: pip install "skinsource[dataset]"'
+            f'Install it with: pip install "skinsource[{extra}]"'
         ) from error

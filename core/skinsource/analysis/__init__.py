@@ -1,0 +1,6 @@
+"""What is read out of a predicted response: how far it reaches, and when."""
+
+from skinsource.analysis.extent import Extent, extent
+from skinsource.analysis.windowed import windowed_rms
+
+__all__ = ["Extent", "extent", "windowed_rms"]

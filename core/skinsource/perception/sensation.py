@@ -1,0 +1,123 @@
+"""Levels above threshold, output by output."""
+
+import numpy as np
+import scipy
+from numpy.typing import ArrayLike
+
+from skinsource.arguments import finite_array, positive_number
+from skinsource.arrays import Floats
+from skinsource.errors import InvalidInputError
+from skinsource.locations import ARM_REGIONS, output_place
+from skinsource.perception.thresholds import CHANNELS, Channel, threshold_rms
+
+#: To be shown beside every number of this module.
+LIMITS = (
+    "Thresholds are of glabrous skin, most outputs lie on hairy or bony skin; sensors, age, "
+    "temperature and force are not modelled; people differ by 6 to 10 dB. Compare designs on one "
+    "limb only."
+)
+#: How much less sensitive hairy skin of hand and digits is, and that of the arm; 5 to 15 and 10 to
+#: 20 dB are reported.
+HAIRY_HAND_DB, ARM_DB = 10.0, 15.0
+_SILENCE_DB = -300.0
+# Growth of the sensation with the amplitude: Stevens, at 250 and 60 Hz.
+_EXPONENTS: dict[Channel, float] = {"P": 0.6, "NP I": 0.9}
+
+
+def site_offsets_db(n_outputs: int = 72) -> dict[Channel, Floats]:
+    """By how much the thresholds at the outputs lie above those of glabrous skin, (n_outputs,).
+
+    Infinite where a channel plays no part: P on wrist, forearm and elbow, where NP governs
+    (Whitehouse and Griffin, 2006).
+
+    Raises
+    ------
+    InvalidInputError
+        The limb is not one of the published kind: nothing is known of its outputs.
+    """
+    if n_outputs != 72:
+        raise InvalidInputError(
+            f"{n_outputs} outputs, expected the 72 of the published limbs: where others lie is not "
+            "known. Hand over offsets_db."
+        )
+    on_arm = np.array([output_place(k).region in ARM_REGIONS for k in range(1, n_outputs + 1)])
+    return {
+        "P": np.where(on_arm, np.inf, HAIRY_HAND_DB),
+        "NP I": np.where(on_arm, ARM_DB, HAIRY_HAND_DB),
+    }
+
+
+def sensation_levels_db(
+    acceleration: ArrayLike,
+    sample_rate_hz: float,
+    offsets_db: dict[Channel, Floats] | None = None,
+    *,
+    area_cm2: float = 2.9,
+) -> dict[Channel, Floats]:
+    """Return the level above the threshold of each channel, at each output.
+
+    10 log10 of the sum over bins of the power of all axes, each bin divided by the square of the
+    threshold there: energies add up over axes because the direction of fast vibrations is hardly
+    felt (Landin, Romano, McMahan and Kuchenbecker, 2010), and within a channel over frequency.
+
+    Parameters
+    ----------
+    acceleration : (n_outputs, n_axes, n_times)
+        m/s², so in probe scaling only.
+    sample_rate_hz
+        Its rate.
+    offsets_db
+        As `site_offsets_db`, which is taken where there is none.
+    area_cm2
+        As in `threshold_rms`.
+
+    Returns
+    -------
+    (n_outputs,) for each of `CHANNELS`, dB; -300 where nothing is felt.  The higher one of both is
+    the level above threshold.
+
+    Raises
+    ------
+    InvalidInputError
+        Wrong shape, samples that are not finite, or offsets for other outputs.
+    """
+    data = finite_array("acceleration", acceleration, "(n_outputs, n_axes, n_times)")
+    if data.ndim != 3 or data.shape[-1] == 0:
+        raise InvalidInputError(
+            f"acceleration has shape {data.shape}, expected (n_outputs, n_axes, n_times)"
+        )
+    rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
+    offsets = site_offsets_db(data.shape[0]) if offsets_db is None else offsets_db
+    power, frequency_hz = _power_by_bin(data, rate_hz)
+    found: dict[Channel, Floats] = {}
+    for channel in CHANNELS:
+        above = power @ threshold_rms(frequency_hz, channel, area_cm2=area_cm2) ** -2.0
+        offset_db = np.broadcast_to(offsets[channel], above.shape)
+        with np.errstate(divide="ignore"):
+            levels_db = 10.0 * np.log10(above) - offset_db
+        found[channel] = np.maximum(levels_db, _SILENCE_DB)
+    return found
+
+
+def sensation_magnitude(levels_db: dict[Channel, Floats]) -> Floats:
+    """Return how strong it feels, (n_outputs,), in steps that only compare.
+
+    Each channel grows as a power of its amplitude from the threshold on; together they are the
+    larger and half of the smaller (Hollins and Roy, 1996, doi:10.3109/08990229609052583).
+    """
+    parts = [
+        np.maximum(10.0 ** (_EXPONENTS[channel] * levels_db[channel] / 20.0) - 1.0, 0.0)
+        for channel in CHANNELS
+    ]
+    together: Floats = np.maximum(*parts) + 0.5 * np.minimum(*parts)
+    return together
+
+
+def _power_by_bin(data: Floats, rate_hz: float) -> tuple[Floats, Floats]:
+    """Mean square by frequency, axes added up, (n_outputs, n_bins) without 0 Hz; and hertz."""
+    n_times = data.shape[-1]
+    spectra = scipy.fft.rfft(data, axis=-1)
+    power = np.sum(spectra.real**2 + spectra.imag**2, axis=1) / float(n_times) ** 2
+    power[..., 1 : (n_times + 1) // 2] *= 2.0
+    frequency_hz = np.arange(power.shape[-1]) * (rate_hz / n_times)
+    return power[..., 1:], frequency_hz[1:]

@@ -1,0 +1,185 @@
+"""Which stimuli a sweep consists of."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from hashlib import sha256
+
+from skinsource import codec
+from skinsource.codec.text import from_text, to_text
+from skinsource.design import Design
+from skinsource.errors import InvalidInputError
+from skinsource.fields import Address, Tree
+from skinsource.projection import Axes, Method
+from skinsource.quoting import quoted
+from skinsource.sweeps.variables import Value, varied
+from skinsource.view import View
+
+MOST_STIMULI = 1_000_000
+#: The predicted level that a sweep can bring its stimuli to, in dB re 1 m/s².
+LOWEST_DB, HIGHEST_DB = -100.0, 100.0
+_FORMAT = "skinsource sweep"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Plan:
+    """All combinations of some designs and of values of variables.
+
+    Attributes
+    ----------
+    designs
+        Name and design of each.
+    variables
+        Name and values of each.  The last one varies first, the designs last.
+    outputs
+        What is measured beside the loudest output.
+    axes, method
+        How the axes of an output become one signal, see `skinsource.View`.
+    level_db
+        Loudest 100 ms of the loudest output that every stimulus is brought to, dB re 1 m/s²; None:
+        amplitudes stay as they are.
+    """
+
+    designs: tuple[tuple[str, Design], ...]
+    variables: tuple[tuple[str, tuple[Value, ...]], ...] = ()
+    outputs: tuple[int, ...] = ()
+    axes: Axes = "xyz"
+    method: Method = "pca"
+    level_db: float | None = None
+
+    def __post_init__(self) -> None:
+        if not self.designs:
+            raise InvalidInputError("the sweep has no design, expected at least one")
+        for name, values in self.variables:
+            if not values:
+                raise InvalidInputError(f"{quoted(name)} has no values, expected at least one")
+        if len({name for name, _ in self.variables}) < len(self.variables):
+            raise InvalidInputError("a variable is named twice, expected different ones")
+        if len(self) > MOST_STIMULI:
+            raise InvalidInputError(
+                f"the sweep has {len(self)} stimuli, expected at most {MOST_STIMULI}. Leave some "
+                "values out, or make several sweeps."
+            )
+        if self.level_db is not None and not LOWEST_DB <= self.level_db <= HIGHEST_DB:
+            raise InvalidInputError(
+                f"level_db is {quoted(self.level_db)}, expected {LOWEST_DB:g} to {HIGHEST_DB:g} dB "
+                "re 1 m/s²"
+            )
+        # Whether axes, method and outputs are known is checked where they are put to use.
+        View(axes=self.axes, method=self.method, outputs=self.outputs)
+
+    def __len__(self) -> int:
+        """How many stimuli there are."""
+        return len(self.designs) * math.prod(len(values) for _, values in self.variables)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the variables; the design is the first one where there are several."""
+        of_designs = ("design",) if len(self.designs) > 1 else ()
+        return (*of_designs, *(name for name, _ in self.variables))
+
+    def values_of(self, number: int) -> dict[str, Value]:
+        """Values of the variables in stimulus ``number``, from 1."""
+        which, picked = self._picked(number)
+        of_designs = {"design": self.designs[which][0]} if len(self.designs) > 1 else {}
+        return {**of_designs, **dict(picked)}
+
+    def design_of(self, number: int) -> Design:
+        """Design of stimulus ``number``, from 1; without `level_db`.
+
+        Raises
+        ------
+        InvalidInputError
+            A value does not fit the design.
+        """
+        which, picked = self._picked(number)
+        design = self.designs[which][1]
+        for name, value in picked:
+            design = varied(design, name, value)
+        return design
+
+    @property
+    def varying(self) -> frozenset[int]:
+        """Ids of the inputs that neighbours differ in; all where they differ in more than inputs.
+
+        It follows from the plan and not from what was measured before, so that a stimulus has the
+        same metrics to the last bit wherever and after whatever it is measured.
+        """
+        everything = frozenset(id for _, design in self.designs for id in design.ids)
+        if len(self) == 1:
+            return everything
+        try:
+            one, other = self.design_of(1), self.design_of(2)
+        except InvalidInputError:
+            return everything
+        if one.limb != other.limb or one.scaling != other.scaling or one.ids != other.ids:
+            return everything
+        pairs = zip(one.inputs, other.inputs, strict=True)
+        return frozenset(after.id for before, after in pairs if before != after)
+
+    @property
+    def digest(self) -> str:
+        """What tells this plan from others, hexadecimal."""
+        return sha256(self.text.encode()).hexdigest()
+
+    @property
+    def text(self) -> str:
+        """All of it, for `plan_of`."""
+        tree: Tree = {
+            "designs": [[name, codec.encode(design)] for name, design in self.designs],
+            "variables": [[name, list(values)] for name, values in self.variables],
+            "outputs": list(self.outputs),
+            "axes": self.axes,
+            "method": self.method,
+            "level_db": self.level_db,
+        }
+        return to_text(tree, _FORMAT)
+
+    def _picked(self, number: int) -> tuple[int, tuple[tuple[str, Value], ...]]:
+        """Which design, and one value of each variable."""
+        if not 1 <= number <= len(self):
+            raise InvalidInputError(f"there is no stimulus {number}, expected 1 to {len(self)}")
+        rest = number - 1
+        picked: list[tuple[str, Value]] = []
+        for name, values in reversed(self.variables):
+            rest, which = divmod(rest, len(values))
+            picked.append((name, values[which]))
+        return rest, tuple(reversed(picked))
+
+
+def plan_of(text: str) -> Plan:
+    """The plan that `Plan.text` wrote.
+
+    Raises
+    ------
+    FileFormatError
+        The text holds something else.
+    """
+    tree = from_text(text, _FORMAT)
+    return Plan(
+        designs=tuple(
+            (name, codec.decode(content, (Design,), Address(("designs", name))))
+            for name, content in tree["designs"]
+        ),
+        variables=tuple((name, tuple(map(_value, values))) for name, values in tree["variables"]),
+        outputs=tuple(tree["outputs"]),
+        axes=tree["axes"],
+        method=tree["method"],
+        level_db=tree["level_db"],
+    )
+
+
+def chunks(numbers: Iterator[int], size: int) -> Iterator[tuple[int, ...]]:
+    """Neighbours together: what they have in common is computed once."""
+    chunk: list[int] = []
+    for number in numbers:
+        chunk.append(number)
+        if len(chunk) == size:
+            yield tuple(chunk)
+            chunk = []
+    if chunk:
+        yield tuple(chunk)
+
+
+def _value(found: Tree) -> Value:
+    return tuple(found) if isinstance(found, list) else found

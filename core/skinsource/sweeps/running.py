@@ -1,0 +1,214 @@
+"""Runs a sweep: what is left of it, in processes, into a folder."""
+
+import os
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import nullcontext
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+from skinsource.arguments import whole_number
+from skinsource.design import Design
+from skinsource.design_file import open_design
+from skinsource.errors import InvalidInputError
+from skinsource.job import Progress, Stop, never, silent
+from skinsource.projection import Axes, Method
+from skinsource.quoting import quoted
+from skinsource.sweeps.folder import Folder
+from skinsource.sweeps.measuring import Metrics
+from skinsource.sweeps.one_by_one import measured_here
+from skinsource.sweeps.ordering import Order, trials
+from skinsource.sweeps.plan import Plan
+from skinsource.sweeps.stimulus_files import StimulusFiles
+from skinsource.sweeps.table import SweepTable, table_of
+from skinsource.sweeps.variables import Value
+from skinsource.sweeps.workers import Row, measured
+
+_MOST_PROCESSES = 256
+#: Fewer stimuli are measured before a second process has started.
+_WORTH_PROCESSES = 50
+
+
+class Measuring(Protocol):
+    """Gives what is found of some stimuli of a plan, each once, in any order."""
+
+    def __call__(self, plan: Plan, numbers: Iterable[int], stop: Stop) -> Iterator[Row]:
+        """Measure; raise `skinsource.errors.Stopped` once ``stop`` says so."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sweep:
+    """All that a sweep is to do.
+
+    Attributes
+    ----------
+    plan
+        Its stimuli.
+    order
+        How they are presented; None: no table of trials is written.
+    files
+        In which form the stimuli are exported; None: they are not.
+    parquet
+        Whether the table is written as Parquet too.
+    """
+
+    plan: Plan
+    order: Order | None = None
+    files: StimulusFiles | None = None
+    parquet: bool = False
+
+
+def sweep(
+    designs: Design | str | os.PathLike[str] | Sequence[Design | str | os.PathLike[str]],
+    vary: Mapping[str, Iterable[Any]] | None = None,
+    *,
+    out: str | os.PathLike[str] | None = None,
+    outputs: Iterable[int] = (),
+    axes: Axes = "xyz",
+    method: Method = "pca",
+    level_db: float | None = None,
+    order: Order | None = None,
+    files: StimulusFiles | None = None,
+    parquet: bool = False,
+    processes: int | None = None,
+    progress: Progress = silent,
+    stop: Stop = never,
+) -> SweepTable:
+    """Measure all combinations of designs and of values, on all cores.
+
+    Parameters
+    ----------
+    designs
+        A design or the path of a design file, or several.
+    vary
+        Values by the name of what they are of, see `skinsource.sweeps.varied`:
+        ``{"frequency_hz": [50, 100], "location": [1, 2]}``.  The last one varies first.
+    out
+        Folder for all that is written, where a sweep that was stopped or killed goes on; or None.
+    outputs, axes, method, level_db
+        What is measured, and the level that stimuli are brought to: see `skinsource.sweeps.Plan`.
+    order, files, parquet
+        What is written beside ``stimuli.csv``: see `skinsource.sweeps.Sweep`.
+    processes
+        How many measure at the same time; None: as many as cores, or this one for a few stimuli.
+
+    Returns
+    -------
+    One row of metrics for each stimulus; see `skinsource.sweeps.Measurer.measure`.
+
+    Raises
+    ------
+    InvalidInputError
+        The sweep cannot be.  A single stimulus that cannot be measured has it in its row.
+    StorageError
+        The folder cannot be written.
+
+    >>> import skinsource as ss
+    >>> one = ss.Design(limb="synthetic-1", inputs=(ss.track(7),))
+    >>> ss.sweep(one, {"frequency_hz": [50.0, 200.0]}).column("frequency_hz")
+    array([ 50., 200.])
+    """
+    plan = Plan(
+        designs=named_designs(designs),
+        variables=tuple((name, values_of(name, values)) for name, values in (vary or {}).items()),
+        outputs=tuple(outputs),
+        axes=axes,
+        method=method,
+        level_db=level_db,
+    )
+    wanted = Sweep(plan=plan, order=order, files=files, parquet=parquet)
+    return run(wanted, out, processes=processes, progress=progress, stop=stop)
+
+
+def run(
+    wanted: Sweep,
+    out: str | os.PathLike[str] | None,
+    *,
+    processes: int | None = None,
+    measuring: Measuring | None = None,
+    progress: Progress = silent,
+    stop: Stop = never,
+) -> SweepTable:
+    """Do what is left of a sweep; see `sweep`.
+
+    Parameters
+    ----------
+    measuring
+        What measures instead of processes of this computer.
+    """
+    plan = wanted.plan
+    if out is None and (wanted.order or wanted.files or wanted.parquet):
+        raise InvalidInputError(
+            "order, files and parquet are written to a folder; say which one with out"
+        )
+    if wanted.order is not None:
+        trials(wanted.order, range(1, len(plan) + 1))
+    with nullcontext() if out is None else Folder(Path(out), plan.digest) as folder:
+        found: dict[int, Metrics | str] = {} if folder is None else dict(folder.journal.rows)
+        left = [number for number in range(1, len(plan) + 1) if number not in found]
+        measure = measuring or _measuring(len(left), processes)
+        progress(len(found), len(plan), "Measuring")
+        for number, row in measure(plan, left, stop):
+            found[number] = row
+            if folder is not None:
+                folder.journal.add(number, row)
+            progress(len(found), len(plan), f"Measured stimulus {number} of {len(plan)}")
+        table = table_of(plan, found)
+        if folder is not None:
+            folder.finish(wanted.plan, table, wanted.order, parquet=wanted.parquet)
+            if wanted.files is not None:
+                wanted.files.write(plan, table, folder.path, progress=progress, stop=stop)
+    return table
+
+
+def _measuring(n_left: int, processes: int | None) -> Measuring:
+    if processes is None:
+        processes = (os.cpu_count() or 1) if n_left >= _WORTH_PROCESSES else 1
+    count = whole_number("processes", processes, 1, _MOST_PROCESSES)
+    if count == 1:
+        return measured_here
+
+    def beside_each_other(plan: Plan, numbers: Iterable[int], stop: Stop) -> Iterator[Row]:
+        return measured(plan, numbers, count, stop)
+
+    return beside_each_other
+
+
+def named_designs(
+    designs: Design | str | os.PathLike[str] | Sequence[Design | str | os.PathLike[str]],
+) -> tuple[tuple[str, Design], ...]:
+    """Return each design with a name of its own: of its file, its title, or a number."""
+    several = [designs] if isinstance(designs, Design | str | os.PathLike) else list(designs)
+    found: list[tuple[str, Design]] = []
+    for number, one in enumerate(several, start=1):
+        if isinstance(one, Design):
+            found.append((one.title or f"design {number}", one))
+        elif isinstance(one, str | os.PathLike):
+            found.append((Path(one).stem, open_design(one).design))
+        else:
+            raise InvalidInputError(
+                f"designs holds {quoted(one)}, expected designs or paths of design files"
+            )
+    names = [name for name, _ in found]
+    return tuple(
+        (name if names.count(name) == 1 else f"{name} ({number})", design)
+        for number, (name, design) in enumerate(found, start=1)
+    )
+
+
+def values_of(name: str, values: Iterable[Any]) -> tuple[Value, ...]:
+    """Return the values of a variable as plain ones."""
+    if isinstance(values, str | bytes) or not isinstance(values, Iterable):
+        raise InvalidInputError(f"{quoted(name)} is {quoted(values)}, expected a list of values")
+    return tuple(_value(name, one) for one in values)
+
+
+def _value(name: str, value: Any) -> Value:
+    """A plain value: of numpy, too, so that the same sweep has the same digest."""
+    if hasattr(value, "item") and not isinstance(value, str | bytes):
+        value = value.tolist()
+    if isinstance(value, list | tuple):
+        return tuple(whole_number(f"{name}[{k}]", one, 1, 2**31) for k, one in enumerate(value))
+    if isinstance(value, bool | int | float | str):
+        return value
+    raise InvalidInputError(f"{quoted(name)} holds {quoted(value)}, expected numbers or texts")

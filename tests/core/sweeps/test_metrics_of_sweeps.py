@@ -1,0 +1,134 @@
+"""Metrics of a sweep, against predictions made with other means."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.signal import fftconvolve
+
+import skinsource as ss
+from skinsource.spectra import share_outside_band
+from skinsource.sweeps import Measurer, Plan
+
+RATE_HZ = 1300.0
+
+
+def two_inputs(**changes):
+    one = ss.track(7, ss.waveforms.Tone(frequency_hz=90.0, duration_s=0.25), amplitude=0.5)
+    other = ss.track(3, ss.waveforms.Gabor(frequency_hz=200.0), onset_s=0.0, amplitude=-2.0)
+    return ss.Design(limb="synthetic-1", inputs=(one, other), **changes)
+
+
+def drives_of(design):
+    """Samples that each input plays, at the limb's rate, (n_times,)."""
+    return [one.amplitude * one.clips[0].waveform.samples(RATE_HZ) for one in design.inputs]
+
+
+def field_of(design):
+    """Acceleration by plain convolution, (72, 3, n_times), relative scaling."""
+    limb = ss.load_limb(design.limb)
+    drives = drives_of(design)
+    n_times = max(map(len, drives)) + limb.n_taps - 1
+    total = np.zeros((72, 3, n_times))
+    for one, drive in zip(design.inputs, drives, strict=True):
+        part = fftconvolve(limb.response_to(one.location), drive[None, None], axes=-1)
+        total[..., : part.shape[-1]] += part
+    return total
+
+
+def measured(design, **changes):
+    return Measurer(Plan(designs=(("one", design),), **changes)).measure(1)
+
+
+@pytest.mark.parametrize(("axes", "method"), [("xyz", "pca"), ("xyz", "mag"), ("z", "pca")])
+def test_levels_and_peaks_are_those_of_a_plain_convolution(axes, method):
+    design = two_inputs(scaling="relative")
+    found = measured(design, outputs=(19, 40), axes=axes, method=method)
+    signals = ss.project_axes(field_of(design), axes, method)
+    rms = np.sqrt(np.mean(signals**2, axis=-1))
+    loudest = int(np.argmax(rms))
+    assert found["loudest_output"] == loudest + 1
+    for name, which in (("", loudest), ("output_19_", 18), ("output_40_", 39)):
+        window_means = np.convolve(signals[which] ** 2, np.ones(130) / 130, mode="valid")
+        assert found[f"{name}rms"] == pytest.approx(rms[which], rel=1e-10)
+        assert found[f"{name}peak"] == pytest.approx(np.abs(signals[which]).max(), rel=1e-10)
+        assert found[f"{name}rms_100ms"] == pytest.approx(np.sqrt(window_means.max()), rel=1e-9)
+
+
+def test_the_extent_is_that_of_the_rms_of_the_record():
+    design = two_inputs(scaling="relative")
+    found = measured(design)
+    signals = ss.project_axes(field_of(design), "xyz", "pca")
+    rms = np.sqrt(np.mean(signals**2, axis=-1))
+    expected = ss.extent(rms, ss.load_limb("synthetic-1"), (7, 3))
+    for name in ("mean_distance_mm", "d90_mm", "share_above_12_db", "participation"):
+        assert found[name] == pytest.approx(getattr(expected, name), rel=1e-9)
+
+
+def test_the_drive_is_what_actuators_get():
+    design = two_inputs()
+    found = measured(design)
+    drives = drives_of(design)
+    n_times = max(map(len, drives))
+    channels = np.array([np.pad(one, (0, n_times - len(one))) for one in drives])
+    assert found["duration_s"] == n_times / RATE_HZ
+    assert found["drive_peak"] == pytest.approx(np.abs(channels).max(), rel=1e-12)
+    assert found["drive_rms"] == pytest.approx(np.sqrt(np.mean(channels**2)), rel=1e-12)
+    energies = [np.sum(one**2) for one in drives]
+    shares = [share_outside_band(one, RATE_HZ) for one in drives]
+    assert found["share_outside_band"] == pytest.approx(np.average(shares, weights=energies))
+
+
+def test_inputs_at_one_place_are_one_channel():
+    tone = ss.waveforms.Tone(frequency_hz=90.0)
+    apart = ss.Design(
+        limb="synthetic-1",
+        inputs=(ss.track(7, tone), ss.track(7, tone, amplitude=-1.0), ss.track(8, tone)),
+    )
+    found = measured(apart)
+    samples = tone.samples(RATE_HZ)
+    assert found["drive_peak"] == pytest.approx(np.abs(samples).max())
+    assert found["drive_rms"] == pytest.approx(np.sqrt(np.mean(samples**2) / 2))
+
+
+def test_a_level_is_reached_exactly_and_all_else_follows():
+    design = two_inputs()
+    plain = measured(design, outputs=(19,))
+    brought = measured(design, outputs=(19,), level_db=-12.0)
+    factor = brought["factor"]
+    assert brought["level_100ms_db"] == pytest.approx(-12.0, abs=1e-9)
+    assert factor != pytest.approx(1.0, abs=0.05)
+    for name in ("drive_peak", "drive_rms", "rms", "rms_100ms", "peak", "output_19_rms"):
+        assert brought[name] == pytest.approx(factor * plain[name], rel=1e-12)
+    for name in ("share_outside_band", "mean_distance_mm", "d90_mm", "participation"):
+        assert brought[name] == pytest.approx(plain[name], rel=1e-12)
+    inputs = tuple(
+        ss.track(one.location, one.clips[0].waveform, amplitude=one.amplitude * factor)
+        for one in design.inputs
+    )
+    levels = ss.evaluate(
+        ss.Design(limb="synthetic-1", inputs=inputs),
+        "output_levels_db",
+        view=ss.View(span="loudest"),
+    )["output_levels_db"]
+    assert levels.max() == pytest.approx(-12.0, abs=1e-9)
+
+
+def test_of_silence_nothing_is_said():
+    silent = ss.Design(limb="synthetic-1", inputs=(ss.track(7, muted=True),))
+    found = measured(silent, level_db=0.0)
+    assert found["rms"] == 0.0
+    assert found["drive_peak"] == 0.0
+    assert found["factor"] == 1.0
+    for name in ("share_outside_band", "loudest_output", "mean_distance_mm", "participation"):
+        assert math.isnan(found[name])
+
+
+def test_numbers_do_not_depend_on_what_was_measured_before():
+    values = (60.0, 110.0, 250.0)
+    for name in ("frequency_hz", "1.frequency_hz"):
+        plan = Plan(designs=(("one", two_inputs()),), variables=((name, values),), outputs=(19,))
+        forwards, backwards = Measurer(plan), Measurer(plan)
+        there = [forwards.measure(number) for number in (1, 2, 3)]
+        back = [backwards.measure(number) for number in (3, 1, 2)]
+        assert there == [back[1], back[2], back[0]]

@@ -1,0 +1,230 @@
+"""Sweeps that are stopped, killed, damaged and run again: no row is lost, none is doubled."""
+
+import csv
+import math
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.errors import InvalidInputError, Stopped, StorageError
+from skinsource.keeping.lock import Lock
+from skinsource.sweeps import Order, Plan, Sweep, run
+from skinsource.sweeps.folder import JOURNAL
+from skinsource.sweeps.workers import measured
+
+TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.05)
+DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE),))
+FREQUENCIES = (50.0, 80.0, 120.0, 200.0, 300.0, 420.0)
+
+
+def rows_of(table):
+    """Rows without errors, with NaN that equal each other."""
+    return [tuple("nan" if one != one else one for one in row) for row in table.rows]
+
+
+def csv_rows(folder):
+    with (folder / "stimuli.csv").open() as file:
+        return list(csv.DictReader(file))
+
+
+def test_the_table_has_a_row_for_each_stimulus(tmp_path):
+    table = ss.sweep(DESIGN, {"frequency_hz": FREQUENCIES}, out=tmp_path, outputs=(19,))
+    assert table.column("stimulus").tolist() == [1, 2, 3, 4, 5, 6]
+    assert table.column("frequency_hz").tolist() == list(FREQUENCIES)
+    written = csv_rows(tmp_path)
+    assert [tuple(one) for one in written] == [table.columns] * 6
+    assert [float(one["output_19_rms"]) for one in written] == table.column(
+        "output_19_rms"
+    ).tolist()
+
+
+def test_a_bad_row_is_reported_and_the_rest_is_measured(tmp_path):
+    table = ss.sweep(DESIGN, {"frequency_hz": (50.0, 700.0, 80.0)}, out=tmp_path)
+    assert list(table.failed) == [2]
+    assert "650 Hz" in table.failed[2]
+    assert math.isnan(table.column("rms")[1])
+    assert (table.column("rms")[[0, 2]] > 0.0).all()
+    assert [one["error"] != "" for one in csv_rows(tmp_path)] == [False, True, False]
+
+
+def test_stopped_it_goes_on_where_it_ended(tmp_path):
+    told = []
+    with pytest.raises(Stopped):
+        ss.sweep(
+            DESIGN,
+            {"frequency_hz": FREQUENCIES},
+            out=tmp_path,
+            progress=lambda done, *_: told.append(done),
+            stop=lambda: told[-1:] == [3],
+        )
+    assert not (tmp_path / "stimuli.csv").exists()
+    begun = []
+    table = ss.sweep(
+        DESIGN,
+        {"frequency_hz": FREQUENCIES},
+        out=tmp_path,
+        progress=lambda done, *_: begun.append(done),
+    )
+    assert begun[0] == 3
+    assert rows_of(table) == rows_of(ss.sweep(DESIGN, {"frequency_hz": FREQUENCIES}))
+
+
+def test_run_again_it_has_nothing_to_do(tmp_path):
+    first = ss.sweep(DESIGN, {"frequency_hz": FREQUENCIES}, out=tmp_path)
+
+    def refuse(plan, numbers, stop):
+        assert list(numbers) == []
+        return iter(())
+
+    plan = Plan(designs=(("design 1", DESIGN),), variables=(("frequency_hz", FREQUENCIES),))
+    again = run(Sweep(plan=plan), tmp_path, measuring=refuse)
+    assert rows_of(again) == rows_of(first)
+
+
+def test_a_line_that_was_cut_or_damaged_is_measured_again(tmp_path):
+    whole = ss.sweep(DESIGN, {"frequency_hz": FREQUENCIES}, out=tmp_path)
+    journal = tmp_path / JOURNAL
+    content = journal.read_bytes()
+    rng = np.random.default_rng(1)
+    ends = [k + 1 for k, byte in enumerate(content) if byte == ord("\n")]
+    for cut in (ends[2] - 1, ends[3] + 5):
+        journal.write_bytes(content[:cut])
+        assert rows_of(ss.sweep(DESIGN, {"frequency_hz": FREQUENCIES}, out=tmp_path)) == rows_of(
+            whole
+        )
+        assert journal.read_bytes() == content
+    for at in rng.integers(ends[0], len(content), 8):
+        damaged = bytearray(content)
+        damaged[at] ^= 1 << int(rng.integers(8))
+        journal.write_bytes(damaged)
+        table = ss.sweep(DESIGN, {"frequency_hz": FREQUENCIES}, out=tmp_path)
+        assert rows_of(table) == rows_of(whole)
+
+
+def test_a_folder_of_another_sweep_is_refused(tmp_path):
+    ss.sweep(DESIGN, {"frequency_hz": (50.0,)}, out=tmp_path)
+    before = (tmp_path / JOURNAL).read_bytes()
+    with pytest.raises(InvalidInputError, match="another sweep"):
+        ss.sweep(DESIGN, {"frequency_hz": (60.0,)}, out=tmp_path)
+    assert (tmp_path / JOURNAL).read_bytes() == before
+
+
+def test_two_sweeps_do_not_write_to_one_folder(tmp_path):
+    code = (
+        "import sys; from skinsource.keeping.lock import Lock; from pathlib import Path\n"
+        f"Lock(Path({str(tmp_path / JOURNAL)!r})).take(); print('taken', flush=True)\n"
+        "sys.stdin.read()"
+    )
+    with subprocess.Popen(
+        [sys.executable, "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    ) as other:
+        assert other.stdout.readline() == b"taken\n"
+        with pytest.raises(StorageError, match="another process"):
+            ss.sweep(DESIGN, out=tmp_path)
+        other.stdin.close()
+    assert len(ss.sweep(DESIGN, out=tmp_path)) == 1
+    assert Lock(tmp_path / JOURNAL).owner() is None
+
+
+def test_several_processes_find_the_same_bits():
+    plan = Plan(designs=(("one", DESIGN),), variables=(("frequency_hz", tuple(range(50, 90))),))
+    here = run(Sweep(plan=plan), None, processes=1)
+    beside = run(Sweep(plan=plan), None, processes=2)
+    assert rows_of(here) == rows_of(beside)
+
+
+def test_a_process_that_is_killed_is_started_anew():
+    plan = Plan(designs=(("one", DESIGN),), variables=(("frequency_hz", tuple(range(50, 74))),))
+    found, killed = {}, []
+    for number, row in measured(plan, range(1, 25), 1):
+        assert number not in found
+        found[number] = row
+        if len(found) in (3, 15):
+            killed.append(_kill_a_worker())
+    assert killed == [True, True]
+    assert sorted(found) == list(range(1, 25))
+    assert not [row for row in found.values() if isinstance(row, str)]
+
+
+def _kill_a_worker():
+    import psutil
+
+    for child in psutil.Process().children():
+        if any("skinsource.sweeps.worker" in part for part in child.cmdline()):
+            child.kill()
+            return True
+    return False
+
+
+@pytest.mark.skipif(os.name == "nt", reason="there is no such signal on Windows")
+def test_a_killed_sweep_loses_nothing_and_doubles_nothing(tmp_path):
+    """Killed again and again, the sweep still ends with the table of one that never was."""
+    ss.save_design(tmp_path / "d.skinsource", DESIGN)
+    frequencies = list(range(50, 130))
+    (tmp_path / "s.toml").write_text(
+        f'designs = ["d.skinsource"]\n[vary]\nfrequency_hz = {frequencies}\n'
+    )
+    out = tmp_path / "out"
+    command = [sys.executable, "-m", "skinsource", "sweep", str(tmp_path / "s.toml")]
+    command += ["--out", str(out), "--processes", "1"]
+    sizes = []
+    for _ in range(2):
+        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        before = _size(out / JOURNAL)
+        while process.poll() is None and _size(out / JOURNAL) < before + 3000:
+            time.sleep(0.002)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        sizes.append(_size(out / JOURNAL))
+    assert sizes == sorted(set(sizes))
+    subprocess.run(command, check=True, capture_output=True)
+    rows = csv_rows(out)
+    assert [int(one["stimulus"]) for one in rows] == list(range(1, 81))
+    whole = ss.sweep(DESIGN, {"frequency_hz": frequencies})
+    assert [float(one["rms"]) for one in rows] == whole.column("rms").tolist()
+
+
+def _size(path):
+    return path.stat().st_size if path.exists() else 0
+
+
+def test_trials_leave_out_what_could_not_be_measured(tmp_path):
+    ss.sweep(
+        DESIGN,
+        {"frequency_hz": (50.0, 700.0, 80.0)},
+        out=tmp_path,
+        order=Order(kind="random", participants=2, seed=1),
+    )
+    with (tmp_path / "trials.csv").open() as file:
+        found = list(csv.DictReader(file))
+    assert len(found) == 4
+    assert {one["stimulus"] for one in found} == {"1", "3"}
+
+
+def test_without_a_folder_nothing_can_be_written():
+    with pytest.raises(InvalidInputError, match="folder"):
+        ss.sweep(DESIGN, order=Order())
+
+
+def test_parquet_holds_the_same_table(tmp_path):
+    parquet = pytest.importorskip("pyarrow.parquet", reason="the extra parquet is not installed")
+    table = ss.sweep(DESIGN, {"frequency_hz": (50.0, 700.0)}, out=tmp_path, parquet=True)
+    found = parquet.read_table(tmp_path / "stimuli.parquet").to_pydict()
+    assert tuple(found) == table.columns
+    np.testing.assert_array_equal(found["rms"], table.column("rms"))
+    assert found["error"][0] == ""
+
+
+@pytest.mark.parametrize(
+    ("vary", "words"),
+    [({"frequency_hz": 50.0}, "a list"), ({"frequency_hz": [None]}, "numbers or texts")],
+)
+def test_values_that_are_none_are_refused(vary, words):
+    with pytest.raises(InvalidInputError, match=words):
+        ss.sweep(DESIGN, vary)

@@ -1,0 +1,85 @@
+"""Exported stimuli of a sweep: one full scale for all, and nothing is written twice."""
+
+import json
+
+import numpy as np
+import pytest
+import soundfile
+
+import skinsource as ss
+from skinsource.errors import InvalidInputError, Stopped
+from skinsource.sweeps import StimulusFiles
+
+TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.05)
+DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE), ss.track(3, TONE)))
+AMPLITUDES = (0.5, 2.0, -1.0)
+
+
+def test_the_largest_drive_of_all_is_full_scale_in_every_file(tmp_path):
+    ss.sweep(DESIGN, {"1.amplitude": AMPLITUDES}, out=tmp_path, files=StimulusFiles())
+    names = sorted(one.name for one in (tmp_path / "stimuli").iterdir())
+    assert names == [f"{k}.wav{end}" for k in (1, 2, 3) for end in ("", ".json")]
+    found = [soundfile.read(tmp_path / "stimuli" / f"{k}.wav")[0].T for k in (1, 2, 3)]
+    assert max(np.abs(one).max() for one in found) == pytest.approx(1.0, abs=1e-6)
+    for amplitude, channels in zip(AMPLITUDES, found, strict=True):
+        np.testing.assert_allclose(channels[0], amplitude * channels[1], atol=1e-6)
+        np.testing.assert_allclose(channels[1], found[0][1], atol=1e-7)
+    scales = {
+        json.loads((tmp_path / "stimuli" / f"{k}.wav.json").read_text())["full_scale"]
+        for k in (1, 2, 3)
+    }
+    assert len(scales) == 1
+
+
+def test_levels_that_were_asked_for_are_those_of_the_files(tmp_path):
+    table = ss.sweep(
+        DESIGN,
+        {"frequency_hz": (60.0, 250.0)},
+        out=tmp_path,
+        level_db=0.0,
+        files=StimulusFiles(format="npz", rate_hz=1300),
+    )
+    factors = table.column("factor")
+    peaks = []
+    for k in (1, 2):
+        with np.load(tmp_path / "stimuli" / f"{k}.npz") as archive:
+            peaks.append(np.abs(archive["drive"]).max())
+    plain = [
+        np.abs(ss.waveforms.Tone(frequency_hz=f, duration_s=0.05).samples(1300.0)).max()
+        for f in (60.0, 250.0)
+    ]
+    assert peaks[0] / peaks[1] == pytest.approx(
+        factors[0] * plain[0] / (factors[1] * plain[1]), rel=1e-6
+    )
+
+
+def test_stopped_the_export_goes_on_with_what_is_missing(tmp_path):
+    told = []
+    vary = {"1.amplitude": AMPLITUDES}
+    with pytest.raises(Stopped):
+        ss.sweep(
+            DESIGN,
+            vary,
+            out=tmp_path,
+            files=StimulusFiles(),
+            progress=lambda done, total, text: told.append(text),
+            stop=lambda: told[-1:] == ["Exporting 2.wav"],
+        )
+    first = tmp_path / "stimuli" / "1.wav"
+    before = first.stat().st_mtime_ns
+    assert not (tmp_path / "stimuli" / "2.wav").exists()
+    ss.sweep(DESIGN, vary, out=tmp_path, files=StimulusFiles())
+    assert first.stat().st_mtime_ns == before
+    assert (tmp_path / "stimuli" / "3.wav").exists()
+
+
+def test_what_could_not_be_measured_is_not_exported(tmp_path):
+    vary = {"frequency_hz": (60.0, 900.0)}
+    ss.sweep(DESIGN, vary, out=tmp_path, files=StimulusFiles())
+    assert sorted(one.name for one in (tmp_path / "stimuli").glob("*.wav")) == ["1.wav"]
+
+
+@pytest.mark.parametrize("changes", [{"format": "tape"}, {"rate_hz": 0}])
+def test_a_form_that_there_is_not_is_refused(changes):
+    with pytest.raises(InvalidInputError):
+        StimulusFiles(**changes)

@@ -1,0 +1,95 @@
+"""``skinsource sweep`` and the files it reads."""
+
+import pytest
+
+import skinsource as ss
+from skinsource.__main__ import main
+from skinsource.errors import FileFormatError
+from skinsource.sweeps import Order, read_sweep
+
+TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.05)
+
+
+@pytest.fixture
+def folder(tmp_path):
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE), ss.track(3, TONE)))
+    ss.save_design(tmp_path / "two.skinsource", design)
+    return tmp_path
+
+
+def written(folder, text):
+    path = folder / "sweep.toml"
+    path.write_text(text)
+    return path
+
+
+def test_a_file_says_all_that_a_sweep_does(folder):
+    path = written(
+        folder,
+        """
+        designs = ["two.skinsource"]
+        outputs = [19, 21]
+        axes = "z"
+        method = "mag"
+        level_db = -3
+        [vary]
+        frequency_hz = [50, 80.5]
+        2.amplitude = [1, 2]
+        location = [[1, 2], [3, 4]]
+        [trials]
+        order = "counterbalanced"
+        participants = 4
+        blocks = 2
+        seed = 9
+        [stimuli]
+        format = "wav"
+        rate_hz = 48000
+        """,
+    )
+    found = read_sweep(path)
+    assert len(found.plan) == 8
+    assert found.plan.names == ("frequency_hz", "2.amplitude", "location")
+    assert found.plan.outputs == (19, 21)
+    assert (found.plan.axes, found.plan.method, found.plan.level_db) == ("z", "mag", -3.0)
+    assert found.order == Order(kind="counterbalanced", seed=9, participants=4, blocks=2)
+    assert (found.files.format, found.files.rate_hz) == ("wav", 48_000)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("designs = [", "no TOML"),
+        ("", "designs"),
+        ('designs = "two.skinsource"', "a list of names"),
+        ('designs = ["two.skinsource"]\nvari = 1', "'vari' is not known"),
+        ('designs = ["two.skinsource"]\n[trials]\norder = "odd"', "order"),
+        ('designs = ["two.skinsource"]\n[trials]\nspeed = 1', "'speed' is not known in"),
+        ('designs = ["two.skinsource"]\n[vary]\nfrequency_hz = 50', "a list of values"),
+        ('designs = ["two.skinsource"]\noutputs = [0]', "an output"),
+        ('designs = ["two.skinsource"]\nparquet = 1', "true or false"),
+        ('designs = ["two.skinsource"]\naxes = "w"', "axes"),
+        ('designs = ["two.skinsource"]\n[stimuli]\nrate_hz = 0', "rate_hz"),
+        ('designs = ["two.skinsource"]\nvary = 3', "expected a table"),
+    ],
+)
+def test_a_file_that_cannot_be_says_where_and_why(folder, text, words):
+    with pytest.raises(FileFormatError, match=words) as refused:
+        read_sweep(written(folder, text))
+    assert "sweep.toml" in str(refused.value)
+
+
+def test_the_command_measures_and_names_what_it_left_out(folder, capsys):
+    path = written(folder, 'designs = ["two.skinsource"]\n[vary]\nfrequency_hz = [50, 700]\n')
+    assert main(["sweep", str(path), "--out", str(folder / "out")]) == 0
+    said = capsys.readouterr()
+    assert "2 stimuli, 1 of them left out" in said.out
+    assert "stimulus 2 left out" in said.err
+    assert "650 Hz" in said.err
+    assert (folder / "out" / "stimuli.csv").read_text().count("\n") == 3
+
+
+def test_a_missing_design_is_one_line(folder, capsys):
+    path = written(folder, 'designs = ["three.skinsource"]')
+    assert main(["sweep", str(path), "--out", str(folder / "out")]) == 1
+    assert "three.skinsource" in capsys.readouterr().err
+    assert not (folder / "out").exists()

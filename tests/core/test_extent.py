@@ -1,0 +1,126 @@
+"""How far a vibration reaches, and RMS in windows: against formulas and known figures."""
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.errors import InvalidInputError
+
+LIMB = ss.load_limb("synthetic-1")
+
+
+def distances_mm(limb, location):
+    """From an input place to each output of a limb, written out."""
+    px_to_mm = limb.hand_length_mm / limb.map.hand_length_px
+    x, y = limb.map.input_positions[location - 1]
+    return np.array([np.hypot(a - x, b - y) * px_to_mm for a, b in limb.map.output_positions])
+
+
+def test_each_figure_is_its_formula():
+    rms = np.random.default_rng(3).uniform(0.01, 1.0, 72) ** 3
+    found = ss.extent(rms, LIMB, 7)
+    distance = distances_mm(LIMB, 7)
+    shown = ~np.isnan(distance)
+    assert shown.sum() == 66
+    w = rms[shown] ** 2 / np.sum(rms[shown] ** 2)
+    d = distance[shown]
+    below_db = 20 * np.log10(rms[shown] / rms[shown].max())
+    assert found.mean_distance_mm == pytest.approx(np.sum(w * d), rel=1e-12)
+    assert found.share_above_12_db == np.mean(below_db > -12)
+    assert found.share_above_20_db == np.mean(below_db > -20)
+    assert found.participation == pytest.approx(1 / np.sum(w**2), rel=1e-12)
+    within = sorted(one for one in d if np.sum(w[d <= one]) >= 0.9)
+    assert found.d90_mm == within[0]
+
+
+def test_a_single_loud_output_has_the_extent_of_its_place():
+    rms = np.zeros(72)
+    rms[18] = 2.5
+    found = ss.extent(rms, LIMB, 3)
+    here = distances_mm(LIMB, 3)[18]
+    assert found.mean_distance_mm == pytest.approx(here)
+    assert found.d90_mm == pytest.approx(here)
+    assert found.participation == pytest.approx(1.0)
+    assert found.share_above_12_db == pytest.approx(1 / 66)
+
+
+def test_the_unit_of_the_rms_does_not_matter_even_far_out():
+    rms = np.random.default_rng(4).uniform(0.1, 1.0, 72)
+    plain = ss.extent(rms, LIMB, 7)
+    for scale in (2.0**-500, 2.0**500):
+        assert ss.extent(rms * scale, LIMB, 7) == plain
+
+
+def test_of_several_places_the_nearest_counts():
+    rms = np.random.default_rng(5).uniform(0.1, 1.0, 72)
+    nearest = np.fmin(distances_mm(LIMB, 1), distances_mm(LIMB, 20))
+    shown = ~np.isnan(nearest)
+    w = rms[shown] ** 2 / np.sum(rms[shown] ** 2)
+    both = ss.extent(rms, LIMB, (1, 20))
+    assert both.mean_distance_mm == pytest.approx(np.sum(w * nearest[shown]), rel=1e-12)
+    assert both == ss.extent(rms, LIMB, (20, 1))
+
+
+@pytest.mark.parametrize(
+    ("rms", "location", "words"),
+    [
+        (np.ones(71), 7, "shape"),
+        (-np.ones(72), 7, "0 or more"),
+        (np.zeros(72), 7, "zero"),
+        (np.full(72, np.nan), 7, "finite"),
+        (np.ones(72), 21, "input location 21"),
+        (np.ones(72), (), "expected an input place"),
+    ],
+)
+def test_what_has_no_extent_is_refused(rms, location, words):
+    with pytest.raises(InvalidInputError, match=words):
+        ss.extent(rms, LIMB, location)
+
+
+def test_outputs_without_a_place_take_no_part():
+    rms = np.ones(72)
+    louder = rms.copy()
+    louder[60:66] = 100.0
+    assert ss.extent(louder, LIMB, 7) == ss.extent(rms, LIMB, 7)
+
+
+def test_windows_follow_each_other_and_the_rest_is_left_out():
+    signals = np.random.default_rng(6).standard_normal((3, 2, 103))
+    found = ss.windowed_rms(signals, 20, first_sample=7)
+    assert found.shape == (4, 3, 2)
+    for j in range(4):
+        piece = signals[..., 7 + 20 * j : 27 + 20 * j]
+        np.testing.assert_allclose(found[j], np.sqrt(np.mean(piece**2, axis=-1)), rtol=1e-14)
+
+
+def test_one_window_over_all_is_the_rms_of_the_record():
+    signals = np.random.default_rng(7).standard_normal((72, 651))
+    whole = ss.windowed_rms(signals, 651)
+    np.testing.assert_allclose(whole[0], np.sqrt(np.mean(signals**2, axis=-1)), rtol=1e-14)
+
+
+def test_a_signal_shorter_than_a_window_has_none():
+    assert ss.windowed_rms(np.ones((72, 10)), 11).shape == (0, 72)
+    assert ss.windowed_rms(np.ones((72, 10)), 5, first_sample=50).shape == (0, 72)
+
+
+def test_squares_of_windows_do_not_overflow():
+    assert ss.windowed_rms([3e200, 4e200], 2)[0] == pytest.approx(3.5355339059327378e200)
+    assert ss.windowed_rms([3e-200, 4e-200], 2)[0] == pytest.approx(3.5355339059327378e-200)
+
+
+@pytest.mark.parametrize("window", [0, 1.5, True, "3"])
+def test_a_window_is_a_whole_number_of_samples(window):
+    with pytest.raises(InvalidInputError, match="window_samples"):
+        ss.windowed_rms(np.ones(10), window)
+
+
+def test_the_default_train_contracts_as_measured(installed_dataset, monkeypatch):
+    monkeypatch.setenv("SKINSOURCE_DATA", str(installed_dataset))
+    limb = ss.load_limb("measured-4")
+    train = ss.waveforms.WaveletTrain().samples(1300.0)
+    field = ss.predict(limb, [train], [7])
+    length = np.sqrt(np.sum(field**2, axis=1))
+    windows = ss.windowed_rms(length, 156, first_sample=67)
+    found = [ss.extent(one, limb, 7).mean_distance_mm for one in windows[:5]]
+    np.testing.assert_allclose(found, [31.9, 27.9, 23.4, 18.8, 17.0], atol=0.1)

@@ -1,0 +1,124 @@
+"""Levels above threshold, against the figures of the model and sums written out."""
+
+import numpy as np
+import pytest
+
+from skinsource.errors import InvalidInputError
+from skinsource.perception import (
+    sensation_levels_db,
+    sensation_magnitude,
+    site_offsets_db,
+    threshold_rms,
+)
+
+NONE = {"P": np.zeros(1), "NP I": np.zeros(1)}
+
+
+@pytest.mark.parametrize(
+    ("frequency_hz", "peak_um", "rms"),
+    [
+        (10, 7.9, 0.022),
+        (16, 5.3, 0.038),
+        (25, 3.7, 0.064),
+        (31.5, 3.2, 0.088),
+        (40, 3.2, 0.141),
+        (50, 2.5, 0.173),
+        (63, 1.56, 0.174),
+        (250, 0.10, 0.174),
+        (315, 0.108, 0.30),
+        (400, 0.161, 0.72),
+        (500, 0.234, 1.63),
+        (600, 0.316, 3.18),
+    ],
+)
+def test_the_threshold_has_the_known_figures(frequency_hz, peak_um, rms):
+    found = float(threshold_rms(frequency_hz))
+    assert found == pytest.approx(rms, rel=0.03)
+    displacement_um = 1e6 * found * np.sqrt(2) / (2 * np.pi * frequency_hz) ** 2
+    assert displacement_um == pytest.approx(peak_um, rel=0.03)
+
+
+def test_between_60_and_250_hz_the_threshold_is_one_acceleration():
+    found = threshold_rms(np.linspace(63.0, 250.0, 50))
+    assert found.max() / found.min() < 1.02
+
+
+def test_below_40_hz_the_other_channel_is_the_more_sensitive_one():
+    assert threshold_rms(30.0, "NP I") < threshold_rms(30.0, "P")
+    assert threshold_rms(100.0, "P") < threshold_rms(100.0, "NP I")
+    assert threshold_rms(30.0) == threshold_rms(30.0, "NP I")
+
+
+def test_a_smaller_contactor_raises_the_pacinian_threshold_alone():
+    raised = 20 * np.log10(threshold_rms(200.0, "P", area_cm2=0.49) / threshold_rms(200.0, "P"))
+    assert raised == pytest.approx(7.7, abs=0.05)
+    assert threshold_rms(30.0, "NP I", area_cm2=0.49) == threshold_rms(30.0, "NP I")
+
+
+@pytest.mark.parametrize("frequency_hz", [26.0, 130.0, 400.0])
+def test_a_tone_at_threshold_is_0_db_above_it(frequency_hz):
+    time_s = np.arange(1300) / 1300.0
+    for channel in ("P", "NP I"):
+        rms = float(threshold_rms(frequency_hz, channel))
+        tone = np.sqrt(2) * rms * np.sin(2 * np.pi * frequency_hz * time_s)
+        found = sensation_levels_db(tone[None, None], 1300.0, NONE)
+        assert found[channel][0] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_axes_and_frequencies_add_up_as_energies():
+    time_s = np.arange(1300) / 1300.0
+    low, high = (np.sin(2 * np.pi * f * time_s) for f in (50.0, 200.0))
+    apart = [sensation_levels_db(one[None, None], 1300.0, NONE)["P"][0] for one in (low, high)]
+    together_db = 10 * np.log10(sum(10 ** (one / 10) for one in apart))
+    added = sensation_levels_db((low + high)[None, None], 1300.0, NONE)["P"][0]
+    on_two_axes = sensation_levels_db(np.array([[low, high]]), 1300.0, NONE)["P"][0]
+    assert added == pytest.approx(together_db)
+    assert on_two_axes == pytest.approx(together_db)
+
+
+def test_twice_the_amplitude_is_6_db_more_and_silence_is_not_felt():
+    signal = np.random.default_rng(2).standard_normal((72, 3, 500))
+    once = sensation_levels_db(signal, 1300.0)
+    twice = sensation_levels_db(2 * signal, 1300.0)
+    np.testing.assert_allclose(twice["NP I"] - once["NP I"], 20 * np.log10(2))
+    silent = sensation_levels_db(np.zeros((72, 3, 500)), 1300.0)
+    assert (silent["P"] == -300.0).all()
+    assert (sensation_magnitude(silent) == 0.0).all()
+
+
+def test_what_is_constant_is_not_felt():
+    assert sensation_levels_db(np.ones((1, 1, 99)), 1300.0, NONE)["NP I"][0] < -200.0
+
+
+def test_hairy_skin_and_the_arm_are_less_sensitive():
+    offsets = site_offsets_db()
+    assert offsets["P"][28] == 10.0
+    assert offsets["NP I"][28] == 10.0
+    assert offsets["NP I"][55] == 15.0
+    assert np.isinf(offsets["P"][55])
+    signal = np.tile(np.random.default_rng(2).standard_normal((1, 3, 500)), (72, 1, 1))
+    found = sensation_levels_db(signal, 1300.0)
+    assert found["NP I"][28] - found["NP I"][55] == pytest.approx(5.0)
+    assert found["P"][55] == -300.0
+
+
+def test_both_channels_together_are_the_larger_and_half_of_the_smaller():
+    levels = {"P": np.array([20.0, -5.0, 20.0]), "NP I": np.array([20.0, 20.0, -5.0])}
+    p, np_1 = 10**0.6 - 1, 10**0.9 - 1
+    np.testing.assert_allclose(sensation_magnitude(levels), [np_1 + p / 2, np_1, p])
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: threshold_rms(0.0), "frequency_hz"),
+        (lambda: threshold_rms(50.0, "SA"), "channel"),
+        (lambda: threshold_rms(50.0, area_cm2=0.0), "area_cm2"),
+        (lambda: sensation_levels_db(np.zeros((3, 5)), 1300.0), "shape"),
+        (lambda: sensation_levels_db(np.zeros((7, 3, 5)), 1300.0), "72 of the published"),
+        (lambda: sensation_levels_db(np.full((1, 1, 5), np.nan), 1300.0, NONE), "acceleration"),
+    ],
+)
+def test_what_cannot_be_is_refused(call, words):
+    with pytest.raises(InvalidInputError, match=words):
+        call()
