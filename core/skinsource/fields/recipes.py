@@ -2,8 +2,8 @@
 
 import dataclasses
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any
-from weakref import WeakKeyDictionary
 
 from skinsource.errors import FileFormatError, InvalidInputError
 from skinsource.fields.spec import Address, Misfit, Spec, Tree
@@ -106,14 +106,17 @@ def nesting(recipe: Any) -> int:
     """How many recipes stand within each other, this one counted."""
     deepest = 0
     for name, spec in _nesting_specs(type(recipe)):
-        depth = spec.depth(getattr(recipe, name))
-        deepest = max(deepest, depth)
+        value = getattr(recipe, name)
+        # An empty list, which most are, holds none.
+        depth = spec.depth(value) if value != () else 0
+        if depth > deepest:
+            deepest = depth
     return 1 + deepest
 
 
 # A design holds a thousand recipes and is made anew with each edit; classes do not change.
 _Specs = tuple[tuple[str, Spec], ...]
-_known: WeakKeyDictionary[type, tuple[_Specs, _Specs]] = WeakKeyDictionary()
+_MOST_KINDS = 1000
 
 
 def _specs(kind: type) -> _Specs:
@@ -124,17 +127,15 @@ def _nesting_specs(kind: type) -> _Specs:
     return _both(kind)[1]
 
 
+@lru_cache(_MOST_KINDS)
 def _both(kind: type) -> tuple[_Specs, _Specs]:
     """Specifications of all fields, and of those that may hold recipes."""
-    found = _known.get(kind)
-    if found is None:
-        specs = tuple(
-            (field.name, field.metadata["spec"])
-            for field in dataclasses.fields(kind)
-            if "spec" in field.metadata
-        )
-        found = _known[kind] = specs, tuple(pair for pair in specs if pair[1].nests)
-    return found
+    specs = tuple(
+        (field.name, field.metadata["spec"])
+        for field in dataclasses.fields(kind)
+        if "spec" in field.metadata
+    )
+    return specs, tuple(pair for pair in specs if pair[1].nests)
 
 
 def _required(kind: type) -> tuple[str, ...]:

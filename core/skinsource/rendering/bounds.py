@@ -76,7 +76,8 @@ def _bounds_by_frequency(spectra: Complexes, responses: Sequence[ResponseSpectru
     bands = np.add.reduceat(magnitudes, starts, axis=-1)
     bounds = np.empty((len(spectra), len(responses[0].rows)))
     for row, response, band in zip(bounds, responses, bands, strict=True):
-        np.matmul(response.band_magnitudes, band, out=row)
+        # Not a matrix product, whose threads wait for each other without sleeping.
+        np.vecdot(response.band_magnitudes, band, out=row)
     return bounds
 
 

@@ -10,6 +10,7 @@ from skinsource.arrays import Floats
 from skinsource.design import Design
 from skinsource.edits.selection import clip_of
 from skinsource.view import View
+from skinsource_gui.panels.timeline.clip_lengths import ClipLengths
 from skinsource_gui.panels.timeline.gain.gain_strip import GainStrip, top_of
 from skinsource_gui.panels.timeline.lane import Box, Lane, box_at, boxes_of, lane_at
 from skinsource_gui.panels.timeline.overlaps import Overlaps, boxes_at
@@ -18,8 +19,6 @@ from skinsource_gui.widgets.time.time_scale import Range, TimeScale
 
 #: How high the ruler is where words have their usual size, px.
 RULER_PX = 26.0
-#: Behind the last clip, so much of the time can be seen; at least so much in all.
-AFTER_S, LEAST_S = 0.4, 0.5
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -36,6 +35,8 @@ class Content:
         From times to pixels.
     height_px
         Where the lowest lane that can be seen ends.
+    lengths
+        How long the clips are.
     waveforms
         What clips play, (n_times,) each, by their id, as far as it is known.
     snaps
@@ -57,6 +58,7 @@ class Content:
     lanes: tuple[Lane, ...]
     scale: TimeScale
     height_px: float
+    lengths: ClipLengths
     waveforms: Mapping[int, Floats] = field(default_factory=dict)
     snaps: bool = True
     ruler_px: float = RULER_PX
@@ -65,21 +67,21 @@ class Content:
     chosen_point: tuple[int, int] | None = None
     overlaps: Overlaps = field(default_factory=Overlaps)
 
-    @cached_property
-    def durations_s(self) -> dict[int, float]:
+    @property
+    def durations_s(self) -> Mapping[int, float]:
         """Length of each clip, by its id."""
-        return {clip.id: clip.duration_s for lane in self.lanes for clip in lane.track.clips}
+        return self.lengths.durations_s
+
+    @cached_property
+    def selected(self) -> frozenset[int]:
+        """Clips that are selected."""
+        return frozenset(self.view.selected_clips)
 
     @cached_property
     def boxes(self) -> list[Box]:
         """Clips that can be seen, in painting order: the selected ones lie on top."""
-        seen = [
-            one
-            for one in self.lanes
-            if one.bottom_px > self.ruler_px and one.top_px < self.height_px
-        ]
-        boxes = boxes_of(seen, self.scale, self.durations_s)
-        return sorted(boxes, key=lambda box: box.clip.id in self.view.selected_clips)
+        boxes = [box for lane in self.lanes for box in self.boxes_on(lane)]
+        return sorted(boxes, key=lambda box: box.clip.id in self.selected)
 
     @cached_property
     def strips(self) -> list[GainStrip]:
@@ -95,10 +97,17 @@ class Content:
             if lane.track.gain_curve or lane.track.id in self.gain_shown
         ]
 
-    @cached_property
+    def boxes_on(self, lane: Lane) -> list[Box]:
+        """Clips of a lane that can be seen, in painting order."""
+        if lane.bottom_px <= self.ruler_px or lane.top_px >= self.height_px:
+            return []
+        boxes = boxes_of([lane], self.scale, self.durations_s)
+        return sorted(boxes, key=lambda box: box.clip.id in self.selected)
+
+    @property
     def whole_s(self) -> Range:
         """All of the time that there is to see."""
-        return whole_of(self.design)
+        return self.lengths.whole_s
 
     @cached_property
     def chosen(self) -> tuple[int, ...]:
@@ -112,7 +121,7 @@ class Content:
         """The same with the playhead of ``view``, of which all else is as it is here."""
         found = replace(self, view=view)
         # Nothing of what is known already depends on where the playhead is.
-        for name in ("durations_s", "boxes", "strips", "whole_s", "chosen"):
+        for name in ("selected", "boxes", "strips", "chosen"):
             if name in self.__dict__:
                 found.__dict__[name] = self.__dict__[name]
         return found
@@ -173,9 +182,3 @@ def chosen_clips(design: Design, view: View) -> tuple[int, ...]:
 def ruler_px(line_px: float) -> float:
     """How high the ruler is where a line of text is so high, px."""
     return max(RULER_PX, line_px + 10.0)
-
-
-def whole_of(design: Design) -> Range:
-    """From 0 to a little behind the last clip."""
-    ends = [clip.end_s for track in design.inputs for clip in track.clips]
-    return (0.0, max(max(ends, default=0.0) + AFTER_S, LEAST_S))

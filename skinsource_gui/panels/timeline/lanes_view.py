@@ -11,7 +11,8 @@ from skinsource.arrays import Floats
 from skinsource.design import Design
 from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.view import View
-from skinsource_gui.panels.timeline.content import Content, ruler_px, whole_of
+from skinsource_gui.panels.timeline.clip_lengths import ClipLengths
+from skinsource_gui.panels.timeline.content import Content, ruler_px
 from skinsource_gui.panels.timeline.gain.gain_item import GainItem
 from skinsource_gui.panels.timeline.gain.gain_points import GainPoints
 from skinsource_gui.panels.timeline.gestures.gesture import Shown
@@ -19,6 +20,7 @@ from skinsource_gui.panels.timeline.lane import Lane
 from skinsource_gui.panels.timeline.lane_keys import LaneKeys
 from skinsource_gui.panels.timeline.lane_mouse import LaneMouse
 from skinsource_gui.panels.timeline.lanes_item import LanesItem
+from skinsource_gui.panels.timeline.over_item import OverItem
 from skinsource_gui.panels.timeline.overlaps import Overlaps
 from skinsource_gui.panels.timeline.playhead_item import PlayheadItem
 from skinsource_gui.panels.timeline.settings import shown_gain_curves
@@ -41,7 +43,7 @@ class LanesView(Canvas):
     ----------
     mouse, keys
         What is done here.
-    item, gains, playhead
+    item, gains, playhead, over
         What paints.
     gain
         What is done to gain curves.
@@ -64,13 +66,15 @@ class LanesView(Canvas):
         self.setMinimumSize(120, 60)
         self.item = LanesItem()
         self.addItem(self.item)
-        self.gains, self.playhead = GainItem(), PlayheadItem()
+        self.gains, self.playhead, self.over = GainItem(), PlayheadItem(), OverItem()
         self.addItem(self.gains)
         self.addItem(self.playhead)
+        self.addItem(self.over)
         self.sample_rate_hz = SAMPLE_RATE_HZ
         self._design, self._view = Design(limb=""), View()
         self._lanes: tuple[Lane, ...] = ()
         self._waveforms: Mapping[int, Floats] = {}
+        self._lengths = ClipLengths(self._design)
         self._held_s: Range | None = None
         self._overlaps = Overlaps()
         self._held_tops: Mapping[int, float] = {}
@@ -110,7 +114,7 @@ class LanesView(Canvas):
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
         self.set_ground(theme)
-        for item in (self.item, self.gains):
+        for item in (self.item, self.gains, self.over):
             item.show_look(theme, scaled(tabular(self.font()), _TEXT))
         self.playhead.show_theme(theme)
 
@@ -221,17 +225,19 @@ class LanesView(Canvas):
         self.lay_out()
 
     def _show_over(self, shown: Shown) -> None:
-        self.item.show_over(shown, self._pointer)
+        self.over.show_over(shown, self._pointer)
 
     def lay_out(self) -> None:
         self.content = self._made()
-        self.item.show_content(self.content, QRectF(self.rect()))
-        self.gains.show_content(self.content, QRectF(self.rect()))
+        rect = QRectF(self.rect())
+        for item in (self.item, self.gains, self.over):
+            item.show_content(self.content, rect)
         self.setAccessibleDescription(self.gain.words())
         self.playhead.show_content(self.content, float(self.height()))
 
     def _made(self) -> Content:
-        shown_s = self._view.time_range_s or self._held_s or whole_of(self._design)
+        self._lengths = self._lengths.of(self._design)
+        shown_s = self._view.time_range_s or self._held_s or self._lengths.whole_s
         width = max(self.width() - 2 * _SIDE_PX, 1.0)
         return Content(
             design=self._design,
@@ -239,6 +245,7 @@ class LanesView(Canvas):
             lanes=self._lanes,
             scale=TimeScale(shown_s=shown_s, left_px=_SIDE_PX, width_px=width),
             height_px=float(self.height()),
+            lengths=self._lengths,
             waveforms=self._waveforms,
             snaps=self.snaps,
             ruler_px=self.ruler_px,

@@ -18,7 +18,6 @@ from skinsource_gui.panels.timeline.track_table import TrackTable
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.drop_place import DropPlace
 from skinsource_gui.widgets.inputs.clip_waveforms import waveforms_of
-from skinsource_gui.widgets.lateness import Lateness
 
 
 class TimelinePanel(Panel):
@@ -53,8 +52,6 @@ class TimelinePanel(Panel):
         column.addWidget(self._foot)
         self.setMinimumSize(HEADS_PX + 140, 120)
         self.setFocusProxy(self._rows)
-        self._lateness = Lateness(self)
-        self._lateness.changed.connect(self._table.lanes.item.show_stale)
         self._connect()
 
     @property
@@ -76,15 +73,10 @@ class TimelinePanel(Panel):
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._show_foot("")
-        self.show_stale(False)
         self._table.lanes.sample_rate_hz = results["sample_rate_hz"]
         self._table.lanes.show_waveforms(waveforms_of(results))
 
-    def show_stale(self, stale: bool) -> None:
-        self._lateness.set_stale(stale)
-
     def show_problem(self, reason: str) -> None:
-        self._lateness.set_stale(False)
         self._table.lanes.show_waveforms({})
         self._show_foot(reason)
 
@@ -108,7 +100,7 @@ class TimelinePanel(Panel):
     def show_drop(self, at: QPoint | None) -> None:
         place, lanes = (None if at is None else self.drop_place(at)), self._table.lanes
         shown = Shown() if place is None else Shown(guide_s=place.onset_s, words="A clip here")
-        lanes.item.show_over(shown, QPointF(lanes.mapFrom(self, at or QPoint())))
+        lanes.over.show_over(shown, QPointF(lanes.mapFrom(self, at or QPoint())))
 
     def _connect(self) -> None:
         lanes, clips, toolbar = self._table.lanes, self._clips, self._table.toolbar

@@ -242,9 +242,9 @@ def test_a_file_that_is_dropped_on_a_lane_starts_there(window, qtbot, sound):
     at = lanes.mapTo(window, QPoint(round(content.scale.x(0.125)), round(track.top_px) + 4))
     drop(window, sound, at, QDragEnterEvent)
     drop(window, sound, at, QDragMoveEvent)
-    assert lanes.item.over.words == "A clip here"
+    assert lanes.over.shown.words == "A clip here"
     drop(window, sound, at)
-    assert lanes.item.over.words == ""
+    assert lanes.over.shown.words == ""
     (page,) = window.imports.pages
     qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
     QApplication.processEvents()

@@ -1,0 +1,154 @@
+"""What an edit has painted anew: the lanes that look different, and nothing else."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtWidgets import QApplication
+
+from skinsource.clips import Clip
+from skinsource.design import Design, Input
+from skinsource.effects import Fade
+from skinsource.waveforms import Tap, Tone
+from skinsource_gui.panels.timeline.clip_lengths import ClipLengths
+from skinsource_gui.panels.timeline.gestures.gesture import Shown
+from skinsource_gui.theme import DARK
+from tests.gui.timeline.bench import results_of
+from tests.gui.timeline.lanes_bench import LanesBench
+
+ALT, NONE = Qt.KeyboardModifier.AltModifier, Qt.KeyboardModifier.NoModifier
+TONE = Tone(100.0, 0.0, 0.2)
+
+
+@pytest.fixture
+def bench(qtbot):
+    made = LanesBench(qtbot)
+    made.panel.resize(1000, 400)
+    clips = (Clip(onset_s=0.1, waveform=TONE), Clip(onset_s=0.5, waveform=Tap()))
+    tracks = tuple(Input(location=1 + k, clips=clips) for k in range(4))
+    made.view = replace(made.view, time_range_s=(0.0, 1.2), selected_inputs=())
+    made.show(Design(limb="any", inputs=tracks))
+    made.panel.show_results(results_of(made.design))
+    settled(made)
+    return made
+
+
+def settled(bench):
+    """Have everything painted that is to be painted; how many lanes that were."""
+    before = bench.lanes.item.painted_lanes
+    QApplication.processEvents()
+    bench.lanes.viewport().repaint()
+    return bench.lanes.item.painted_lanes - before
+
+
+def picture(bench):
+    return bench.lanes.viewport().grab().toImage()
+
+
+def changed(bench, index, **changes):
+    """Show a design in which the first clip of a track is something else."""
+    clip = bench.design.inputs[index].clips[0]
+    bench.show(bench.design.with_clip(clip.id, **changes))
+
+
+def test_an_edit_of_one_clip_repaints_one_lane(bench):
+    changed(bench, 1, onset_s=0.15)
+    assert settled(bench) == 1
+
+
+def test_results_repaint_the_lane_whose_samples_are_new(bench):
+    results = results_of(bench.design)
+    bench.panel.show_results(results)
+    assert settled(bench) == 4
+    bench.panel.show_results(dict(results))
+    assert settled(bench) == 0
+    first, *others = results["clip_waveforms"]
+    results["clip_waveforms"] = ((first[0] * 0.5, first[1]), *others)
+    bench.panel.show_results(results)
+    assert settled(bench) == 1
+
+
+def test_a_drag_of_a_clip_repaints_its_lane_at_each_move(bench):
+    start = bench.box(3).center()
+    bench.drag(start, start + QPointF(10, 0), ALT, release=False, steps=1)
+    settled(bench)
+    bench.lanes.mouse.move(start + QPointF(40, 0), ALT)
+    assert settled(bench) == 1
+    bench.lanes.mouse.move(start + QPointF(80, 0), ALT)
+    assert settled(bench) == 1
+
+
+def test_the_clip_under_the_pointer_repaints_its_lane(bench):
+    bench.lanes.item.show_hovered(3)
+    assert settled(bench) == 1
+    bench.lanes.item.show_hovered(5)
+    # What lies between two lanes is looked at with them.
+    assert 2 <= settled(bench) <= 3
+    bench.lanes.item.show_hovered(5)
+    assert settled(bench) == 0
+
+
+def test_words_guide_and_marquee_of_a_gesture_repaint_no_lane(bench):
+    shown = Shown(guide_s=0.3, words="0.3 s", covered=bench.box(3))
+    bench.lanes.over.show_over(shown, QPointF(100, 100))
+    with_them = picture(bench)
+    assert settled(bench) == 0
+    bench.lanes.over.show_over(Shown(), QPointF(100, 100))
+    assert picture(bench) != with_them
+    assert settled(bench) == 0
+
+
+EDITS = {
+    "clip moved": lambda bench: changed(bench, 1, onset_s=0.3),
+    "clip stronger than all": lambda bench: changed(bench, 2, gain=3.0),
+    "clip muted": lambda bench: changed(bench, 0, muted=True),
+    "clip renamed": lambda bench: changed(bench, 0, label="knock"),
+    "clip faded": lambda bench: changed(bench, 3, effects=(Fade(),)),
+    "track muted": lambda bench: bench.show(bench.design.with_input(2, muted=True)),
+    "track alone": lambda bench: bench.show(bench.design.with_input(1, solo=True)),
+    "another colour": lambda bench: bench.show(bench.design.with_input(1, colour=7)),
+    "clip added": lambda bench: bench.show(
+        bench.design.with_input(
+            3, clips=(*bench.design.inputs[3].clips, Clip(onset_s=0.8, waveform=TONE))
+        )
+    ),
+    "no clips": lambda bench: bench.show(bench.design.with_input(0, clips=())),
+    "loop": lambda bench: bench.show(replace(bench.design, loop_s=(0.2, 0.7))),
+    "clip selected": lambda bench: bench._look(replace(bench.view, selected_clips=(3,))),
+    "track selected": lambda bench: bench._look(replace(bench.view, selected_inputs=(2,))),
+    "other times": lambda bench: bench._look(replace(bench.view, time_range_s=(0.0, 0.9))),
+    "hovered": lambda bench: bench.lanes.item.show_hovered(3),
+    "no samples": lambda bench: bench.panel.show_problem("No limb."),
+    "theme": lambda bench: bench.panel.show_theme(DARK),
+}
+
+
+def test_a_clip_that_the_inspector_showed_already_is_seen_to_be_selected(bench):
+    bench._look(replace(bench.view, selected_inputs=(2,)))
+    settled(bench)
+    shown = picture(bench)
+    bench._look(replace(bench.view, selected_clips=(3,)))
+    assert settled(bench) == 1
+    assert picture(bench) != shown
+
+
+@pytest.mark.parametrize("name", EDITS)
+def test_what_was_not_repainted_looks_as_if_everything_were(bench, name):
+    before = picture(bench)
+    EDITS[name](bench)
+    settled(bench)
+    found = picture(bench)
+    assert found != before
+    bench.lanes.item.update()
+    settled(bench)
+    assert found == picture(bench)
+
+
+def test_only_clips_that_changed_are_asked_for_their_length(bench):
+    first = ClipLengths(bench.design)
+    second = first.of(bench.design.with_clip(3, onset_s=0.9, waveform=Tone(100.0, 0.0, 0.7)))
+    assert (first.asked, second.asked) == (8, 1)
+    assert second.durations_s[3] == 0.7
+    assert second.durations_s[4] == first.durations_s[4]
+    assert second.whole_s == pytest.approx((0.0, 0.9 + 0.7 + 0.4))
+    assert second.of(second.design) is second
