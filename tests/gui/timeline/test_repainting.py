@@ -99,7 +99,7 @@ def test_words_guide_and_marquee_of_a_gesture_repaint_no_lane(bench):
 
 
 EDITS = {
-    "clip moved": lambda bench: changed(bench, 1, onset_s=0.3),
+    "clip moved over another": lambda bench: changed(bench, 1, onset_s=0.4),
     "clip stronger than all": lambda bench: changed(bench, 2, gain=3.0),
     "clip muted": lambda bench: changed(bench, 0, muted=True),
     "clip renamed": lambda bench: changed(bench, 0, label="knock"),
