@@ -14,6 +14,7 @@ from skinsource.design import Design, Input
 from skinsource.view import View
 from skinsource.waveforms import Tone
 from skinsource_gui.panels.timeline.lanes_view import LanesView
+from skinsource_gui.state.engine import Purpose
 from skinsource_gui.widgets.plot.plot import Plot
 from skinsource_gui.widgets.time.playhead_keys import stops_of
 
@@ -154,7 +155,8 @@ def test_moving_it_evaluates_nothing_and_paints_nothing_but_lines(
     for step in range(20):
         window.document.look(replace(window.document.view, playhead_s=0.3 + 0.01 * step))
         QApplication.processEvents()
-    assert asked == []
+    # Results are checked now and then, whatever is done meanwhile.
+    assert [one for one in asked if one.purpose is not Purpose.CHECK] == []
     assert changes == []
     assert (lanes.item.painted, lanes.item.pictures.painted) == (painted, drawn)
     assert lanes.playhead.moved >= 20
