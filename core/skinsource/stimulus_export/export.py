@@ -50,6 +50,7 @@ def export_stimulus(
     format: str | None = None,
     rate_hz: int | None = None,
     *,
+    full_scale: float | None = None,
     options: StimulusOptions | None = None,
     confirmed: bool = False,
     stages: Sequence[Stage] = (),
@@ -71,6 +72,8 @@ def export_stimulus(
         One of `export_formats`; None: the one that the ending of ``path`` tells.
     rate_hz
         A whole number of hertz; None: the usual one.  Formats that know one rate only ignore it.
+    full_scale
+        Drive that becomes full scale, in its unit; None: as ``options`` say.
     options
         What shall differ from the above.
     confirmed
@@ -93,6 +96,8 @@ def export_stimulus(
     """
     target = Path(path)
     kind, wanted = format_named(format, target), options or StimulusOptions()
+    if full_scale is not None:
+        wanted = replace(wanted, full_scale=full_scale)
     ready = prepared(
         design, target, kind, rate_hz, wanted, stages=stages, progress=progress, stop=stop
     )

@@ -181,6 +181,14 @@ def test_what_clips_is_refused_until_it_is_confirmed(design, tmp_path, kind):
         np.testing.assert_allclose(read(path) * 32768 / 32767, limited, rtol=0, atol=2e-5)
 
 
+def test_a_full_scale_of_ones_own_is_kept_for_a_whole_set(design, tmp_path):
+    done = ss.export_stimulus(design, tmp_path / "a.wav", rate_hz=8000, full_scale=4.0)
+    assert done.gain == 0.25
+    drive = ss.stimulus_of(design, 8000).samples
+    np.testing.assert_allclose(read(tmp_path / "a.wav"), drive / 4.0, rtol=0, atol=1e-7)
+    assert sidecar(tmp_path / "a.wav")["full_scale"] == 4.0
+
+
 def test_numbers_that_no_device_plays_do_not_clip(design, tmp_path):
     options = ss.StimulusOptions(full_scale=0.5)
     done = ss.export_stimulus(design, tmp_path / "a.npz", options=options)
