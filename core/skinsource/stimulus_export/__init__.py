@@ -2,7 +2,18 @@
 
 from skinsource.stimulus_export.export import Exported, export_stimulus
 from skinsource.stimulus_export.options import StimulusOptions
+from skinsource.stimulus_export.overview import ChannelOverview, Overview, overview_of
 from skinsource.stimulus_export.preparing import Prepared, prepared
 from skinsource.stimulus_export.safety import Limit
 
-__all__ = ["Exported", "Limit", "Prepared", "StimulusOptions", "export_stimulus", "prepared"]
+__all__ = [
+    "ChannelOverview",
+    "Exported",
+    "Limit",
+    "Overview",
+    "Prepared",
+    "StimulusOptions",
+    "export_stimulus",
+    "overview_of",
+    "prepared",
+]

@@ -105,6 +105,7 @@ C_HEADER = StimulusFormat(
     hint="Arrays for a microcontroller; the bytes are those of the arrays in its memory",
     write=write_c_header,
     bytes_of=_bytes_of,
+    rounds=lambda _: True,
     rate_hz=8000,
     choices={
         SAMPLES: ChoiceSpec(

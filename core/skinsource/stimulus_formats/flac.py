@@ -51,5 +51,6 @@ FLAC = StimulusFormat(
     hint="As WAV of 24 bits, packed without loss; up to 8 channels",
     write=write_flac,
     bytes_of=_bytes_of,
+    rounds=lambda _: True,
     most_channels=8,
 )

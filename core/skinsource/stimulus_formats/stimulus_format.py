@@ -24,6 +24,11 @@ def nothing_lost(_: Mapping[str, str]) -> str:
     return ""
 
 
+def no_whole_numbers(_: Mapping[str, str]) -> bool:
+    """Nothing is rounded."""
+    return False
+
+
 def nothing_beside(_path: Path, _facts: Facts) -> Mapping[Path, bytes]:
     """No other file belongs to it."""
     return {}
@@ -108,6 +113,8 @@ class StimulusFormat:
         Whether it is a folder.
     to_device
         Whether full scale is all that a device can play: what lies beyond would be cut off.
+    rounds
+        Whether whole numbers are written, with such choices, so that dither can be asked for.
     beside
         Small files that belong to it besides the sidecar, and what is in them.
     loses
@@ -126,6 +133,7 @@ class StimulusFormat:
     most_channels: int | None = None
     folder: bool = False
     to_device: bool = True
+    rounds: Callable[[Mapping[str, str]], bool] = no_whole_numbers
     beside: Callable[[Path, Facts], Mapping[Path, bytes]] = nothing_beside
     loses: Callable[[Mapping[str, str]], str] = nothing_lost
 

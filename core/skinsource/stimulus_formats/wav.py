@@ -115,6 +115,10 @@ def _loses(choices: Mapping[str, str]) -> str:
     }[choices[SAMPLES]]
 
 
+def _rounds(choices: Mapping[str, str]) -> bool:
+    return choices[SAMPLES] != "float32"
+
+
 WAV = StimulusFormat(
     name="wav",
     title="WAV",
@@ -139,5 +143,6 @@ WAV = StimulusFormat(
             "channels",
         ),
     },
+    rounds=_rounds,
     loses=_loses,
 )

@@ -1,0 +1,1 @@
+"""File > Export stimulus…: the page on which a stimulus is looked at before it is written."""

@@ -1,0 +1,95 @@
+"""What each field of the page of stimuli can be."""
+
+from skinsource.design import Design
+from skinsource.fields import ChoiceSpec, NumberSpec
+from skinsource.stimulus.stimulus import UNITS
+from skinsource.stimulus.times import LONGEST_LEAD_IN_S
+from skinsource.stimulus_formats import FORMATS
+from skinsource.view import View
+
+#: Rates that devices know; any other can be typed.
+RATES_HZ = (1300, 2000, 8000, 44_100, 48_000, 96_000, 192_000)
+OTHER = "other"
+
+FORMAT = ChoiceSpec(
+    label="Format",
+    options=tuple((one.name, one.title) for one in FORMATS),
+    hint="What the file is for",
+)
+RATE = ChoiceSpec(
+    label="Rate",
+    options=(
+        *((str(rate), f"{rate:,} Hz".replace(",", " ")) for rate in RATES_HZ),
+        (OTHER, "Other…"),
+    ),
+    hint="Designs live at 1300 Hz, so that what is exported is what was predicted; another rate "
+    "adds nothing above 600 Hz",
+)
+OTHER_RATE = NumberSpec(
+    label="Other rate", unit="Hz", minimum=100, maximum=768_000, step=100, whole=True
+)
+CHANNELS = ChoiceSpec(
+    label="Channels",
+    options=(
+        ("place", "One for each place"),
+        ("input", "One for each track"),
+        ("files", "One file for each track"),
+    ),
+    hint="Tracks at one place add up, unless each has a channel or file of its own",
+)
+FADE = NumberSpec(label="Fade", unit="s", minimum=0.0, maximum=10.0, step=0.005)
+LEAD_IN = NumberSpec(
+    label="Lead-in",
+    unit="s",
+    minimum=0.0,
+    maximum=LONGEST_LEAD_IN_S,
+    step=0.05,
+    hint="Silence before the stimulus",
+)
+SCALE = ChoiceSpec(
+    label="Full scale",
+    options=(("largest", "Largest sample"), ("own", "A drive of…")),
+    hint="What the largest number that a device takes stands for; one value for a set of files "
+    "keeps their ratio",
+)
+
+
+def part_spec(design: Design, view: View) -> ChoiceSpec:
+    """Which tracks and clips can be exported."""
+    options = [("all", "All that is heard")]
+    if view.selected_inputs:
+        options.append(("tracks", "Selected tracks"))
+    if view.selected_clips:
+        options.append(("clips", "Selected clips"))
+    return ChoiceSpec(label="Plays", options=tuple(options), hint="What takes part")
+
+
+def time_spec(design: Design) -> ChoiceSpec:
+    """Which part of the time can be exported."""
+    options = [("whole", "Whole design")]
+    if design.loop_s is not None:
+        options.append(("loop", "Loop"))
+    options.append(("part", "From … to …"))
+    return ChoiceSpec(label="Time", options=tuple(options), hint="The part of the design")
+
+
+def end_s(design: Design) -> float:
+    """When the last clip ends."""
+    return max((clip.end_s for clip in design.clips), default=1.0)
+
+
+def time_number(label: str, design: Design) -> NumberSpec:
+    """A time within the design."""
+    return NumberSpec(label=label, unit="s", minimum=0.0, maximum=end_s(design), step=0.005)
+
+
+def scale_number(design: Design) -> NumberSpec:
+    """A drive."""
+    unit = UNITS[design.scaling]
+    return NumberSpec(
+        label="Drive at full scale",
+        unit=unit if unit == "m/s²" else "",
+        minimum=0.001,
+        maximum=1e6,
+        step=0.1,
+    )

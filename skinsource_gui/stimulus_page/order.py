@@ -1,0 +1,25 @@
+"""What is to be exported, as it was chosen on the page."""
+
+from dataclasses import dataclass, field
+
+from skinsource.stimulus_export import StimulusOptions
+from skinsource.stimulus_formats import FORMATS, StimulusFormat
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Order:
+    """One export.
+
+    Attributes
+    ----------
+    format
+        As what.
+    rate_hz
+        None: the usual one of the format.
+    options
+        How.
+    """
+
+    format: StimulusFormat = FORMATS[0]
+    rate_hz: int | None = None
+    options: StimulusOptions = field(default_factory=StimulusOptions)

@@ -1,0 +1,202 @@
+"""The page on which a stimulus is looked at, before it is written."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QDialog,
+    QDialogButtonBox,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.design import Design
+from skinsource.quoting import sentence
+from skinsource.stimulus_export import Overview
+from skinsource.view import View
+from skinsource_gui.stimulus_page.channels_view import ChannelsView
+from skinsource_gui.stimulus_page.order import Order
+from skinsource_gui.stimulus_page.preparing_worker import PreparingWorker
+from skinsource_gui.stimulus_page.stimulus_form import StimulusForm
+from skinsource_gui.theme import UNIT_PX, Theme
+
+_LEFT_PX = 300
+_UNCALIBRATED = "Uncalibrated: no rig says what full scale is at the actuators."
+
+
+class StimulusPage(QDialog):
+    """Shows the channels as they will be, and asks how and as what they are written.
+
+    Parameters
+    ----------
+    design, view
+        What is exported, and what is selected there.
+    theme
+        Gives the colours in use.
+    """
+
+    #: The `Order`; whether what clips was confirmed.
+    chosen = Signal(object, bool)
+
+    def __init__(
+        self, design: Design, view: View, theme: Callable[[], Theme], parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setObjectName("stimulus_page")
+        self.setWindowTitle("Export stimulus")
+        self.resize(920, 620)
+        self._theme = theme()
+        self._colours = {one.id: one.colour for one in design.inputs}
+        self._wanted: Order | None = None
+        self._shown: Order | None = None
+        self.form = StimulusForm(design, view)
+        self.channels = ChannelsView()
+        self._summary, self._loses, self._problem = QLabel(), QLabel(), QLabel()
+        self._confirm = QCheckBox("Write it all the same")
+        self._buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        )
+        self._name_parts()
+        self._lay_out()
+        self._worker = PreparingWorker(design, self)
+        self._connect()
+        self.form.want()
+
+    @property
+    def busy(self) -> bool:
+        """Whether something is wanted that is not shown yet."""
+        return self._wanted is not None and self._wanted is not self._shown
+
+    @property
+    def ready(self) -> bool:
+        """Whether what is shown can be written."""
+        return self._export_button.isEnabled()
+
+    def done(self, result: int) -> None:
+        """Close it, with or without an export."""
+        order, confirmed = self._shown, self._confirm.isChecked()
+        self._worker.close()
+        super().done(result)
+        if result == QDialog.DialogCode.Accepted and order is not None:
+            self.chosen.emit(order, confirmed)
+
+    def _name_parts(self) -> None:
+        self._export_button = self._buttons.button(QDialogButtonBox.StandardButton.Ok)
+        self._export_button.setText("Export…")
+        self._export_button.setObjectName("stimulus_export")
+        self._export_button.setEnabled(False)
+        for label, name, colour in (
+            (self._summary, "stimulus_summary", self._theme.text),
+            (self._loses, "stimulus_loses", self._theme.dim),
+            (self._problem, "stimulus_problem", self._theme.error),
+        ):
+            label.setObjectName(name)
+            label.setWordWrap(True)
+            label.setTextFormat(Qt.TextFormat.PlainText)
+            label.setStyleSheet(f"color: {colour};")
+        self._confirm.setObjectName("stimulus_confirm")
+        self._confirm.hide()
+        self._problem.hide()
+
+    def _lay_out(self) -> None:
+        left = _scrolled(self.form, "stimulus_fields")
+        left.setFixedWidth(_LEFT_PX)
+        left.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        right = QVBoxLayout()
+        right.setSpacing(UNIT_PX)
+        right.addWidget(_scrolled(self.channels, "stimulus_scroll"), 1)
+        for part in (self._summary, self._loses, self._problem, self._confirm):
+            right.addWidget(part)
+        columns = QHBoxLayout()
+        columns.setSpacing(2 * UNIT_PX)
+        columns.addWidget(left)
+        columns.addLayout(right, 1)
+        rows = QVBoxLayout(self)
+        rows.addLayout(columns, 1)
+        rows.addWidget(self._buttons)
+        self.form.show_theme(self._theme)
+        self.channels.show_theme(self._theme)
+
+    def _connect(self) -> None:
+        self.form.changed.connect(self._want)
+        self.form.refused.connect(self._show_refused)
+        self._worker.ready.connect(self._show_ready)
+        self._worker.failed.connect(self._show_failed)
+        self._confirm.toggled.connect(self._show_button)
+        self._buttons.accepted.connect(self.accept)
+        self._buttons.rejected.connect(self.reject)
+
+    def _want(self, order: Order) -> None:
+        self._wanted, self._shown = order, None
+        # What was confirmed was about something else.
+        self._confirm.setChecked(False)
+        self.channels.set_pale(True)
+        self._export_button.setEnabled(False)
+        self._worker.prepare(order)
+
+    def _show_ready(self, order: Order, overview: Overview) -> None:
+        if order is not self._wanted:
+            return
+        self._shown = order
+        self.channels.show_overview(overview, self._colours)
+        self._summary.setText(summary_of(overview))
+        self._loses.setText(" ".join(filter(None, (overview.loses, _UNCALIBRATED))))
+        self._show_problem(" ".join(overview.objections), ask=bool(overview.objections))
+
+    def _show_failed(self, order: Order, words: str) -> None:
+        if order is self._wanted:
+            self._show_refused(words)
+
+    def _show_refused(self, words: str) -> None:
+        self._wanted = self._shown = None
+        self.channels.show_overview(None, {})
+        self._summary.setText("")
+        self._loses.setText("")
+        self._show_problem(sentence(words), ask=False)
+
+    def _show_problem(self, words: str, *, ask: bool) -> None:
+        self._problem.setText(words)
+        self._problem.setVisible(bool(words))
+        self._confirm.setVisible(ask)
+        self._show_button()
+
+    def _show_button(self) -> None:
+        agreed = self._confirm.isHidden() or self._confirm.isChecked()
+        self._export_button.setEnabled(self._shown is not None and agreed)
+        self._export_button.setDefault(self._export_button.isEnabled())
+
+
+def summary_of(overview: Overview) -> str:
+    """How much will be written, and what full scale stands for."""
+    n = len(overview.channels)
+    many = "" if overview.n_files == 1 else f" in {overview.n_files} files"
+    unit = "" if overview.unit == "1" else f" {overview.unit}"
+    return (
+        f"{n} channel{'' if n == 1 else 's'}{many}, {overview.duration_s:.4g} s at "
+        f"{overview.rate_hz:g} Hz, about {bytes_in_words(overview.n_bytes)}. Full scale is "
+        f"{overview.full_scale:.4g}{unit}."
+    )
+
+
+def bytes_in_words(n_bytes: int) -> str:
+    """A number of bytes as people read it."""
+    for factor, unit in ((1e9, "GB"), (1e6, "MB"), (1e3, "kB")):
+        if n_bytes >= factor:
+            return f"{n_bytes / factor:.3g} {unit}"
+    return f"{n_bytes} bytes"
+
+
+def _scrolled(inside: QWidget, name: str) -> QScrollArea:
+    scroll = QScrollArea()
+    scroll.setObjectName(name)
+    scroll.setFrameShape(QFrame.Shape.NoFrame)
+    scroll.setWidgetResizable(True)
+    scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    scroll.setWidget(inside)
+    return scroll
