@@ -51,6 +51,7 @@ from skinsource_gui.status.accuracy import Accuracy
 from skinsource_gui.status.job_bar import JobBar
 from skinsource_gui.status.limb_note import LimbNote
 from skinsource_gui.status.status_line import StatusLine
+from skinsource_gui.stimulus_page.stimulus_actions import StimulusActions
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.pictures.picture_file import Draw
 
@@ -144,6 +145,9 @@ class MainWindow(QMainWindow):
         self.exports = ExportActions(
             self.document, self.preferences, self.files, self.runner, self._drawer_of, self
         )
+        self.stimuli = StimulusActions(
+            self.document, self.preferences, self.files, self.runner, lambda: self.theme, self
+        )
         self.comparison = Comparison(self.document, self.engine, self.panels)
         self.keeping = Keeping(
             self.document,
@@ -181,6 +185,7 @@ class MainWindow(QMainWindow):
         return {
             "files": self.files,
             "exports": self.exports,
+            "stimuli": self.stimuli,
             "imports": self.imports,
             "library": self.library,
             "keeping": self.keeping,
@@ -216,21 +221,17 @@ class MainWindow(QMainWindow):
         self.appearance.changed.connect(self._show_theme)
         self.arrangements.text_scaled.connect(self.appearance.fit_room)
         self.setup_bar.edited.connect(document.apply)
-        self.files.failed.connect(reports.complain)
-        self.files.done.connect(reports.report)
         self.files.opened.connect(self.layout_of_docks.show_panels)
-        self.exports.failed.connect(reports.complain)
-        self.imports.done.connect(reports.report)
+        for fails in (self.files, self.exports, self.stimuli, self.library, self.levelling):
+            fails.failed.connect(reports.complain)
+        for works in (self.files, self.imports, self.library, self.comparison):
+            works.done.connect(reports.report)
         self.imports.risk_ahead.connect(self.keeping.autosave.keep_now)
         ClipDrops(self.panels, self)
         drops = FileDrops(self, self.panels)
         drops.design_dropped.connect(self.files.open)
         drops.recording_dropped.connect(self.imports.open_page)
         drops.preset_dropped.connect(self.library.place_file)
-        self.library.done.connect(reports.report)
-        self.library.failed.connect(reports.complain)
-        self.levelling.failed.connect(reports.complain)
-        self.comparison.done.connect(reports.report)
         self.keeping.connect_to(self.conductor, reports)
         for panel in self.panels:
             panel.action_wanted.connect(self.do)
@@ -294,4 +295,5 @@ class MainWindow(QMainWindow):
         self.running_jobs.end()
         self.pages.end()
         self.imports.end()
+        self.stimuli.end()
         super().closeEvent(event)

@@ -11,7 +11,7 @@ from skinsource.stimulus_export import ChannelOverview, Overview
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
 
 _ROW_PX, _GAP_PX = 58, 6
-_WORDS_PX = 190
+_WORDS_PX = 208
 _LEAST_PX = 160
 
 
@@ -119,10 +119,10 @@ class ChannelsView(QWidget):
 
 def words_of(one: ChannelOverview) -> list[str]:
     """Lines on a channel: what it is, how strong, and what would be cut off."""
-    place = "" if one.place is None else f", place {one.place}"
+    title = one.title if one.place is None else f"Place {one.place}, {one.title}"
     peak = "silent" if one.peak == 0.0 else f"peak {20.0 * np.log10(one.peak):.1f} dB"
     rms = "" if one.rms == 0.0 else f", RMS {20.0 * np.log10(one.rms):.1f} dB"
-    words = [f"{one.number}  {one.title}{place}", f"{peak}{rms}"]
+    words = [f"{one.number}  {title}", f"{peak}{rms}"]
     if one.clipped:
         words.append(f"{one.clipped} sample{'' if one.clipped == 1 else 's'} would clip")
     return words

@@ -50,7 +50,7 @@ class StimulusPage(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setObjectName("stimulus_page")
         self.setWindowTitle("Export stimulus")
-        self.resize(920, 620)
+        self.resize(960, 640)
         self._theme = theme()
         self._colours = {one.id: one.colour for one in design.inputs}
         self._wanted: Order | None = None
@@ -110,7 +110,9 @@ class StimulusPage(QDialog):
         left.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         right = QVBoxLayout()
         right.setSpacing(UNIT_PX)
-        right.addWidget(_scrolled(self.channels, "stimulus_scroll"), 1)
+        pictures = _scrolled(self.channels, "stimulus_scroll")
+        pictures.setAccessibleName("Channels; arrow keys scroll")
+        right.addWidget(pictures, 1)
         for part in (self._summary, self._loses, self._problem, self._confirm):
             right.addWidget(part)
         columns = QHBoxLayout()
@@ -176,10 +178,11 @@ def summary_of(overview: Overview) -> str:
     """How much will be written, and what full scale stands for."""
     n = len(overview.channels)
     many = "" if overview.n_files == 1 else f" in {overview.n_files} files"
+    rate = f"{overview.rate_hz:,g}".replace(",", " ")
     unit = "" if overview.unit == "1" else f" {overview.unit}"
     return (
         f"{n} channel{'' if n == 1 else 's'}{many}, {overview.duration_s:.4g} s at "
-        f"{overview.rate_hz:g} Hz, about {bytes_in_words(overview.n_bytes)}. Full scale is "
+        f"{rate} Hz, about {bytes_in_words(overview.n_bytes)}. Full scale is "
         f"{overview.full_scale:.4g}{unit}."
     )
 

@@ -53,6 +53,8 @@ class StimulusActions(QObject):
         self._document, self._preferences, self._files = document, preferences, files
         self._runner, self._theme, self._window = runner, theme, window
         self._paths: dict[Job[Any], Path] = {}
+        #: The page, while it is open.
+        self.page: Any = None
         runner.done.connect(self._note_written)
         runner.cancelled.connect(self._note_cancelled)
         runner.failed.connect(self._note_failed)
@@ -64,7 +66,17 @@ class StimulusActions(QObject):
         design, view = self._document.design, self._document.view
         page = page_module.StimulusPage(design, view, self._theme, self._window)
         page.chosen.connect(partial(self._export, design))
+        page.finished.connect(self._forget_page)
+        self.page = page
         page.open()
+
+    def end(self) -> None:
+        """Close the page."""
+        if self.page is not None:
+            self.page.reject()
+
+    def _forget_page(self) -> None:
+        self.page = None
 
     def _export(self, design: Design, order: Any, confirmed: bool) -> None:
         kind = order.format

@@ -264,4 +264,3 @@ def channel_map_of(text: str) -> tuple[int, ...]:
         raise InvalidInputError(
             f"Channel map is {quoted(text)}, expected whole numbers such as 2, 1, 0, 3"
         ) from None
-

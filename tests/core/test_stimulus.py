@@ -240,7 +240,7 @@ def test_a_channel_map_says_what_each_output_gets():
     np.testing.assert_array_equal(mapped.samples[[1, 3]], found.samples[[1, 0]])
     assert not mapped.samples[[0, 2]].any()
     for wrong in ([1], [1, 1, 2], [1, 2, 3], [1.5, 2]):
-        with pytest.raises(InvalidInputError, match="channel map"):
+        with pytest.raises(InvalidInputError, match="Channel map"):
             stimulus.in_order(found, wrong)
 
 

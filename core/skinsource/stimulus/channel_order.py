@@ -31,11 +31,11 @@ def in_order(stimulus: Stimulus, outputs: Sequence[int]) -> Stimulus:
         A number that no channel has, a channel that is named twice, or one that is left out.
     """
     known = len(stimulus.channels)
-    numbers = [whole_number("channel map", number, 0, known) for number in outputs]
+    numbers = [whole_number("Channel map", number, 0, known) for number in outputs]
     used = [number for number in numbers if number]
     if len(numbers) > MOST_OUTPUTS or sorted(used) != list(range(1, known + 1)):
         raise InvalidInputError(
-            f"channel map is {quoted(list(outputs))}, expected each channel from 1 to {known} "
+            f"Channel map is {quoted(list(outputs))}, expected each channel from 1 to {known} "
             f"once, and 0 for outputs that stay silent, at most {MOST_OUTPUTS} altogether. Say "
             "which tracks take part where a channel shall be left out."
         )

@@ -1,7 +1,14 @@
 """What the File menu does."""
 
+from skinsource.design import Design, audible_inputs
+from skinsource.view import View
 from skinsource_gui.files.exports import EXPORTS
 from skinsource_gui.shell.action_spec import ActionSpec, action
+
+
+def _is_heard(design: Design, view: View) -> bool:
+    return bool(audible_inputs(design.inputs))
+
 
 FILE: tuple[ActionSpec, ...] = (
     action(
@@ -58,6 +65,17 @@ FILE: tuple[ActionSpec, ...] = (
         command="files.ask_and_save",
         keywords="copy rename",
     ),
+    action(
+        "export_stimulus",
+        "File",
+        "Export stimulus…",
+        "Write what the actuators get: WAV, FLAC, CSV, MATLAB, C and others",
+        "Ctrl+Alt+E",
+        command="stimuli.show",
+        keywords="save write drive wav flac csv npz mat hdf5 header bids sound play actuator",
+        enabled=_is_heard,
+        separated=True,
+    ),
     *(
         ActionSpec(
             name=f"export_{export.name}",
@@ -69,7 +87,6 @@ FILE: tuple[ActionSpec, ...] = (
             command="exports.export",
             argument=export.name,
             enabled=export.enabled,
-            separated=export is EXPORTS[0],
         )
         for export in EXPORTS
     ),

@@ -259,7 +259,7 @@ def test_lossy_formats_say_what_they_lose(design, tmp_path):
         ({"options": ss.StimulusOptions(choices={"layout": "table"})}, "offers samples"),
         ({"options": ss.StimulusOptions(from_s=0.2, to_s=0.1)}, "to_s is 0.1"),
         ({"options": ss.StimulusOptions(inputs=(4,))}, "Nothing is heard"),
-        ({"options": ss.StimulusOptions(channel_map=(1,))}, "channel map"),
+        ({"options": ss.StimulusOptions(channel_map=(1,))}, "Channel map"),
     ],
 )
 def test_what_cannot_be_had_is_refused_and_nothing_is_written(design, tmp_path, changes, words):
