@@ -118,8 +118,9 @@ def prepared(
     drives = _cut(made, options)
     gain = full_scale_factor(drives) if options.full_scale is None else 1.0 / options.full_scale
     files = tuple(
-        (place, _outgoing(one, design, place.name, format, choices, options, gain))
+        (own_place, _outgoing(own, design, own_place.name, format, choices, options, gain))
         for place, one in _files(drives, path, format, options)
+        for own_place, own in _own_files(_finished(scaled(one, gain), options), place, format)
     )
     return Prepared(format=format, gain=gain, drives=drives, files=files)
 
@@ -136,8 +137,7 @@ def _files(
 ) -> list[tuple[Path, Stimulus]]:
     if not options.one_file_per_input:
         return [(path, drives)]
-    suffix = format.suffix if path.name.endswith(format.suffix) else path.suffix
-    stem = path.name[: len(path.name) - len(suffix)]
+    stem, suffix = _parted(path, format)
     return [
         (
             path.with_name(f"{stem}_input-{channel.inputs[0]}{suffix}"),
@@ -149,8 +149,40 @@ def _files(
     ]
 
 
+def _finished(stimulus: Stimulus, options: StimulusOptions) -> Stimulus:
+    """With what is not scaled, and in the order of the outputs."""
+    if options.sync:
+        # What comes before is the lead-in.
+        stimulus = with_sync(stimulus, at_s=options.from_s or 0.0)
+    return in_order(stimulus, options.channel_map) if options.channel_map else stimulus
+
+
+def _own_files(
+    stimulus: Stimulus, path: Path, format: StimulusFormat
+) -> list[tuple[Path, Stimulus]]:
+    """A file for each channel, where the format holds one: the first is ``path``."""
+    if not format.one_channel_each:
+        return [(path, stimulus)]
+    stem, suffix = _parted(path, format)
+    return [
+        (
+            path.with_name(f"{stem}_channel-{row + 1}{suffix}") if row else path,
+            stimulus.with_samples(
+                stimulus.samples[row : row + 1], channels=(replace(channel, number=1),)
+            ),
+        )
+        for row, channel in enumerate(stimulus.channels)
+    ]
+
+
+def _parted(path: Path, format: StimulusFormat) -> tuple[str, str]:
+    """Name of a file without its ending, and that."""
+    suffix = format.suffix if path.name.endswith(format.suffix) else path.suffix
+    return path.name[: len(path.name) - len(suffix)], suffix
+
+
 def _outgoing(
-    drives: Stimulus,
+    stimulus: Stimulus,
     design: Design,
     name: str,
     format: StimulusFormat,
@@ -158,12 +190,6 @@ def _outgoing(
     options: StimulusOptions,
     gain: float,
 ) -> Outgoing:
-    stimulus = scaled(drives, gain)
-    if options.sync:
-        # What comes before is the lead-in.
-        stimulus = with_sync(stimulus, at_s=options.from_s or 0.0)
-    if options.channel_map:
-        stimulus = in_order(stimulus, options.channel_map)
     n = len(stimulus.channels)
     if format.most_channels is not None and n > format.most_channels:
         raise InvalidInputError(

@@ -109,6 +109,8 @@ class StimulusFormat:
         What can be chosen, by name; the first option of each is the usual one.
     most_channels
         None: any number.
+    one_channel_each
+        Whether each channel has a file of its own: the first one PATH, the others a number more.
     folder
         Whether it is a folder.
     to_device
@@ -131,6 +133,7 @@ class StimulusFormat:
     fixed_rate: bool = False
     choices: Mapping[str, ChoiceSpec] = field(default_factory=dict)
     most_channels: int | None = None
+    one_channel_each: bool = False
     folder: bool = False
     to_device: bool = True
     rounds: Callable[[Mapping[str, str]], bool] = no_whole_numbers

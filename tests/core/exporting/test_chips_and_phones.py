@@ -1,0 +1,203 @@
+"""Formats of driver chips and phones: the facts of their makers, read from what was written."""
+
+import json
+import re
+import subprocess
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.stimulus_formats.envelopes import envelope_of
+
+
+FLAGS = ("-Wall", "-Wextra", "-Werror", "-pedantic")
+
+
+def sidecar(path):
+    return json.loads(path.with_name(f"{path.name}.json").read_text(encoding="utf-8"))
+
+
+def arrays_of(path):
+    """Values of each array in a header, by name, and its constants."""
+    text = path.read_text(encoding="ascii")
+    found = {
+        name: np.array([int(one) for one in re.findall(r"-?\d+", body)])
+        for name, body in re.findall(r"(stim_\w+)\[STIM_N\][^{]*\{([^}]*)\}", text)
+    }
+    return found, dict(re.findall(r"#define (STIM_\w+) (\S+)", text))
+
+
+@pytest.fixture
+def tone():
+    """One place: 175 Hz for 0.5 s at full strength, then 0.2 s at half of it."""
+    loud = ss.Clip(waveform=ss.waveforms.Tone(frequency_hz=175.0, duration_s=0.5, window="none"))
+    soft = ss.Clip(
+        waveform=ss.waveforms.Tone(frequency_hz=175.0, duration_s=0.2, window="none"),
+        onset_s=0.6,
+        gain=0.5,
+    )
+    return ss.Design(limb="synthetic-1", inputs=(ss.Input(location=7, clips=(loud, soft)),))
+
+
+@pytest.mark.parametrize("frequency_hz", [60.0, 175.0, 300.0])
+def test_the_envelope_of_a_sine_is_its_amplitude_and_its_frequency(frequency_hz):
+    time_s = np.arange(8000) / 8000.0
+    found = envelope_of(0.7 * np.sin(2 * np.pi * frequency_hz * time_s), 8000.0, 0.01)
+    middle = slice(20, 80)
+    np.testing.assert_allclose(found.amplitude[middle], 0.7, rtol=0.02)
+    np.testing.assert_allclose(found.frequency_hz[middle], frequency_hz, rtol=0.02)
+    assert found.time_s[0] == 0.0
+    assert found.time_s[-1] == 1.0
+
+
+def test_the_envelope_of_silence_is_silence():
+    found = envelope_of(np.zeros(1000), 8000.0, 0.01)
+    assert not found.amplitude.any()
+    assert np.isfinite(found.frequency_hz).all()
+
+
+@pytest.mark.parametrize("name", ["drv2605l", "bos1901", "drv2665"])
+def test_headers_for_chips_compile_clean(design, tmp_path, name):
+    path = tmp_path / "a.h"
+    ss.export_stimulus(design, path, format=name)
+    for language, standard in (("c", "c99"), ("c++", "c++11")):
+        subprocess.run(
+            ["cc", f"-std={standard}", *FLAGS, "-x", language, "-fsyntax-only", str(path)],
+            check=True,
+        )
+    arrays, constants = arrays_of(path)
+    assert set(arrays) == {"stim_place_7", "stim_place_12"}
+    assert {values.size for values in arrays.values()} == {int(constants["STIM_N"][:-2])}
+
+
+@pytest.mark.parametrize("updates", ["100", "200", "500"])
+def test_drv2605l_gets_amplitudes_and_ends_off(tone, tmp_path, updates):
+    path = tmp_path / "a.h"
+    options = ss.StimulusOptions(choices={"updates": updates})
+    ss.export_stimulus(tone, path, "drv2605l", 48_000, options=options)
+    arrays, constants = arrays_of(path)
+    values = arrays["stim_place_7"]
+    hz = int(updates)
+    assert constants["STIM_FS_HZ"] == f"{hz}UL"
+    assert values.size == round(0.8 * hz) + 1
+    assert values.min() >= 0
+    assert values.max() <= 0x7F
+    assert values[-1] == 0
+    # Full in the loud part, half of it in the soft one, off between them.
+    loud, soft = values[round(0.1 * hz) : round(0.4 * hz)], values[round(0.65 * hz) :][: hz // 20]
+    ratio = soft.mean() / loud.mean()
+    assert ratio == pytest.approx(0.5, abs=0.03)
+    assert values[round(0.55 * hz)] < 8
+    assert "frequency and phase are the chip's" in sidecar(path)["loses"]
+
+
+def test_bos1901_gets_12_bits_that_begin_and_end_at_0_volts(design, tmp_path):
+    path = tmp_path / "a.h"
+    ss.export_stimulus(design, path, "bos1901", 48_000)
+    arrays, constants = arrays_of(path)
+    drive = ss.stimulus_of(design, 8000).samples
+    wanted = drive / np.abs(drive).max() * 2047
+    for words, row in zip(arrays.values(), wanted, strict=True):
+        assert words[0] == words[-1] == 0
+        assert words.min() >= 0
+        assert words.max() <= 0x0FFF
+        values = np.where(words >= 0x800, words - 0x1000, words)
+        assert np.abs(values[1:-1] - row).max() <= 0.5 + 1e-9
+    assert constants["STIM_FS_HZ"] == "8000UL"
+    # Whatever rate is asked for: the chip has its own.
+    assert sidecar(path)["rate_hz"] == 8000
+
+
+def test_drv2665_gets_8_bits_at_8_khz_that_begin_and_end_at_0(design, tmp_path):
+    path = tmp_path / "a.h"
+    ss.export_stimulus(design, path, "drv2665")
+    arrays, _ = arrays_of(path)
+    drive = ss.stimulus_of(design, 8000).samples
+    wanted = drive / np.abs(drive).max() * 127
+    for values, row in zip(arrays.values(), wanted, strict=True):
+        assert values[0] == values[-1] == 0
+        assert np.abs(values[1:-1] - row).max() <= 0.5 + 1e-9
+
+
+def test_a_haptic_file_keeps_the_rules_of_its_format(tone, tmp_path):
+    path = tmp_path / "a.haptic"
+    ss.export_stimulus(tone, path, "haptic", 48_000)
+    content = json.loads(path.read_text())
+    assert content["version"] == {"major": 1, "minor": 0, "patch": 0}
+    envelopes = content["signals"]["continuous"]["envelopes"]
+    amplitude, frequency = envelopes["amplitude"], envelopes["frequency"]
+    times = [one["time"] for one in amplitude]
+    assert len(amplitude) >= 2
+    assert times[0] >= 0.0
+    assert times == sorted(times)
+    assert times[-1] == pytest.approx(0.8)
+    assert all(0.0 <= one["amplitude"] <= 1.0 for one in amplitude)
+    assert all(0.0 <= one["frequency"] <= 1.0 for one in frequency)
+    assert frequency[-1]["time"] <= times[-1]
+    # 175 Hz between 55 and 200 Hz.
+    assert frequency[20]["frequency"] == pytest.approx(120 / 145, abs=0.02)
+    assert "55 Hz" in content["metadata"]["description"]
+
+
+def test_an_ahap_file_keeps_the_rules_of_its_format(tone, tmp_path):
+    path = tmp_path / "a.ahap"
+    ss.export_stimulus(tone, path)
+    content = json.loads(path.read_text())
+    assert content["Version"] == 1.0
+    assert all(len(entry) == 1 for entry in content["Pattern"])
+    kinds = [next(iter(entry)) for entry in content["Pattern"]]
+    assert kinds == ["Event", "ParameterCurve", "ParameterCurve"]
+    event = content["Pattern"][0]["Event"]
+    assert event["EventType"] == "HapticContinuous"
+    assert event["EventDuration"] == pytest.approx(0.8)
+    intensity, sharpness = (entry["ParameterCurve"] for entry in content["Pattern"][1:])
+    assert intensity["ParameterID"] == "HapticIntensityControl"
+    points = intensity["ParameterCurveControlPoints"]
+    assert all(0.0 <= one["ParameterValue"] <= 1.0 for one in points)
+    # Felt strength is quadratic: half an amplitude is the root of it.
+    loud, soft = points[20]["ParameterValue"], points[68]["ParameterValue"]
+    assert soft / loud == pytest.approx(np.sqrt(0.5), abs=0.02)
+    values = [one["ParameterValue"] for one in sharpness["ParameterCurveControlPoints"]]
+    assert values[20] == pytest.approx((175 - 65) / (300 - 65), abs=0.02)
+
+
+def test_long_ahap_files_have_several_events_with_times_of_their_own(tmp_path):
+    tones = tuple(
+        ss.Clip(waveform=ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.1), onset_s=at)
+        for at in (0.0, 40.0, 69.9)
+    )
+    long = ss.Design(limb="synthetic-1", inputs=(ss.Input(location=7, clips=tones),))
+    path = tmp_path / "a.ahap"
+    ss.export_stimulus(long, path)
+    pattern = json.loads(path.read_text())["Pattern"]
+    events = [entry["Event"] for entry in pattern if "Event" in entry]
+    assert [one["Time"] for one in events] == [0.0, 30.0, 60.0]
+    assert all(one["EventDuration"] <= 30.0 for one in events)
+    for curve in (entry["ParameterCurve"] for entry in pattern if "ParameterCurve" in entry):
+        times = [one["Time"] for one in curve["ParameterCurveControlPoints"]]
+        assert times[0] == pytest.approx(0.0, abs=1e-9)
+        assert times[-1] <= 30.0 + 1e-9
+    second = next(e["ParameterCurve"] for e in pattern[4:] if "ParameterCurve" in e)
+    loud = max(second["ParameterCurveControlPoints"], key=lambda one: one["ParameterValue"])
+    assert loud["Time"] == pytest.approx(10.05, abs=0.06)
+
+
+def test_control_points_for_android_add_up_to_the_length(tone, tmp_path):
+    path = tmp_path / "a.pwle.json"
+    ss.export_stimulus(tone, path)
+    content = json.loads(path.read_text())
+    points = content["controlPoints"]
+    assert sum(one["durationMillis"] for one in points) == 800
+    assert all(one["durationMillis"] > 0 for one in points)
+    assert all(0.0 <= one["amplitude"] <= 1.0 for one in points)
+    assert points[10]["frequencyHz"] == pytest.approx(175.0, rel=0.02)
+
+
+@pytest.mark.parametrize("name", ["haptic", "ahap", "pwle"])
+def test_each_actuator_has_a_file_of_its_own(design, tmp_path, name):
+    path = tmp_path / "a.x"
+    done = ss.export_stimulus(design, path, format=name)
+    assert done.files == (path, tmp_path / "a_channel-2.x")
+    assert [sidecar(one)["places"] for one in done.files] == [[7], [12]]
+    assert all(sidecar(one)["loses"].startswith("The waveform:") for one in done.files)
