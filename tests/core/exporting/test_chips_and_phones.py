@@ -10,7 +10,6 @@ import pytest
 import skinsource as ss
 from skinsource.stimulus_formats.envelopes import envelope_of
 
-
 FLAGS = ("-Wall", "-Wextra", "-Werror", "-pedantic")
 
 
