@@ -6,6 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.design_file import open_design
+from skinsource.equalising import RegularisedInverse
+from skinsource.rigs import open_rig
 from skinsource.stimulus_export import StimulusOptions, export_stimulus
 from skinsource.stimulus_formats import FORMATS, export_formats
 
@@ -83,6 +85,15 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
             metavar="|".join(options),
             help=f"for {', '.join(formats)}",
         )
+    parser.add_argument("--rig", type=Path, metavar="FILE", help="a .skinrig file: what is wired")
+    parser.add_argument(
+        "--equalise",
+        choices=("linear", "minimum"),
+        help="make volts of accelerations for the rig, with this phase",
+    )
+    parser.add_argument(
+        "--boost", type=float, metavar="DB", help="most that --equalise boosts (default: 20)"
+    )
     parser.add_argument(
         "--confirm", action="store_true", help="write it even though samples clip or limits pass"
     )
@@ -116,12 +127,15 @@ def _export(arguments: argparse.Namespace) -> int:
         dither_seed=arguments.dither,
         choices={name: value for name, value in chosen.items() if value is not None},
     )
+    rig = None if arguments.rig is None else open_rig(arguments.rig)
     done = export_stimulus(
         open_design(arguments.design).design,
         arguments.out,
         arguments.format,
         arguments.rate,
         options=options,
+        rig=rig,
+        equaliser=_equaliser(arguments),
         confirmed=arguments.confirm,
     )
     for one in done.objections:
@@ -129,3 +143,11 @@ def _export(arguments: argparse.Namespace) -> int:
     for path in done.files:
         sys.stdout.write(f"{path}\n")
     return 0
+
+
+def _equaliser(arguments: argparse.Namespace) -> RegularisedInverse | None:
+    if arguments.equalise is None:
+        return None
+    if arguments.boost is None:
+        return RegularisedInverse(phase=arguments.equalise)
+    return RegularisedInverse(phase=arguments.equalise, boost_db=arguments.boost)

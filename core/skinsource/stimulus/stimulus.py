@@ -35,6 +35,8 @@ class Stimulus:
         Time of the design at which the first sample lies.
     own_rate_hz
         Rate at which the design was sampled: nothing above its half is in the samples.
+    samples_unit
+        Unit of the samples, where something made other quantities of the drives; else "".
     """
 
     channels: tuple[Channel, ...]
@@ -44,6 +46,7 @@ class Stimulus:
     scaling: Scaling
     start_s: float = 0.0
     own_rate_hz: float
+    samples_unit: str = ""
 
     def __post_init__(self) -> None:
         if self.samples.ndim != 2 or len(self.channels) != self.samples.shape[0]:
@@ -68,7 +71,7 @@ class Stimulus:
     @property
     def unit(self) -> str:
         """Unit of the samples of channels that have a place."""
-        return UNITS[self.scaling]
+        return self.samples_unit or UNITS[self.scaling]
 
     @property
     def band_hz(self) -> tuple[float, float]:

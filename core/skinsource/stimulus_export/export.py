@@ -3,13 +3,16 @@
 import hashlib
 import os
 from collections.abc import Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from skinsource.design import Design
+from skinsource.equalising import Equaliser
 from skinsource.errors import NotConfirmedError, StorageError
-from skinsource.files import named, replacing, replacing_folder, write_bytes
+from skinsource.files import named, replacing, replacing_folder
 from skinsource.job import Progress, Stop, never, silent, stop_if
+from skinsource.rigs import Rig
 from skinsource.stimulus import Stage
 from skinsource.stimulus_export.options import StimulusOptions
 from skinsource.stimulus_export.preparing import Prepared, prepared
@@ -53,6 +56,8 @@ def export_stimulus(
     full_scale: float | None = None,
     options: StimulusOptions | None = None,
     confirmed: bool = False,
+    rig: Rig | None = None,
+    equaliser: Equaliser | None = None,
     stages: Sequence[Stage] = (),
     limits: Sequence[Limit] = (),
     progress: Progress = silent,
@@ -60,46 +65,46 @@ def export_stimulus(
 ) -> Exported:
     """Write what the actuators get to play a design, and a sidecar ``PATH.json``.
 
-    One channel per place in use, in the order of first use, of inputs that are heard: amplitude x
-    gain x waveform, times one factor for all channels that brings the largest sample to full
-    scale.  Time 0 of the file is time 0 of the design.  Nothing is left half written.
+    One channel per place in use, in the order of first use, of what is heard: amplitude x gain x
+    waveform, times one factor that brings the largest sample to full scale.  Time 0 is that of
+    the design.  Nothing is left half written.
 
     Parameters
     ----------
     design, path
         What is played; the file, or folder.
-    format
-        One of `export_formats`; None: the one that the ending of ``path`` tells.
-    rate_hz
-        A whole number of hertz; None: the usual one.  Formats that know one rate only ignore it.
-    full_scale
-        Drive that becomes full scale, in its unit; None: as ``options`` say.
-    options
-        What shall differ from the above.
+    format, rate_hz
+        One of `export_formats`, None: as ``path`` ends; whole hertz, None: the usual one.
+    full_scale, options
+        Drive that becomes full scale, in its unit; what else shall differ from the above.
     confirmed
         Whether it is written even though samples clip or limits are passed.
-    stages, limits
-        What is done at the rate of the device; what the drives may not pass.
-    progress, stop
-        Told how far it is; once ``stop`` is true, nothing is written.
+    rig, equaliser
+        What the channels are wired to (`skinsource.rigs`); then, what makes volts of m/s².
+    stages, limits, progress, stop
+        What is done at the rate of the device; what the drives may not pass; as of a job.
 
     Raises
     ------
     InvalidInputError
-        Nothing is heard, or something cannot be had: a format, a rate, an option.
+        Nothing is heard, or something cannot be had.
     NotConfirmedError
         Samples would clip or limits be passed.
     StorageError
         The folder cannot be written, or the disk is full.
-    Stopped
-        ``stop`` said so.
     """
     target = Path(path)
-    kind, wanted = format_named(format, target), options or StimulusOptions()
-    if full_scale is not None:
-        wanted = replace(wanted, full_scale=full_scale)
     ready = prepared(
-        design, target, kind, rate_hz, wanted, stages=stages, progress=progress, stop=stop
+        design,
+        target,
+        format_named(format, target),
+        rate_hz,
+        _with_full_scale(options or StimulusOptions(), full_scale),
+        stages=stages,
+        rig=rig,
+        equaliser=equaliser,
+        progress=progress,
+        stop=stop,
     )
     return write_prepared(ready, confirmed=confirmed, limits=limits, progress=progress, stop=stop)
 
@@ -119,9 +124,12 @@ def write_prepared(
             f"{' '.join(found)} Nothing was written. Lower the amplitudes, choose a larger full "
             "scale, or confirm that it shall be written all the same (--confirm)."
         )
-    for path, outgoing in ready.files:
-        one = replace(outgoing, progress=progress, stop=stop)
-        (_write_folder if ready.format.folder else _write_file)(ready, path, one, found)
+    with ExitStack() as stack:
+        # All are written before the first takes its place.
+        for path, outgoing in ready.files:
+            one = replace(outgoing, progress=progress, stop=stop)
+            (_write_folder if ready.format.folder else _write_file)(ready, path, one, found, stack)
+        stop_if(stop)
     return Exported(
         files=tuple(path for path, _ in ready.files),
         gain=ready.gain,
@@ -130,45 +138,55 @@ def write_prepared(
     )
 
 
+def _with_full_scale(options: StimulusOptions, full_scale: float | None) -> StimulusOptions:
+    return options if full_scale is None else replace(options, full_scale=full_scale)
+
+
 def sidecar_path(path: Path) -> Path:
     """Where the sidecar of a file or folder is."""
     return path.with_name(f"{path.name}.json")
 
 
 def _write_file(
-    ready: Prepared, path: Path, outgoing: Outgoing, confirmed: tuple[str, ...]
+    ready: Prepared,
+    path: Path,
+    outgoing: Outgoing,
+    confirmed: tuple[str, ...],
+    stack: ExitStack,
 ) -> None:
     if path.is_dir():
         raise StorageError(f"{named(path)}: a folder stands there. Choose another name.")
-    with replacing(path) as temporary:
-        facts = ready.format.write(outgoing, temporary)
-        stop_if(outgoing.stop)
-        content = sidecar_of(
-            ready,
-            outgoing,
-            facts,
-            sha256=_sha256(temporary),
-            n_bytes=temporary.stat().st_size,
-            confirmed=confirmed,
-        )
-        # First the words, then the file that they are about: whoever finds the file finds them.
-        for place, words in ready.format.beside(path, facts).items():
-            write_bytes(place, words)
-        write_bytes(sidecar_path(path), content)
+    temporary = stack.enter_context(replacing(path))
+    facts = ready.format.write(outgoing, temporary)
+    stop_if(outgoing.stop)
+    content = sidecar_of(
+        ready,
+        outgoing,
+        facts,
+        sha256=_sha256(temporary),
+        n_bytes=temporary.stat().st_size,
+        confirmed=confirmed,
+    )
+    # What is entered last is moved first: whoever finds the file finds the words about it.
+    beside = {**ready.format.beside(path, facts), sidecar_path(path): content}
+    for place, words in beside.items():
+        stack.enter_context(replacing(place)).write_bytes(words)
 
 
 def _write_folder(
-    ready: Prepared, path: Path, outgoing: Outgoing, confirmed: tuple[str, ...]
+    ready: Prepared,
+    path: Path,
+    outgoing: Outgoing,
+    confirmed: tuple[str, ...],
+    stack: ExitStack,
 ) -> None:
-    with replacing_folder(path, MARK) as temporary:
-        facts = ready.format.write(outgoing, temporary)
-        stop_if(outgoing.stop)
-        n_bytes = sum(one.stat().st_size for one in temporary.rglob("*") if one.is_file())
-        content = sidecar_of(
-            ready, outgoing, facts, sha256=None, n_bytes=n_bytes, confirmed=confirmed
-        )
-        (temporary / MARK).write_bytes(content)
-        write_bytes(sidecar_path(path), content)
+    temporary = stack.enter_context(replacing_folder(path, MARK))
+    facts = ready.format.write(outgoing, temporary)
+    stop_if(outgoing.stop)
+    n_bytes = sum(one.stat().st_size for one in temporary.rglob("*") if one.is_file())
+    content = sidecar_of(ready, outgoing, facts, sha256=None, n_bytes=n_bytes, confirmed=confirmed)
+    (temporary / MARK).write_bytes(content)
+    stack.enter_context(replacing(sidecar_path(path))).write_bytes(content)
 
 
 def _sha256(path: Path) -> str:

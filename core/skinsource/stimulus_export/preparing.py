@@ -11,8 +11,10 @@ from skinsource import codec
 from skinsource.codec.json_text import dumped
 from skinsource.codec.references import taken_out
 from skinsource.design import Design, audible_inputs
+from skinsource.equalising import Equaliser
 from skinsource.errors import InvalidInputError
 from skinsource.job import Progress, Stop, never, silent
+from skinsource.rigs import Rig
 from skinsource.stimulus import (
     Stage,
     Stimulus,
@@ -26,6 +28,7 @@ from skinsource.stimulus import (
     with_sync,
 )
 from skinsource.stimulus_export.options import StimulusOptions
+from skinsource.stimulus_export.rigged import about_rig, equalised_for, wired
 from skinsource.stimulus_formats import Outgoing, StimulusFormat
 
 
@@ -43,12 +46,16 @@ class Prepared:
         All channels before that factor, in the unit of the drive: what limits are about.
     files
         Path and content of each file.
+    rig, equaliser
+        What it is made for, and what makes volts of accelerations; None: neither is known.
     """
 
     format: StimulusFormat
     gain: float
     drives: Stimulus
     files: tuple[tuple[Path, Outgoing], ...]
+    rig: Rig | None = None
+    equaliser: Equaliser | None = None
 
     @property
     def n_bytes(self) -> int:
@@ -80,6 +87,8 @@ def prepared(
     options: StimulusOptions,
     *,
     stages: Sequence[Stage] = (),
+    rig: Rig | None = None,
+    equaliser: Equaliser | None = None,
     progress: Progress = silent,
     stop: Stop = never,
 ) -> Prepared:
@@ -91,8 +100,9 @@ def prepared(
         What goes where, as what, and how.
     rate_hz
         None: the usual one of the format, which is also taken where it knows no other.
-    stages
-        What is done at that rate, before anything is cut or scaled: an equaliser.
+    stages, rig, equaliser
+        What is done at that rate; what the channels are wired to; what makes volts of
+        accelerations: full scale is then that of each channel, not the largest sample.
 
     Raises
     ------
@@ -115,14 +125,40 @@ def prepared(
         raise InvalidInputError(
             "Nothing is heard: there is no channel to export. Unmute an input, or choose others."
         )
-    drives = _cut(made, options)
-    gain = full_scale_factor(drives) if options.full_scale is None else 1.0 / options.full_scale
+    drives = _cut(_for_rig(made, rig, equaliser, options), options)
+    gain = 1.0 if equaliser is not None else _gain(drives, options)
     files = tuple(
-        (own_place, _outgoing(own, design, own_place.name, format, choices, options, gain))
+        (own_place, _outgoing(own, design, own_place.name, format, choices, options, gain, rig))
         for place, one in _files(drives, path, format, options)
         for own_place, own in _own_files(_finished(scaled(one, gain), options), place, format)
     )
-    return Prepared(format=format, gain=gain, drives=drives, files=files)
+    return Prepared(
+        format=format, gain=gain, drives=drives, files=files, rig=rig, equaliser=equaliser
+    )
+
+
+def _gain(drives: Stimulus, options: StimulusOptions) -> float:
+    own = options.full_scale
+    return full_scale_factor(drives) if own is None else 1.0 / own
+
+
+def _for_rig(
+    made: Stimulus, rig: Rig | None, equaliser: Equaliser | None, options: StimulusOptions
+) -> Stimulus:
+    """The stimulus as the channels of ``rig`` want it."""
+    if equaliser is None:
+        return made if rig is None else wired(made, rig)
+    if rig is None:
+        raise InvalidInputError(
+            "An equaliser needs a rig, which says what is at each place and how many volts full "
+            "scale is."
+        )
+    if options.full_scale is not None:
+        raise InvalidInputError(
+            f"full_scale is {options.full_scale:g}, and with an equaliser the rig says it. Leave "
+            "one of them out."
+        )
+    return equalised_for(made, rig, equaliser)
 
 
 def _cut(made: Stimulus, options: StimulusOptions) -> Stimulus:
@@ -189,6 +225,7 @@ def _outgoing(
     choices: dict[str, str],
     options: StimulusOptions,
     gain: float,
+    rig: Rig | None,
 ) -> Outgoing:
     n = len(stimulus.channels)
     if format.most_channels is not None and n > format.most_channels:
@@ -204,6 +241,7 @@ def _outgoing(
         name=name,
         digest=digest_of(design),
         choices=choices,
+        calibration=about_rig(stimulus, rig),
         dither_seed=options.dither_seed,
     )
 

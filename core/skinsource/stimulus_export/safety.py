@@ -2,8 +2,9 @@
 
 from collections.abc import Callable, Sequence
 
-from skinsource.stimulus import Stimulus
+from skinsource.stimulus import Stimulus, scaled
 from skinsource.stimulus_export.preparing import Prepared, clipped_samples
+from skinsource.stimulus_export.rigged import passed_limits
 
 #: Looks at the drives, in their own unit, and says in a sentence each which limits they pass.
 #: Limits belong to a rig, not to a design.
@@ -25,6 +26,9 @@ def objections(ready: Prepared, limits: Sequence[Limit] = ()) -> tuple[str, ...]
                 found.append(
                     f"{path.name}: samples beyond full scale would be cut off: {', '.join(words)}."
                 )
+    if ready.rig is not None:
+        sent = scaled(ready.drives, ready.gain)
+        found.extend(passed_limits(sent, ready.rig))
     for limit in limits:
         found.extend(limit(ready.drives))
     return tuple(found)

@@ -12,6 +12,7 @@ from skinsource.decibels import decibels
 from skinsource.design import Input
 from skinsource.stimulus import Stimulus
 from skinsource.stimulus_export.preparing import Prepared, clipped_samples
+from skinsource.stimulus_export.rigged import about_channels, about_equaliser
 from skinsource.stimulus_formats import Outgoing
 from skinsource.stimulus_formats.about import about
 from skinsource.stimulus_formats.stimulus_format import Facts
@@ -19,6 +20,9 @@ from skinsource.version import __version__
 
 #: What `skinsource.resample` promises within the band.
 _RESAMPLING = {"gain_db": 0.001, "phase_rad": 1e-6, "aliases_db": -115.0}
+_MEANING = (
+    "samples times full_scale are the drive: amplitude times gain times waveform, in the unit"
+)
 _UPSTREAM = (
     "Under this scaling an amplitude is a peak on the skin, computed for each input by itself: the "
     "drives have no unit, and strong and weak channels do not keep the ratio that was predicted."
@@ -50,8 +54,7 @@ def sidecar_of(
     stimulus = outgoing.stimulus
     counts = facts.get("clipped_samples")
     if counts is None:
-        to_device = ready.format.to_device
-        counts = clipped_samples(stimulus).tolist() if to_device else [0] * len(stimulus.channels)
+        counts = (clipped_samples(stimulus) * ready.format.to_device).tolist()
     content: dict[str, Any] = {
         "what": "SkinSource stimulus",
         "file": outgoing.name,
@@ -63,14 +66,11 @@ def sidecar_of(
         "n_channels": len(stimulus.channels),
         "n_times": stimulus.n_times,
         "duration_s": stimulus.duration_s,
-        "channels": _channels(stimulus, counts),
+        **_about_rig(ready, stimulus, _channels(stimulus, counts)),
         "inputs": [_about_input(one) for one in outgoing.design.inputs],
         "gain": ready.gain,
-        "meaning": "samples times full_scale are the drive: amplitude times gain times waveform, "
-        "in the unit",
+        "meaning": _MEANING,
         "scaling_means": word_of(SCALINGS, stimulus.scaling).sentence,
-        "actuator": None,
-        "equaliser": None,
         "clip_count": int(sum(counts)),
         "confirmed": list(confirmed),
         "errors": _errors(stimulus, facts),
@@ -81,6 +81,21 @@ def sidecar_of(
     if stimulus.scaling == "upstream":
         content["note"] = _UPSTREAM
     return (json.dumps(content, ensure_ascii=False, indent=2, allow_nan=False) + "\n").encode()
+
+
+def _about_rig(
+    ready: Prepared, stimulus: Stimulus, channels: list[dict[str, Any]]
+) -> dict[str, Any]:
+    """The channels, with what the rig says of them, and what it is."""
+    wiring = about_channels(stimulus, ready.rig) if ready.rig is not None else []
+    for one, wires in zip(channels, wiring, strict=False):
+        one.update(wires)
+    return {
+        "channels": channels,
+        "rig": None if ready.rig is None else ready.rig.title,
+        "actuator": [one.get("actuator") for one in wiring] or None,
+        "equaliser": about_equaliser(ready.equaliser),
+    }
 
 
 def _channels(stimulus: Stimulus, counts: Sequence[int]) -> list[dict[str, Any]]:

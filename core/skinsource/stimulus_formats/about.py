@@ -19,7 +19,7 @@ def about(outgoing: Outgoing) -> dict[str, Any]:
         "start_s": stimulus.start_s,
         "scaling": stimulus.scaling,
         "limb": stimulus.limb,
-        "calibration": "uncalibrated",
+        "calibration": outgoing.calibration,
         "software": f"SkinSource studio {__version__}",
         "design_digest": outgoing.digest,
     }

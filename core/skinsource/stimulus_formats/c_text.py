@@ -67,7 +67,7 @@ def write_header(
         f"/* {n_bytes} bytes: {len(arrays)} x {n_times} values of {kind}.",
         f"   SkinSource studio {__version__}; design SHA-256 {outgoing.digest}.",
         *(f"   {ascii_of(line)}" for line in words),
-        "   Uncalibrated. */",
+        f"   {ascii_of(outgoing.calibration)} */",
         f"#ifndef {guard}",
         f"#define {guard}",
         "",

@@ -52,6 +52,8 @@ class Outgoing:
         Of the design.
     choices
         What was chosen of what the format offers.
+    calibration
+        Whether m/s² follow from the samples, in words.
     dither_seed
         Of whole numbers; None: no dither.
     progress, stop
@@ -64,6 +66,7 @@ class Outgoing:
     name: str
     digest: str
     choices: Mapping[str, str]
+    calibration: str
     dither_seed: int | None = None
     progress: Progress = silent
     stop: Stop = never

@@ -1,0 +1,174 @@
+"""Exports for a rig: which way round, how many volts, how calibrated, within which limits."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import soundfile
+
+import skinsource as ss
+from skinsource.actuators import Limits, MeasuredResponse
+from skinsource.commands.command_line import main
+from skinsource.equalising import RegularisedInverse
+from skinsource.errors import InvalidInputError, NotConfirmedError
+from skinsource.rigs import Rig, RigChannel, save_rig
+
+RATE_HZ = 8000
+#: As strong at all frequencies: 50 and 20 m/s² for each volt.
+FLAT = MeasuredResponse(((1.0, 50.0, 0.0), (2000.0, 50.0, 0.0)))
+WEAKER = MeasuredResponse(((1.0, 20.0, 0.0), (2000.0, 20.0, 0.0)))
+
+
+@pytest.fixture
+def design():
+    """Bursts that leave no velocity."""
+    bursts = [ss.waveforms.Gabor(frequency_hz=hz, cycles=8.0) for hz in (120.0, 200.0)]
+    return ss.Design(
+        limb="synthetic-1",
+        inputs=(
+            ss.track(7, bursts[0], onset_s=0.1, amplitude=2.0),
+            ss.track(12, bursts[1], onset_s=0.15, amplitude=3.0),
+        ),
+    )
+
+
+@pytest.fixture
+def rig():
+    return Rig(
+        title="Bench 3",
+        channels=(
+            RigChannel(
+                place=7, actuator="own", output=3, full_scale_v=2.0, measured=FLAT,
+                measured_on="2026-03-04",
+            ),
+            RigChannel(
+                place=12, actuator="own", output=1, full_scale_v=1.0, amplifier_gain=4.0,
+                polarity="inverted", measured=WEAKER, measured_on="2026-03-01",
+            ),
+        ),
+    )  # fmt: skip
+
+
+def sidecar(path):
+    return json.loads(path.with_name(f"{path.name}.json").read_text(encoding="utf-8"))
+
+
+def read(path):
+    return soundfile.read(path, always_2d=True)[0].T
+
+
+def test_without_a_rig_it_says_uncalibrated(design, tmp_path):
+    path = tmp_path / "a.h"
+    ss.export_stimulus(design, path)
+    assert sidecar(path)["calibration"].startswith("uncalibrated")
+    assert "   uncalibrated: no rig says" in path.read_text()
+
+
+def test_with_one_it_says_what_is_wired_and_when_it_was_measured(design, rig, tmp_path):
+    path = tmp_path / "a.wav"
+    ss.export_stimulus(design, path, rate_hz=RATE_HZ, rig=rig)
+    about = sidecar(path)
+    assert about["calibration"] == "calibrated, measured on 2026-03-01"
+    assert about["rig"] == "Bench 3"
+    assert [one["output"] for one in about["channels"]] == [3, 1]
+    assert [one["polarity"] for one in about["channels"]] == ["normal", "inverted"]
+    assert about["unit"] == "m/s²"
+
+
+def test_an_actuator_that_pushes_the_other_way_is_turned_round(design, rig, tmp_path):
+    path = tmp_path / "a.wav"
+    done = ss.export_stimulus(design, path, rate_hz=RATE_HZ, rig=rig)
+    drive = ss.stimulus_of(design, RATE_HZ).samples
+    np.testing.assert_allclose(read(path), drive * done.gain * [[1.0], [-1.0]], atol=1e-7)
+
+
+def test_equalised_samples_are_the_volts_that_make_the_acceleration(design, rig, tmp_path):
+    path = tmp_path / "a.wav"
+    equaliser = RegularisedInverse(boost_db=60.0)
+    done = ss.export_stimulus(
+        design, path, rate_hz=RATE_HZ, rig=rig, equaliser=equaliser, options=None
+    )
+    assert done.gain == 1.0
+    # By hand: samples times volts of full scale, polarity, and m/s² for each volt.
+    volts = read(path) * np.array([[2.0], [-4.0]])
+    acceleration = volts * np.array([[50.0], [20.0]])
+    drive = ss.stimulus_of(design, RATE_HZ).samples
+    assert np.abs(acceleration - drive).max() < 2e-3 * np.abs(drive).max()
+    about = sidecar(path)
+    assert about["unit"] == "full scale of the channel"
+    assert about["equaliser"] == {
+        "kind": "RegularisedInverse",
+        "boost_db": 60.0,
+        "phase": "linear",
+    }
+
+
+def test_volts_that_a_channel_does_not_give_are_cut_off_only_when_confirmed(design, rig, tmp_path):
+    path = tmp_path / "a.wav"
+    loud = design.with_input(0, amplitude=130.0)
+    call = {"rate_hz": RATE_HZ, "rig": rig, "equaliser": RegularisedInverse()}
+    with pytest.raises(NotConfirmedError, match=r"channel 1 \(Digit II, pad\)"):
+        ss.export_stimulus(loud, path, **call)
+    assert ss.export_stimulus(loud, path, **call, confirmed=True).clip_count > 0
+
+
+def test_limits_of_the_rig_must_be_confirmed(design, rig, tmp_path):
+    path = tmp_path / "a.wav"
+    careful = replace(rig.channels[0], limits=Limits(peak_voltage_v=0.5))
+    strict = replace(rig, channels=(careful, rig.channels[1]))
+    with pytest.raises(NotConfirmedError, match="Place 7"):
+        ss.export_stimulus(design, path, rate_hz=RATE_HZ, rig=strict)
+    assert not path.exists()
+    ss.export_stimulus(design, path, rate_hz=RATE_HZ, rig=strict, confirmed=True)
+    assert sidecar(path)["confirmed"][0].startswith("Place 7")
+
+
+@pytest.mark.parametrize(
+    ("scaling", "words"), [("upstream", "scaling is upstream"), ("relative", "scaling is relative")]
+)
+def test_drives_that_are_no_accelerations_are_not_equalised(design, rig, tmp_path, scaling, words):
+    with pytest.raises(InvalidInputError, match=words):
+        ss.export_stimulus(
+            replace(design, scaling=scaling),
+            tmp_path / "a.wav",
+            rig=rig,
+            equaliser=RegularisedInverse(),
+        )
+
+
+def test_what_a_rig_does_not_know_is_asked_for(design, rig, tmp_path):
+    path = tmp_path / "a.wav"
+    equaliser = RegularisedInverse()
+    with pytest.raises(InvalidInputError, match="needs a rig"):
+        ss.export_stimulus(design, path, equaliser=equaliser)
+    with pytest.raises(InvalidInputError, match="place 12 is not wired"):
+        ss.export_stimulus(design, path, rig=replace(rig, channels=rig.channels[:1]))
+    unknown = replace(rig.channels[0], full_scale_v=None)
+    with pytest.raises(InvalidInputError, match="volts at full scale"):
+        ss.export_stimulus(
+            design, path, rig=replace(rig, channels=(unknown, rig.channels[1])), equaliser=equaliser
+        )
+    still = replace(rig.channels[0], measured=None)
+    with pytest.raises(InvalidInputError, match="does not say how the actuator 'own' moves"):
+        ss.export_stimulus(
+            design, path, rig=replace(rig, channels=(still, rig.channels[1])), equaliser=equaliser
+        )
+    tap = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tap()),))
+    with pytest.raises(InvalidInputError, match="velocity"):
+        ss.export_stimulus(tap, path, rig=rig, equaliser=equaliser)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_command_takes_a_rig_and_an_equaliser(design, rig, tmp_path, capsys):
+    ss.save_design(tmp_path / "d.skinsource", design)
+    save_rig(tmp_path / "bench.skinrig", rig)
+    path = tmp_path / "a.wav"
+    call = ["export", str(tmp_path / "d.skinsource"), "--rate", "8000", "--out", str(path)]
+    call += ["--rig", str(tmp_path / "bench.skinrig")]
+    assert main([*call, "--equalise", "minimum", "--boost", "12"]) == 0
+    assert sidecar(path)["equaliser"]["boost_db"] == 12.0
+    assert sidecar(path)["equaliser"]["phase"] == "minimum"
+    assert main(call) == 0
+    assert sidecar(path)["equaliser"] is None
+    capsys.readouterr()
