@@ -24,6 +24,8 @@ class Work:
         Rules of the graph that ran.
     operators_built
         Operators of maps that were built, not found on disk.
+    samples_moved
+        Samples of actuators' motions that were simulated.
     """
 
     forward_transforms: int = 0
@@ -33,6 +35,7 @@ class Work:
     bytes_read: int = 0
     rules_run: int = 0
     operators_built: int = 0
+    samples_moved: int = 0
 
 
 # What is being counted belongs to the running evaluation, not to the functions that do the work.
@@ -59,6 +62,7 @@ def tally(
     bytes_read: int = 0,
     rules_run: int = 0,
     operators_built: int = 0,
+    samples_moved: int = 0,
 ) -> None:
     """Add to what is being counted; nothing where nobody counts."""
     work = _counted.get()
@@ -70,3 +74,4 @@ def tally(
         work.bytes_read += bytes_read
         work.rules_run += rules_run
         work.operators_built += operators_built
+        work.samples_moved += samples_moved

@@ -7,9 +7,9 @@ from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QApplication
 
 from skinsource.fields import ChoiceSpec, Spec, specs_of
-from skinsource_gui.panels.inspector.field_grid import FieldGrid
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.field_cell import FieldCell
+from skinsource_gui.widgets.fields.field_grid import FieldGrid
 
 #: Changes a specification to what counts here; None leaves the field out.
 Adapt = Callable[[str, Spec], Spec | None]

@@ -5,6 +5,8 @@ from dataclasses import dataclass, field, fields
 
 from skinsource.fields import specs_of
 from skinsource_gui.panel import Panel
+from skinsource_gui.panels.actuator.panel import ActuatorPanel
+from skinsource_gui.panels.actuator.settings import ActuatorSettings
 from skinsource_gui.panels.clip_editor.panel import ClipEditorPanel
 from skinsource_gui.panels.compare.panel import ComparePanel
 from skinsource_gui.panels.frequency_and_amplitude.panel import FrequencyAndAmplitudePanel
@@ -102,4 +104,5 @@ PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(panel=ComparePanel, places=_places()),
     PanelSpec(panel=HistoryPanel, places=_places()),
     PanelSpec(panel=LibraryPanel, places=_places()),
+    PanelSpec(panel=ActuatorPanel, settings=ActuatorSettings, places=_places()),
 )

@@ -12,6 +12,7 @@ from skinsource.arguments import finite_array, one_of, positive_number
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
 from skinsource.signals import MAX_SAMPLES
+from skinsource.work import tally
 
 #: Blocks that are worked on at once: a few megabytes.
 _AT_ONCE = 2**12
@@ -26,6 +27,7 @@ def simulated(
     with the logarithm of their number.
     """
     samples = samples_of(voltage, hold)
+    tally(samples_moved=samples.size)
     n_steps = max(samples.size - 1, 0)
     known = steps(equations, step_of(sample_rate_hz), hold, n_steps)
     # At rest, but what the first sample passes on at once.

@@ -13,9 +13,9 @@ from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.locations import INPUTS
 from skinsource.view import View
 from skinsource.waveforms import Waveform
-from skinsource_gui.panels.inspector.field_grid import FieldGrid
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.field_cell import FieldCell, LabelledCell, WordsCell
+from skinsource_gui.widgets.fields.field_grid import FieldGrid
 from skinsource_gui.widgets.inputs.input_words import fixed_length_text
 
 _PLACE = ChoiceSpec(

@@ -88,6 +88,17 @@ _DISPLAY_UNITS = {
             ("mm/s2", _MILLI),
         ),
     ),
+    "H": DisplayUnit(
+        symbol="mH", si=_MILLI, spellings=(("H", Fraction(1)), ("µH", _MILLI**2), ("uH", _MILLI**2))
+    ),
+    "F": DisplayUnit(
+        symbol="nF",
+        si=_MILLI**3,
+        spellings=(("F", Fraction(1)), ("µF", _MILLI**2), ("uF", _MILLI**2), ("pF", _MILLI**4)),
+    ),
+    "kg": DisplayUnit(symbol="g", si=_MILLI, spellings=(("kg", Fraction(1)), ("mg", _MILLI**2))),
+    "A": DisplayUnit(symbol="mA", si=_MILLI, spellings=(("A", Fraction(1)),)),
+    "W": DisplayUnit(symbol="mW", si=_MILLI, spellings=(("W", Fraction(1)),)),
     "×": DisplayUnit(symbol="×", spellings=(("x", Fraction(1)),)),
 }
 

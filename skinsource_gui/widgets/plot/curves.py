@@ -9,6 +9,9 @@ from skinsource.arrays import Floats
 from skinsource.locations import output_words
 from skinsource_gui.widgets.plot.ranges import Kind
 
+#: What levels are, where nothing else is said.
+LEVEL_WORDS = "dB re 1 m/s²"
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CurveName:
@@ -28,13 +31,17 @@ class Curves:
     x : (n_points,)
         Rising, SI.
     y : (n_curves, n_points)
-        m/s², or dB re 1 m/s².
+        m/s², or levels in dB.
     names : (n_curves,)
         Their names; a curve's rank is its colour.
     kind
         What ``y`` is.
+    level_words
+        What levels are, where ``y`` holds them.
     scaling
         What their height means, beside its unit, longest first.
+    columns : (n_curves,)
+        Their names in a table; none: output and unit.
     about
         Gives lines that tell a table of them what they are.
     heading
@@ -45,7 +52,9 @@ class Curves:
     y: Floats
     names: tuple[CurveName, ...]
     kind: Kind = "amplitude"
+    level_words: str = LEVEL_WORDS
     scaling: tuple[str, ...] = ()
+    columns: tuple[str, ...] = ()
     about: Callable[[], tuple[str, ...]] = tuple
     heading: tuple[str, ...] = ()
 

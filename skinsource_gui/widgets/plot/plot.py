@@ -246,7 +246,7 @@ class Plot(Canvas):
             scale=self.scale,
             stacked=self.stacked,
             unit=self.unit,
-            level=curves.kind == "level",
+            level=curves.level_words if curves.kind == "level" else "",
             n_curves=len(curves.names),
             scaling=curves.scaling,
             words=self.words,

@@ -51,7 +51,7 @@ class Content:
     stacked
         Whether each curve has a row of its own.
     unit, level
-        How values are written; whether they are levels.
+        How values are written; what levels are, or empty where values are none.
     n_curves, scaling
         How many curves there are, drawn or not; what their height means, longest first.
     words
@@ -64,7 +64,7 @@ class Content:
     scale: ValueScale
     stacked: bool
     unit: ValueUnit
-    level: bool
+    level: str
     n_curves: int
     scaling: tuple[str, ...]
     words: Words
@@ -213,7 +213,7 @@ def _left_margin(ticks: tuple[Tick, ...], metrics: QFontMetricsF, old_px: float)
 
 
 def _unit_words(content: Content, *, unread: bool) -> str:
-    symbol = "dB re 1 m/s²" if content.level else content.unit.symbol
+    symbol = content.level or content.unit.symbol
     if not unread:
         return symbol
     # Too thin for ticks: the range is said in words.

@@ -27,6 +27,7 @@ def save_table(path: Path, plot: Plot, title: str) -> None:
     about.extend(curves.about())
     if plot.words.synthetic:
         about.insert(1, "SYNTHETIC LIMB: computed responses, not measured ones")
-    header = [axis.column, *(f"output_{name.number}_{unit}" for name in curves.names)]
+    own = curves.columns or tuple(f"output_{name.number}_{unit}" for name in curves.names)
+    header = [axis.column, *own]
     with output_file(path, never) as file:
         CsvTable(file, about, header, never).add(np.vstack((curves.x, curves.y)).T)

@@ -5,8 +5,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from skinsource.waveforms import Noise
-from skinsource_gui.panels.inspector.field_grid import FieldGrid
 from skinsource_gui.theme import DARK
+from skinsource_gui.widgets.fields.field_grid import FieldGrid
 from skinsource_gui.widgets.inputs.letter_button import LetterButton
 
 

@@ -16,7 +16,7 @@ from skinsource.response import predict
 from skinsource.spectra import rms
 from skinsource.view import View
 from skinsource.waveforms import Tone
-from skinsource_gui.panels.inspector.field_grid import FieldGrid
+from skinsource_gui.widgets.fields.field_grid import FieldGrid
 from skinsource_gui.widgets.inputs.input_words import figure_text
 from tests.gui.inspector.bench import Bench, design_of
 

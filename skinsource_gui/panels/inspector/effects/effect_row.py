@@ -6,9 +6,9 @@ from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QVBoxLayout, QWidget
 from skinsource.effects import ON, Effect
 from skinsource.fields import specs_of
 from skinsource_gui.panels.inspector.effects.effect_title import EffectTitle
-from skinsource_gui.panels.inspector.field_grid import FieldGrid
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.fields.field_cell import FieldCell
+from skinsource_gui.widgets.fields.field_grid import FieldGrid
 from skinsource_gui.widgets.inputs.letter_button import remove_button
 from skinsource_gui.widgets.tooltips import tooltip
 

@@ -1,0 +1,137 @@
+"""The fields of the panel: which actuator, its parameters, and the equaliser."""
+
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
+
+from skinsource.fields import NumberSpec, Spec, specs_of
+from skinsource_gui.panels.actuator.settings import ActuatorSettings, actuator_spec
+from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.widgets.fields.field_cell import FieldCell
+from skinsource_gui.widgets.fields.field_grid import FieldGrid
+from skinsource_gui.widgets.fields.units import value_text
+
+_OF_EQUALISER = {
+    "inverse": ("boost_db", "phase", "strength_m_per_s2"),
+    "pole_pair": ("new_quality", "strength_m_per_s2"),
+    "none": ("volts",),
+}
+_PARAMETER = "parameter "
+
+
+class ActuatorChoices(QObject):
+    """Cells for all that can be chosen; those are shown that mean something now.
+
+    Attributes
+    ----------
+    grid
+        Cells of the actuator and its equaliser.
+    details
+        The parameters of the model, and where they come from.
+    """
+
+    #: The new `ActuatorSettings`.
+    changed = Signal(object)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._theme = LIGHT
+        self._settings = ActuatorSettings()
+        self._shown: tuple[object, ...] | None = None
+        self._cells: tuple[FieldCell, ...] = ()
+        self._kept: dict[str, FieldCell] = {}
+        self.grid, self._parameters = FieldGrid(), FieldGrid()
+        self.details = QWidget()
+        self.about = QLabel()
+        self.about.setObjectName("actuator_about")
+        self.about.setWordWrap(True)
+        self.about.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
+        self.reset = QPushButton("As listed")
+        self.reset.setObjectName("actuator_reset")
+        self.reset.setToolTip("Give all parameters back the values that the library lists")
+        self.reset.clicked.connect(self._reset)
+        column = QVBoxLayout(self.details)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(UNIT_PX // 2)
+        column.addWidget(self._parameters)
+        column.addWidget(self.about)
+        column.addWidget(self.reset, 0, Qt.AlignmentFlag.AlignLeft)
+
+    def cell(self, name: str) -> FieldCell:
+        """The cell of a setting, or of ``"parameter "`` and a field of the model."""
+        return next(one for one in self._cells if one.name == name)
+
+    def show_settings(self, settings: ActuatorSettings) -> None:
+        """Show these settings."""
+        self._settings = settings
+        model = settings.model
+        shown = (type(model), settings.equaliser if model is not None else None)
+        if shown != self._shown:
+            self._shown = shown
+            self._build()
+        for cell in self._cells:
+            if cell.name.startswith(_PARAMETER):
+                cell.set_value(getattr(model, cell.name.removeprefix(_PARAMETER)))
+            else:
+                cell.set_value(getattr(settings, cell.name))
+        self.about.setText(self._words())
+        self.reset.setVisible(bool(settings.parameters))
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self._theme = theme
+        self.about.setStyleSheet(f"color: {theme.dim};")
+        for cell in self._kept.values():
+            cell.show_theme(theme)
+
+    def _build(self) -> None:
+        """Show the cells that there are now; each is made once, and those not shown are hidden."""
+        model = self._settings.model
+        wanted: dict[str, Spec] = {"actuator": actuator_spec()}
+        if model is not None:
+            own = specs_of(self._settings)
+            names = ("equaliser", *_OF_EQUALISER[self._settings.equaliser])
+            wanted |= {name: own[name] for name in names}
+            wanted |= {
+                f"{_PARAMETER}{name}": spec
+                for name, spec in specs_of(model).items()
+                if isinstance(spec, NumberSpec)
+            }
+        for name, spec in wanted.items():
+            if name not in self._kept:
+                cell = FieldCell(name, spec)
+                cell.edited.connect(self._edit)
+                cell.show_theme(self._theme)
+                self._kept[name] = cell
+        self._cells = tuple(self._kept[name] for name in wanted)
+        own = tuple(cell for cell in self._cells if cell.name.startswith(_PARAMETER))
+        self.grid.show_cells([cell for cell in self._cells if cell not in own])
+        self._parameters.show_cells(own)
+
+    def _words(self) -> str:
+        profile = self._settings.profile
+        known = profile.calibration
+        lines = [profile.source, f"Calibrated: {known[:1].lower()}{known[1:]}"]
+        changed = []
+        for name, value in dict(self._settings.parameters).items():
+            spec = specs_of(profile.model).get(name)
+            if isinstance(spec, NumberSpec):
+                before = value_text(getattr(profile.model, name), spec.unit, 4)
+                changed.append(f"{spec.label} {before} → {value_text(value, spec.unit, 4)}")
+        if changed:
+            lines.append(f"Changed: {', '.join(changed)}.")
+        return " ".join(lines)
+
+    def _edit(self, name: str, value: object, _: object) -> None:
+        if name.startswith(_PARAMETER):
+            settings = self._settings.with_parameter(name.removeprefix(_PARAMETER), value)
+        elif name == "actuator":
+            settings = replace(self._settings, actuator=value, parameters=())
+        else:
+            settings = replace(self._settings, **{name: value})
+        if settings != self._settings:
+            self.changed.emit(settings)
+
+    def _reset(self) -> None:
+        self.changed.emit(replace(self._settings, parameters=()))

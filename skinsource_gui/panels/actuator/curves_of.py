@@ -1,0 +1,98 @@
+"""What the panel draws, as plain arrays."""
+
+import numpy as np
+
+from skinsource.actuators import Actuator, ResponseShape
+from skinsource.arrays import Floats
+from skinsource.decibels import decibels
+from skinsource.equalising import curves
+from skinsource.signals import BAND_HZ
+from skinsource_gui.panels.actuator.settings import ActuatorSettings
+from skinsource_gui.widgets.plot.axis_spec import XAxis
+from skinsource_gui.widgets.plot.curves import CurveName, Curves
+
+FREQUENCY_HZ = np.geomspace(10.0, 2000.0, 500)
+#: A step of the drive, low-passed by the band, and what comes after it.
+STEP_RATE_HZ, STEP_S, STEP_AT_S = 13_000, 0.1, 0.01
+
+FREQUENCY_AXIS = XAxis(
+    titles=(
+        f"Frequency (Hz) · followed from {BAND_HZ[0]:g} to {BAND_HZ[1]:g} Hz, shaded outside",
+        "Frequency (Hz)",
+    ),
+    unit="Hz",
+    column="frequency_hz",
+    extent=(float(FREQUENCY_HZ[0]), float(FREQUENCY_HZ[-1])),
+    log=True,
+    band=BAND_HZ,
+)
+TIME_AXIS = XAxis(titles=("Time (ms)",), unit="ms", factor=1e3, column="time_s")
+_BEFORE = CurveName(number=1, short="Actuator", full="The actuator alone, re its mean in the band")
+_FILTER = CurveName(number=2, short="Filter", full="Voltage that the equaliser asks for")
+_AFTER = CurveName(number=3, short="Equalised", full="Both together: what the contactor does")
+_PUBLISHED = CurveName(number=4, short="As listed", full="The actuator before it was changed")
+_ALONE = CurveName(number=1, short="1 V", full="Acceleration after 1 V came on")
+
+
+def response_curves(settings: ActuatorSettings) -> Curves:
+    """Gains over frequency: of the actuator, of the filter, and of both."""
+    model = settings.model
+    published = settings.profile.model
+    rows: list[tuple[CurveName, Floats]]
+    if isinstance(published, ResponseShape) or model is None:
+        rows = [(_BEFORE, decibels(np.abs(published.shape(FREQUENCY_HZ))))]
+        return _drawn(FREQUENCY_HZ, rows, "dB", ("a shape without a scale", "shape"))
+    equaliser = settings.made(model)
+    if equaliser is None:
+        rows = [(_BEFORE, _alone_db(model))]
+    else:
+        found = curves(equaliser, model, FREQUENCY_HZ)
+        rows = [
+            (_BEFORE, found.before_db),
+            (_FILTER, found.filter_db),
+            (_AFTER, found.after_db),
+        ]
+    if isinstance(published, Actuator) and model != published:
+        rows.append((_PUBLISHED, _alone_db(published)))
+    return _drawn(FREQUENCY_HZ, rows, "dB re the mean in the band")
+
+
+def step_curves(settings: ActuatorSettings) -> Curves | None:
+    """Acceleration after a voltage of 1 V came on; None for a shape."""
+    model, published = settings.model, settings.profile.model
+    if model is None:
+        return None
+    n = int(STEP_S * STEP_RATE_HZ)
+    time_s = np.arange(n) / STEP_RATE_HZ - STEP_AT_S
+    voltage = (time_s >= 0.0).astype(float)
+    rows = [(_ALONE, model.simulate(voltage, STEP_RATE_HZ).acceleration)]
+    if isinstance(published, Actuator) and model != published:
+        rows.append((_PUBLISHED, published.simulate(voltage, STEP_RATE_HZ).acceleration))
+    return _drawn(time_s, rows, "", ("acceleration after a step of 1 V", "step of 1 V"))
+
+
+def _alone_db(model: Actuator) -> Floats:
+    gain = np.abs(model.response(FREQUENCY_HZ))
+    in_band = gain[(BAND_HZ[0] <= FREQUENCY_HZ) & (BAND_HZ[1] >= FREQUENCY_HZ)]
+    moving = in_band[in_band > 0.0]
+    mean = float(np.exp(np.mean(np.log(moving)))) if moving.size else 1.0
+    return decibels(gain / mean)
+
+
+def _drawn(
+    x: Floats,
+    rows: list[tuple[CurveName, Floats]],
+    level_words: str,
+    scaling: tuple[str, ...] = (),
+) -> Curves:
+    """Curves of rows: levels where there are words for them, else accelerations."""
+    unit = "db" if level_words else "m_per_s2"
+    return Curves(
+        x=x,
+        y=np.stack([values for _, values in rows]),
+        names=tuple(name for name, _ in rows),
+        kind="level" if level_words else "amplitude",
+        level_words=level_words,
+        scaling=scaling,
+        columns=tuple(f"{name.short.lower().replace(' ', '_')}_{unit}" for name, _ in rows),
+    )

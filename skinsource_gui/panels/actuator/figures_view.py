@@ -1,0 +1,61 @@
+"""Predicted figures of one place, or why there are none and what to do."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
+
+from skinsource.locations import input_words
+from skinsource_gui.panels.actuator.figures import LONGEST_S, Figures
+from skinsource_gui.panels.actuator.figures_table import FiguresTable
+from skinsource_gui.theme import UNIT_PX, Theme
+
+_NOTHING = "Nothing plays: add an input to see what it asks of the actuator"
+
+
+class FiguresView(QWidget):
+    """A heading over the table of figures; where the equaliser refuses the drive, the reason.
+
+    Attributes
+    ----------
+    heading, refusal, centred, table
+        Its parts.
+    """
+
+    #: Another tap is wanted in place of one that leaves a velocity.
+    centred_wanted = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.heading, self.refusal, self.table = QLabel(), QLabel(), FiguresTable()
+        self.heading.setObjectName("actuator_heading")
+        self.refusal.setObjectName("actuator_refusal")
+        for label in (self.heading, self.refusal):
+            label.setWordWrap(True)
+            label.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
+        self.centred = QPushButton("Use a centred tap")
+        self.centred.setToolTip("Let the selected clips play a tap that leaves nothing moving")
+        self.centred.clicked.connect(self.centred_wanted)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(UNIT_PX)
+        column.addWidget(self.heading)
+        column.addWidget(self.refusal)
+        column.addWidget(self.centred, 0, Qt.AlignmentFlag.AlignLeft)
+        column.addWidget(self.table)
+
+    def show_figures(self, found: Figures, *, trusted: bool, tap: bool) -> None:
+        """Show figures; ``trusted``: the gain is calibrated; ``tap``: a tap could be replaced."""
+        self.table.show_figures(found.rows)
+        reason = found.refusal or ("" if found.place is not None else _NOTHING)
+        self.refusal.setText(reason)
+        self.refusal.setVisible(bool(reason))
+        self.centred.setVisible(found.leaves_velocity and tap)
+        words = "" if found.place is None else f"Place {found.place}, "
+        words += "" if found.place is None else input_words(found.place).name
+        part = f" · the strongest {LONGEST_S:g} s" if found.part else ""
+        gain = " · uncalibrated gain" if words and not trusted else ""
+        self.heading.setText(f"{words}{part}{gain}")
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self.table.show_theme(theme)
+        self.refusal.setStyleSheet(f"color: {theme.error};")

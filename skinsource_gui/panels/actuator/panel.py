@@ -1,0 +1,175 @@
+"""An actuator, its equaliser, and what the design asks of both."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QScrollArea, QVBoxLayout, QWidget
+
+from skinsource import edits
+from skinsource.design import Design
+from skinsource.edits.selection import clip_of
+from skinsource.panel_settings import settings_of, with_settings
+from skinsource.view import View
+from skinsource.waveforms import CentredTap, Tap
+from skinsource_gui.panel import Panel
+from skinsource_gui.panels.actuator.choices import ActuatorChoices
+from skinsource_gui.panels.actuator.curves_of import (
+    FREQUENCY_AXIS,
+    TIME_AXIS,
+    response_curves,
+    step_curves,
+)
+from skinsource_gui.panels.actuator.figures import Figures, figures_of
+from skinsource_gui.panels.actuator.figures_view import FiguresView
+from skinsource_gui.panels.actuator.settings import ActuatorSettings
+from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.plot.signal_view import SignalView
+
+_NO_STEP = "Too little is known of this actuator to move it"
+_PLOT_PX = 250
+
+
+class ActuatorPanel(Panel):
+    """Response and step of an actuator, the equaliser's part in it, and predicted figures.
+
+    Figures are those of the place of the selected input.
+    """
+
+    title = "Actuator"
+    name = "actuator"
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setMinimumSize(300, 200)
+        self._design: Design | None = None
+        self._view, self._settings = View(), ActuatorSettings()
+        self._results: Mapping[str, Any] | None = None
+        self._drawn: ActuatorSettings | None = None
+        # What the figures that are shown were computed from.
+        self._asked: tuple[object, ...] | None = None
+        self.choices = ActuatorChoices(self)
+        self.choices.changed.connect(self._choose)
+        self.plot = SignalView("actuator-plot", "Response of the actuator")
+        self.plot.setMinimumHeight(_PLOT_PX)
+        self._step = self.plot.toolbar.add_switch(
+            "actuator-step", "Step", "What 1 V that comes on does, over time", self._show_step
+        )
+        self.figures = FiguresView()
+        self.figures.centred_wanted.connect(self._use_centred_tap)
+        self._lay_out()
+        self.plot.toolbar.layout_chosen.connect(self._stack)
+        self.plot.zoom_requested.connect(self._zoom)
+        self.plot.exports.failed.connect(self.failed)
+        self.plot.exports.written.connect(self.written)
+
+    @property
+    def needs(self) -> frozenset[str]:
+        """What plays where, before any response."""
+        return frozenset({"placed", "sample_rate_hz"})
+
+    def show_state(self, design: Design, view: View) -> None:
+        self._design, self._view = design, view
+        settings = settings_of(view, self.name, ActuatorSettings)
+        # Equal ones stay the same, so that nothing is computed twice.
+        self._settings = self._settings if settings == self._settings else settings
+        if self.isVisible():
+            self._show_settings()
+            self._predict()
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        self._results = results
+        self._show_settings()
+        self._predict()
+
+    def show_problem(self, reason: str) -> None:
+        self._results = self._asked = None
+        self.figures.show_figures(Figures(place=None, refusal=reason), trusted=True, tap=False)
+
+    def show_stale(self, stale: bool) -> None:
+        self.figures.table.setEnabled(not stale)
+
+    def show_folder(self, folder: Path) -> None:
+        self.plot.exports.folder = folder
+
+    def show_theme(self, theme: Theme) -> None:
+        self.choices.show_theme(theme)
+        self.plot.set_theme(theme)
+        self.figures.show_theme(theme)
+
+    def _lay_out(self) -> None:
+        inside = QWidget()
+        column = QVBoxLayout(inside)
+        column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX)
+        column.setSpacing(UNIT_PX)
+        for part in (self.choices.grid, self.plot, self.figures, self.choices.details):
+            column.addWidget(part)
+        column.addStretch(1)
+        scroll = QScrollArea()
+        scroll.setObjectName("actuator_scroll")
+        scroll.setWidgetResizable(True)
+        scroll.setFrameShape(QScrollArea.Shape.NoFrame)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll.setWidget(inside)
+        outside = QVBoxLayout(self)
+        outside.setContentsMargins(0, 0, 0, 0)
+        outside.addWidget(scroll)
+
+    def _show_settings(self) -> None:
+        settings = self._settings
+        if settings == self._drawn:
+            return
+        self.choices.show_settings(settings)
+        step = settings.picture == "step"
+        self._step.setChecked(step)
+        self.plot.toolbar.show_state(layout=settings.layout, zoomed=settings.zoom is not None)
+        axis = TIME_AXIS if step else FREQUENCY_AXIS
+        self.plot.set_view(axis, settings.zoom, stacked=settings.layout == "stacked")
+        curves = step_curves(settings) if step else response_curves(settings)
+        if curves is None:
+            self.plot.show_message(_NO_STEP)
+        else:
+            self.plot.show_curves(curves, synthetic=False)
+        self._drawn = settings
+
+    def _predict(self) -> None:
+        if self._results is None:
+            return
+        placed, rate_hz = self._results["placed"], self._results["sample_rate_hz"]
+        asked = (self._settings, placed, self._view.selected_input, rate_hz)
+        if self._asked is not None and all(a is b for a, b in zip(asked, self._asked, strict=True)):
+            return
+        self._asked = asked
+        trusted = self._settings.profile.gain_calibrated
+        self.figures.show_figures(
+            figures_of(*asked), trusted=trusted, tap=_plays_tap(self._design, self._view)
+        )
+
+    def _use_centred_tap(self) -> None:
+        if self._design is not None:
+            ids = self._view.selected_inputs
+            outcome = edits.change_kind(self._design, self._view, ids, CentredTap.__name__)
+            self.edited.emit(outcome, None)
+
+    def _choose(self, settings: ActuatorSettings) -> None:
+        if settings != self._settings:
+            self.view_changed.emit(with_settings(self._view, self.name, settings))
+
+    def _stack(self, layout: str) -> None:
+        self._choose(replace(self._settings, layout=layout))
+
+    def _show_step(self, step: bool) -> None:
+        self._choose(replace(self._settings, picture="step" if step else "response", zoom=None))
+
+    def _zoom(self, shown: tuple[float, float] | None) -> None:
+        self._choose(replace(self._settings, zoom=shown))
+
+
+def _plays_tap(design: Design | None, view: View) -> bool:
+    """Whether the clip that is edited plays the upstream tap."""
+    if design is None or view.selected_input not in design.ids:
+        return False
+    clip = clip_of(design.input(view.selected_input), view)
+    return clip is not None and isinstance(clip.waveform, Tap)

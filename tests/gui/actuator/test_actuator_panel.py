@@ -1,0 +1,231 @@
+"""The panel of the actuator: curves, figures and fields, live, and nothing while it is hidden."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource import edits
+from skinsource.design import Design, track
+from skinsource.panel_settings import settings_of
+from skinsource.view import View
+from skinsource.waveforms import CentredTap, Tap, Tone
+from skinsource.work import counting
+from skinsource_gui.panels.actuator.curves_of import FREQUENCY_HZ, response_curves, step_curves
+from skinsource_gui.panels.actuator.figures import LONGEST_S, drive_at, strongest
+from skinsource_gui.panels.actuator.settings import ActuatorSettings
+
+TONE = track(7, Tone(frequency_hz=100.0, duration_s=0.3), amplitude=10.0)
+TAP = track(3, Tap(), colour=1)
+
+
+def design_of(*inputs):
+    return Design(limb="synthetic-1", scaling="probe", inputs=inputs)
+
+
+@pytest.fixture
+def window(make_window):
+    design = design_of(TONE, TAP)
+    return make_window(design, View(selected_inputs=(design.ids[0],)))
+
+
+@pytest.fixture
+def panel(window, qtbot):
+    window.docks["actuator"].show()
+    qtbot.waitUntil(lambda: window.panel("actuator").isVisible())
+    settle(window, qtbot)
+    return window.panel("actuator")
+
+
+def settle(window, qtbot):
+    window.catch_up()
+    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
+
+
+def figures(panel):
+    return {one.label: one for one in panel.figures.table.figures}
+
+
+def number(panel, label):
+    return float(figures(panel)[label].value.split()[0])
+
+
+def settings(window):
+    return settings_of(window.document.view, "actuator", ActuatorSettings)
+
+
+def choose(panel, name, value):
+    panel.choices.cell(name).edited.emit(name, value, None)
+
+
+def test_the_figures_are_those_of_the_selected_input_through_the_equaliser(panel):
+    assert panel.figures.heading.text().startswith("Place 7, Digit II, pad")
+    assert "uncalibrated gain" in panel.figures.heading.text()
+    # The band-limited tone of 10 m/s² moves the contactor by 10 m/s².
+    assert number(panel, "Peak acceleration") == pytest.approx(10.0, rel=0.03)
+    assert number(panel, "Peak velocity") == pytest.approx(1e3 * 10.0 / (2 * np.pi * 100), rel=0.1)
+    assert figures(panel)["Duty"].value == "100 %"
+    coil = ss.actuators.load("example-voice-coil")
+    volts = 10.0 / abs(coil.response(100.0))
+    assert number(panel, "Peak voltage") == pytest.approx(volts, rel=0.1)
+    assert "Warming" not in figures(panel)
+
+
+def test_the_curves_show_actuator_filter_and_both(panel):
+    curves = panel.plot.plot.curves
+    assert [name.short for name in curves.names] == ["Actuator", "Filter", "Equalised"]
+    place = int(np.abs(FREQUENCY_HZ - 100.0).argmin())
+    assert curves.y[0, place] + curves.y[1, place] == pytest.approx(curves.y[2, place], abs=1e-6)
+    assert curves.y[2, place] == pytest.approx(0.0, abs=0.2)
+    assert curves.columns == ("actuator_db", "filter_db", "equalised_db")
+
+
+def test_a_drag_of_the_amplitude_is_followed_at_once(window, panel, qtbot):
+    before = number(panel, "Peak voltage")
+    design, view = window.document.design, window.document.view
+    window.document.apply(edits.change_field(design, view, view.selected_inputs, "amplitude", 20.0))
+    settle(window, qtbot)
+    assert number(panel, "Peak voltage") == pytest.approx(2.0 * before, rel=0.02)
+
+
+def test_a_velocity_beyond_what_was_measured_is_red(window, panel, qtbot):
+    assert not figures(panel)["Peak velocity"].passed
+    choose(panel, "strength_m_per_s2", 10.0)
+    settle(window, qtbot)
+    assert figures(panel)["Peak velocity"].passed
+    assert "beyond its limit" in panel.figures.table.accessibleDescription()
+
+
+def test_another_parameter_changes_curves_and_is_listed_beside_the_published_one(
+    window, panel, qtbot
+):
+    assert not panel.choices.reset.isVisibleTo(panel)
+    choose(panel, "parameter resistance_ohm", 8.0)
+    settle(window, qtbot)
+    assert settings(window).model.resistance_ohm == 8.0
+    assert "Resistance 4 Ω → 8 Ω" in panel.choices.about.text()
+    assert [name.short for name in panel.plot.plot.curves.names][-1] == "As listed"
+    panel.choices.reset.click()
+    settle(window, qtbot)
+    assert settings(window).parameters == ()
+    assert len(panel.plot.plot.curves.names) == 3
+
+
+def test_the_step_is_that_of_the_model(window, panel, qtbot):
+    panel._step.click()
+    settle(window, qtbot)
+    curves = panel.plot.plot.curves
+    coil = ss.actuators.load("example-voice-coil")
+    exact = coil.simulate(np.ones(500), 13_000.0).acceleration
+    assert curves.y[0, 130:630] == pytest.approx(exact, abs=1e-9)
+    assert not curves.y[0, :130].any()
+
+
+def test_without_an_equaliser_an_amplitude_is_volts(window, panel, qtbot):
+    choose(panel, "equaliser", "none")
+    settle(window, qtbot)
+    assert number(panel, "Peak voltage") == pytest.approx(10.0, rel=0.02)
+    assert len(panel.plot.plot.curves.names) == 1
+    with pytest.raises(StopIteration):
+        panel.choices.cell("boost_db")
+
+
+@pytest.mark.parametrize("equaliser", ["inverse", "pole_pair", "none"])
+@pytest.mark.parametrize("actuator", [*ss.actuators.names(), *ss.actuators.shape_names()])
+def test_every_actuator_can_be_looked_at(actuator, equaliser):
+    chosen = ActuatorSettings(actuator=actuator, equaliser=equaliser)
+    assert np.isfinite(response_curves(chosen).y).all()
+    step = step_curves(chosen)
+    assert (step is None) == (actuator in ss.actuators.shape_names())
+
+
+def test_a_shape_is_drawn_and_nothing_is_predicted_in_volts(window, panel, qtbot):
+    choose(panel, "actuator", "bk-4810")
+    settle(window, qtbot)
+    assert panel.figures.table.figures == ()
+    assert "Too little is known" in panel.figures.refusal.text()
+    assert "shape" in panel.plot.plot.curves.level_words + panel.plot.plot.curves.scaling[0]
+    choose(panel, "actuator", "kastor-2023-air")
+    settle(window, qtbot)
+    assert panel.figures.table.figures
+
+
+def test_a_tap_that_leaves_a_velocity_is_refused_and_another_is_offered(window, panel, qtbot):
+    view = window.document.view
+    window.document.look(replace(view, selected_inputs=(window.document.design.ids[1],)))
+    settle(window, qtbot)
+    assert panel.figures.heading.text().startswith("Place 3")
+    assert "52 % of its energy" in panel.figures.refusal.text()
+    assert panel.figures.centred.isVisibleTo(panel)
+    panel.figures.centred.click()
+    settle(window, qtbot)
+    clip = window.document.design.inputs[1].clips[0]
+    assert isinstance(clip.waveform, CentredTap)
+    assert panel.figures.refusal.text() == ""
+    assert panel.figures.table.figures
+    assert not panel.figures.centred.isVisibleTo(panel)
+
+
+def test_while_it_is_hidden_it_costs_nothing(window, panel, qtbot):
+    def edit(amplitude):
+        design, view = window.document.design, window.document.view
+        ids = view.selected_inputs
+        window.document.apply(edits.change_field(design, view, ids, "amplitude", amplitude))
+        settle(window, qtbot)
+
+    with counting() as shown:
+        edit(3.0)
+    assert shown.samples_moved > 0
+    window.docks["actuator"].hide()
+    settle(window, qtbot)
+    with counting() as hidden:
+        edit(4.0)
+    assert hidden.samples_moved == 0
+    window.docks["actuator"].show()
+    qtbot.waitUntil(lambda: panel.isVisible())
+    settle(window, qtbot)
+    assert number(panel, "Peak acceleration") == pytest.approx(4.0, rel=0.03)
+
+
+def test_nothing_is_computed_twice_for_one_state(window, panel, qtbot):
+    results = panel._results
+    with counting() as again:
+        panel.show_results(results)
+        panel.show_state(window.document.design, window.document.view)
+    assert again.samples_moved == 0
+
+
+def test_a_long_drive_is_looked_at_where_it_is_strongest():
+    drive = np.zeros(130_000)
+    drive[100_000] = 2.0
+    part = strongest(drive, 1300.0)
+    assert part.size == int(LONGEST_S * 1300)
+    assert part.max() == 2.0
+    assert strongest(drive[:100], 1300.0).size == 100
+    assert strongest(np.zeros(0), 1300.0).size == 1
+
+
+def test_inputs_at_one_place_add_up(window, panel):
+    placed = panel._results["placed"]
+    assert drive_at(placed, 7).max() == pytest.approx(10.0, rel=0.01)
+    twice = (placed[0], placed[0])
+    assert drive_at(twice, 7) == pytest.approx(2.0 * drive_at(placed, 7))
+    assert drive_at(placed, 11).size == 0
+
+
+def test_without_anything_that_plays_it_says_what_to_do(make_window, qtbot):
+    window = make_window(design_of())
+    window.docks["actuator"].show()
+    settle(window, qtbot)
+    panel = window.panel("actuator")
+    assert "add an input" in panel.figures.refusal.text()
+    assert panel.figures.table.figures == ()
+
+
+def test_settings_of_another_studio_do_no_harm():
+    odd = ActuatorSettings(actuator="no such", parameters=(("no_field", 1.0),))
+    assert odd.model == ss.actuators.load("example-voice-coil")
+    worse = ActuatorSettings(parameters=(("resistance_ohm", -1.0),))
+    assert worse.model.resistance_ohm == 4.0
+    assert ActuatorSettings(parameters=("x",)).model is not None
