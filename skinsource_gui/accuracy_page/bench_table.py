@@ -6,8 +6,8 @@ from typing import Any
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, Qt
 from PySide6.QtGui import QColor, QFont
 
+from skinsource.method_comparison.every_scene import any_scene
 from skinsource.method_comparison.pareto import pareto_front
-from skinsource.method_comparison.scenes import scene_of
 from skinsource.method_comparison.table import Row
 from skinsource_gui.theme import LIGHT, Theme
 
@@ -119,7 +119,7 @@ def _cells(row: Row) -> tuple[str, ...]:
     deviation = "" if row.t_mad_ms is None else f" ± {row.t_mad_ms:.2g}"
     promise = "failed" if row.failure else row.promise.partition(":")[0]
     return (
-        f"{row.scene}: {scene_of(row.scene).title}",
+        f"{row.scene}: {any_scene(row.scene).title}",
         row.engine,
         row.precision,
         row.setting,

@@ -15,9 +15,9 @@ from skinsource.method_comparison.table import read_table
 
 def test_a_short_run_writes_table_report_and_plot(tmp_path, monkeypatch, capsys):
     pytest.importorskip("matplotlib", reason="matplotlib is not installed")
-    monkeypatch.setattr(commands, "SCENES", (scene_of("S1"),))
+    monkeypatch.setattr(commands, "EVERY_SCENE", (scene_of("S1"),))
     chosen = ("this program", "direct")
-    monkeypatch.setattr(commands, "ENGINES", tuple(e for e in ENGINES if e.name in chosen))
+    monkeypatch.setattr(commands, "EVERY_ENGINE", tuple(e for e in ENGINES if e.name in chosen))
     folder = tmp_path / "new" / "folder"
     assert main(["bench", "--quick", "--out", str(folder)]) == 0
     written = sorted(path.name for path in folder.iterdir())
@@ -34,8 +34,8 @@ def test_without_matplotlib_table_and_report_are_written(tmp_path, monkeypatch, 
     def refuse(rows, stem):
         raise MissingExtraError('Install it with: pip install "skinsource[bench]"')
 
-    monkeypatch.setattr(commands, "SCENES", (scene_of("S1"),))
-    monkeypatch.setattr(commands, "ENGINES", (engine_of("this program"),))
+    monkeypatch.setattr(commands, "EVERY_SCENE", (scene_of("S1"),))
+    monkeypatch.setattr(commands, "EVERY_ENGINE", (engine_of("this program"),))
     monkeypatch.setattr(commands, "measure", lambda cases, effort, progress: [])
     monkeypatch.setattr(commands, "write_plots", refuse)
     assert main(["bench", "--quick", "--out", str(tmp_path)]) == 1
@@ -44,8 +44,8 @@ def test_without_matplotlib_table_and_report_are_written(tmp_path, monkeypatch, 
 
 
 def test_other_programs_can_read_how_far_the_work_is(tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(commands, "SCENES", (scene_of("S1"),))
-    monkeypatch.setattr(commands, "ENGINES", (engine_of("this program"),))
+    monkeypatch.setattr(commands, "EVERY_SCENE", (scene_of("S1"),))
+    monkeypatch.setattr(commands, "EVERY_ENGINE", (engine_of("this program"),))
     monkeypatch.setattr(commands, "measure", tell_and_find_nothing)
     monkeypatch.setattr(commands, "write_plots", lambda rows, stem: None)
     assert main(["bench", "--quick", "--progress", "lines", "--out", str(tmp_path)]) == 0

@@ -10,12 +10,11 @@ from typing import Any
 from skinsource.dataset.progress_bar import ProgressBar
 from skinsource.files import make_folder, write_bytes
 from skinsource.job import Progress
-from skinsource.method_comparison.engines import ENGINES
+from skinsource.method_comparison.every_scene import EVERY_ENGINE, EVERY_SCENE
 from skinsource.method_comparison.machine import facts
 from skinsource.method_comparison.measure import FULL, QUICK, cases_of, measure
 from skinsource.method_comparison.plot import write_plots
 from skinsource.method_comparison.report import report_of
-from skinsource.method_comparison.scenes import SCENES
 from skinsource.method_comparison.table import write_table
 
 _NAME = "work_precision"
@@ -26,8 +25,9 @@ def add_to(subparsers: Any) -> None:
     bench = subparsers.add_parser(
         "bench",
         help="measure error against run time on this machine",
-        description="Measures this program and other ways of computing the same responses: how "
-        "long they take, and how far they are from exact values. Writes "
+        description="Measures this program and other ways of computing the same responses, of "
+        "moving actuators and of resampling: how long they take, and how far they are from exact "
+        "values. Writes "
         f"{_NAME}.csv, {_NAME}.svg, {_NAME}.png and report.md. Takes about ten minutes.",
     )
     bench.add_argument("--quick", action="store_true", help="fewer scenes; under a minute")
@@ -53,7 +53,7 @@ def _bench(arguments: argparse.Namespace) -> int:
     # Before ten minutes of work, not after.
     make_folder(folder)
     effort = QUICK if arguments.quick else FULL
-    cases = cases_of(SCENES, ENGINES, quick=arguments.quick)
+    cases = cases_of(EVERY_SCENE, EVERY_ENGINE, quick=arguments.quick)
     with _progress(arguments.progress) as tell:
         rows = measure(cases, effort, tell)
     write_table(folder / f"{_NAME}.csv", rows)

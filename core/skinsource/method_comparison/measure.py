@@ -13,10 +13,9 @@ import numpy as np
 
 from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.method_comparison.accuracy import Errors
-from skinsource.method_comparison.engines import ComparedEngine
+from skinsource.method_comparison.every_scene import Engine, Scene
 from skinsource.method_comparison.method import Method
 from skinsource.method_comparison.promises import Outcome, broken_promises
-from skinsource.method_comparison.scenes import ComparedScene
 from skinsource.method_comparison.table import Row
 from skinsource.method_comparison.timing import times_of
 from skinsource.method_comparison.worker import Task
@@ -63,15 +62,15 @@ class Case:
         Why no more processes are started; empty while all is well.
     """
 
-    scene: ComparedScene
-    engine: ComparedEngine
+    scene: Scene
+    engine: Engine
     method: Method
     results: list[dict[str, Any]] = field(default_factory=list)
     failure: str = ""
 
 
 def cases_of(
-    scenes: Sequence[ComparedScene], engines: Sequence[ComparedEngine], *, quick: bool = False
+    scenes: Sequence[Scene], engines: Sequence[Engine], *, quick: bool = False
 ) -> list[Case]:
     """Every method on every scene of its family; for a short run, those that it includes."""
     return [
@@ -108,13 +107,15 @@ def measure(
     """
     run = in_fresh_process if start is None else start
     shuffle = random.Random(_SEED).shuffle  # noqa: S311, an order, not a secret
-    total = effort.processes * len(cases)
+    total = sum(min(effort.processes, case.scene.most_processes) for case in cases)
+    done = 0
     for turn in range(effort.processes):
-        order = list(cases)
+        order = [case for case in cases if turn < case.scene.most_processes]
         shuffle(order)
-        for k, case in enumerate(order):
+        for case in order:
             stop_if(stop, "Measuring was stopped.")
-            progress(turn * len(cases) + k, total, f"{case.scene.key} {case.engine.name}")
+            progress(done, total, f"{case.scene.key} {case.engine.name}")
+            done += 1
             if not case.failure:
                 _measure_once(case, effort, run)
     return [row_of(case) for case in cases]
@@ -173,7 +174,7 @@ def row_of(case: Case) -> Row:
         precision=method.precision,
         setting=method.setting.name,
         inputs_changed=scene.active_inputs,
-        inputs=len(scene.players),
+        inputs=scene.n_inputs,
         samples=scene.response_samples,
         reference=scene.reference,
         failure=case.failure,

@@ -43,6 +43,8 @@ class Setting:
     what
         ``"all"`` 216 channels in time; ``"window"``: the map, and traces of six outputs;
         ``"library"``: all channels, by one call of the library that remembers nothing.
+    promised
+        Whether anything was promised for it.
     """
 
     name: str = "exact"
@@ -50,11 +52,12 @@ class Setting:
     rank: int | None = None
     block: int = 4096
     what: Literal["all", "window", "library"] = "all"
+    promised: bool = True
 
     @property
     def is_exact(self) -> bool:
         """Whether nothing but rounding makes errors."""
-        return self.cut_db is None and self.rank is None
+        return self.promised and self.cut_db is None and self.rank is None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

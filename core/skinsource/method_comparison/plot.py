@@ -11,11 +11,11 @@ import numpy as np
 
 from skinsource.errors import MissingExtraError
 from skinsource.files import write_bytes
-from skinsource.method_comparison.engines import ENGINES, engine_of
+from skinsource.method_comparison.every_scene import EVERY_ENGINE, any_scene, is_ours
 from skinsource.method_comparison.method import Precision
 from skinsource.method_comparison.pareto import pareto_front
 from skinsource.method_comparison.promises import ANSWER_S, FRAME_S, PEAK_ERROR, WINDOW_ERROR
-from skinsource.method_comparison.scenes import scene_of
+from skinsource.method_comparison.signal_scenes import SignalScene
 from skinsource.method_comparison.table import Row
 from skinsource.quoting import printable
 
@@ -83,7 +83,7 @@ def _figure(rows: Sequence[Row]) -> Any:
 
 
 def _draw_scene(panel: Any, rows: Sequence[Row]) -> None:
-    scene = scene_of(rows[0].scene)
+    scene = any_scene(rows[0].scene)
     panel.set(xscale="log", yscale="log", ylim=_LIMITS)
     panel.set_title(f"{scene.key}: {scene.title}", fontsize=10, loc="left")
     panel.set_xlabel("fastest run, ms")
@@ -91,7 +91,10 @@ def _draw_scene(panel: Any, rows: Sequence[Row]) -> None:
     panel.xaxis.set_major_formatter(_package("matplotlib.ticker").FormatStrFormatter("%g"))
     panel.grid(visible=True, which="major", color="#EEEEEE", linewidth=0.7)
     panel.set_axisbelow(True)
-    _draw_lines(panel, scene.allowed_s)
+    promised: Sequence[tuple[float, str]] = _PROMISED
+    if isinstance(scene, SignalScene):
+        promised = ((scene.allowed_error, "of the peak"),)
+    _draw_lines(panel, scene.allowed_s, promised)
     front = pareto_front(rows)
     times = [float(row.t_min_ms or 0.0) for row in front]
     errors = [_shown(row) for row in front]
@@ -102,9 +105,9 @@ def _draw_scene(panel: Any, rows: Sequence[Row]) -> None:
     ours = 0
     for row in _noted(rows):
         # This program's own points crowd on one line, also with those of other exact engines.
-        is_ours = engine_of(row.engine).is_ours
-        _note(panel, row, below=ours % 2 == 1 if is_ours else row.promise != "none")
-        ours += is_ours
+        own = is_ours(row.engine)
+        _note(panel, row, below=ours % 2 == 1 if own else row.promise != "none")
+        ours += own
     low, high = panel.get_xlim()
     panel.set_xlim(low, 2.0 * high)
     failed = sum(bool(row.failure) for row in rows)
@@ -136,16 +139,19 @@ def _note(panel: Any, row: Row, *, below: bool) -> None:
     )
 
 
-def _draw_lines(panel: Any, allowed_s: float | None) -> None:
+_PROMISED = (
+    (WINDOW_ERROR, "window, float64"),
+    (PEAK_ERROR["float32"], "of the peak, float32"),
+    (PEAK_ERROR["float64"], "of the peak, float64"),
+)
+
+
+def _draw_lines(panel: Any, allowed_s: float | None, promised: Sequence[tuple[float, str]]) -> None:
     """Draw promised errors, a frame, an answer, and what the scene may take."""
-    for error, words in (
-        (WINDOW_ERROR, "window, float64"),
-        (PEAK_ERROR["float32"], "of the peak, float32"),
-        (PEAK_ERROR["float64"], "of the peak, float64"),
-    ):
+    for error, words in promised:
         panel.axhline(error, color=_PROMISE_COLOUR, linewidth=0.8, linestyle="--", zorder=1)
         panel.annotate(
-            f"{np.format_float_scientific(error, exp_digits=1, trim='-')} {words}",
+            f"{np.format_float_scientific(error, 1, exp_digits=1, trim='-')} {words}",
             (1.0, error),
             xycoords=("axes fraction", "data"),
             xytext=(-3, 2),
@@ -210,7 +216,7 @@ def _look(row: Row) -> dict[str, Any]:
 
 def _colours(names: Iterable[str]) -> dict[str, str]:
     """Colour of each engine: always the same, whichever of them are drawn."""
-    places = [engine.name for engine in ENGINES]
+    places = list(dict.fromkeys(engine.name for engine in EVERY_ENGINE))
     return {name: _COLOURS[places.index(name) % len(_COLOURS)] for name in dict.fromkeys(names)}
 
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from skinsource.method_comparison.accuracy import Errors
 from skinsource.method_comparison.method import Precision
 from skinsource.method_comparison.scenes import ComparedScene
+from skinsource.method_comparison.signal_scenes import SignalScene
 
 #: Largest error over the peak, by precision.
 PEAK_ERROR: dict[Precision, float] = {"float64": 1e-14, "float32": 2e-6}
@@ -34,15 +35,17 @@ class Outcome:
 
 
 def broken_promises(
-    outcome: Outcome, scene: ComparedScene, precision: Precision, *, is_ours: bool
+    outcome: Outcome, scene: ComparedScene | SignalScene, precision: Precision, *, is_ours: bool
 ) -> tuple[str, ...]:
     """Name each promise that does not hold, with the figure found and the one promised.
 
     Promises about silence, time and memory are made only for this program's own engine.
     """
     errors = outcome.errors
-    checks = [("error of the peak", errors.peak, PEAK_ERROR[precision])]
-    if precision == "float64":
+    signal = isinstance(scene, SignalScene)
+    allowed = scene.allowed_error if isinstance(scene, SignalScene) else PEAK_ERROR[precision]
+    checks = [("error of the peak", errors.peak, allowed)]
+    if precision == "float64" and not signal:
         checks.append(("error of a window", errors.window, WINDOW_ERROR))
     if is_ours:
         checks.append(("sample in silence", errors.silence, 0.0))

@@ -5,11 +5,11 @@ from textwrap import dedent
 
 from skinsource.decibels import decibels
 from skinsource.method_comparison.accuracy import QUIETEST
-from skinsource.method_comparison.engines import engine_of
+from skinsource.method_comparison.every_scene import any_scene, is_ours
 from skinsource.method_comparison.machine import Fact
 from skinsource.method_comparison.measure import Effort
 from skinsource.method_comparison.pareto import pareto_front
-from skinsource.method_comparison.scenes import scene_of
+from skinsource.method_comparison.signal_scenes import SignalScene
 from skinsource.method_comparison.table import Row
 
 # Long times are written without a power of ten.
@@ -47,7 +47,7 @@ def report_of(rows: Sequence[Row], facts: Iterable[Fact], effort: Effort) -> str
 
 
 def _promises(rows: Sequence[Row]) -> str:
-    ours = [row for row in rows if engine_of(row.engine).is_ours and row.promise != "none"]
+    ours = [row for row in rows if is_ours(row.engine) and row.promise != "none"]
     measured = [row for row in ours if not row.failure]
     broken = [row for row in measured if row.promise != "kept"]
     others = [row for row in rows if row not in ours and row.promise.startswith("broken")]
@@ -63,13 +63,19 @@ def _promises(rows: Sequence[Row]) -> str:
 
 
 def _scene(rows: Sequence[Row]) -> list[str]:
-    scene = scene_of(rows[0].scene)
+    scene = any_scene(rows[0].scene)
     measured = sorted((row for row in rows if not row.failure), key=lambda row: row.t_min_ms or 0.0)
     front = pareto_front(rows)
-    about = (
-        f"{scene.active_inputs} of {len(scene.players)} inputs change between two runs; "
-        f"{scene.response_samples} samples of response."
-    )
+    if isinstance(scene, SignalScene):
+        about = (
+            f"{scene.response_samples} samples; exact values from {scene.reference}; promised "
+            f"error {scene.allowed_error:.2g} of the peak."
+        )
+    else:
+        about = (
+            f"{scene.active_inputs} of {scene.n_inputs} inputs change between two runs; "
+            f"{scene.response_samples} samples of response."
+        )
     table = [_table_row(_HEADINGS), _table_row(["---"] * len(_HEADINGS))]
     table += [_table_row(_cells(row, row in front)) for row in measured]
     return [f"## {scene.key}: {scene.title}", about, "\n".join(table)]

@@ -53,6 +53,8 @@ class ComparedScene:
         Time and memory above idle that the program promises for it; None: nothing.
     family
         Engines of the same family can compute it.
+    most_processes
+        In how many fresh processes it is measured at most.
     """
 
     key: str
@@ -65,6 +67,7 @@ class ComparedScene:
     allowed_s: float | None = None
     allowed_bytes: float | None = None
     family: str = "convolution"
+    most_processes: int = 100
 
     @property
     def stimulus_samples(self) -> int:
@@ -75,6 +78,11 @@ class ComparedScene:
     def response_samples(self) -> int:
         """Samples of the response."""
         return self.stimulus_samples + N_TAPS - 1
+
+    @property
+    def n_inputs(self) -> int:
+        """How many inputs there are."""
+        return len(self.players)
 
     @property
     def active_inputs(self) -> int:
@@ -146,5 +154,5 @@ SCENES = (
 
 
 def scene_of(key: str) -> ComparedScene:
-    """Return the scene called ``key``."""
+    """Return the scene of convolution called ``key``."""
     return next(scene for scene in SCENES if scene.key == key)

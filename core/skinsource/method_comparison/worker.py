@@ -19,10 +19,13 @@ from skinsource.arrays import Floats
 from skinsource.limb import N_TAPS
 from skinsource.method_comparison.accuracy import errors_of, picked, rounding_ratio
 from skinsource.method_comparison.engines import engine_of
+from skinsource.method_comparison.every_scene import any_scene
 from skinsource.method_comparison.made_up import made_up_drive, made_up_response
 from skinsource.method_comparison.method import N_CHANNELS, Unfit
 from skinsource.method_comparison.references import Reference, load_reference
-from skinsource.method_comparison.scenes import ComparedScene, scene_of
+from skinsource.method_comparison.scenes import ComparedScene
+from skinsource.method_comparison.signal_scenes import SignalScene
+from skinsource.method_comparison.signal_worker import measured_signal
 from skinsource.method_comparison.timing import repeated
 
 _STATUS = Path("/proc/self/status")
@@ -69,7 +72,16 @@ def task_of(words: Sequence[str]) -> Task:
 
 def measured(task: Task) -> dict[str, Any]:
     """Times and errors; or, under ``"unfit"``, why there are none."""
-    scene = scene_of(task.scene)
+    scene = any_scene(task.scene)
+    if isinstance(scene, SignalScene):
+        return measured_signal(
+            scene,
+            task.engine,
+            task.setting,
+            longest_s=task.longest_s,
+            most_runs=task.most_runs,
+            warm_ups=task.warm_ups,
+        )
     engine = engine_of(task.engine)
     reference = load_reference(scene.reference)
     idle = _peak_bytes()
