@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
 KEY = Qt.Key
-_ORDER = ["hand", "inputs", "inspector", "skin", "traces", "spectra"]
+_ORDER = ["hand", "timeline", "inspector", "skin", "traces", "spectra"]
 # More than there are controls.
 _MOST_STOPS = 100
 

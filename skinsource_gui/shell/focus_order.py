@@ -21,6 +21,7 @@ def tab_stops(top: QWidget, regions: Sequence[QWidget]) -> list[QWidget]:
         Parts of ``top`` in the order of reading.  What lies in none of them comes last.
     """
     found = [one for one in _chain(top) if top.isAncestorOf(one) and _takes_tab(one)]
+    _give_back(top.window())
 
     def region_of(stop: QWidget) -> int:
         inside = (k for k, part in enumerate(regions) if part is stop or part.isAncestorOf(stop))
@@ -51,20 +52,19 @@ def move_focus(window: QMainWindow, regions: Sequence[QWidget], *, forward: bool
 def _chain(top: QWidget) -> list[QWidget]:
     # Within one region, Qt's order is the right one.
     window = top.window()
-    last = _with_parent(window.previousInFocusChain())
+    last = window.previousInFocusChain()
     ring = [window]
     while ring[-1] is not last:
-        ring.append(_with_parent(ring[-1].nextInFocusChain()))
+        ring.append(ring[-1].nextInFocusChain())
     start = ring.index(top)
     return ring[start:] + ring[:start]
 
 
-def _with_parent(widget: QWidget) -> QWidget:
-    # PySide takes a widget that comes from the chain for a child of the one before it, if nobody
-    # has asked for its parent yet, and takes it for deleted as soon as that one is.  The window,
-    # which has no parent, must not come from the chain at all.
-    widget.parent()
-    return widget
+def _give_back(window: QWidget) -> None:
+    # PySide takes a widget for a child of the one that was asked for it - its neighbour in the
+    # chain, what hands its focus on, a group - and takes it for deleted as soon as that one is.
+    # What a window finds among its children it takes for a child of the window again.
+    window.findChildren(QWidget)
 
 
 def _takes_tab(widget: QWidget) -> bool:

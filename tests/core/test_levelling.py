@@ -23,11 +23,12 @@ LIMB = "synthetic-1"
 TRAIN = WaveletTrain((60.0, 150.0, 400.0), slot_s=0.08)
 
 
-def design_of(train, location=7, **more):
-    return Design(limb=LIMB, inputs=(track(location=location, waveform=train, **more),))
+def design_of(train, location=7, scaling="relative", **more):
+    inputs = (track(location=location, waveform=train, **more),)
+    return Design(limb=LIMB, inputs=inputs, scaling=scaling)
 
 
-def levels_by_hand(train: WaveletTrain, location: int) -> list[float]:
+def levels_by_hand(train: WaveletTrain, location: int, scaling="relative") -> list[float]:
     """Each wavelet as the only one of a train, predicted from its samples, without the engine."""
     found = []
     for j, frequency_hz in enumerate(train.frequencies_hz):
@@ -35,7 +36,7 @@ def levels_by_hand(train: WaveletTrain, location: int) -> list[float]:
         alone = WaveletTrain((frequency_hz,), train.cycles, family=train.family, gains_db=gains_db)
         # Trains give lower ones less, where energies are to be equal.
         drive = alone.samples(1300.0) * train.gains()[j] / alone.gains()[0]
-        field = predict(load_limb(LIMB), [drive], [location], scaling="relative")
+        field = predict(load_limb(LIMB), [drive], [location], scaling=scaling)
         length = np.sqrt((field**2).sum(axis=1))
         found.append(20 * math.log10(rms(length, "loudest", 1300.0).max()))
     return found
@@ -79,13 +80,13 @@ def test_levels_do_not_depend_on_what_else_there_is():
 def test_effects_and_the_gain_curve_of_the_track_count():
     plain = wavelet_levels_db(design_of(TRAIN), 1)
     quieter = replace(design_of(TRAIN).inputs[0], gain_curve=((0.0, 1.0), (0.07, 1.0), (0.09, 0.1)))
-    found = wavelet_levels_db(Design(limb=LIMB, inputs=(quieter,)), 1)
+    found = wavelet_levels_db(replace(design_of(TRAIN), inputs=(quieter,)), 1)
     assert found[0] == pytest.approx(plain[0], abs=1.0)
     assert found[2] == pytest.approx(plain[2] - 20.0, abs=0.1)
     reverse = next((kind for kind in EFFECTS if kind.__name__ == "Reverse"), None)
     if reverse is not None:
         turned = Input(location=7, clips=(Clip(waveform=TRAIN, effects=(reverse(),)),))
-        found = wavelet_levels_db(Design(limb=LIMB, inputs=(turned,)), 1)
+        found = wavelet_levels_db(replace(design_of(TRAIN), inputs=(turned,)), 1)
         assert found == pytest.approx(plain, abs=0.5)
 
 
@@ -142,3 +143,13 @@ def test_it_tells_how_far_it_is_and_can_be_stopped():
     assert [step[:2] for step in told] == [(1, 3), (2, 3), (3, 3)]
     with pytest.raises(Stopped):
         wavelet_levels_db(design_of(TRAIN), 1, stop=lambda: True)
+
+
+@pytest.mark.parametrize("scaling", ["probe", "relative", "upstream"])
+def test_wavelets_are_made_alike_in_the_scaling_of_the_design(scaling):
+    design = design_of(TRAIN, scaling=scaling)
+    done = edits.equalise_on_skin(design, View(), 1, wavelet_levels_db(design, 1), "")
+    train = done.design.clips[0].waveform
+    # All of a train is divided by one number, as with "upstream": alone, each would be by its own.
+    alike = levels_by_hand(train, 7, "relative" if scaling == "upstream" else scaling)
+    assert max(alike) - min(alike) < 0.05

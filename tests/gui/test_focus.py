@@ -2,9 +2,10 @@ import threading
 from dataclasses import replace
 
 import pytest
+import shiboken6
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialog, QFileDialog
+from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QWidget
 
 from skinsource.design import Design, track
 from skinsource.errors import Stopped
@@ -240,3 +241,27 @@ def test_after_tab_what_is_removed_takes_no_other_widget_with_it(at_work, settle
     assert window.statusBar().currentMessage() == "Saved"
     window.reports.complain("The disk is full.")
     assert window.notice.text == "The disk is full."
+
+
+def keeps(widget):
+    """What Python is told of the object with which it takes ``widget`` for deleted."""
+    lines = shiboken6.dump(widget).splitlines()
+    return next((line for line in lines if line.startswith("parent")), "")
+
+
+def ancestors(widget):
+    found = []
+    while (widget := widget.parentWidget()) is not None:
+        found.append(f"({hex(shiboken6.getCppPointer(widget)[0])}")
+    return found
+
+
+def test_after_tab_no_widget_is_taken_for_the_child_of_its_neighbour(at_work):
+    window = at_work
+    widgets = window.findChildren(QWidget)
+    assert all(one.parent() is not None for one in widgets)
+    walk(window)
+    window.do("arrange_drawing")
+    walk(window)
+    for one in widgets:
+        assert not keeps(one) or any(address in keeps(one) for address in ancestors(one)), one

@@ -84,11 +84,23 @@ def test_a_name_that_does_not_exist_would_be_found(tmp_path):
     assert len(complaints(stale)) == 3
 
 
-@pytest.mark.parametrize("name", ["walkthrough", "many_edits", "engine_speed", "growth", "start"])
+SPEAKING = ("walkthrough", "compose", "many_edits", "engine_speed", "growth", "start")
+
+
+@pytest.mark.parametrize("name", SPEAKING)
 def test_a_benchmark_explains_itself(name):
     done = run(ROOT / "benchmarks" / f"{name}.py", "--help")
     assert done.returncode == 0, done.stderr
     assert "usage:" in done.stdout
+
+
+@pytest.mark.parametrize("by", ["mouse", "keyboard"])
+def test_three_stimuli_are_composed_by_mouse_alone_and_by_keyboard_alone(by, tmp_path):
+    folders = ("--folder", tmp_path / "pictures")
+    done = run(ROOT / "benchmarks" / "compose.py", "--by", by, *folders)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert done.stdout.count(f"By {by}: ") == 3
+    assert "NOT SO" not in done.stdout
 
 
 def test_the_watch_on_the_start_of_the_studio_sees_it_painted():

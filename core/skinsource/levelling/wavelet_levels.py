@@ -36,8 +36,9 @@ def wavelet_levels_db(
 
     Returns
     -------
-    In dB, as many as frequencies.  Only differences between them count: amplitudes, gains and the
-    design's scaling are left out.  Of a wavelet that moves nothing, minus infinity.
+    In dB, as many as frequencies.  Only differences between them count: amplitudes and gains are
+    left out, and what scaling does to all frequencies alike.  Of a wavelet that moves nothing,
+    minus infinity.
 
     Raises
     ------
@@ -54,6 +55,8 @@ def wavelet_levels_db(
         raise InvalidInputError(
             f"clip {clip_id} plays a {type(train).__name__}, expected a WaveletTrain"
         )
+    # Each wavelet scaled to its own peak would be alike before anything is done.
+    scaling = "relative" if design.scaling == "upstream" else design.scaling
     evaluator, levels_db = Evaluator(), []
     count = len(train.frequencies_hz)
     for j in range(count):
@@ -61,7 +64,7 @@ def wavelet_levels_db(
         gains_db = tuple(0.0 if k == j else SOFTEST_DB for k in range(count))
         alone = replace(clip, gain=1.0, muted=False, waveform=replace(train, gains_db=gains_db))
         player = replace(track, clips=(alone,), amplitude=1.0, muted=False, solo=False)
-        played = replace(design, inputs=(player,), scaling="relative")
+        played = replace(design, inputs=(player,), scaling=scaling)
         found = evaluator.evaluate(played, ("output_levels_db",), _LOOK)["output_levels_db"]
         levels_db.append(float(found.max()))
         progress(j + 1, count, f"Wavelet {j + 1} of {count}")

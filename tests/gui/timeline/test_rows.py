@@ -1,8 +1,10 @@
+from dataclasses import replace
+
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
-from skinsource.design import Design
+from skinsource.design import Design, track
 from skinsource_gui.panels.timeline.heads.row_places import row_places
 from tests.gui.timeline.bench import PLACES, Bench, click, design_of, results_of
 
@@ -108,3 +110,14 @@ def test_heads_and_the_buttons_above_them_have_room_for_larger_text(bench, scale
     number = bench.row(0).fontMetrics().horizontalAdvance("15")
     assert places.swatch.width() >= number
     assert places.name.left() >= places.swatch.right()
+
+
+def test_the_row_that_has_the_keyboard_may_give_way_to_others(bench):
+    """As when another design is opened while a number of the list is selected."""
+    first = bench.row(0)
+    first.amplitude.setFocus()
+    new = Design(limb="any", inputs=tuple(replace(track(location=k), id=50 + k) for k in (4, 5)))
+    bench.show(new)
+    assert [one.id for one in bench.rows.rows] == [54, 55]
+    assert bench.rows.hasFocus()
+    assert all(one.state.list_focused for one in bench.rows.rows)

@@ -62,12 +62,16 @@ class InputRows(QWidget):
     def show_rows(self, states: Sequence[RowState]) -> None:
         """Show one row for each state."""
         ids = [state.shown.id for state in states]
+        left: list[InputRow] = []
         if ids != list(self._rows):
             self.mouse.cancel()
-            self._arrange(ids)
+            left = self._arrange(ids)
         focused = self.hasFocus()
         for row, state in zip(self.rows, states, strict=True):
             row.show_state(replace(state, list_focused=True) if focused else state)
+        # The keyboard may come from a row that goes: those that stay know by now what they show.
+        for row in left:
+            self._remove(row)
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
@@ -147,26 +151,29 @@ class InputRows(QWidget):
             self._gap.setGeometry(0, max(bottom - _GAP_PX // 2, 0), self.width(), _GAP_PX)
             self._gap.raise_()
 
-    def _arrange(self, ids: list[int]) -> None:
+    def _arrange(self, ids: list[int]) -> list[InputRow]:
+        """Put the rows of these inputs in order; return those that are left over."""
         old, self._rows = self._rows, {}
         for position, one in enumerate(ids):
             row = old.pop(one, None) or self._new_row()
             self._rows[one] = row
             self._layout.insertWidget(position, row)
-        for row in old.values():
-            focused = QApplication.focusWidget()
-            had_focus = focused is not None and row.isAncestorOf(focused)
-            self._layout.removeWidget(row)
-            row.amplitude.cancel_editing()
-            row.hide()
-            row.deleteLater()
-            if had_focus:
-                self.setFocus(Qt.FocusReason.OtherFocusReason)
         before: QWidget = self
         for row in self.rows:
             for control in row.controls:
                 self.setTabOrder(before, control)
                 before = control
+        return list(old.values())
+
+    def _remove(self, row: InputRow) -> None:
+        focused = QApplication.focusWidget()
+        had_focus = focused is not None and row.isAncestorOf(focused)
+        self._layout.removeWidget(row)
+        row.amplitude.cancel_editing()
+        row.hide()
+        row.deleteLater()
+        if had_focus:
+            self.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _new_row(self) -> InputRow:
         row = InputRow(self.signals, self)

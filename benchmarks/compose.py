@@ -1,0 +1,83 @@
+"""Compose three stimuli from the empty studio, by mouse alone or by keyboard alone.
+
+The wavelet train of Fig. 2H, an envelope over an imported recording, a sweep along the digits.
+Nothing is done that a user cannot do.  Each scene prints how long it took; sentences about the
+design and its levels that do not hold are printed, and counted in the exit status.
+
+    python benchmarks/compose.py --by keyboard
+    python benchmarks/compose.py --by mouse --screen    (DISPLAY names a screen, xdotool moves)
+"""
+
+import argparse
+import os
+import sys
+import tempfile
+from pathlib import Path
+from time import perf_counter
+
+os.environ.setdefault("QT_QPA_PLATFORM", "xcb" if "--screen" in sys.argv else "offscreen")
+os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
+
+import compose_by_keyboard
+import compose_by_mouse
+from compose_checks import write_recording
+from compose_hands import EventHands, ScreenHands
+from composer import Composer
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from skinsource.catalogue import available_limbs
+from skinsource.design import start_design
+from skinsource_gui.shell.app import make_application
+from skinsource_gui.shell.garbage import take_over_collection
+from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.preferences import Preferences
+
+SCENES = {"mouse": compose_by_mouse.SCENES, "keyboard": compose_by_keyboard.SCENES}
+
+
+def main() -> int:
+    """Compose; return how many sentences did not hold."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--by", choices=sorted(SCENES), default="mouse")
+    parser.add_argument("--screen", action="store_true", help="real mouse and keys on DISPLAY")
+    parser.add_argument("--size", default="1366x718")
+    parser.add_argument("--folder", type=Path, default=Path("build/compose"))
+    options = parser.parse_args()
+    make_application()
+    # A file dialog of the desktop belongs to another program, which a script cannot look into.
+    QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
+    options.folder.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as name:
+        scratch = Path(name)
+        write_recording(scratch)
+        preferences = Preferences(scratch / "studio.ini")
+        preferences.folder = scratch
+        window = MainWindow(
+            start_design("synthetic-1"), preferences=preferences, available_limbs=available_limbs()
+        )
+        take_over_collection(window)
+        window.resize(*map(int, options.size.split("x")))
+        window.show()
+        window.activateWindow()
+        you = Composer(window, ScreenHands() if options.screen else EventHands(), options.folder)
+        QTest.qWait(500)
+        you.settle()
+        try:
+            for scene in SCENES[options.by]:
+                began_s, steps = perf_counter(), you.steps
+                scene(you, scratch)
+                took_s = perf_counter() - began_s
+                print(
+                    f"{scene.__doc__} By {options.by}: {you.steps - steps} steps, {took_s:.1f} s",
+                    flush=True,
+                )
+                you.picture(f"{scene.__name__} by {options.by}")
+        finally:
+            window.close_unasked()
+    return len(you.disappointments)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

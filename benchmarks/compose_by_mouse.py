@@ -1,0 +1,161 @@
+"""The three scenes by mouse alone."""
+
+from pathlib import Path
+
+from compose_checks import ENVELOPE, PATH, check_recording, check_sweep, check_train
+from composer import Composer
+from PySide6.QtCore import QPoint, QRegularExpression
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QApplication,
+    QComboBox,
+    QDialogButtonBox,
+    QFileDialog,
+    QMessageBox,
+    QWidget,
+)
+
+from skinsource_gui.panels.clip_editor.editor_view import EditorView
+from skinsource_gui.panels.timeline.lanes_view import LanesView
+
+_FILES = QRegularExpression("listView|treeView")
+#: A pixel of the editor is about a millisecond, and a hundredth of the level.
+_HAND_S, _HAND_LEVEL = 0.004, 0.03
+
+
+def train(you: Composer, _: Path) -> None:
+    """Fig. 2H's wavelet train: click on the fingertip, choose the kind, sweep, equalise."""
+    begin_anew(you)
+    hand = you.window.panel("hand").diagram
+    you.click(hand, hand.site_centre(7))
+    you.click(you.widget("kind_field", you.window.panel("inspector")))
+    you.choose_of_popup("Wavelet train")
+    you.settle()
+    # Falling and rising again: the buttons do what they say.
+    for order, highest_first in (("Falling (expands)", True), ("Rising (contracts)", False)):
+        _sweep(you, order)
+        found = you.document.design.clips[0].waveform.frequencies_hz
+        you.expect((found[0] > found[-1]) == highest_first, f"{order} frequencies: {found}")
+    you.choose("Edit", "Equal on the skin")
+    you.wait(lambda: you.document.design.clips[0].waveform.gains_db, "gains are written")
+    check_train(you)
+
+
+def recording(you: Composer, folder: Path) -> None:
+    """A recording imported, and an envelope drawn over it."""
+    begin_anew(you)
+    you.answer(
+        lambda: you.choose("File", "Import recording…"),
+        QFileDialog,
+        lambda dialog: _pick(you, dialog, "beat.wav"),
+    )
+    page = you.page()
+    you.wait(lambda: page.ready, "the recording is read")
+    box = page.findChild(QDialogButtonBox)
+    you.click(box.button(QDialogButtonBox.StandardButton.Ok))
+    you.wait(lambda: you.document.design.clips, "the recording is a clip")
+    you.settle()
+    lanes = you.window.panel("timeline").findChild(LanesView)
+    you.click(lanes, lanes.content.boxes[0].rect.center().toPoint(), double=True)
+    you.settle()
+    view = you.window.panel("clip_editor").findChild(EditorView)
+    you.click(you.widget("clip_envelope", you.window.panel("clip_editor")))
+
+    def at(time_s: float, level: float) -> QPoint:
+        return view.content.at(time_s, level).toPoint()
+
+    for time_s, _level in ENVELOPE[1:]:
+        you.click(view, at(time_s, 1.0))
+        you.settle()
+    for time_s in (ENVELOPE[0][0], ENVELOPE[-1][0]):
+        you.drag(view, at(time_s, 1.0), at(time_s, 0.0))
+        you.settle()
+    you.picture("envelope by mouse")
+    you.choose("View", "Arrange for designing")
+    check_recording(you, _HAND_S, _HAND_LEVEL)
+
+
+def sweep(you: Composer, _: Path) -> None:
+    """A sweep along the digits: places clicked on the hand of the page."""
+    begin_anew(you)
+    you.choose("Edit", "Motion…")
+    page = you.page()
+    pick_of_list(you, page.findChildren(QComboBox)[0], "Sweep")
+    you.settle()
+    you.click(you.widget("clear_path", page))
+    for place in PATH:
+        you.click(page.hand, page.hand.site_centre(place))
+    frequency = you.widget("frequency_hz_field", page)
+    # The wheel turns a number only where the keyboard is.
+    you.click(frequency)
+    for _ in range(60):
+        off = frequency.value_si - 150.0
+        if abs(off) < 1e-9:
+            break
+        you.wheel(frequency, -1 if off > 0 else 1)
+    you.click(you.widget("add_motion", page))
+    you.settle()
+    check_sweep(you)
+
+
+def begin_anew(you: Composer) -> None:
+    """File > New; what is there need not be kept."""
+
+    def discard(box: QWidget) -> None:
+        you.click(box.button(QMessageBox.StandardButton.Discard))
+
+    def new() -> None:
+        you.choose("File", "New")
+
+    if you.document.modified:
+        you.answer(new, QMessageBox, discard)
+    else:
+        new()
+    you.settle()
+    you.expect(you.document.design.inputs == (), "New empties the hand")
+
+
+def pick_of_list(you: Composer, box: QComboBox, words: str) -> None:
+    """Open a drop-down list and click on a line of it."""
+    if box.currentText() == words:
+        return
+    you.click(box)
+    rows: QAbstractItemView = box.view()
+    you.wait(rows.isVisible, "the list opens")
+    # A list that has just opened takes a quick click for the second half of the first one.
+    QTest.qWait(QApplication.doubleClickInterval() + 100)
+    row = rows.model().index(box.findText(words), box.modelColumn())
+    rows.scrollTo(row)
+    you.click(rows, rows.visualRect(row).center())
+
+
+def _sweep(you: Composer, order: str) -> None:
+    inspector = you.window.panel("inspector")
+    button = next(
+        one for one in inspector.findChildren(QWidget) if getattr(one, "text", str)() == "Sweep…"
+    )
+    you.click(button)
+    dialog = you.page()
+    pick_of_list(you, dialog.order, order)
+    box = dialog.findChild(QDialogButtonBox)
+    you.click(box.button(QDialogButtonBox.StandardButton.Ok))
+    you.settle()
+
+
+def _pick(you: Composer, dialog: QFileDialog, name: str) -> None:
+    """Double click on a file of the list."""
+    # As a list, or with sizes and dates.
+    rows = next(one for one in dialog.findChildren(QAbstractItemView, _FILES) if one.isVisible())
+
+    def row():
+        model, root = rows.model(), rows.rootIndex()
+        names = [model.index(k, 0, root) for k in range(model.rowCount(root))]
+        return next((one for one in names if one.data() == name), None)
+
+    you.wait(row, f"{name} is listed")
+    rows.scrollTo(row())
+    you.click(rows, rows.visualRect(row()).center(), double=True)
+
+
+SCENES = (train, recording, sweep)

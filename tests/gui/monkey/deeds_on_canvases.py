@@ -1,0 +1,147 @@
+"""What can be done with the mouse on hand, timeline, clip editor and plots."""
+
+from PySide6.QtCore import QPoint, Qt
+
+from skinsource_gui.panels.clip_editor.editor_view import EditorView
+from skinsource_gui.panels.timeline.lanes_view import LanesView
+from tests.gui.monkey.hands import ALT, CONTROL, MIDDLE, NONE, RIGHT, SHIFT
+
+_HELD = (NONE, NONE, NONE, SHIFT, CONTROL, ALT)
+_PLACES = range(1, 21)
+
+
+def seen(hands, name: str):
+    """The panel of that name, brought into sight as its menu entry does."""
+    panel = hands.window.panel(name)
+    if not panel.isVisible():
+        hands.window.docks[name].show()
+    return panel
+
+
+def on_hand(hands):
+    diagram = seen(hands, "hand").diagram
+    here, there = (diagram.site_centre(int(hands.one_of(_PLACES))) for _ in range(2))
+    held, way = hands.one_of(_HELD), hands.one_of(("click", "click", "drag", "menu"))
+    if way == "click":
+        hands.click(diagram, here, held)
+    elif way == "drag":
+        taken = [diagram.site_centre(one.location) for one in hands.document.design.inputs]
+        hands.drag(diagram, hands.one_of(taken or [here]), there, held)
+    else:
+        way = hands.menu_of(diagram, here)
+    return way, here.toTuple(), there.toTuple(), held.name
+
+
+def on_lanes(hands):
+    lanes = seen(hands, "timeline").findChild(LanesView)
+    ways = (*(_drag_clip, _drag_clip, _drag_clip), _on_ground, _on_ruler, _turn, _menu, _open)
+    way = hands.one_of(ways)
+    return way.__name__, way(hands, lanes)
+
+
+def _on_clip(hands, lanes) -> QPoint:
+    """A place on a clip, often near one of its ends or corners; anywhere if there is none."""
+    boxes = lanes.content.boxes
+    if not boxes:
+        return hands.place_in(lanes.viewport())
+    rect = hands.one_of(boxes).rect
+    across = hands.one_of((0.02, 0.5, 0.98, hands.number(0.0, 1.0)))
+    return QPoint(
+        round(rect.left() + across * rect.width()),
+        round(rect.top() + hands.one_of((0.1, 0.5, 0.9)) * rect.height()),
+    )
+
+
+def _drag_clip(hands, lanes):
+    start, held = _on_clip(hands, lanes), hands.one_of(_HELD)
+    way = QPoint(int(hands.number(-250, 250)), int(hands.one_of((0, 0, hands.number(-90, 90)))))
+    if hands.chance(0.2):
+        hands.click(lanes, start, held)
+    hands.drag(lanes, start, start + way, held)
+    return start.toTuple(), way.toTuple(), held.name
+
+
+def _on_ground(hands, lanes):
+    start, end = hands.place_in(lanes.viewport()), hands.place_in(lanes.viewport())
+    if hands.chance(0.5):
+        hands.drag(lanes, start, end, hands.one_of(_HELD))
+    else:
+        hands.double_click(lanes, start)
+    return start.toTuple(), end.toTuple()
+
+
+def _on_ruler(hands, lanes):
+    start, end = (QPoint(hands.place_in(lanes).x(), int(hands.number(2, 20))) for _ in range(2))
+    held = hands.one_of((NONE, SHIFT))
+    if hands.chance(0.2):
+        hands.double_click(lanes, start)
+    else:
+        hands.drag(lanes, start, end, held)
+    return start.toTuple(), end.toTuple(), held.name
+
+
+def _turn(hands, lanes):
+    at, held = hands.place_in(lanes.viewport()), hands.one_of((NONE, SHIFT, CONTROL))
+    if hands.chance(0.2):
+        hands.drag(lanes, at, hands.place_in(lanes.viewport()), button=MIDDLE)
+    else:
+        hands.wheel(lanes, at, hands.one_of((-3, -1, 1, 3)), held)
+    return at.toTuple(), held.name
+
+
+def _menu(hands, lanes):
+    at = hands.one_of((_on_clip(hands, lanes), hands.place_in(lanes.viewport())))
+    return at.toTuple(), hands.menu_of(lanes, at)
+
+
+def _open(hands, lanes):
+    at = _on_clip(hands, lanes)
+    hands.double_click(lanes, at)
+    return at.toTuple()
+
+
+def in_editor(hands):
+    view = seen(hands, "clip_editor").findChild(EditorView)
+    tools = (Qt.Key.Key_P, Qt.Key.Key_E, Qt.Key.Key_E, Qt.Key.Key_V)
+    view.setFocus(Qt.FocusReason.MouseFocusReason)
+    tool = hands.one_of(tools)
+    if hands.chance(0.4):
+        hands.key(tool)
+    start, end = hands.place_in(view.viewport()), hands.place_in(view.viewport())
+    if view.content is not None and hands.chance(0.5):
+        # Where the level envelope lies.
+        start = QPoint(start.x(), round(view.content.y(1.0)))
+    way = hands.one_of(("drag", "drag", "click", "double", "wheel", "right", "bound"))
+    held = hands.one_of(_HELD)
+    if way in ("drag", "right"):
+        hands.drag(view, start, end, held, *((RIGHT,) if way == "right" else ()))
+    elif way == "click":
+        hands.click(view, start, held)
+    elif way == "double":
+        hands.double_click(view, start)
+    elif way == "wheel":
+        hands.wheel(view, start, hands.one_of((-2, 2)), held)
+    elif hands.chance(0.3):
+        panel = hands.window.panel("clip_editor")
+        hands.click(panel.findChild(object, "clip_bound to band"))
+    return tool.name, way, start.toTuple(), end.toTuple(), held.name
+
+
+def on_plots(hands):
+    name = hands.one_of(("traces", "spectra", "skin"))
+    panel = seen(hands, name)
+    surface = panel.map if name == "skin" else panel.findChild(object, f"{name}-plot")
+    start, end = hands.place_in(surface), hands.place_in(surface)
+    held = hands.one_of(_HELD)
+    way = hands.one_of(("click", "drag", "wheel", "double", "menu"))
+    if way == "click":
+        hands.click(surface, start, held)
+    elif way == "drag":
+        hands.drag(surface, start, end, held)
+    elif way == "wheel":
+        hands.wheel(surface, start, hands.one_of((-3, 3)), held)
+    elif way == "double":
+        hands.double_click(surface, start)
+    else:
+        way = hands.menu_of(surface, start)
+    return name, way, start.toTuple(), end.toTuple(), held.name

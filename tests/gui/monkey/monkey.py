@@ -1,0 +1,248 @@
+"""A monkey at the studio: thousands of deeds at random, and what must hold meanwhile."""
+
+import gc
+import threading
+from collections import Counter
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from PySide6.QtCore import QCoreApplication, QEvent, QObject
+from PySide6.QtWidgets import QApplication
+
+import skinsource as ss
+from skinsource_gui.history import MOST_STEPS
+from tests.gui.monkey import deeds_in_fields as fields
+from tests.gui.monkey import deeds_on_canvases as canvases
+from tests.gui.monkey.hands import Hands
+from tests.gui.monkey.plain_levels import plain_levels
+from tests.gui.monkey.watch import Watch
+
+#: Deeds, and how often each is done.
+DEEDS = (
+    *(10 * [canvases.on_lanes] + 5 * [canvases.on_hand] + 5 * [canvases.in_editor]),
+    *(2 * [canvases.on_plots] + 6 * [fields.of_menus] + 8 * [fields.press_keys]),
+    *(8 * [fields.in_numbers] + 4 * [fields.in_lists] + 4 * [fields.on_buttons]),
+    *(2 * [fields.in_rows] + [fields.on_docks, fields.on_window, fields.in_pages]),
+)
+COMPARED_EVERY = 200
+_IMPORTED_EVERY = 700
+#: Painting takes longest; what is done between two paintings is what a quick hand does.
+_PAINTED_EVERY = 5
+#: Each panel in sight takes its time.
+_TIDIED_EVERY = 20
+#: Larger designs are taken back: what is tried is what can be done, not how long it may take.
+_LONGEST_S, _MOST_INPUTS, _MOST_CLIPS = 8.0, 8, 60
+_TOLERANCE_DB = 1e-6
+#: What may be made late and kept, in objects: pages, menus, rows of a list.
+KEPT_LATE = 150
+
+
+@dataclass(slots=True)
+class Tally:
+    """What a monkey did and found.
+
+    Attributes
+    ----------
+    deeds
+        How often each was done.
+    compared, silent, impossible
+        How often levels were compared; how many of them were of designs without clips; and how
+        often studio and `skinsource.predict` both refused.
+    largest_difference_db
+        Of a level shown from that of `plain_levels`.
+    undone, saved
+        Steps that were taken back and done again; designs that were saved and opened.
+    objects, threads
+        What lives half way and at the end, by its kind, once the design is empty and nothing is
+        open.
+    faults
+        What was wrong, in words.
+    """
+
+    deeds: Counter[str] = field(default_factory=Counter)
+    compared: int = 0
+    silent: int = 0
+    impossible: int = 0
+    largest_difference_db: float = 0.0
+    undone: int = 0
+    saved: int = 0
+    objects: list[Counter[str]] = field(default_factory=list)
+    threads: list[int] = field(default_factory=list)
+    faults: list[str] = field(default_factory=list)
+
+
+class Monkey:
+    """Plays with one window.
+
+    Parameters
+    ----------
+    window
+        The studio.
+    seed
+        What it does.
+    folder
+        Where it may write.
+    recordings
+        Files that it may import.
+    """
+
+    def __init__(self, window, seed: int, folder: Path, recordings: tuple[Path, ...] = ()) -> None:
+        self.window, self.document = window, window.document
+        self.hands = Hands(window, seed, folder, recordings)
+        self.tally, self._watch = Tally(), Watch()
+        self._file = folder / "round trip.skinsource"
+        self._base = self.document.design
+
+    def play(self, count: int) -> Tally:
+        """Do ``count`` deeds; the tally tells what was wrong."""
+        self.window.engine.finished.connect(self._watch.on_outcome)
+        with self._watch.looking(), self.hands.answering():
+            for k in range(1, count + 1):
+                self._do_something(k)
+                self._check_state()
+                if k % COMPARED_EVERY == 0 or k == count:
+                    self._compare_levels()
+                    self._check_history()
+                    self._check_file()
+                if k in (count // 2, count):
+                    self._count_objects()
+                if self._watch.faults or self.tally.faults:
+                    break
+        self.tally.faults += self._watch.faults
+        return self.tally
+
+    @property
+    def last_deeds(self) -> str:
+        """What was done last, to be repeated by hand."""
+        return "\n".join(map(str, self.hands.done))
+
+    def _do_something(self, k: int) -> None:
+        hands = self.hands
+        deed = fields.import_recording if k % _IMPORTED_EVERY == 0 else hands.one_of(DEEDS)
+        hands.done.append((k, deed.__name__))
+        before = self.document.undo_stack.count()
+        told = deed(hands)
+        hands.done[-1] = (k, deed.__name__, told)
+        self.tally.deeds[deed.__name__] += 1
+        if k % _PAINTED_EVERY == 0:
+            QApplication.processEvents()
+        hands.close_what_opened()
+        if k % _TIDIED_EVERY == 0:
+            self.window.do("arrange_design")
+        if self.document.undo_stack.count() == 0 and (before or self.document.design != self._base):
+            self._base = self.document.design
+        self._keep_small()
+
+    def _keep_small(self) -> None:
+        """Take back what makes the design long or large; begin anew where that is no edit."""
+        for _ in range(40):
+            if not self._large():
+                return
+            if not self.document.undo_stack.canUndo():
+                break
+            self.window.do("undo")
+        if self._large():
+            self._begin_anew()
+
+    def _begin_anew(self) -> None:
+        # Nobody is asked about what was saved.
+        self.document.undo_stack.setClean()
+        self.window.files.new()
+        self._base = self.document.design
+
+    def _large(self) -> bool:
+        design = self.document.design
+        end_s = max((clip.end_s for clip in design.clips), default=0.0)
+        return (
+            end_s > _LONGEST_S
+            or len(design.inputs) > _MOST_INPUTS
+            or len(design.clips) > _MOST_CLIPS
+        )
+
+    def _check_state(self) -> None:
+        design, view = self.document.design, self.document.view
+        clips = [one.id for one in design.clips]
+        self._expect(len(set(design.ids)) == len(design.ids), "two inputs have one id")
+        self._expect(len(set(clips)) == len(clips), "two clips have one id")
+        self._expect(set(view.selected_inputs) <= set(design.ids), "a ghost input is selected")
+        self._expect(set(view.selected_clips) <= set(clips), "a ghost clip is selected")
+        notice = self.window.notice.text
+        self._expect("made a mistake" not in notice, f"the studio says: {notice}")
+        gestures = self.window.panel("timeline")._table.lanes.mouse.busy
+        self._expect(not gestures, "no button is down, yet a gesture goes on in the timeline")
+
+    def _settle(self) -> None:
+        self.window.catch_up()
+        QApplication.processEvents()
+        self.window.catch_up()
+
+    def _compare_levels(self) -> None:
+        self.hands.close_what_opened()
+        self.window.do("arrange_design")
+        self._settle()
+        design, view = self.document.design, self.document.view
+        shown = self.window.panel("skin").map.content
+        try:
+            expected = plain_levels(design, view)
+        except ss.SkinSourceError as error:
+            # Only what the studio refuses too.
+            self.tally.impossible += 1
+            said = self.window.notice.text
+            self._expect(bool(said), f"predict refuses ({error}), the studio says nothing")
+            return
+        self._expect(not shown.outdated, "the map is outdated at rest")
+        found = shown.levels_db
+        if found is None:
+            self._expect(False, f"no levels are shown at rest; notice: {self.window.notice.text}")
+            return
+        difference = float(np.max(np.abs(np.asarray(found) - expected)))
+        self.tally.compared += 1
+        self.tally.silent += not any(one.clips for one in design.inputs)
+        self.tally.largest_difference_db = max(self.tally.largest_difference_db, difference)
+        self._expect(
+            difference <= _TOLERANCE_DB,
+            f"levels shown are {difference:.3g} dB off ss.predict, for {design} seen as {view}",
+        )
+
+    def _check_history(self) -> None:
+        """Undo all the way back gives what was there at first, and redo what was there at last."""
+        stack, last = self.document.undo_stack, self.document.design
+        index = stack.index()
+        if stack.count() >= MOST_STEPS:
+            return
+        stack.setIndex(0)
+        self._expect(self.document.design == self._base, "undoing all does not lead to the start")
+        stack.setIndex(index)
+        self._expect(self.document.design == last, "redoing all does not lead to the end")
+        self.tally.undone += index
+
+    def _check_file(self) -> None:
+        design, view = self.document.design, self.document.view
+        ss.save_design(self._file, design, view)
+        content = ss.open_design(self._file)
+        self._expect(content.design == design, "what was saved is not what is opened")
+        self._expect(content.view == view, "the view that was saved is not the one opened")
+        self.tally.saved += 1
+
+    def _count_objects(self) -> None:
+        """Count what lives, and see that it is no more than half way."""
+        self._begin_anew()
+        self._settle()
+        for _ in range(3):
+            QApplication.processEvents()
+            QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        gc.collect()
+        found = Counter(type(one).__name__ for one in self.window.findChildren(QObject))
+        found["windows"] = len(QApplication.topLevelWidgets())
+        self.tally.objects.append(found)
+        self.tally.threads.append(threading.active_count())
+        more = found - self.tally.objects[0]
+        self._expect(more.total() <= KEPT_LATE, f"more than half way: {more.most_common(12)}")
+        self._expect(
+            self.tally.threads[-1] <= self.tally.threads[0] + 1, f"threads: {self.tally.threads}"
+        )
+
+    def _expect(self, holds: bool, words: str) -> None:
+        if not holds:
+            self.tally.faults.append(words)

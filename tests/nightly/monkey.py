@@ -1,0 +1,66 @@
+"""A monkey at the studio, with another seed each time: ``python -m tests.nightly.monkey``.
+
+Prints the seed, and what was found.  Ends with 1 if anything was wrong; ``--seed`` repeats it.
+"""
+
+import argparse
+import os
+import secrets
+import sys
+import tempfile
+from pathlib import Path
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
+
+from skinsource.catalogue import available_limbs
+from skinsource.design import start_design
+from skinsource_gui.accuracy_page.memory_use import resident_bytes
+from skinsource_gui.shell.app import make_application
+from skinsource_gui.shell.garbage import take_over_collection
+from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.preferences import Preferences
+from tests.gui.monkey.monkey import Monkey
+from tests.gui.monkey.test_monkey import recording
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--count", type=int, default=20_000)
+    parser.add_argument("--seed", type=int, default=secrets.randbelow(2**31))
+    options = parser.parse_args()
+    print(f"seed {options.seed}", flush=True)
+    make_application()
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        os.environ["SKINSOURCE_DATA"] = name
+        window = MainWindow(
+            start_design("synthetic-1"),
+            preferences=Preferences(folder / "studio.ini"),
+            available_limbs=available_limbs(),
+        )
+        take_over_collection(window)
+        window.resize(1366, 728)
+        window.show()
+        window.do("arrange_design")
+        window.catch_up()
+        before = resident_bytes()
+        monkey = Monkey(window, options.seed, folder, (recording(folder),))
+        tally = monkey.play(options.count)
+        print(
+            f"{tally.deeds.total()} deeds; levels compared {tally.compared} times, at most "
+            f"{tally.largest_difference_db:.1e} dB off; {tally.undone} steps undone and redone; "
+            f"{(resident_bytes() - before) / 1e6:+.0f} MB"
+        )
+        for fault in tally.faults:
+            print(fault)
+        if tally.faults:
+            print(f"after\n{monkey.last_deeds}\nseed {options.seed}")
+        window.close_unasked()
+        sys.stdout.flush()
+    # Python would take a thousand widgets apart in any order.
+    os._exit(1 if tally.faults else 0)
+
+
+if __name__ == "__main__":
+    main()
