@@ -34,9 +34,6 @@ from skinsource.resampling import resample
 from skinsource.response import predict
 from skinsource.signals import impulse, sinusoid, tap, white_noise, window
 from skinsource.spectra import magnitude_spectrum, peak_hold_spectrum, rms
-from skinsource.stimulus import Stimulus, stimulus_of
-from skinsource.stimulus_export import StimulusOptions, export_stimulus
-from skinsource.stimulus_formats import export_formats
 from skinsource.surface import SurfaceOperator, surface_operator
 from skinsource.version import __version__
 from skinsource.view import View
@@ -52,6 +49,9 @@ if TYPE_CHECKING:
         sweeps,
     )
     from skinsource.rigs import open_rig, save_rig
+    from skinsource.stimulus import Stimulus, stimulus_of
+    from skinsource.stimulus_export import StimulusOptions, export_stimulus
+    from skinsource.stimulus_formats import export_formats
     from skinsource.sweeps import sweep
 
 __all__ = [
@@ -119,7 +119,16 @@ _PACKAGES = (
     "rigs",
     "sweeps",
 )
-_NAMES = {"open_rig": "rigs", "save_rig": "rigs", "sweep": "sweeps"}
+_NAMES = {
+    "Stimulus": "stimulus",
+    "StimulusOptions": "stimulus_export",
+    "export_formats": "stimulus_formats",
+    "export_stimulus": "stimulus_export",
+    "open_rig": "rigs",
+    "save_rig": "rigs",
+    "stimulus_of": "stimulus",
+    "sweep": "sweeps",
+}
 
 
 def __getattr__(name: str) -> object:

@@ -13,7 +13,15 @@ from skinsource_gui import system_libraries
 from skinsource_gui.shell.garbage import GarbageCollector, take_over_collection
 from skinsource_gui.shell.window import MainWindow
 
-UNNEEDED = ("scipy.signal", "matplotlib", "pandas", "matio", "pooch", "requests")
+UNNEEDED = (
+    "skinsource.stimulus",
+    "scipy.signal",
+    "matplotlib",
+    "pandas",
+    "matio",
+    "pooch",
+    "requests",
+)
 #: What only the worker needs, once the window is painted.
 LATE = ("scipy.fft", "scipy.spatial", "scipy.ndimage", "scipy.sparse", "h5py")
 

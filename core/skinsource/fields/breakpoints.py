@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from math import isfinite
+from operator import is_
 from typing import Any, Literal, get_args
 
 from skinsource.fields.numbers import NumberSpec
@@ -40,12 +42,15 @@ class BreakpointsSpec(Spec):
         if not isinstance(value, tuple) or not 1 <= len(value) <= self.most:
             raise Misfit(expected)
         try:
-            points = tuple(self._point(point, expected) for point in value)
+            points = tuple(
+                point if self._is_kept(point) else self._point(point, expected) for point in value
+            )
         except Misfit:
             raise Misfit(expected) from None
         if any(after[0] < before[0] for before, after in pairwise(points)):
             raise Misfit(expected)
-        return points
+        # What is as it was keeps its identity.
+        return value if all(map(is_, points, value)) else points
 
     def encoded(self, value: tuple[Breakpoint, ...]) -> Tree:
         """Return a list of lists."""
@@ -57,6 +62,22 @@ class BreakpointsSpec(Spec):
         if not isinstance(tree, list) or len(tree) > self.most:
             return tree
         return tuple(tuple(point) if isinstance(point, list) else point for point in tree)
+
+    def _is_kept(self, point: Any) -> bool:
+        """Whether a point is in the form that points are kept in; most are, when one is dragged."""
+        if type(point) is not tuple or len(point) != 3:
+            return False
+        x, y, segment = point
+        return (
+            type(x) is float
+            and type(y) is float
+            and self.x.minimum <= x <= self.x.maximum
+            and self.y.minimum <= y <= self.y.maximum
+            and isfinite(x)
+            and isfinite(y)
+            and type(segment) is str
+            and segment in SEGMENTS
+        )
 
     def _point(self, point: Any, expected: str) -> Breakpoint:
         if not isinstance(point, Sequence) or isinstance(point, str) or len(point) not in (2, 3):

@@ -55,6 +55,12 @@ class EditorContent:
         """Where a value at a time lies, px."""
         return QPointF(self.scale.x(time_s), self.y(value))
 
+    def curve(self, times_s: Floats, values: Floats) -> tuple[Floats, Floats]:
+        """Where values at times lie, (n,) each, px."""
+        scale, area = self.scale, self.area
+        x = scale.left_px + (times_s - scale.shown_s[0]) * scale.px_per_s
+        return x, area.center().y() - values / self.reach * (area.height() / 2)
+
     def place(self, at: QPointF) -> tuple[float, float]:
         """Time and value at a place."""
         return self.scale.time(at.x()), self.value(at.y())

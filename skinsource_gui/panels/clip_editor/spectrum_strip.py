@@ -1,8 +1,9 @@
 """Spectrum of one clip, with the measured band."""
 
 import numpy as np
+from pyqtgraph.functions import arrayToQPath
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
@@ -97,7 +98,8 @@ class SpectrumStrip(QWidget):
         y = area.top() - np.maximum(points.y[0], -_SPAN_DB) / _SPAN_DB * area.height()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(QColor(self._theme.accent), 0))
-        painter.drawPolyline(QPolygonF([QPointF(*one) for one in zip(x, y, strict=True)]))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
         painter.setPen(QPen(QColor(self._theme.border), 1))
         painter.drawRect(area)
         self._write(painter, area)

@@ -1,12 +1,15 @@
 """Round numbers along an axis, and how numbers are written."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import ceil, floor, isfinite, log10
 
 _MINUS = "\u2212"
 _THIN_SPACE = "\u202f"
 _STEPS = (1.0, 2.0, 5.0, 10.0)
 _MAX_TICKS = 40
+# Axes are painted far more often than they change.
+_MOST_KEPT = 256
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -17,6 +20,7 @@ class Tick:
     label: str
 
 
+@lru_cache(_MOST_KEPT)
 def linear_ticks(low: float, high: float, most: float, factor: float = 1.0) -> tuple[Tick, ...]:
     """At most about ``most`` ticks on round numbers; labels show values times ``factor``."""
     low, high = low * factor, high * factor
@@ -55,6 +59,7 @@ def readable_ticks(
     )
 
 
+@lru_cache(_MOST_KEPT)
 def log_ticks(low: float, high: float, most: float) -> tuple[Tick, ...]:
     """Grid lines at 1 to 9 times each power of ten, with labels where they find room."""
     decades = log10(high / low)

@@ -1,0 +1,191 @@
+"""Drawing with the pen, dragging a clip and dragging a point of an envelope, by mouse events.
+
+Four tracks of 1 s, five outputs; hand, timeline, clip editor, map, traces, spectra and inspector
+visible.  Each move of the mouse waits until everything that it changes is computed and painted:
+own waveform, spectrum with its share outside the band, level, and every panel.  What is promised
+are frames per second of processor time, of all threads: what other programs take of a busy machine
+is not counted.  Frames per second by the clock are printed beside.
+
+    python benchmarks/gestures.py
+"""
+
+import os
+import sys
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from statistics import median
+from time import perf_counter, process_time
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+import numpy as np
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtWidgets import QApplication, QWidget
+from yardstick import Beside, computing_and_painting
+
+from skinsource.catalogue import available_limbs, default_limb
+from skinsource.clips import Clip
+from skinsource.design import Design, Input
+from skinsource.effects import Envelope
+from skinsource.samples import Samples
+from skinsource.view import View
+from skinsource.waveforms import Drawn, Tone
+from skinsource_gui.panels.clip_editor.editor_view import EditorView
+from skinsource_gui.panels.timeline.lanes_view import LanesView
+from skinsource_gui.shell.app import make_application
+from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.preferences import Preferences
+
+RATE_HZ, STEPS, POINTS = 1300.0, 60, 150
+#: Frames per second.
+PROMISED_DRAWING, PROMISED_ENVELOPE = 30.0, 60.0
+_LEFT, _NONE = Qt.MouseButton.LeftButton, Qt.MouseButton.NoButton
+_ALT = Qt.KeyboardModifier.AltModifier
+_PRESS, _MOVE, _RELEASE = (
+    QEvent.Type.MouseButtonPress,
+    QEvent.Type.MouseMove,
+    QEvent.Type.MouseButtonRelease,
+)
+Place = Callable[[float], QPointF]
+
+
+def scene() -> Design:
+    """Silence to draw on, a tone below an envelope, and two more tones, of 1 s each."""
+    blank = Drawn(Samples(values=np.zeros(round(RATE_HZ)), sample_rate_hz=RATE_HZ))
+    times = np.linspace(0.0, 1.0, POINTS)
+    points = tuple((float(t), 0.6 + 0.3 * float(np.sin(20 * t)), "straight") for t in times)
+    clips = (
+        Clip(waveform=blank),
+        Clip(waveform=Tone(150.0, 0.0, 1.0), effects=(Envelope(points=points),)),
+        Clip(waveform=Tone(90.0, 0.0, 1.0)),
+        Clip(waveform=Tone(220.0, 0.0, 1.0)),
+    )
+    tracks = (Input(location=2 + 3 * k, colour=k, clips=(one,)) for k, one in enumerate(clips))
+    return Design(limb=default_limb(), inputs=tuple(tracks))
+
+
+class Hand:
+    """Moves the mouse over a widget of a window, and counts what that costs."""
+
+    def __init__(self, window: MainWindow, widget: QWidget) -> None:
+        self._window, self._widget = window, widget
+
+    def drag(self, place: Place, held: Qt.KeyboardModifier) -> tuple[float, float]:
+        """Go along places from 0 to 1; frames per second, by processor time and by the clock."""
+        self._send(_PRESS, place(0.0), held)
+        self._settle()
+        processor_s, clock_s = [], []
+        for step in range(1, STEPS + 1):
+            began = process_time(), perf_counter()
+            self._send(_MOVE, place(step / STEPS), held)
+            self._settle()
+            processor_s.append(process_time() - began[0])
+            clock_s.append(perf_counter() - began[1])
+        self._send(_RELEASE, place(1.0), held)
+        self._settle()
+        return 1 / median(processor_s), 1 / median(clock_s)
+
+    def _settle(self) -> None:
+        self._window.catch_up()
+        QApplication.processEvents()
+
+    def _send(self, kind: QEvent.Type, at: QPointF, held: Qt.KeyboardModifier) -> None:
+        button = _NONE if kind == _MOVE else _LEFT
+        buttons = _NONE if kind == _RELEASE else _LEFT
+        everywhere = QPointF(self._widget.mapToGlobal(at))
+        event = QMouseEvent(kind, at, everywhere, button, buttons, held)
+        QApplication.sendEvent(self._widget, event)
+
+
+def main() -> int:
+    """Measure, and tell whether the promises are kept."""
+    make_application()
+    with tempfile.TemporaryDirectory() as folder:
+        window = MainWindow(
+            scene(),
+            view=View(outputs=(29, 30, 33, 35, 52)),
+            preferences=Preferences(Path(folder) / "studio.ini"),
+            available_limbs=available_limbs(),
+        )
+        window.resize(1920, 1080)
+        window.show()
+        window.do("arrange_design")
+        window.docks["clip_editor"].show()
+        window.catch_up()
+        QApplication.processEvents()
+        seen = [panel.name for panel in window.panels if panel.isVisible()]
+        print("visible:", ", ".join(seen))
+        beside = Beside(computing_and_painting, "a fixed piece of work", process_time)
+        for _ in range(STEPS):
+            beside.once()
+        print(f"{beside.words} took {1e3 * beside.median_s:.1f} ms of processor time")
+        kept = [pen(window), clip(window), envelope(window)]
+        # Nobody is there to be asked about unsaved work.
+        window.document.mark_saved(Path(folder) / "saved")
+        window.close()
+    return 0 if all(kept) else 1
+
+
+def pen(window: MainWindow) -> bool:
+    """Draw a swinging line with the pen."""
+    editor = edited(window, 1, "pen")
+
+    def place(share: float) -> QPointF:
+        return editor.content.at(0.1 + 0.8 * share, 0.7 * float(np.sin(40 * share)))
+
+    return report("pen", Hand(window, editor.viewport()).drag(place, _ALT), PROMISED_DRAWING)
+
+
+def clip(window: MainWindow) -> bool:
+    """Drag a clip on its lane."""
+    lanes = window.findChild(LanesView, "lanes")
+    box = next(one for one in lanes.content.boxes if one.clip.id == 3)
+    start = box.rect.center()
+
+    def place(share: float) -> QPointF:
+        return start + QPointF(6 + 40 * share, 0)
+
+    return report("clip", Hand(window, lanes.viewport()).drag(place, _ALT), PROMISED_DRAWING)
+
+
+def envelope(window: MainWindow) -> bool:
+    """Drag a point in the middle of an envelope up and down."""
+    editor = edited(window, 2, "envelope")
+    effect = window.document.design.clip(2).effects[0]
+    time_s, value, _ = effect.points[POINTS // 2]
+
+    def place(share: float) -> QPointF:
+        return editor.content.at(time_s, value + 0.3 * float(np.sin(6 * share)))
+
+    drag = Hand(window, editor.viewport()).drag(place, Qt.KeyboardModifier.NoModifier)
+    moved = window.document.design.clip(2).effects[0] != effect
+    return report(f"envelope of {POINTS} points", drag, PROMISED_ENVELOPE) and moved
+
+
+def edited(window: MainWindow, clip_id: int, tool: str) -> EditorView:
+    """The canvas of the editor, with a clip and a tool."""
+    document = window.document
+    track = document.design.track_of(clip_id)
+    document.look(View(outputs=document.view.outputs, selected_inputs=(track.id,)))
+    panel = window.panel("clip_editor")
+    panel.use(tool)
+    window.catch_up()
+    QApplication.processEvents()
+    return panel.findChild(EditorView)
+
+
+def report(words: str, frames: tuple[float, float], promised: float) -> bool:
+    """Print frames per second; whether the promise is kept."""
+    processor, clock = frames
+    kept = processor >= promised
+    print(
+        f"{words}: {processor:.0f} frames per second of processor time, {clock:.0f} by the clock, "
+        f"promised {promised:g}: {'kept' if kept else 'BROKEN'}"
+    )
+    return kept
+
+
+if __name__ == "__main__":
+    sys.exit(main())
