@@ -191,6 +191,13 @@ def test_control_points_for_android_add_up_to_the_length(tone, tmp_path):
     assert all(one["durationMillis"] > 0 for one in points)
     assert all(0.0 <= one["amplitude"] <= 1.0 for one in points)
     assert points[10]["frequencyHz"] == pytest.approx(175.0, rel=0.02)
+    # Each point is where its step ends: the last of 0.8 s, and the pause from 0.5 to 0.6 s.
+    ends_ms = np.cumsum([one["durationMillis"] for one in points])
+    at = dict(zip(ends_ms.tolist(), (one["amplitude"] for one in points), strict=True))
+    assert at[540] < 0.1
+    assert at[560] < 0.1
+    assert at[480] > 0.9
+    assert at[520] < 0.5
 
 
 @pytest.mark.parametrize("name", ["haptic", "ahap", "pwle"])

@@ -15,7 +15,7 @@ from skinsource.errors import (
     Stopped,
     StorageError,
 )
-from skinsource.stimulus_formats import FORMATS
+from skinsource.stimulus_formats import FORMATS, formats
 
 
 def sidecar(path):
@@ -280,6 +280,24 @@ def test_more_channels_than_a_format_holds_are_refused(many, tmp_path):
 def test_where_nothing_can_be_written_one_sentence_says_so(design, tmp_path, name):
     with pytest.raises(StorageError, match="Choose a folder that exists"):
         ss.export_stimulus(design, tmp_path / "missing" / "a", format=name)
+
+
+@pytest.mark.parametrize("one", FORMATS, ids=lambda one: one.name)
+def test_nothing_stands_under_the_final_name_until_all_of_it_is_written(
+    design, tmp_path, monkeypatch, one
+):
+    path, seen = tmp_path / "a", []
+
+    def write(outgoing, place):
+        facts = one.write(outgoing, place)
+        seen.append(sorted(there.name for there in tmp_path.iterdir() if there.suffix != ".part"))
+        return facts
+
+    monkeypatch.setattr(formats, "FORMATS", (replace(one, write=write),))
+    ss.export_stimulus(design, path, format=one.name)
+    assert path.exists()
+    assert seen
+    assert not any(seen)
 
 
 def test_a_folder_of_that_name_is_left_alone(design, tmp_path):
