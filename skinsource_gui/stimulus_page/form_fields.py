@@ -52,6 +52,20 @@ SCALE = ChoiceSpec(
     hint="What the largest number that a device takes stands for; one value for a set of files "
     "keeps their ratio",
 )
+RIG = ChoiceSpec(
+    label="Rig",
+    options=(("none", "None"), ("file", "Choose a rig file…")),
+    hint="What is wired to what: polarity, volts, limits, calibration",
+)
+EQUALISER = ChoiceSpec(
+    label="Equaliser",
+    options=(
+        ("none", "None"),
+        ("linear", "Regularised inverse, linear phase"),
+        ("minimum", "Regularised inverse, minimum phase"),
+    ),
+    hint="Makes of the accelerations of the design the volts that the actuators of the rig need",
+)
 
 
 def part_spec(design: Design, view: View) -> ChoiceSpec:

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass, field
 
+from skinsource.equalising import Equaliser
+from skinsource.rigs import Rig
 from skinsource.stimulus_export import StimulusOptions
 from skinsource.stimulus_formats import FORMATS, StimulusFormat
 
@@ -18,8 +20,12 @@ class Order:
         None: the usual one of the format.
     options
         How.
+    rig, equaliser
+        What is wired; what makes volts of accelerations for it.
     """
 
     format: StimulusFormat = FORMATS[0]
     rate_hz: int | None = None
     options: StimulusOptions = field(default_factory=StimulusOptions)
+    rig: Rig | None = None
+    equaliser: Equaliser | None = None

@@ -26,7 +26,6 @@ from skinsource_gui.stimulus_page.stimulus_form import StimulusForm
 from skinsource_gui.theme import UNIT_PX, Theme
 
 _LEFT_PX = 300
-_UNCALIBRATED = "Uncalibrated: no rig says what full scale is at the actuators."
 
 
 class StimulusPage(QDialog):
@@ -148,7 +147,7 @@ class StimulusPage(QDialog):
         self._shown = order
         self.channels.show_overview(overview, self._colours)
         self._summary.setText(summary_of(overview))
-        self._loses.setText(" ".join(filter(None, (overview.loses, _UNCALIBRATED))))
+        self._loses.setText(" ".join(filter(None, (overview.loses, calibration_of(overview)))))
         self._show_problem(" ".join(overview.objections), ask=bool(overview.objections))
 
     def _show_failed(self, order: Order, words: str) -> None:
@@ -185,6 +184,11 @@ def summary_of(overview: Overview) -> str:
         f"{rate} Hz, about {bytes_in_words(overview.n_bytes)}. Full scale is "
         f"{overview.full_scale:.4g}{unit}."
     )
+
+
+def calibration_of(overview: Overview) -> str:
+    """Whether accelerations follow from the samples, as a sentence."""
+    return sentence(f"{overview.calibration[:1].upper()}{overview.calibration[1:]}")
 
 
 def bytes_in_words(n_bytes: int) -> str:

@@ -70,6 +70,8 @@ class PreparingWorker(QObject):
                     order.format,
                     order.rate_hz,
                     order.options,
+                    rig=order.rig,
+                    equaliser=order.equaliser,
                     stop=self._is_outdated,
                 )
                 self._told.emit(self.ready, (order, overview_of(made)))

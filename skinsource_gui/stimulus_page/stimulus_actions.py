@@ -96,6 +96,8 @@ class StimulusActions(QObject):
             kind.name,
             order.rate_hz,
             options=order.options,
+            rig=order.rig,
+            equaliser=order.equaliser,
             confirmed=confirmed,
         )
         job = Job(f"Exporting {path.name}", work)

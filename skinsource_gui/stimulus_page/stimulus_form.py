@@ -15,6 +15,7 @@ from skinsource.stimulus_formats import StimulusFormat, format_named
 from skinsource.view import View
 from skinsource_gui.stimulus_page import form_fields as specs
 from skinsource_gui.stimulus_page.order import Order
+from skinsource_gui.stimulus_page.rig_fields import RigFields
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
@@ -63,6 +64,7 @@ class StimulusForm(QWidget):
             "full_scale": NumberField(specs.scale_number(design)),
         }
         self._map = QLineEdit()
+        self.rigs = RigFields(self)
         self._sync = QCheckBox("Sync channel")
         self._dither = QCheckBox("Dither")
         self._name_parts()
@@ -79,6 +81,7 @@ class StimulusForm(QWidget):
         """The widget of a row."""
         rows: dict[str, QWidget] = {**self._fields, **self._numbers, **self._choices}
         rows |= {"map": self._map, "sync": self._sync, "dither": self._dither}
+        rows |= {"rig": self.rigs.rig_field, "equaliser": self.rigs.equaliser_field}
         return rows[name]
 
     def show_theme(self, theme: Theme) -> None:
@@ -149,6 +152,8 @@ class StimulusForm(QWidget):
             ("Fade in", numbers["fade_in"]),
             ("Fade out", numbers["fade_out"]),
             ("Lead-in", numbers["lead_in"]),
+            ("Rig", self.rigs.rig_field),
+            ("Equaliser", self.rigs.equaliser_field),
             ("Full scale", fields["scale"]),
             ("", numbers["full_scale"]),
             ("", self._sync),
@@ -164,6 +169,8 @@ class StimulusForm(QWidget):
                 field.chosen.connect(self.want)
         for number in self._numbers.values():
             number.edited.connect(self.want)
+        self.rigs.changed.connect(self.want)
+        self.rigs.refused.connect(self.refused)
         self._map.textChanged.connect(self.want)
         for box in (self._sync, self._dither):
             box.toggled.connect(self.want)
@@ -202,7 +209,9 @@ class StimulusForm(QWidget):
             self._map: self._fields["channels"].value != "files",
             self._numbers["from"]: self._fields["time"].value == "part",
             self._numbers["to"]: self._fields["time"].value == "part",
-            self._numbers["full_scale"]: self._fields["scale"].value == "own",
+            self.rigs.equaliser_field: self.rigs.rig is not None,
+            self._fields["scale"]: self.rigs.equaliser is None,
+            self._numbers["full_scale"]: self._own_scale,
             self._dither: format.rounds(chosen),
         }
         for widget, visible in shown.items():
@@ -215,7 +224,6 @@ class StimulusForm(QWidget):
         chosen, format = self._chosen(), self.format
         plays, channels = self._fields["plays"].value, self._fields["channels"].value
         from_s, to_s = self._part()
-        own_scale = self._fields["scale"].value == "own"
         rounds = format.rounds(chosen) and self._dither.isChecked()
         per: Literal["place", "input"] = "place" if channels == "place" else "input"
         options = StimulusOptions(
@@ -230,11 +238,21 @@ class StimulusForm(QWidget):
             lead_in_s=self._numbers["lead_in"].value_si,
             sync=self._sync.isChecked(),
             channel_map=() if channels == "files" else channel_map_of(self._map.text()),
-            full_scale=self._numbers["full_scale"].value_si if own_scale else None,
+            full_scale=self._numbers["full_scale"].value_si if self._own_scale else None,
             dither_seed=_SEED if rounds else None,
             choices=chosen,
         )
-        return Order(format=format, rate_hz=self._rate_hz(), options=options)
+        return Order(
+            format=format,
+            rate_hz=self._rate_hz(),
+            options=options,
+            rig=self.rigs.rig,
+            equaliser=self.rigs.equaliser,
+        )
+
+    @property
+    def _own_scale(self) -> bool:
+        return self.rigs.equaliser is None and self._fields["scale"].value == "own"
 
     def _rate_hz(self) -> int:
         rate = self._fields["rate"].value

@@ -57,6 +57,8 @@ class Overview:
         What full scale stands for.
     loses
         What of the drive is not in the files; "": nothing.
+    calibration
+        Whether m/s² follow from the samples, in words.
     objections
         What must be confirmed.
     """
@@ -69,6 +71,7 @@ class Overview:
     full_scale: float
     unit: str
     loses: str
+    calibration: str
     objections: tuple[str, ...]
 
 
@@ -106,6 +109,7 @@ def overview_of(ready: Prepared, limits: Sequence[Limit] = ()) -> Overview:
         full_scale=first.full_scale,
         unit=first.stimulus.unit,
         loses=ready.format.loses(first.choices),
+        calibration=first.calibration,
         objections=objections(ready, limits),
     )
 

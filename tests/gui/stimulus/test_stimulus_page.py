@@ -9,10 +9,14 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QCheckBox, QFileDialog, QLabel, QPushButton
 
 import skinsource as ss
+from skinsource.actuators import MeasuredResponse
+from skinsource.rigs import Rig, RigChannel, save_rig
 from skinsource.stimulus_formats import FORMATS
 from skinsource.view import View
 from skinsource_gui.stimulus_page.page import StimulusPage, bytes_in_words
 
+#: The first one imports scipy, on a machine that may be busy.
+WAIT_MS = 30_000
 GABOR = ss.waveforms.Gabor(frequency_hz=200.0)
 
 
@@ -40,7 +44,7 @@ def page(window, qtbot):
     window.do("export_stimulus")
     found = window.findChild(StimulusPage)
     qtbot.waitExposed(found)
-    qtbot.waitUntil(lambda: not found.busy)
+    qtbot.waitUntil(lambda: not found.busy, timeout=WAIT_MS)
     yield found
     for one in window.findChildren(StimulusPage):
         one.reject()
@@ -64,12 +68,12 @@ def label(page, name):
 
 def choose(page, qtbot, name, option):
     page.form.field(name).choose(option)
-    qtbot.waitUntil(lambda: not page.busy)
+    qtbot.waitUntil(lambda: not page.busy, timeout=WAIT_MS)
 
 
 def export(window, page, qtbot):
     page.findChild(QPushButton, "stimulus_export").click()
-    qtbot.waitUntil(lambda: not window.runner.busy)
+    qtbot.waitUntil(lambda: not window.runner.busy, timeout=WAIT_MS)
 
 
 def test_it_shows_the_channels_as_they_will_be(page, design):
@@ -123,10 +127,10 @@ def test_it_can_be_done_with_keys_alone(page, window, qtbot, save_as):
             break
     names = ("rate", "plays", "channels", "map", "time", "fade_in", "lead_in", "scale", "sync")
     assert {f"stimulus_{name}" for name in names} <= reached
-    qtbot.waitUntil(lambda: page.ready)
+    qtbot.waitUntil(lambda: page.ready, timeout=WAIT_MS)
     path = save_as("drive.flac")
     QTest.keyClick(page, Qt.Key.Key_Return)
-    qtbot.waitUntil(lambda: path.exists() and not window.runner.busy)
+    qtbot.waitUntil(lambda: path.exists() and not window.runner.busy, timeout=WAIT_MS)
     assert soundfile.info(path).subtype == "PCM_24"
 
 
@@ -158,7 +162,7 @@ def test_options_reach_what_is_shown(page, qtbot):
     choose(page, qtbot, "channels", "input")
     assert shown() == ["Digit II, pad", "Digit II, base", "Digit II, pad"]
     page.form.field("sync").click()
-    qtbot.waitUntil(lambda: not page.busy)
+    qtbot.waitUntil(lambda: not page.busy, timeout=WAIT_MS)
     assert shown()[-1] == "Sync"
     page.form.field("sync").click()
     choose(page, qtbot, "time", "loop")
@@ -174,7 +178,7 @@ def test_what_would_clip_is_shown_and_must_be_confirmed(page, window, qtbot, sav
     field.setFocus()
     QTest.keyClicks(field, "0.5")
     QTest.keyClick(field, Qt.Key.Key_Tab)
-    qtbot.waitUntil(lambda: not page.busy)
+    qtbot.waitUntil(lambda: not page.busy, timeout=WAIT_MS)
     clipped = page.channels.overview.channels[1].clipped
     assert clipped > 100
     assert f"channel 2 (Digit II, base) {clipped}" in label(page, "problem")
@@ -196,10 +200,12 @@ def test_what_cannot_be_says_why_and_cannot_be_exported(page, qtbot):
     assert "expected whole numbers such as" in label(page, "problem")
     assert not page.ready
     page.form.field("map").setText("1")
-    qtbot.waitUntil(lambda: "each channel from 1 to 2 once" in label(page, "problem"))
+    qtbot.waitUntil(
+        lambda: "each channel from 1 to 2 once" in label(page, "problem"), timeout=WAIT_MS
+    )
     assert not page.ready
     page.form.field("map").setText("2, 0, 1")
-    qtbot.waitUntil(lambda: page.ready)
+    qtbot.waitUntil(lambda: page.ready, timeout=WAIT_MS)
     assert [one.place for one in page.channels.overview.channels] == [12, None, 7]
     assert label(page, "problem") == ""
 
@@ -207,6 +213,43 @@ def test_what_cannot_be_says_why_and_cannot_be_exported(page, qtbot):
 def test_lossy_formats_say_what_they_lose(page, qtbot):
     choose(page, qtbot, "samples", "pcm16")
     assert "98 dB below full scale" in label(page, "loses")
+
+
+def test_a_rig_says_what_is_wired_and_an_equaliser_makes_volts(
+    page, window, qtbot, save_as, monkeypatch, tmp_path
+):
+    flat = MeasuredResponse(((1.0, 50.0, 0.0), (2000.0, 50.0, 0.0)))
+    channels = tuple(
+        RigChannel(place=place, output=place, full_scale_v=1.0, measured=flat) for place in (7, 12)
+    )
+    file = tmp_path / "bench.skinrig"
+    save_rig(file, Rig(title="Bench 3", channels=channels))
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(file), ""))
+    form = page.form
+    assert not form.field("equaliser").isVisible()
+    choose(page, qtbot, "plays", "tracks")
+    choose(page, qtbot, "rig", "file")
+    assert form.field("rig").currentText() == "Bench 3"
+    assert "Calibrated" in label(page, "loses")
+    choose(page, qtbot, "equaliser", "linear")
+    assert not form.field("scale").isVisible()
+    # 1 m/s² needs a fiftieth of a volt.
+    assert page.channels.overview.channels[0].peak == pytest.approx(0.02, rel=0.05)
+    path = save_as("volts.wav")
+    export(window, page, qtbot)
+    told = json.loads((path.parent / "volts.wav.json").read_text())
+    assert told["rig"] == "Bench 3"
+    assert told["equaliser"]["phase"] == "linear"
+
+
+def test_what_is_no_rig_says_so_and_changes_nothing(page, qtbot, monkeypatch, tmp_path):
+    file = tmp_path / "bench.skinrig"
+    file.write_text("not a rig")
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(file), ""))
+    page.form.field("rig").choose("file")
+    assert "bench.skinrig" in label(page, "problem")
+    assert page.form.field("rig").value == "none"
+    assert page.form.rigs.rig is None
 
 
 def test_cancel_writes_nothing_and_leaves_no_thread(page, window, tmp_path):
