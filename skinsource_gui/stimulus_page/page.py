@@ -49,7 +49,7 @@ class StimulusPage(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setObjectName("stimulus_page")
         self.setWindowTitle("Export stimulus")
-        self.resize(960, 640)
+        self.resize(960, 680)
         self._theme = theme()
         self._colours = {one.id: one.colour for one in design.inputs}
         self._wanted: Order | None = None
