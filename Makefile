@@ -29,6 +29,7 @@ fix: .venv/ready-to-test  ## let ruff mend what it can
 
 pictures: .venv/ready-to-test  ## pictures of the window, light and dark, in build/pictures
 	QT_QPA_PLATFORM=offscreen $(BIN)/python benchmarks/pictures.py
+	QT_QPA_PLATFORM=offscreen $(BIN)/python benchmarks/pictures_in_use.py
 
 bench: .venv/ready-to-test  ## promises of speed and memory, as ratios; on any machine (5 minutes)
 	@failed=0; for each in $(BENCHMARKS); do \

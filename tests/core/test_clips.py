@@ -101,6 +101,24 @@ def test_all_clips_moved_by_whole_samples_play_the_same_so_much_later(k):
     np.testing.assert_allclose(played(*later), played(*CLIPS), rtol=0, atol=2e-9)
 
 
+@settings(max_examples=50, deadline=None, derandomize=True)
+@given(st.floats(0.0, 0.5))
+def test_all_clips_moved_by_any_time_play_so_much_later(t_s):
+    found = played(*(replace(one, onset_s=one.onset_s + t_s) for one in CLIPS))
+    first = np.floor((CLIPS[0].onset_s + t_s) * RATE_HZ + 1e-6)
+    # Each recipe drawn at instants that are so much earlier in its own time.
+    expected = np.zeros(found.size + 2)
+    for one in CLIPS:
+        position = (one.onset_s + t_s) * RATE_HZ
+        begin = int(np.floor(position + 1e-6))
+        late = position - begin
+        part = one.waveform.samples(RATE_HZ, late / RATE_HZ if late > 1e-6 else 0.0)
+        if not one.muted:
+            at = begin - int(first)
+            expected[at : at + part.size] += one.gain * part
+    np.testing.assert_allclose(found, expected[: found.size], rtol=0, atol=2e-9)
+
+
 def test_clips_on_one_track_are_those_on_several_tracks_of_one_place():
     several = tuple(Input(location=7, clips=(one,)) for one in CLIPS)
     np.testing.assert_allclose(levels(*several), ALONE, rtol=1e-12)
