@@ -124,8 +124,9 @@ def test_the_step_is_that_of_the_model(window, panel, qtbot):
 
 def test_without_an_equaliser_an_amplitude_is_volts(window, panel, qtbot):
     choose(panel, "equaliser", "none")
+    choose(panel, "volts", 2.0)
     settle(window, qtbot)
-    assert number(panel, "Peak voltage") == pytest.approx(10.0, rel=0.02)
+    assert number(panel, "Peak voltage") == pytest.approx(20.0, rel=0.02)
     assert len(panel.plot.plot.curves.names) == 1
     with pytest.raises(StopIteration):
         panel.choices.cell("boost_db")
@@ -158,6 +159,13 @@ def test_a_tap_that_leaves_a_velocity_is_refused_and_another_is_offered(window, 
     assert panel.figures.heading.text().startswith("Place 3")
     assert "52 % of its energy" in panel.figures.refusal.text()
     assert panel.figures.centred.isVisibleTo(panel)
+    # Without an equaliser nothing is refused, and nothing offered.
+    choose(panel, "equaliser", "none")
+    settle(window, qtbot)
+    assert panel.figures.refusal.text() == ""
+    assert not panel.figures.centred.isVisibleTo(panel)
+    choose(panel, "equaliser", "inverse")
+    settle(window, qtbot)
     panel.figures.centred.click()
     settle(window, qtbot)
     clip = window.document.design.inputs[1].clips[0]
@@ -181,6 +189,13 @@ def test_while_it_is_hidden_it_costs_nothing(window, panel, qtbot):
     settle(window, qtbot)
     with counting() as hidden:
         edit(4.0)
+        # Other settings, and another selection, cost nothing either.
+        choose(panel, "parameter resistance_ohm", 5.0)
+        ids = window.document.design.ids
+        window.document.look(replace(window.document.view, selected_inputs=(ids[1],)))
+        settle(window, qtbot)
+        window.document.look(replace(window.document.view, selected_inputs=(ids[0],)))
+        settle(window, qtbot)
     assert hidden.samples_moved == 0
     window.docks["actuator"].show()
     qtbot.waitUntil(lambda: panel.isVisible())
