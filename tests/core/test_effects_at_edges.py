@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from skinsource.effects import BandLimit, Reverse
+from skinsource.effects import BandLimit, Reverse, Stretch
 
 RATE_HZ = 1000.0
 
@@ -26,3 +26,12 @@ def test_the_share_that_is_removed_counts_half_the_rate_once(n):
     energy = np.abs(np.fft.fft(samples, size)) ** 2
     kept = (energy * limit.gains_at(frequencies_hz) ** 2).sum() / energy.sum()
     assert limit.share_removed(samples, RATE_HZ) == pytest.approx(1.0 - kept, abs=1e-12)
+
+
+@pytest.mark.parametrize(("shift_s", "size"), [(0.0, 80), (0.0004, 81)])
+def test_what_is_stretched_plays_at_its_last_instant_too(shift_s, size):
+    found = Stretch(2.0).applied(np.ones(40), RATE_HZ, shift_s, 0.04)
+    assert found.size == size
+    own_s = np.arange(size) / RATE_HZ - shift_s
+    assert (found[(own_s >= 0.0) & (own_s < 0.08)] > 0.1).all()
+    assert (found[own_s < 0.0] == 0.0).all()
