@@ -21,7 +21,9 @@ class Marquee:
         content = self._stage.content()
         down = QPointF(content.scale.x(self._from[0]), self._from[1])
         covered = QRectF(down, at).normalized()
-        found = [box.clip.id for box in content.boxes if box.rect.intersects(covered)]
+        # One that is drawn straight along a lane has no height, and would touch nothing.
+        touching = covered.adjusted(-0.5, -0.5, 0.5, 0.5)
+        found = [box.clip.id for box in content.boxes if box.rect.intersects(touching)]
         kept = self._stage.before.view.selected_clips if held & Held.ControlModifier else ()
         chosen = (*(one for one in kept if one not in found), *found)
         self._stage.look(edits.select_clips(content.design, content.view, chosen).view)

@@ -1,0 +1,61 @@
+"""Which way gestures go: fades at the end, rectangles that add, what pans, what snaps to itself."""
+
+import pytest
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtTest import QTest
+
+from skinsource.clips import Marker
+from skinsource.design import Design
+from tests.gui.timeline.lanes_bench import LEFT, NONE, LanesBench
+
+CONTROL, ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
+
+
+@pytest.fixture
+def lanes(qtbot):
+    return LanesBench(qtbot)
+
+
+def px(bench, seconds):
+    return QPointF(bench.content.scale.px_per_s * seconds, 0)
+
+
+def test_an_upper_corner_at_the_end_fades_out_as_far_as_it_is_drawn_in(lanes):
+    corner = lanes.box(2).topRight() + QPointF(-3, 4)
+    lanes.drag(corner, corner + px(lanes, -0.05))
+    (fade,) = lanes.design.clip(2).effects
+    assert fade.out_s == pytest.approx(0.05, abs=0.003)
+    assert fade.in_s == 0.0
+
+
+def test_a_rectangle_with_ctrl_held_adds_to_what_is_selected(lanes):
+    lanes.click(lanes.box(3).center())
+    lanes.drag(lanes.at(0.62), lanes.at(0.45), CONTROL)
+    assert set(lanes.view.selected_clips) == {2, 3}
+    lanes.drag(lanes.at(0.62), lanes.at(0.45))
+    assert lanes.view.selected_clips == (2,)
+
+
+def test_a_marker_does_not_snap_to_where_it_was(lanes):
+    design = lanes.design
+    lanes.show(Design(limb="any", inputs=design.inputs, markers=(Marker(time_s=0.61),)))
+    flag = QPointF(lanes.content.scale.x(0.61), 4.0)
+    lanes.drag(flag, flag + QPointF(6.0, 0.0))
+    assert lanes.design.markers[0].time_s > 0.61
+
+
+def test_the_middle_button_takes_the_time_with_it(lanes):
+    lanes.lanes.show_range((0.2, 0.6))
+    view, start = lanes.lanes.viewport(), lanes.at(0.4)
+    QTest.mousePress(view, Qt.MouseButton.MiddleButton, NONE, start.toPoint())
+    lanes.lanes.mouse.move(start - px(lanes, 0.1), NONE)
+    QTest.mouseRelease(view, Qt.MouseButton.MiddleButton, NONE, start.toPoint())
+    assert lanes.content.scale.shown_s == pytest.approx((0.3, 0.7), abs=0.005)
+
+
+def test_a_free_drag_to_the_left_says_that_it_ends_at_0(lanes):
+    start = lanes.box(2).center()
+    lanes.drag(start, start - px(lanes, 0.5), ALT, release=False)
+    assert lanes.onset(2) == 0.0
+    assert lanes.lanes.over.shown.words.startswith("0 ")
+    QTest.mouseRelease(lanes.lanes.viewport(), LEFT)
