@@ -100,5 +100,5 @@ def _of_table(table: dict[str, Floats]) -> MeasuredResponse:
         phase = table.get(_RADIANS[0])
         if phase is None:
             phase = np.radians(table.get(_DEGREES[0], np.zeros(gain.size)))
-        response = gain * np.exp(1j * phase)
+        response = gain.astype(np.complex128) * np.exp(1j * phase)
     return MeasuredResponse.of(frequency_hz, response)
