@@ -73,6 +73,23 @@ def test_samples_between_change_nothing_at_the_samples(actuator, hold):
         assert np.abs(values - exact).max() <= 1e-12 * np.abs(exact).max()
 
 
+def test_what_is_remembered_of_one_motion_is_not_taken_for_another():
+    voltage = np.sin(0.37 * np.arange(2000) ** 2)
+    runs = [
+        (one, rate_hz, hold)
+        for one in (COIL, replace(COIL, damping_n_s_per_m=0.08))
+        for rate_hz in (1300.0, 1301.0)
+        for hold in ("zero", "first")
+    ]
+    for n in (20, 500, 2000):
+        first, again = (
+            [one.simulate(voltage[:n], rate_hz, hold).velocity for one, rate_hz, hold in runs]
+            for _ in range(2)
+        )
+        assert all(np.array_equal(a, b) for a, b in zip(first, again, strict=True))
+        assert len({values.tobytes() for values in first}) == len(runs)
+
+
 def test_a_block_of_steps_ends_where_the_next_one_goes_on():
     voltage = np.sin(0.37 * np.arange(70_000) ** 2)
     whole = COIL.simulate(voltage, 5000.0, "first")

@@ -1,6 +1,7 @@
 """Motion under a sampled voltage, exactly as it is held between the samples."""
 
 from fractions import Fraction
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -29,7 +30,7 @@ def simulated(
     samples = samples_of(voltage, hold)
     tally(samples_moved=samples.size)
     n_steps = max(samples.size - 1, 0)
-    known = steps(equations, step_of(sample_rate_hz), hold, n_steps)
+    known = _steps_for(equations, step_of(sample_rate_hz), hold, _levels_for(n_steps))
     # At rest, but what the first sample passes on at once.
     found = np.empty((len(OUTPUTS), samples.size))
     found[:, :1] = np.outer([float(part) for part in equations.passed], samples[:1])
@@ -58,6 +59,20 @@ def samples_of(voltage: ArrayLike, hold: Hold) -> Floats:
 def step_of(sample_rate_hz: float) -> Fraction:
     """Time between two samples, exactly."""
     return 1 / Fraction(positive_number("sample_rate_hz", sample_rate_hz))
+
+
+# A drag of what is played leaves the actuator as it is; some tens of kilobytes each.
+@lru_cache(maxsize=8)
+def _steps_for(equations: Equations, step_s: Fraction, hold: Hold, n_levels: int) -> Steps:
+    return steps(equations, step_s, hold, BLOCK**n_levels)
+
+
+def _levels_for(n_steps: int) -> int:
+    """Levels of blocks that so many steps take."""
+    found = 0
+    while n_steps >= BLOCK:
+        found, n_steps = found + 1, n_steps // BLOCK
+    return found
 
 
 def _fill(found: Floats, samples: Floats, known: Steps) -> None:

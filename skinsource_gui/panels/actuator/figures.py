@@ -16,7 +16,7 @@ from skinsource_gui.panels.actuator.settings import ActuatorSettings
 from skinsource_gui.widgets.fields.units import value_text
 
 #: A longer drive is looked at where it is strongest, for so many seconds.
-LONGEST_S = 2.0
+LONGEST_S = 1.0
 # Fine enough for figures that are read; exports are checked at 48 kHz.
 _LEAST_RATE_HZ = 20_000
 _DIGITS = 3
