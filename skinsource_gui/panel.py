@@ -13,6 +13,7 @@ from skinsource_gui.compared import Compared
 from skinsource_gui.history import History
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.drop_place import DropPlace
+from skinsource_gui.widgets.first_steps import USUALLY_IN_SIGHT
 
 
 class Panel(QWidget):
@@ -48,6 +49,8 @@ class Panel(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        #: Names of the panels that can be used beside it.
+        self.in_sight = USUALLY_IN_SIGHT
         # The window behind is not painted again for each change in here.
         self.setAutoFillBackground(True)
         #: Where something would go in another panel that is dragged from here and held over a
@@ -93,6 +96,10 @@ class Panel(QWidget):
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
+
+    def show_in_sight(self, names: frozenset[str]) -> None:
+        """Take over which panels are in sight, so that no words lead to one that is not."""
+        self.in_sight = names
 
     def show_folder(self, folder: Path) -> None:
         """Take over where the next file is to be suggested."""

@@ -6,10 +6,8 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from skinsource_gui.panel import Panel
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.first_steps import output_words
 from skinsource_gui.widgets.plot.signal_view import SignalView
-
-#: What such a panel says while no output is selected.
-NO_OUTPUTS = "Select outputs on the skin map"
 
 
 class SignalPanel(Panel):
@@ -31,6 +29,17 @@ class SignalPanel(Panel):
         column.addWidget(self._plot)
         self._plot.exports.failed.connect(self.failed)
         self._plot.exports.written.connect(self.written)
+
+    @property
+    def no_outputs(self) -> str:
+        """What it says while no output is selected."""
+        return output_words(self.in_sight)
+
+    def show_in_sight(self, names: frozenset[str]) -> None:
+        said = self._plot.plot.message == self.no_outputs
+        super().show_in_sight(names)
+        if said:
+            self._plot.show_message(self.no_outputs)
 
     def begin_anew(self) -> None:
         self._plot.plot.begin_anew()

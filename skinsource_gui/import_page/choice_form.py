@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QFormLayout, QWidget
 from skinsource.fields import ChoiceSpec, NumberSpec
 from skinsource.recordings import UNITS, Found, ImportChoice, Series, suggested
 from skinsource.recordings.limits import LEAST_RATE_HZ, MOST_PART_S, MOST_RATE_HZ
+from skinsource.recordings.three_axes import other_axes
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
@@ -19,6 +20,12 @@ _WHOLE_UP_TO_S, _BEGINNING_S = 60.0, 10.0
 _LONGEST_START_S = 1e6
 _STEADY = "steady"
 _SIGNAL = ChoiceSpec(label="Signal", options=(), hint="Which channel, column or dataset")
+_AXES = ChoiceSpec(
+    label="Axes",
+    options=(),
+    hint="As one: the energy of all three at each frequency, and the phase of their sum (DFT321, "
+    "Landin et al. 2010)",
+)
 _TIMING = ChoiceSpec(label="Times", options=(), hint="What says when each sample was taken")
 _TIME_UNIT = ChoiceSpec(
     label="Stamps in", options=(("1", "s"), ("0.001", "ms"), ("1e-06", "µs")), hint="Their unit"
@@ -62,19 +69,37 @@ class ChoiceForm(QWidget):
         self._found = found
         self._series = found.signals()[0]
         self._choice = suggested(found)
+        self._lasts_s: float | None = None
+        self._part_chosen = False
+        # Keys of the other axes, by what is chosen.
+        self._others: dict[str, tuple[str, ...]] = {"": ()}
         self._signal, self._timing = ChoiceField(_SIGNAL), ChoiceField(_TIMING)
+        self._axes = ChoiceField(_AXES)
         self._time_unit, self._unit = ChoiceField(_TIME_UNIT), ChoiceField(_UNIT)
         self._scale = ChoiceField(_SCALE)
         self._rate, self._start = NumberField(_RATE), NumberField(_START)
         self._duration = NumberField(_DURATION)
         self._offset = QCheckBox("Take the offset off")
         self._missing = QCheckBox("Count missing numbers as 0")
-        for name, widget in self._widgets().items():
+        self._widgets: dict[str, QWidget] = {
+            "signal": self._signal,
+            "axes": self._axes,
+            "timing": self._timing,
+            "time_unit": self._time_unit,
+            "rate": self._rate,
+            "unit": self._unit,
+            "scale": self._scale,
+            "offset": self._offset,
+            "start": self._start,
+            "duration": self._duration,
+            "missing": self._missing,
+        }
+        for name, widget in self._widgets.items():
             widget.setObjectName(f"import_{name}")
         for field in (self._rate, self._start, self._duration):
             field.show_theme(theme)
         self._lay_out()
-        self._fill(self._signal, [(one.key, one.name) for one in found.signals()])
+        _fill(self._form, self._signal, [(one.key, one.name) for one in found.signals()])
         self._take_series(self._series)
 
     @property
@@ -95,34 +120,29 @@ class ChoiceForm(QWidget):
 
     @property
     def lasts_s(self) -> float | None:
-        """Length of the whole signal; None where only its time stamps know."""
+        """Length of the whole signal; None while only its time stamps know."""
         rate_hz = self._choice.rate_hz
-        return None if rate_hz is None else self._series.n_samples / rate_hz
+        return self._lasts_s if rate_hz is None else self._series.n_samples / rate_hz
 
     def take_part(self, start_s: float, duration_s: float) -> None:
         """Want another part, as a user does."""
         self._start.set_value(start_s)
         self._duration.set_value(max(duration_s, _DURATION.minimum))
-        self._take_over()
+        self._choose_part()
+
+    def show_length(self, lasts_s: float) -> None:
+        """Take over how long the whole signal is, and all of it unless a part was chosen."""
+        self._lasts_s = lasts_s
+        self._start.set_spec(replace(_START, maximum=lasts_s))
+        whole_s = max(lasts_s, _DURATION.minimum) if lasts_s <= _WHOLE_UP_TO_S else _BEGINNING_S
+        if not self._part_chosen and whole_s != self._choice.duration_s:
+            self._duration.set_value(whole_s)
+            self._take_over()
 
     def show_missing(self, n_missing: int) -> None:
         """Offer to count missing numbers as 0, where there are some."""
         wanted = n_missing > 0 or self._missing.isChecked()
         self._form.setRowVisible(self._missing, wanted)
-
-    def _widgets(self) -> dict[str, QWidget]:
-        return {
-            "signal": self._signal,
-            "timing": self._timing,
-            "time_unit": self._time_unit,
-            "rate": self._rate,
-            "unit": self._unit,
-            "scale": self._scale,
-            "offset": self._offset,
-            "start": self._start,
-            "duration": self._duration,
-            "missing": self._missing,
-        }
 
     def _lay_out(self) -> None:
         self._form = QFormLayout(self)
@@ -130,6 +150,7 @@ class ChoiceForm(QWidget):
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         labels = {
             "signal": "Signal",
+            "axes": "Axes",
             "timing": "Times",
             "time_unit": "Stamps in",
             "rate": "Sample rate",
@@ -138,23 +159,17 @@ class ChoiceForm(QWidget):
             "start": "Start",
             "duration": "Length",
         }
-        for name, widget in self._widgets().items():
+        for name, widget in self._widgets.items():
             self._form.addRow(labels.get(name, ""), widget)
         self._form.setRowVisible(self._missing, False)
         self._signal.chosen.connect(self._choose_signal)
-        for field in (self._timing, self._time_unit, self._unit, self._scale):
+        for field in (self._axes, self._timing, self._time_unit, self._unit, self._scale):
             field.chosen.connect(self._take_over)
         for number in (self._start, self._duration):
-            number.edited.connect(self._take_over)
+            number.edited.connect(self._choose_part)
         self._rate.edited.connect(self._take_rate)
         self._offset.toggled.connect(self._take_over)
         self._missing.toggled.connect(self._take_over)
-
-    def _fill(self, field: ChoiceField, options: list[tuple[str, str]]) -> None:
-        field.clear()
-        for option, words in options:
-            field.addItem(words, option)
-        self._form.setRowVisible(field, len(options) > 1)
 
     def _choose_signal(self, key: str) -> None:
         series = self._found.one(key)
@@ -167,7 +182,8 @@ class ChoiceForm(QWidget):
         self._series = series
         first = suggested(self._found, series)
         stated = self._found.rate_of(series)
-        self._rate_typed = False
+        self._rate_typed = self._part_chosen = False
+        self._lasts_s = None
         others = [
             one
             for one in self._found.series
@@ -176,9 +192,16 @@ class ChoiceForm(QWidget):
         # Columns that are not called time may be it, where nothing else says the rate.
         stamps = [one for one in others if one.is_time or stated is None][:50]
         steady = "At a steady rate" if stated is None else f"At {stated:g} Hz"
-        self._fill(
-            self._timing, [(_STEADY, steady), *((one.key, f"In {one.name}") for one in stamps)]
+        _fill(
+            self._form,
+            self._timing,
+            [(_STEADY, steady), *((one.key, f"In {one.name}") for one in stamps)],
         )
+        axes = other_axes(self._found, series)
+        together = f"With {' and '.join(one.name for one in axes)}, as one (DFT321)"
+        offered = [(" ".join(one.key for one in axes), together)] if axes else []
+        _fill(self._form, self._axes, [("", f"{series.name} alone"), *offered])
+        self._others = {"": (), **{key: tuple(one.key for one in axes) for key, _ in offered}}
         self._timing.set_value(first.time or _STEADY)
         self._rate.set_value(stated or ASSUMED_RATE_HZ)
         self._time_unit.set_value(f"{first.time_unit_s:g}")
@@ -194,6 +217,10 @@ class ChoiceForm(QWidget):
         self._start.set_value(0.0)
         self._choice = self._wanted()
         self._show_rows()
+
+    def _choose_part(self) -> None:
+        self._part_chosen = True
+        self._take_over()
 
     def _take_rate(self) -> None:
         self._rate_typed = True
@@ -227,4 +254,12 @@ class ChoiceForm(QWidget):
             start_s=self._start.value_si,
             duration_s=self._duration.value_si,
             missing="zero" if self._missing.isChecked() else "refuse",
+            others=self._others[self._axes.value],
         )
+
+
+def _fill(form: QFormLayout, field: ChoiceField, options: list[tuple[str, str]]) -> None:
+    field.clear()
+    for option, words in options:
+        field.addItem(words, option)
+    form.setRowVisible(field, len(options) > 1)

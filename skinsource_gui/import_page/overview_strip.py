@@ -15,7 +15,9 @@ _LEAST_PX = 3.0
 
 
 class OverviewStrip(QWidget):
-    """A press or drag moves the part, a drag of one of its ends moves that end.
+    """A drag moves the part, or one of its ends; where all is taken, it chooses a part.
+
+    A double click takes all.
 
     Parameters
     ----------
@@ -33,10 +35,14 @@ class OverviewStrip(QWidget):
         self._extremes: Floats | None = None
         self._lasts_s = 1.0
         self._part_s = (0.0, 1.0)
+        self._landmarks_s: Floats | None = None
         self._held: tuple[str, float] | None = None
         self.setObjectName("import_overview")
         self.setAccessibleName("Whole recording; type the part in Start and Length")
-        self.setToolTip("The whole recording: drag to choose the part that is taken")
+        self.setToolTip(
+            "The whole recording: drag over what is to be taken; drag that or one of its ends to "
+            "change it; double click to take all"
+        )
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
@@ -56,6 +62,11 @@ class OverviewStrip(QWidget):
     def show_extremes(self, extremes: Floats | None) -> None:
         """Draw least and largest of each stretch, (2, columns); nothing while unknown."""
         self._extremes = extremes
+        self.update()
+
+    def show_landmarks(self, landmarks_s: Floats | None) -> None:
+        """Take over when samples were that are evenly chosen among all; None: at a steady rate."""
+        self._landmarks_s = landmarks_s
         self.update()
 
     def show_part(self, lasts_s: float, start_s: float, duration_s: float) -> None:
@@ -90,6 +101,8 @@ class OverviewStrip(QWidget):
         start_s, end_s = self._part_s
         if end:
             self._held = (end, 0.0)
+        elif self._all_is_taken:
+            self._held = ("new", self._time_of(x))
         elif self.x_of(start_s) <= x <= self.x_of(end_s):
             self._held = ("part", self._time_of(x) - start_s)
         else:
@@ -107,6 +120,15 @@ class OverviewStrip(QWidget):
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         self._held = None
 
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        self._held = None
+        self._want(0.0, min(self._lasts_s, self._longest_s))
+
+    @property
+    def _all_is_taken(self) -> bool:
+        start_s, end_s = self._part_s
+        return self.x_of(start_s) < 1.0 and self.x_of(end_s) > self.width() - 1.0
+
     def _end_at(self, x: float) -> str:
         ends = zip(("start", "end"), self._part_s, strict=True)
         near = [name for name, at_s in ends if abs(self.x_of(at_s) - x) <= _HANDLE_PX]
@@ -120,7 +142,12 @@ class OverviewStrip(QWidget):
         start_s, end_s = self._part_s
         least_s = self._lasts_s / max(self.width(), 1)
         at_s = self._time_of(x)
-        if held == "start":
+        if held == "new":
+            if abs(self.x_of(at_s) - self.x_of(offset_s)) < _LEAST_PX:
+                return
+            at_s = min(max(at_s, offset_s - self._longest_s), offset_s + self._longest_s)
+            start_s, end_s = sorted((offset_s, at_s))
+        elif held == "start":
             start_s = min(max(at_s, end_s - self._longest_s), end_s - least_s)
         elif held == "end":
             end_s = max(min(at_s, start_s + self._longest_s), start_s + least_s)
@@ -128,9 +155,12 @@ class OverviewStrip(QWidget):
             length_s = end_s - start_s
             start_s = min(max(at_s - offset_s, 0.0), self._lasts_s - length_s)
             end_s = start_s + length_s
-        self._part_s = (max(start_s, 0.0), end_s)
+        self._want(max(start_s, 0.0), end_s)
+
+    def _want(self, start_s: float, end_s: float) -> None:
+        self._part_s = (start_s, end_s)
         self.update()
-        self.part_wanted.emit(self._part_s[0], end_s - self._part_s[0])
+        self.part_wanted.emit(start_s, end_s - start_s)
 
     def _paint_extremes(self, painter: QPainter, extremes: Floats) -> None:
         # An offset would leave no room for what is heard.
@@ -138,7 +168,11 @@ class OverviewStrip(QWidget):
         largest = max(float(np.abs(known).max()), np.finfo(np.float64).tiny)
         middle, reach = self.height() / 2.0, self.height() / 2.0 - 2.0
         columns = extremes.shape[1]
-        x = (np.arange(columns) + 0.5) * self.width() / columns
+        share = (np.arange(columns) + 0.5) / columns
+        if self._landmarks_s is not None:
+            among = np.linspace(0.0, 1.0, self._landmarks_s.size)
+            share = np.interp(share, among, self._landmarks_s) / self._lasts_s
+        x = share * self.width()
         tops, bottoms = middle - reach * known[1] / largest, middle - reach * known[0] / largest
         painter.setPen(QPen(QColor(self._theme.dim), 1))
         painter.drawLines(

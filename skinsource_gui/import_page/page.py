@@ -202,6 +202,9 @@ class ImportPage(QDialog):
     def _show_read(self, raw: RawPart) -> None:
         if self._form is not None:
             self._form.show_missing(raw.n_missing)
+            self._strip.show_landmarks(raw.landmarks_s)
+            self._form.show_length(raw.lasts_s)
+            self._show_part(self._form.choice)
 
     def _show_taken(self, choice: ImportChoice, taken: Taken) -> None:
         if self._form is None or choice != self._form.choice:

@@ -4,19 +4,17 @@ from skinsource import edits
 from skinsource.design import Design
 from skinsource.edits import Edit, Refusal
 from skinsource.edits.edit import place_words
+from skinsource.edits.inputs import USUAL_LOCATION
 from skinsource.locations import INPUTS
 from skinsource.view import View
 from skinsource.waveforms import Recording
 from skinsource_gui.widgets.drop_place import DropPlace
 
-#: Where nothing is selected and nobody says where.
-_USUAL = 7
-
 
 def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[str, str], ...]:
     """Name and words of each place, the likeliest one first."""
     found = [_track(design, one.id) for one in design.inputs if one.id in _tracks(view, place)]
-    first = _USUAL
+    first = USUAL_LOCATION
     if place is not None and place.location is not None:
         first = place.location
     elif view.selected_input in design.ids:

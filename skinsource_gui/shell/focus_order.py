@@ -49,6 +49,15 @@ def move_focus(window: QMainWindow, regions: Sequence[QWidget], *, forward: bool
     return True
 
 
+def focus_into(part: QWidget, reason: Qt.FocusReason) -> bool:
+    """Give the keyboard to what stands for ``part``, else to its first stop; whether it has one."""
+    stops = tab_stops(part, ())
+    if stops:
+        first = part.focusProxy()
+        (first if first in stops else stops[0]).setFocus(reason)
+    return bool(stops)
+
+
 def _chain(top: QWidget) -> list[QWidget]:
     # Within one region, Qt's order is the right one.
     window = top.window()

@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QApplication
 
 from skinsource_gui.panel import Panel
-from skinsource_gui.shell.focus_order import tab_stops
+from skinsource_gui.shell.focus_order import focus_into, tab_stops
 
 
 class PanelFocus(QObject):
@@ -49,6 +49,4 @@ class PanelFocus(QObject):
             start = here[0] if here else -min(step, 0) - 1
             panel = panels[(start + step) % len(panels)]
             panel.activateWindow()
-            stops = tab_stops(panel, ())
-            first = panel.focusProxy()
-            (first if first in stops else stops[0]).setFocus(Qt.FocusReason.ShortcutFocusReason)
+            focus_into(panel, Qt.FocusReason.ShortcutFocusReason)

@@ -22,7 +22,7 @@ from skinsource_gui.panels.timeline.panel import TimelinePanel
 from skinsource_gui.panels.timeline.settings import TimelineSettings
 from skinsource_gui.panels.traces.panel import TracesPanel
 from skinsource_gui.panels.traces.settings import TracesSettings
-from skinsource_gui.shell.arrangements import Place
+from skinsource_gui.shell.docks.arrangements import Behind, Place
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -37,13 +37,13 @@ class PanelSpec:
         Class of what only it looks at, a frozen dataclass made with `skinsource.fields`; None
         where there is nothing.
     places
-        Where it stands in each arrangement, by name; None: hidden there.  Where nothing is said,
-        at the foot of the last column.
+        Where it stands in each arrangement, by name; None: hidden, and once it is wanted a tab
+        with the host of that arrangement.  Where nothing is said, at the foot of the last column.
     """
 
     panel: type[Panel]
     settings: type | None = None
-    places: Mapping[str, Place | None] = field(default_factory=dict)
+    places: Mapping[str, Place | Behind | None] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if not (self.panel.name and self.panel.title):
@@ -58,11 +58,11 @@ class PanelSpec:
 
 
 def _places(
-    design: Place | None = None,
-    drawing: Place | None = None,
-    analysis: Place | None = None,
-    presentation: Place | None = None,
-) -> Mapping[str, Place | None]:
+    design: Place | Behind | None = None,
+    drawing: Place | Behind | None = None,
+    analysis: Place | Behind | None = None,
+    presentation: Place | Behind | None = None,
+) -> Mapping[str, Place | Behind | None]:
     return {
         "design": design,
         "drawing": drawing,
@@ -80,7 +80,11 @@ PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(
         panel=TimelinePanel,
         settings=TimelineSettings,
-        places=_places(design=Place(0, 38, at_foot=True), drawing=Place(0, 30, at_foot=True)),
+        places=_places(
+            design=Place(0, 38, at_foot=True),
+            drawing=Place(0, 30, at_foot=True),
+            analysis=Behind("spectra"),
+        ),
     ),
     PanelSpec(panel=InspectorPanel, places=_places(design=Place(2))),
     PanelSpec(panel=FrequencyAndAmplitudePanel, places=_places(presentation=Place(0, 14))),
@@ -99,8 +103,11 @@ PANELS: tuple[PanelSpec, ...] = (
         settings=SpectraSettings,
         places=_places(design=Place(3, 50), analysis=Place(1)),
     ),
-    PanelSpec(panel=ClipEditorPanel, places=_places(drawing=Place(1))),
-    # No arrangement has room for these: View > Panels brings them.
+    PanelSpec(
+        panel=ClipEditorPanel,
+        places=_places(design=Behind("timeline"), drawing=Place(1), analysis=Behind("spectra")),
+    ),
+    # No arrangement shows these: View > Panels brings them, as tabs.
     PanelSpec(panel=ComparePanel, places=_places()),
     PanelSpec(panel=HistoryPanel, places=_places()),
     PanelSpec(panel=LibraryPanel, places=_places()),

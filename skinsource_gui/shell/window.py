@@ -18,11 +18,16 @@ from skinsource_gui.panel import Panel
 from skinsource_gui.shell.action_set import ActionSet
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.appearance import Appearance
-from skinsource_gui.shell.arrangements import Arrangements
 from skinsource_gui.shell.bars import setup_toolbar
 from skinsource_gui.shell.clip_drops import ClipDrops
-from skinsource_gui.shell.dock_layout import DockLayout
-from skinsource_gui.shell.docks import dock_of, toggles
+from skinsource_gui.shell.docks import (
+    Arrangements,
+    Dock,
+    DockLayout,
+    DockTabs,
+    menu_toggles,
+    toggles,
+)
 from skinsource_gui.shell.focus_order import move_focus
 from skinsource_gui.shell.installations import Installations
 from skinsource_gui.shell.keeping.keeping import Keeping
@@ -79,7 +84,7 @@ class MainWindow(QMainWindow):
         self.engine = FirstPaintEngine(graphs_that_share(), self)
         self.runner = JobRunner(self)
         self.panels: tuple[Panel, ...] = tuple(spec.panel() for spec in PANELS)
-        self.docks = {panel.name: dock_of(panel, self) for panel in self.panels}
+        self.docks = {panel.name: Dock(panel, self) for panel in self.panels}
         self.limbs = InstalledLimbs(tuple(available_limbs), self)
         self.notice = Notice(self)
         self.setup_bar = SetupBar()
@@ -138,6 +143,7 @@ class MainWindow(QMainWindow):
         self.appearance = Appearance(self.preferences, self)
         places = {spec.panel.name: spec.places for spec in PANELS}
         self.arrangements = Arrangements(self, self.docks, places)
+        self.dock_tabs = DockTabs(self, self.docks)
         self.layout_of_docks = DockLayout(self, self.docks, self.arrangements, self.preferences)
         self.files = FileActions(
             self.document, self.preferences, self, self.layout_of_docks.content
@@ -194,6 +200,7 @@ class MainWindow(QMainWindow):
             "levelling": self.levelling,
             "steps": self.document.undo_stack,
             "arrangements": self.arrangements,
+            "dock_tabs": self.dock_tabs,
             "panel_focus": PanelFocus(self.panels, self.arrangements.bring, self),
             "appearance": self.appearance,
             "pages": self.pages,
@@ -204,7 +211,7 @@ class MainWindow(QMainWindow):
         actions = self.actions_by_name
         recent = RecentMenu(self.files.recent, self)
         recent.chosen.connect(self.files.open)
-        shown = [dock.toggleViewAction() for dock in self.docks.values()]
+        shown = menu_toggles(self.docks.values(), self)
         fill_menu_bar(self.menuBar(), ACTIONS, actions, recent, shown)
         groups = [[actions["undo"], actions["redo"]], [actions["find_action"]]]
         setup_toolbar(self, self.setup_bar, groups)
@@ -224,7 +231,7 @@ class MainWindow(QMainWindow):
         self.files.opened.connect(self.layout_of_docks.show_panels)
         for fails in (self.files, self.exports, self.stimuli, self.library, self.levelling):
             fails.failed.connect(reports.complain)
-        for works in (self.files, self.imports, self.library, self.comparison):
+        for works in (self.files, self.imports, self.library, self.comparison, self.dock_tabs):
             works.done.connect(reports.report)
         self.imports.risk_ahead.connect(self.keeping.autosave.keep_now)
         ClipDrops(self.panels, self)

@@ -12,6 +12,7 @@ from skinsource.comparing import (
     Snapshot,
     loudest_db,
     matching_gain,
+    nothing_to_compare,
     other_than,
     reference,
     shown,
@@ -103,8 +104,7 @@ class Comparison(QObject):
         document = self._document
         other = other_than(document.view.snapshots, document.design)
         if other is None:
-            words = "There is nothing to compare with yet; store a snapshot with Ctrl+1 to Ctrl+4."
-            document.apply(Refusal(sentence=words))
+            document.apply(Refusal(sentence=nothing_to_compare(document.view.snapshots)))
         else:
             self.show(other.number)
 

@@ -84,6 +84,7 @@ ARGUMENTS = {
         st.sampled_from(["Tone", "Tap", "Impulse", "Noise", "WaveletTrain", "Siren"]),
     ),
     "change_limb": (st.sampled_from([*LIMB_NAMES, "", "other"]),),
+    "add_input": (),
     "change_scaling": (st.sampled_from(["upstream", "relative", "probe", "loud"]),),
     "change_waveform": (ids, st.sampled_from([Tone(frequency_hz=33.0), Tap(), None])),
     "clear_inputs": (),

@@ -7,7 +7,7 @@ from skinsource.view import View
 from skinsource_gui.files.exports import EXPORTS
 from skinsource_gui.shell.action_spec import ActionSpec
 from skinsource_gui.shell.actions import ACTIONS, MENUS
-from skinsource_gui.shell.arrangements import ARRANGEMENTS, shared
+from skinsource_gui.shell.docks.arrangements import ARRANGEMENTS, Place, shared
 from skinsource_gui.shell.panels import PANELS
 
 
@@ -64,7 +64,7 @@ def test_each_arrangement_places_the_panels_of_the_table(window, settle):
         settle()
         for spec in PANELS:
             dock = window.docks[spec.panel.name]
-            assert dock.isVisible() == (spec.places[arrangement.name] is not None)
+            assert dock.isVisible() == isinstance(spec.places[arrangement.name], Place)
     assert isinstance(window.document.view, View)
 
 

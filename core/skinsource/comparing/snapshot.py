@@ -69,11 +69,27 @@ def other_than(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None
     """Return the snapshot that was shown last and is not ``design``; None: there is none.
 
     From a design that is no snapshot the way leads to a stored one: it takes the place of what was
-    edited before.
+    edited before.  Where all others are the same as ``design``, it leads to one of these.
     """
-    stored_only = shown(snapshots, design) is None
-    others = (one for one in reversed(snapshots) if one.played != design)
-    return next((one for one in others if not stored_only or one.number != EDITED), None)
+    here = shown(snapshots, design)
+    without = EDITED if here is None else here.number
+    others = [one for one in reversed(snapshots) if one.number != without]
+    differing = (one for one in others if one.played != design)
+    equal = (one for one in others if one.number != EDITED)
+    return next(differing, None) or next(equal, None)
+
+
+def nothing_to_compare(snapshots: Sequence[Snapshot]) -> str:
+    """Say why `other_than` found nothing, and what can be done."""
+    if not snapshots:
+        return "Store the design with Ctrl+1 to Ctrl+4, change it, and press X to go to and fro."
+    name = (
+        "what was edited" if snapshots[-1].number == EDITED else f"snapshot {snapshots[-1].number}"
+    )
+    return (
+        f"The design in the window is {name}, and nothing else is stored. Change it, or store a "
+        "second one with Ctrl+1 to Ctrl+4, and press X to go to and fro."
+    )
 
 
 def reference(snapshots: Sequence[Snapshot]) -> Snapshot | None:

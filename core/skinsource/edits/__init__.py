@@ -43,6 +43,7 @@ from skinsource.edits.fragments import (
 from skinsource.edits.glides import set_glide_curve
 from skinsource.edits.groups import group_clips, ungroup_clips
 from skinsource.edits.inputs import (
+    add_input,
     clear_inputs,
     duplicate_inputs,
     move_inputs,
@@ -102,6 +103,7 @@ __all__ = [
     "Refusal",
     "add_clip",
     "add_effect",
+    "add_input",
     "add_marker",
     "add_motion",
     "bound_clip",

@@ -19,8 +19,12 @@ from skinsource.edits.edit import (
 from skinsource.edits.selection import clip_of, kept_selection
 from skinsource.errors import InvalidInputError
 from skinsource.fields import specs_of
+from skinsource.locations import INPUTS
 from skinsource.view import View
 from skinsource.waveforms import Waveform
+
+#: Where an input is added, and a recording goes, if nobody says where.
+USUAL_LOCATION = 7
 
 _TOO_MANY = Refusal(sentence=f"A design holds at most {MAX_INPUTS} inputs; remove one first.")
 
@@ -54,6 +58,13 @@ def place_input(design: Design, view: View, location: int, besides: bool = False
             selected_clips=(),
         ),
     )
+
+
+def add_input(design: Design, view: View) -> Edit | Refusal:
+    """Add an input at a place where there is none yet, digit II's pad first, and select it."""
+    taken = {one.location for one in design.inputs}
+    free = (k for k in (USUAL_LOCATION, *range(1, len(INPUTS) + 1)) if k not in taken)
+    return place_input(design, view, next(free, USUAL_LOCATION))
 
 
 def move_inputs(design: Design, view: View, ids: Iterable[int], location: int) -> Edit | Refusal:

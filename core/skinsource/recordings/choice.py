@@ -4,6 +4,8 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from skinsource.arguments import one_of, positive_number, real_number
+from skinsource.errors import InvalidInputError
+from skinsource.quoting import quoted
 from skinsource.recordings import limits
 from skinsource.recordings.found import Found, Series
 from skinsource.recordings.units import UNITS
@@ -38,6 +40,9 @@ class ImportChoice:
         The part, from the first sample of the file on; at most 600 s.
     missing
         What becomes of numbers that are not there.
+    others
+        Keys of the two other axes of the same movement: the three become one signal, see
+        `skinsource.recordings.three_axes.dft321`; none: the signal alone.
     """
 
     series: str
@@ -50,6 +55,7 @@ class ImportChoice:
     start_s: float = 0.0
     duration_s: float = limits.MOST_PART_S
     missing: Missing = "refuse"
+    others: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if self.rate_hz is not None:
@@ -64,6 +70,12 @@ class ImportChoice:
         positive_number("duration_s", self.duration_s)
         most = limits.MOST_PART_S
         real_number("duration_s", self.duration_s, f"a time of up to {most:g} s", most=most)
+        three = {self.series, *self.others}
+        if self.others and (len(self.others) != 2 or len(three) != 3):
+            raise InvalidInputError(
+                f"others are {quoted(self.others)}, expected the keys of the two other axes; name "
+                "two different ones, or none"
+            )
 
 
 def suggested(found: Found, series: Series | None = None) -> ImportChoice:

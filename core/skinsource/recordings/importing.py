@@ -1,6 +1,6 @@
 """Looks at foreign files and takes parts of them, in a process of its own."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -23,6 +23,7 @@ from skinsource.recordings.taking import Taken, taken
 
 # Rounding of a time that somebody typed.
 _LITTLE_S = 1e-12
+_LANDMARKS = 601
 
 
 def look(path: Path | str) -> Found:
@@ -91,9 +92,14 @@ class RawPart:
     path, name
         The file; what the signal is called.
     values, stamps_s
-        Numbers, (n,), and when each was; None where the rate says so.
+        Numbers, (n,), those of three axes (3, n), and when each was; None where the rate says so.
     rate_hz
         The rate, where the file or the choice says it.
+    lasts_s
+        Length of the whole signal.
+    landmarks_s
+        When each of up to 601 of all samples was, evenly chosen among them, the last one too; None
+        where the rate says so.
     read_for
         What of the choice decided what was read.
     """
@@ -103,6 +109,8 @@ class RawPart:
     values: NDArray[Any]
     stamps_s: Floats | None
     rate_hz: float | None
+    lasts_s: float
+    landmarks_s: Floats | None
     read_for: tuple[object, ...]
 
     @property
@@ -122,7 +130,7 @@ class RawPart:
 def read_for(choice: ImportChoice) -> tuple[object, ...]:
     """What of a choice decides what is read."""
     stamps = (choice.time, choice.time_unit_s) if choice.time else (choice.rate_hz,)
-    return (choice.series, choice.start_s, choice.duration_s, *stamps)
+    return (choice.series, choice.others, choice.start_s, choice.duration_s, *stamps)
 
 
 def read_part(
@@ -135,26 +143,37 @@ def read_part(
     stop: Stop = never,
 ) -> RawPart:
     """Read the part of a file that ``choice`` means; raises what `take` raises."""
-    series = found.one(choice.series)
-    if series is None:
+    axes = [found.one(key) for key in (choice.series, *choice.others)]
+    if None in axes:
+        absent = (choice.series, *choice.others)[axes.index(None)]
         keys = ", ".join(one.key for one in found.series[:8])
         raise RecordingError(
-            f"{named(Path(path.name))}: it has no signal {quoted(choice.series)}, expected one of "
+            f"{named(Path(path.name))}: it has no signal {quoted(absent)}, expected one of "
             f"{keys:.200}. Choose one of them."
         )
     read = partial(process.read, path, progress=progress, stop=stop)
     try:
-        return _read(path, found, series, choice, read)
+        return _read(path, found, [one for one in axes if one is not None], choice, read)
     except InvalidInputError as error:
         raise _about(path, error) from error
 
 
 def _read(
-    path: Path, found: Found, series: Series, choice: ImportChoice, read: Callable[..., Block]
+    path: Path,
+    found: Found,
+    axes: Sequence[Series],
+    choice: ImportChoice,
+    read: Callable[..., Block],
 ) -> RawPart:
+    series, keys = axes[0], [one.key for one in axes]
+    if len({(one.n_samples, one.unit) for one in axes}) > 1:
+        raise InvalidInputError(
+            "the axes are not equally long or not in one unit; choose others, or one alone"
+        )
+    names = ", ".join(one.name for one in axes)
     part: dict[str, Any] = {
         "path": path,
-        "name": f"{path.name}, {series.name}" if len(found.signals()) > 1 else path.name,
+        "name": f"{path.name}, {names}" if len(found.signals()) > 1 else path.name,
         "read_for": read_for(choice),
     }
     if choice.time is None:
@@ -163,9 +182,17 @@ def _read(
             raise InvalidInputError("the file does not say its sample rate; type it in")
         start = round(choice.start_s * rate_hz)
         end = min(start + max(round(choice.duration_s * rate_hz), 1), series.n_samples)
-        _check_part(start, end, series.n_samples / rate_hz)
-        values = read([series.key], start, end)[0]
-        return RawPart(values=values, stamps_s=None, rate_hz=rate_hz, **part)
+        lasts_s = series.n_samples / rate_hz
+        _check_part(start, end, lasts_s)
+        values = _alone(read(keys, start, end))
+        return RawPart(
+            values=values,
+            stamps_s=None,
+            rate_hz=rate_hz,
+            lasts_s=lasts_s,
+            landmarks_s=None,
+            **part,
+        )
     stamps = read([choice.time], 0, series.n_samples)[0]
     # 64-bit also where the file has fewer digits: their differences are what counts.
     since_s = (stamps.astype(np.float64) - float(stamps[0])) * choice.time_unit_s
@@ -173,8 +200,22 @@ def _read(
         since_s, (choice.start_s - _LITTLE_S, choice.start_s + choice.duration_s - _LITTLE_S)
     ).tolist()
     _check_part(start, end, float(since_s[-1]))
-    values = read([series.key], start, end)[0]
-    return RawPart(values=values, stamps_s=since_s[start:end], rate_hz=None, **part)
+    values = _alone(read(keys, start, end))
+    n = since_s.size
+    chosen = np.linspace(0, n - 1, min(n, _LANDMARKS)).astype(np.int64)
+    return RawPart(
+        values=values,
+        stamps_s=since_s[start:end],
+        rate_hz=None,
+        # The last sample too lasts for a step.
+        lasts_s=float(since_s[-1]) * n / max(n - 1, 1),
+        landmarks_s=since_s[chosen],
+        **part,
+    )
+
+
+def _alone(block: Block) -> Block:
+    return block if len(block) > 1 else block[0]
 
 
 def _about(path: Path, error: InvalidInputError) -> RecordingError:

@@ -11,6 +11,7 @@ from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
 from skinsource.recordings.choice import ImportChoice
 from skinsource.recordings.stamps import at_steady_rate, pace_of
+from skinsource.recordings.three_axes import dft321
 from skinsource.recordings.units import UNITS, differentiated
 from skinsource.resampling import by_ratio
 from skinsource.samples import Samples
@@ -68,8 +69,8 @@ def taken(
 
     Parameters
     ----------
-    values : (n,)
-        As the file holds them; n >= 1.
+    values : (n,) or (3, n)
+        As the file holds them; n >= 1.  Three axes become one signal by `three_axes.dft321`.
     choice
         What they are; start and duration are not looked at: this is the part.
     to_hz
@@ -84,10 +85,13 @@ def taken(
     InvalidInputError
         Nothing is left, numbers are missing, the rate is not known, or stamps do not increase.
     """
-    if values.ndim != 1 or not values.size:
+    if values.ndim not in (1, 2) or not values.size:
         raise InvalidInputError("there is no sample in this part; choose another one")
     notes: list[str] = []
-    signal, rate = _at_one_rate(_complete(values, choice, notes), choice, stamps_s, notes)
+    if values.ndim == 1:
+        signal, rate = _at_one_rate(_complete(values, choice, notes), choice, stamps_s, notes)
+    else:
+        signal, rate = _of_axes(values, choice, stamps_s, notes)
     offset = _offset_of(signal, choice, notes)
     ratio = Fraction(to_hz).limit_denominator(10_000) / rate
     found = by_ratio(signal, ratio, min(float(rate), to_hz), offset=offset)
@@ -99,6 +103,23 @@ def taken(
         from_hz=float(rate),
         notes=tuple(notes),
     )
+
+
+def _of_axes(
+    axes: NDArray[Any], choice: ImportChoice, stamps_s: Floats | None, notes: list[str]
+) -> tuple[Floats, Fraction]:
+    """One signal of three axes, and its rate; the offset of each goes before, if it is unwanted."""
+    each: list[Floats] = []
+    rate, told = Fraction(1), list[str]()
+    for axis in axes:
+        signal, rate = _at_one_rate(_complete(axis, choice, told), choice, stamps_s, told)
+        each.append(np.asarray(signal, np.float64) - _offset_of(signal, choice, told))
+    notes += dict.fromkeys(told)
+    notes.append(
+        "Three axes became one with the energy of all at each frequency (DFT321, Landin et al. "
+        "2010)."
+    )
+    return dft321(np.stack(each)), rate
 
 
 def _at_one_rate(

@@ -24,12 +24,12 @@ from skinsource_gui.panels.clip_editor.shaping import Shaping
 from skinsource_gui.panels.clip_editor.spectrum_strip import SpectrumStrip
 from skinsource_gui.panels.clip_editor.tools.look import Look
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.first_steps import clip_words
 from skinsource_gui.widgets.inputs.clip_waveforms import waveforms_of
 from skinsource_gui.widgets.inputs.input_words import duration_text, figure_text
 from skinsource_gui.widgets.key_table import meant
 from skinsource_gui.widgets.lateness import Lateness
 
-_NO_CLIP = "Select a clip in the timeline to see and draw it"
 _ZOOM = 1.5
 
 
@@ -50,7 +50,7 @@ class ClipEditorPanel(Panel):
         self._tools = {"look": self._look, "pen": self._pen, "envelope": self._shaping.tool}
         self._canvas = EditorView(self._look)
         self._toolbar, self._spectrum = EditorToolbar(), SpectrumStrip()
-        self._empty = QLabel(_NO_CLIP)
+        self._empty = QLabel()
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._empty.setWordWrap(True)
         inside = QWidget()
@@ -84,6 +84,11 @@ class ClipEditorPanel(Panel):
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
         self._show()
+
+    def show_in_sight(self, names: frozenset[str]) -> None:
+        super().show_in_sight(names)
+        if self.clip is None:
+            self._show()
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._rate_hz = results["sample_rate_hz"]
@@ -131,6 +136,8 @@ class ClipEditorPanel(Panel):
         self._shaping.show_state(self._design, self._view, clip)
         self._stack.setCurrentIndex(0 if clip is None else 1)
         if clip is None:
+            inputs = bool(self._design and self._design.inputs)
+            self._empty.setText(clip_words(self.in_sight, inputs=inputs))
             self._canvas.show_clip(None, None, None, self._rate_hz)
             return
         if self._canvas.tool is self._pen and not self._drawing.may_draw(clip):

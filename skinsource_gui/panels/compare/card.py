@@ -41,7 +41,7 @@ class Card(QAbstractButton):
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.customContextMenuRequested.connect(self._open_menu)
         self.clicked.connect(self._act)
-        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Expanding)
+        self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Expanding)
         self.setMaximumHeight(_TALLEST_PX)
         self.show_snapshot(None, None, None, present=False)
 
@@ -83,10 +83,10 @@ class Card(QAbstractButton):
     def sizeHint(self) -> QSize:
         line = self.fontMetrics().height()
         widest = self.fontMetrics().horizontalAdvance("−88.8 dB")
-        return QSize(widest + UNIT_PX + 3, 3 * line + 11 * UNIT_PX)
+        return QSize(widest + UNIT_PX + 2, 3 * line + 11 * UNIT_PX)
 
     def minimumSizeHint(self) -> QSize:
-        return self.sizeHint()
+        return self.sizeHint() - QSize(UNIT_PX, 0)
 
     def event(self, event: QEvent) -> bool:
         if (

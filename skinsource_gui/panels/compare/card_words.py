@@ -9,6 +9,9 @@ from skinsource.decibels import FLOOR_DB
 from skinsource_gui.compared import Compared
 from skinsource_gui.widgets.fields.level_text import minus
 
+#: Levels that differ by less are shown as the same.
+LEAST_DB = 0.05
+
 _UNIT = "dB re 1 m/s²"
 
 
@@ -57,6 +60,25 @@ def matching_words(compared: Sequence[Compared], *, matched: bool) -> str:
         words = title(known[0])
         return f"{words[:1].upper()}{words[1:]} is silent: levels cannot be matched to it"
     return f"Alike at the loudest output: {level_words(known[0])[:-3]} {_UNIT}"
+
+
+def difference_words(present: Compared, other: Compared, *, matched: bool) -> tuple[str, str]:
+    """What stands above and below a map of their difference."""
+    name = title(present)
+    heading = f"{name[:1].upper()}{name[1:]} minus {title(other)}"
+    return heading, "dB, levels matched" if matched else "dB, as stored"
+
+
+def equal_words(present: Compared, other: Compared) -> tuple[str, str]:
+    """What stands above and below the map of two that make no difference: in what they agree."""
+    name = title(present)
+    heading = f"{name[:1].upper()}{name[1:]} and {title(other)} are equal"
+    mine, theirs = present.snapshot, other.snapshot
+    if mine.design == theirs.design:
+        return heading, "dB, the same inputs, scaling and limb"
+    if mine.played == theirs.played:
+        return heading, "dB, the same inputs once levels match"
+    return heading, "dB, the same levels by other inputs"
 
 
 def sentence(compared: Compared, *, present: bool) -> str:

@@ -4,25 +4,47 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import ClassVar
 
+import numpy as np
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QBoxLayout, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QBoxLayout,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from skinsource import edits
-from skinsource.comparing import EDITED, NUMBERS, difference_db, other_than, shown
+from skinsource.comparing import (
+    EDITED,
+    NUMBERS,
+    difference_db,
+    nothing_to_compare,
+    other_than,
+    shown,
+)
 from skinsource.design import Design
 from skinsource.view import View
 from skinsource_gui.compared import Compared
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.compare.card import Card
-from skinsource_gui.panels.compare.card_words import gain_db, matching_words, played_db, title
+from skinsource_gui.panels.compare.card_words import (
+    LEAST_DB,
+    difference_words,
+    equal_words,
+    gain_db,
+    matching_words,
+    played_db,
+)
 from skinsource_gui.panels.compare.difference_map import Difference, DifferenceMap
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.folding_row import FoldingRow
 from skinsource_gui.widgets.map.small_map import SPAN_DB, Range, SmallMap, SmallMaps
 
 _NEEDS = frozenset({"limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db"})
-_NOTHING = "Store the design with Ctrl+1 to Ctrl+4, change it, and press X to go to and fro."
 _BESIDE_PX = 620
-_ALIKE = "The other snapshots are the design in the window."
 
 
 class ComparePanel(Panel):
@@ -45,12 +67,14 @@ class ComparePanel(Panel):
         self.toggle.clicked.connect(self._toggle)
         self.words = QLabel()
         self.words.setObjectName("matching_words")
+        # Wrapped, it would make the panel as high as it likes best; cut off, its tooltip says it.
+        self.words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.cards = [Card(number, self) for number in (EDITED, *NUMBERS)]
+        self._row = FoldingRow(self.cards, UNIT_PX // 4, left=True, parent=self)
         self.map = DifferenceMap(self)
         self._lay_out()
         for card in self.cards:
             card.wanted.connect(self._act)
-        self.setMinimumSize(360, 240)
         self.setFocusProxy(self.cards[1])
         self.show_snapshots(())
 
@@ -73,6 +97,7 @@ class ComparePanel(Panel):
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
         matched = self._view.levels_matched
         self.words.setText(matching_words(compared, matched=matched))
+        self.words.setToolTip(self.words.text())
         present = self._present(compared)
         levels = [played_db(one) for one in compared]
         loudest = max((level for level in levels if level is not None), default=0.0)
@@ -81,6 +106,7 @@ class ComparePanel(Panel):
             card.setVisible(card.number != EDITED or one is not None)
             small, range_db = self._map_of(one, loudest)
             card.show_snapshot(one, small, range_db, present=one is not None and one is present)
+        self._row.fold()
         self.map.show_difference(self._difference(compared, present))
 
     def show_problem(self, reason: str) -> None:
@@ -103,15 +129,10 @@ class ComparePanel(Panel):
         bar.addWidget(self.match)
         bar.addWidget(self.toggle)
         bar.addStretch(1)
-        row = QHBoxLayout()
-        row.setSpacing(UNIT_PX // 2)
-        for card in self.cards:
-            row.addWidget(card)
-        row.addStretch(1)
         upper = QVBoxLayout()
         upper.setSpacing(UNIT_PX // 2)
         upper.addLayout(bar)
-        upper.addLayout(row, 1)
+        upper.addWidget(self._row, 1)
         upper.addWidget(self.words)
         upper.addStretch(0)
         # The map stands beside the cards where the panel is wide enough, below them otherwise.
@@ -148,18 +169,19 @@ class ComparePanel(Panel):
     def _difference(self, compared: Sequence[Compared], present: Compared | None) -> Difference:
         wanted = None if self._design is None else other_than(self._view.snapshots, self._design)
         if wanted is None or present is None:
-            return Difference(words=_ALIKE if self._view.snapshots else _NOTHING)
+            return Difference(words=nothing_to_compare(self._view.snapshots))
         other = next((one for one in compared if one.snapshot.number == wanted.number), None)
         if other is None or other.values is None or present.values is None:
             return Difference(words="" if other is None else other.problem or present.problem)
         if other.snapshot.design.limb != present.snapshot.design.limb:
             return Difference(words="Designs on different limbs have no difference map.")
-        name = title(present)
-        heading = f"{name[:1].upper()}{name[1:]} minus {title(other)}"
-        words = "dB, levels matched" if self._view.levels_matched else "dB, as stored"
+        minus = self._minus(present, other)
+        heading, words = difference_words(present, other, matched=self._view.levels_matched)
+        if minus.levels_db is not None and np.abs(minus.levels_db).max() < LEAST_DB:
+            heading, words = equal_words(present, other)
         if present.values["limb_data"].synthetic:
             words = f"{words}, synthetic limb"
-        return Difference(shown=self._minus(present, other), heading=heading, words=words)
+        return Difference(shown=minus, heading=heading, words=words)
 
     def _minus(self, present: Compared, other: Compared) -> SmallMap:
         small = self._maps.map_of(present.values or {})

@@ -12,9 +12,9 @@ from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.fields.field_cell import FieldCell
+from skinsource_gui.widgets.first_steps import add_words, select_words
 from skinsource_gui.widgets.inputs.input_words import EMPTY
 
-_NOTHING = "Click a place on the hand to add an input"
 _FREQUENCY = "frequency_hz"
 
 
@@ -32,7 +32,7 @@ class FrequencyAndAmplitudePanel(Panel):
         self._design: Design | None = None
         self._view = View()
         self._theme = LIGHT
-        self._words = QLabel(_NOTHING)
+        self._words = QLabel(add_words(self.in_sight))
         self._words.setObjectName("frequency_and_amplitude_words")
         self._amplitude = FieldCell("amplitude", AMPLITUDE)
         self._frequency: FieldCell | None = None
@@ -56,7 +56,8 @@ class FrequencyAndAmplitudePanel(Panel):
         for part in (self._amplitude.label, self._amplitude):
             part.setVisible(known)
         if not known:
-            self._words.setText(_NOTHING)
+            words = select_words if design.inputs else add_words
+            self._words.setText(words(self.in_sight))
             self._show_frequency(None)
             return
         one = design.input(view.selected_input)
@@ -66,6 +67,11 @@ class FrequencyAndAmplitudePanel(Panel):
         self._amplitude.set_spec(amplitude_spec(design.scaling))
         self._amplitude.set_value(one.amplitude)
         self._show_frequency(clip)
+
+    def show_in_sight(self, names: frozenset[str]) -> None:
+        super().show_in_sight(names)
+        if self._design is not None:
+            self.show_state(self._design, self._view)
 
     def show_theme(self, theme: Theme) -> None:
         self._theme = theme

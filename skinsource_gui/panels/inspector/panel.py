@@ -16,6 +16,7 @@ from skinsource_gui.panels.inspector.input_fields import InputFields
 from skinsource_gui.panels.inspector.input_heading import InputHeading
 from skinsource_gui.panels.inspector.selection import Selection
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.widgets.first_steps import add_words, select_words
 from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
 from skinsource_gui.widgets.lateness import Lateness
 
@@ -68,11 +69,7 @@ class InspectorPanel(Panel):
             self._fields.forget_typing()
             self._chain.forget_typing()
             self._shown = ()
-            self._empty.setText(
-                "Select an input, on the hand or in the list, to edit it"
-                if design.inputs
-                else "Click a place on the hand to add an input"
-            )
+            self._show_empty()
             self._stack.setCurrentWidget(self._empty)
             return
         if self._shown != (view.selected_inputs, view.selected_clips):
@@ -85,6 +82,14 @@ class InspectorPanel(Panel):
             one, silent=all(one is not heard for heard in audible_inputs(design.inputs))
         )
         self._stack.setCurrentWidget(self._editor)
+
+    def show_in_sight(self, names: frozenset[str]) -> None:
+        super().show_in_sight(names)
+        self._show_empty()
+
+    def _show_empty(self) -> None:
+        words = select_words if self._design and self._design.inputs else add_words
+        self._empty.setText(words(self.in_sight))
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self.show_stale(False)

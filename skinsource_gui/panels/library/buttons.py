@@ -1,7 +1,8 @@
 """What can be done with presets, as buttons and as a menu."""
 
-from PySide6.QtWidgets import QHBoxLayout, QMenu, QPushButton, QWidget
+from PySide6.QtWidgets import QMenu, QPushButton, QVBoxLayout, QWidget
 
+from skinsource_gui.widgets.folding_row import FoldingRow
 from skinsource_gui.widgets.key_table import key_text
 
 _PLACE = "library"
@@ -27,11 +28,9 @@ class LibraryButtons(QWidget):
         self.delete = self._button(
             "Delete", "preset_delete", f"Only your own ({key_text(_PLACE, 'remove')})"
         )
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(4)
-        for button in (self.place, self.save, self.rename, self.delete):
-            row.addWidget(button)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(FoldingRow((self.place, self.save, self.rename, self.delete), 4))
         self.show_current(False, False)
 
     def show_current(self, there: bool, own: bool) -> None:
@@ -52,6 +51,4 @@ class LibraryButtons(QWidget):
         button = QPushButton(text)
         button.setObjectName(name)
         button.setToolTip(hint)
-        # Four of them fit a narrow panel.
-        button.setMinimumWidth(0)
         return button

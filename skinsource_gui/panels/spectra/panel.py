@@ -15,7 +15,7 @@ from skinsource.signals import BAND_HZ
 from skinsource.spectra import HOLD_WINDOW_S
 from skinsource.view import View
 from skinsource_gui.panels.spectra.settings import SpectraSettings
-from skinsource_gui.signal_panel import NO_OUTPUTS, SignalPanel
+from skinsource_gui.signal_panel import SignalPanel
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
 from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_later
@@ -95,8 +95,8 @@ class SpectraPanel(SignalPanel):
         )
         self._show_axis()
         if not view.outputs:
-            self._say(NO_OUTPUTS)
-        elif self._plot.plot.message == NO_OUTPUTS:
+            self._say(self.no_outputs)
+        elif self._plot.plot.message == self.no_outputs:
             self._plot.wait_for_curves()
         elif level_changed and self._results is not None:
             self._draw(self._results)
@@ -110,7 +110,7 @@ class SpectraPanel(SignalPanel):
                 self._show_axis()
             self._draw(results)
         else:
-            self._say(NO_OUTPUTS)
+            self._say(self.no_outputs)
 
     def show_problem(self, reason: str) -> None:
         self._say(reason)

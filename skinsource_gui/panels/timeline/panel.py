@@ -17,6 +17,7 @@ from skinsource_gui.panels.timeline.timeline_edits import TimelineEdits
 from skinsource_gui.panels.timeline.track_table import TrackTable
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.drop_place import DropPlace
+from skinsource_gui.widgets.first_steps import add_words
 from skinsource_gui.widgets.inputs.clip_waveforms import waveforms_of
 
 
@@ -33,7 +34,7 @@ class TimelinePanel(Panel):
         self._list = self._heads.list
         self._rows = self._list.rows
         self._table = TrackTable(self._list)
-        self._empty = QLabel("Click a place on the hand to add a track")
+        self._empty = QLabel(add_words(self.in_sight, "a track"))
         self._empty.setObjectName("inputs_empty")
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._empty.setWordWrap(True)
@@ -65,6 +66,10 @@ class TimelinePanel(Panel):
         self._clips.show_state(design, view)
         self._stack.setCurrentIndex(1 if design.inputs else 0)
         self._table.show_state(design, view)
+
+    def show_in_sight(self, names: frozenset[str]) -> None:
+        super().show_in_sight(names)
+        self._empty.setText(add_words(names, "a track"))
 
     def show_playhead(self, view: View) -> None:
         self._view = view

@@ -14,7 +14,7 @@ from skinsource.panel_settings import settings_of, with_settings
 from skinsource.quantities import PRE_TRIGGER_DELAY_S
 from skinsource.view import View
 from skinsource_gui.panels.traces.settings import TracesSettings
-from skinsource_gui.signal_panel import NO_OUTPUTS, SignalPanel
+from skinsource_gui.signal_panel import SignalPanel
 from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
@@ -74,8 +74,8 @@ class TracesPanel(SignalPanel):
         self._plot.toolbar.show_state(layout=self._settings.layout, zoomed=zoomed)
         self._plot.plot.playhead.show_at(view.playhead_s)
         if not view.outputs:
-            self._plot.show_message(NO_OUTPUTS)
-        elif self._plot.plot.message == NO_OUTPUTS:
+            self._plot.show_message(self.no_outputs)
+        elif self._plot.plot.message == self.no_outputs:
             self._plot.wait_for_curves()
         if self._drawn_removed == view.delay_removed:
             self._apply_view()
@@ -89,7 +89,7 @@ class TracesPanel(SignalPanel):
         self._end_s = float(results["response_time_s"][-1])
         self._apply_view()
         if not results["outputs"]:
-            self._plot.show_message(NO_OUTPUTS)
+            self._plot.show_message(self.no_outputs)
             return
         curves = Curves(
             x=results["response_time_s"],

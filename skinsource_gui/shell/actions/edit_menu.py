@@ -9,6 +9,7 @@ from skinsource.view import View
 from skinsource_gui.shell.action_spec import ActionSpec, action
 from skinsource_gui.shell.actions.snapshot_actions import SNAPSHOTS
 from skinsource_gui.state.wavelet_levelling import selected_train
+from skinsource_gui.widgets.first_steps import ADD_KEY
 from skinsource_gui.widgets.key_table import key_text
 
 
@@ -95,6 +96,16 @@ EDIT: tuple[ActionSpec, ...] = (
         keywords="preset keep store template reuse",
     ),
     action(
+        "add_input",
+        "Edit",
+        "Add input",
+        "Add an input at the next place without one, as the selected one is",
+        ADD_KEY,
+        edit=edits.add_input,
+        keywords="new track place insert",
+        separated=True,
+    ),
+    action(
         "duplicate_input",
         "Edit",
         "Duplicate input",
@@ -103,7 +114,6 @@ EDIT: tuple[ActionSpec, ...] = (
         edit=_of_selected(edits.duplicate_inputs),
         enabled=_has_selected,
         keywords="copy clone actuator",
-        separated=True,
     ),
     action(
         "remove_input",

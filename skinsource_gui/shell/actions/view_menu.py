@@ -6,7 +6,7 @@ from skinsource.edits import Edit, Refusal
 from skinsource.limb import PRE_TRIGGER_DELAY_S
 from skinsource.view import View
 from skinsource_gui.shell.action_spec import ActionSpec, action
-from skinsource_gui.shell.arrangements import ARRANGEMENTS
+from skinsource_gui.shell.docks.arrangements import ARRANGEMENTS
 
 
 def _toggle_delay(design: Design, view: View) -> Edit | Refusal:
@@ -70,6 +70,26 @@ VIEW: tuple[ActionSpec, ...] = (
         "Shift+F6",
         command="panel_focus.previous",
         keywords="focus keyboard",
+    ),
+    action(
+        "next_tab",
+        "View",
+        "Show next tab",
+        "Bring the next of the panels that share a place to the front",
+        "Ctrl+Tab",
+        "Ctrl+PgDown",
+        command="dock_tabs.next",
+        keywords="panel front behind keyboard",
+    ),
+    action(
+        "previous_tab",
+        "View",
+        "Show previous tab",
+        "Bring the one before of the panels that share a place to the front",
+        "Ctrl+Shift+Tab",
+        "Ctrl+PgUp",
+        command="dock_tabs.previous",
+        keywords="panel front behind keyboard",
     ),
     *(
         action(

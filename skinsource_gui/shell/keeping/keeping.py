@@ -15,7 +15,7 @@ from skinsource_gui.files.autosave import Autosave
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.files.recovery import Recovery
 from skinsource_gui.files.work_picture import WorkPicture
-from skinsource_gui.shell.dock_layout import DockLayout
+from skinsource_gui.shell.docks.dock_layout import DockLayout
 from skinsource_gui.shell.keeping.left_over_page import LeftOverPage, picture_of
 from skinsource_gui.shell.notice import Choice, Notice
 from skinsource_gui.shell.reports import Reports

@@ -32,7 +32,7 @@ def window(make_window):
 
 @pytest.fixture
 def panel(window, qtbot):
-    window.docks["actuator"].show()
+    window.docks["actuator"].bring_forward()
     qtbot.waitUntil(lambda: window.panel("actuator").isVisible())
     settle(window, qtbot)
     return window.panel("actuator")
@@ -197,7 +197,7 @@ def test_while_it_is_hidden_it_costs_nothing(window, panel, qtbot):
         window.document.look(replace(window.document.view, selected_inputs=(ids[0],)))
         settle(window, qtbot)
     assert hidden.samples_moved == 0
-    window.docks["actuator"].show()
+    window.docks["actuator"].bring_forward()
     qtbot.waitUntil(lambda: panel.isVisible())
     settle(window, qtbot)
     assert number(panel, "Peak acceleration") == pytest.approx(4.0, rel=0.03)
@@ -231,7 +231,7 @@ def test_inputs_at_one_place_add_up(window, panel):
 
 def test_without_anything_that_plays_it_says_what_to_do(make_window, qtbot):
     window = make_window(design_of())
-    window.docks["actuator"].show()
+    window.docks["actuator"].bring_forward()
     settle(window, qtbot)
     panel = window.panel("actuator")
     assert "add an input" in panel.figures.refusal.text()

@@ -35,7 +35,7 @@ def two_places(window):
 
 @pytest.fixture
 def panel(window, settle):
-    window.docks["compare"].show()
+    window.docks["compare"].bring_forward()
     settle()
     return window.panel("compare")
 
@@ -126,6 +126,51 @@ def test_without_a_snapshot_one_is_told_how_to_store_one(window):
     assert not window.actions_by_name["toggle_snapshots"].isEnabled()
     window.comparison.toggle()
     assert "Ctrl+1 to Ctrl+4" in window.notice.text
+    window.do("store_snapshot_2")
+    window.comparison.toggle()
+    assert "The design in the window is snapshot 2" in window.notice.text
+
+
+def test_equal_snapshots_are_said_to_be_equal_and_their_map_is_zero(window, panel, settle):
+    window.do("store_snapshot_1")
+    window.do("store_snapshot_2")
+    settle()
+    assert panel.toggle.isEnabled()
+    difference = panel.map.difference
+    assert difference.heading == "Snapshot 2 and snapshot 1 are equal"
+    assert difference.words.startswith("dB, the same inputs, scaling and limb")
+    assert not difference.shown.levels_db.any()
+    panel.toggle.click()
+    settle()
+    assert panel.map.difference.heading == "Snapshot 1 and snapshot 2 are equal"
+    assert cards(panel)[1].present
+
+
+def test_snapshots_that_differ_in_level_alone_are_equal_once_levels_match(window, panel, settle):
+    window.do("store_snapshot_1")
+    edit(window, 2.0)
+    window.do("store_snapshot_2")
+    settle()
+    for _ in range(3):
+        panel.toggle.click()
+        settle()
+    difference = panel.map.difference
+    assert difference.heading == "Snapshot 1 and snapshot 2 are equal"
+    assert difference.words.startswith("dB, the same inputs once levels match")
+    window.do("match_levels")
+    settle()
+    difference = panel.map.difference
+    assert "minus" in difference.heading
+    assert np.abs(difference.shown.levels_db).max() == pytest.approx(20 * np.log10(2), abs=1e-6)
+
+
+def test_other_inputs_of_the_same_levels_are_equal_in_these(window, panel, settle):
+    window.do("store_snapshot_1")
+    window.document.edit("turn", window.document.design.with_input(0, amplitude=-1.0))
+    settle()
+    difference = panel.map.difference
+    assert difference.heading == "Edited and snapshot 1 are equal"
+    assert difference.words.startswith("dB, the same levels by other inputs")
 
 
 def test_a_hidden_panel_costs_nothing(window, settle, requests):

@@ -10,7 +10,7 @@ from skinsource_gui.panels.compare.card_words import matching_words
 
 @pytest.fixture
 def panel(window, settle):
-    window.docks["compare"].show()
+    window.docks["compare"].bring_forward()
     settle()
     return window.panel("compare")
 

@@ -20,7 +20,7 @@ KEY = Qt.Key
 
 @pytest.fixture
 def panel(window, qtbot):
-    window.docks["history"].show()
+    window.docks["history"].bring_forward()
     qtbot.waitUntil(lambda: window.panel("history").isVisible())
     return window.panel("history")
 
@@ -124,7 +124,7 @@ def test_a_hidden_panel_is_told_nothing_and_catches_up(window, panel):
     window.docks["history"].hide()
     edit(window, 2.0)
     assert rows(panel) == ["New design"]
-    window.docks["history"].show()
+    window.docks["history"].bring_forward()
     assert rows(panel) == ["New design", "Amplitude 2"]
 
 

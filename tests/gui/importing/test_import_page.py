@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QWidget
 
 from skinsource import edits
 from skinsource.recordings import take
+from skinsource.recordings.three_axes import dft321
 from skinsource.waveforms import Recording
 from skinsource_gui.import_page import placing
 from skinsource_gui.import_page.reading_worker import ReadingWorker
@@ -183,6 +184,72 @@ def test_the_whole_is_shown_and_its_part_is_dragged(page_on, qtbot, tmp_path):
     assert page.preview.words.startswith("7")
 
 
+def drag(qtbot, strip, *times_s):
+    places = [QPoint(round(strip.x_of(time_s)), 20) for time_s in times_s]
+    qtbot.mousePress(strip, Qt.MouseButton.LeftButton, pos=places[0])
+    for place in places[1:]:
+        qtbot.mouseMove(strip, place)
+    qtbot.mouseRelease(strip, Qt.MouseButton.LeftButton, pos=places[-1])
+
+
+def test_where_all_is_taken_a_drag_chooses_a_part_and_a_double_click_takes_all_again(
+    page_on, qtbot, sound
+):
+    page = page_on(sound)
+    strip, form = page.findChild(object, "import_overview"), page.form
+    assert (form.choice.start_s, form.choice.duration_s) == (0.0, 0.5)
+    drag(qtbot, strip, 0.1)  # a press alone chooses nothing
+    assert (form.choice.start_s, form.choice.duration_s) == (0.0, 0.5)
+    drag(qtbot, strip, 0.4, 0.3, 0.1)
+    assert form.choice.start_s == pytest.approx(0.1, abs=0.002)
+    assert form.choice.duration_s == pytest.approx(0.3, abs=0.002)
+    drag(qtbot, strip, 0.2, 0.25)
+    assert form.choice.start_s == pytest.approx(0.15, abs=0.003)
+    assert form.choice.duration_s == pytest.approx(0.3, abs=0.002)
+    qtbot.mouseDClick(strip, Qt.MouseButton.LeftButton, pos=QPoint(3, 20))
+    assert (form.choice.start_s, form.choice.duration_s) == (0.0, 0.5)
+    qtbot.waitUntil(lambda: page.ready, timeout=60_000)
+
+
+def test_time_stamps_say_how_long_a_table_is(page_on, qtbot, tmp_path):
+    times_s = np.concatenate((np.arange(1000) / 1000, 4.0 + np.arange(1000) / 1000))
+    values = np.where(times_s < 1.0, 0.2, 1.0) * np.sin(times_s * 500.0)
+    rows = "\n".join(f"{t:.6f},{x:.6f}" for t, x in zip(times_s, values, strict=True))
+    (tmp_path / "gap.csv").write_text(f"time [s],acc [g]\n{rows}\n")
+    page = page_on(tmp_path / "gap.csv")
+    qtbot.waitUntil(lambda: page.ready, timeout=60_000)
+    assert page.form.choice.duration_s == pytest.approx(4.999 * 2000 / 1999, abs=1e-6)
+    assert page.form.lasts_s == page.form.choice.duration_s
+    assert page.preview.words.startswith("5 s")
+    strip = page.findChild(object, "import_overview")
+    assert strip.isVisible()
+    qtbot.waitUntil(lambda: strip.extremes is not None, timeout=30_000)
+    # What lies behind the gap is drawn there, though half of all samples lie before it.
+    image = strip.grab().toImage()
+
+    def tall(time_s):
+        x = round(strip.x_of(time_s))
+        return sum(
+            image.pixelColor(x, y) != image.pixelColor(round(strip.x_of(2.5)), y)
+            for y in range(image.height())
+        )
+
+    assert tall(4.5) > 20 > tall(0.5)
+    drag(qtbot, strip, 3.9, 4.5)
+    qtbot.waitUntil(lambda: page.ready, timeout=60_000)
+    assert page.form.choice.duration_s == pytest.approx(0.6, abs=0.02)
+    # A part that was chosen stays.
+    choose(page, qtbot, "scale", "keep")
+    assert page.form.choice.duration_s == pytest.approx(0.6, abs=0.02)
+
+
+def test_a_shorter_recording_of_an_assumed_rate_is_taken_whole(page_on, qtbot, tmp_path):
+    np.save(tmp_path / "raw.npy", np.sin(np.arange(2601) * 0.3))
+    page = page_on(tmp_path / "raw.npy")
+    qtbot.waitUntil(lambda: page.ready, timeout=60_000)
+    assert page.form.choice.duration_s == pytest.approx(2601 / 1300, rel=1e-12)
+
+
 def test_what_was_wanted_before_is_not_taken_for_what_is_wanted_now(page_on, qtbot, sound):
     page = page_on(sound)
     before, worker = page.form.choice, page.findChild(ReadingWorker)
@@ -298,3 +365,26 @@ def test_places_begin_with_the_likeliest(window):
     assert placing.options(design, view, DropPlace(input_id=one.id))[0][0] == f"track {one.id}"
     nothing = placing.options(design.without_input(0), view, None)
     assert [name for name, _ in nothing][:2] == ["new 7", "new 1"]
+
+
+def test_three_axes_are_offered_as_one(window, page_on, qtbot, tmp_path):
+    axes = np.random.default_rng(1).normal(size=(650, 3))
+    rows = "\n".join(",".join(f"{x:.9f}" for x in row) for row in axes)
+    (tmp_path / "a.csv").write_text(f"acc_x [g],acc_y [g],acc_z [g]\n{rows}\n")
+    page = page_on(tmp_path / "a.csv")
+    field = page.form.findChild(QWidget, "import_axes")
+    assert field.isVisible()
+    assert [field.itemText(k) for k in range(field.count())] == [
+        "acc_x alone",
+        "With acc_y and acc_z, as one (DFT321)",
+    ]
+    choose(page, qtbot, "axes", "1 2")
+    qtbot.waitUntil(lambda: page.ready, timeout=60_000)
+    assert "DFT321, Landin et al. 2010" in page.preview.words
+    assert page.form.choice.others == ("1", "2")
+    page.accept()
+    waveform = window.document.design.inputs[-1].clips[-1].waveform
+    assert waveform.name == "a.csv, acc_x, acc_y, acc_z"
+    expected = dft321((axes - axes.mean(axis=0)).T)
+    expected /= np.abs(expected).max()
+    np.testing.assert_allclose(waveform.samples.values, expected, rtol=0, atol=1e-7)

@@ -5,7 +5,7 @@ import pytest
 
 @pytest.fixture
 def panel(window, qtbot):
-    window.docks["library"].show()
+    window.docks["library"].bring_forward()
     qtbot.waitUntil(lambda: window.panel("library").isVisible())
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)

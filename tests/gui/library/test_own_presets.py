@@ -52,7 +52,7 @@ def test_one_bad_file_is_named_and_left_out_until_it_is_mended(window, panel, qt
 def test_what_changed_while_it_was_hidden_is_there_when_it_is_shown(window, panel, qtbot):
     window.docks["library"].hide()
     save()
-    window.docks["library"].show()
+    window.docks["library"].bring_forward()
     qtbot.waitUntil(lambda: "My tap" in names(panel))
 
 

@@ -14,7 +14,7 @@ def seen(hands, name: str):
     """The panel of that name, brought into sight as its menu entry does."""
     panel = hands.window.panel(name)
     if not panel.isVisible():
-        hands.window.docks[name].show()
+        hands.window.docks[name].bring_forward()
     return panel
 
 

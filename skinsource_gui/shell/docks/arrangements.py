@@ -5,7 +5,9 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from PySide6.QtCore import QObject, QSize, Qt, Signal
-from PySide6.QtWidgets import QApplication, QDockWidget, QMainWindow, QScrollArea, QWidget
+from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
+
+from skinsource_gui.shell.docks.dock import Dock
 
 _ACROSS, _DOWN = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
 # Title and frame of a dock; what lies above and below all docks.
@@ -33,6 +35,19 @@ class Place:
     at_foot: bool = False
 
 
+@dataclass(frozen=True, slots=True)
+class Behind:
+    """Where a panel comes up that an arrangement does not show: as a tab with another one.
+
+    Attributes
+    ----------
+    panel
+        Name of one that has a place of its own in the arrangement.
+    """
+
+    panel: str
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ArrangementSpec:
     """One arrangement.
@@ -43,6 +58,8 @@ class ArrangementSpec:
         As those of an action; ``text`` goes on after "Arrange for".
     columns
         Widths of the columns, as shares.
+    host
+        Name of the panel with which those come up that it does not show, if nothing else is said.
     text_scale
         Size of all words, beside the size that is chosen otherwise.
     """
@@ -52,6 +69,7 @@ class ArrangementSpec:
     hint: str
     keys: tuple[str, ...]
     columns: tuple[int, ...]
+    host: str
     text_scale: float = 1.0
 
 
@@ -62,6 +80,7 @@ ARRANGEMENTS: tuple[ArrangementSpec, ...] = (
         hint="All panels, the hand and the skin in front",
         keys=("Alt+1",),
         columns=(22, 25, 24, 29),
+        host="inspector",
     ),
     ArrangementSpec(
         name="drawing",
@@ -69,6 +88,7 @@ ARRANGEMENTS: tuple[ArrangementSpec, ...] = (
         hint="One clip large, to draw and to shape it, beside what the skin does",
         keys=("Alt+2",),
         columns=(28, 72),
+        host="skin",
     ),
     ArrangementSpec(
         name="analysis",
@@ -76,6 +96,7 @@ ARRANGEMENTS: tuple[ArrangementSpec, ...] = (
         hint="The skin, traces and spectra, large",
         keys=("Alt+3",),
         columns=(32, 68),
+        host="skin",
     ),
     ArrangementSpec(
         name="presentation",
@@ -83,12 +104,13 @@ ARRANGEMENTS: tuple[ArrangementSpec, ...] = (
         hint="The hand, the skin, and frequency and amplitude to turn, in large words",
         keys=("Alt+4",),
         columns=(50, 50),
+        host="hand",
         text_scale=1.25,
     ),
 )
 
-#: For each panel its place in each arrangement; None: hidden there.
-Places = Mapping[str, Mapping[str, Place | None]]
+#: For each panel its place in each arrangement, or behind what it comes up; None: behind the host.
+Places = Mapping[str, Mapping[str, Place | Behind | None]]
 
 
 class Arrangements(QObject):
@@ -110,9 +132,7 @@ class Arrangements(QObject):
     #: Size of words that belongs to it.
     text_scaled = Signal(float)
 
-    def __init__(
-        self, window: QMainWindow, docks: Mapping[str, QDockWidget], places: Places
-    ) -> None:
+    def __init__(self, window: QMainWindow, docks: Mapping[str, Dock], places: Places) -> None:
         super().__init__(window)
         self._window, self._docks, self._places = window, docks, places
 
@@ -122,63 +142,57 @@ class Arrangements(QObject):
         focused = QApplication.focusWidget()
         self.chosen.emit(spec)
         self.text_scaled.emit(spec.text_scale)
-        shown = {panel: self._place(panel, spec) for panel in self._docks}
-        foot = [panel for panel, place in shown.items() if place and place.at_foot]
+        places = {panel: self._place(panel, spec) for panel in self._docks}
+        shown = {panel: one for panel, one in places.items() if isinstance(one, Place)}
+        foot = [panel for panel, place in shown.items() if place.at_foot]
         foot.sort(key=lambda panel: shown[panel].column)
         columns = self._columns(shown, spec, without=foot)
         self._put(columns, foot)
+        for panel, place in places.items():
+            if isinstance(place, Behind):
+                self._window.tabifyDockWidget(self._docks[place.panel], self._docks[panel])
         for panel, dock in self._docks.items():
-            dock.setVisible(shown[panel] is not None)
-        seen = [[one for one in column if shown[one]] for column in columns]
-        self._share_room([column for column in seen if column], foot, shown, spec)
+            dock.setVisible(panel in shown)
+        self._share_room(columns, foot, shown, spec)
         self._give_back(focused, shown)
         # A panel that was a window of its own may have had the keyboard.
         if QApplication.activeWindow() is not self._window:
             self._window.activateWindow()
 
-    def _give_back(self, focused: QWidget | None, shown: Mapping[str, Place | None]) -> None:
+    def _give_back(self, focused: QWidget | None, shown: Mapping[str, Place]) -> None:
         """Give the keyboard back to who had it in a panel, or to the first panel in sight.
 
         Docks that move lose it to whatever comes next: then keys would change another thing.
         """
-        docks = [dock for panel, dock in self._docks.items() if shown[panel]]
+        docks = [dock for panel, dock in self._docks.items() if panel in shown]
         if focused is None or not any(one.isAncestorOf(focused) for one in self._docks.values()):
             return
         if any(dock.isAncestorOf(focused) for dock in docks):
             focused.setFocus(Qt.FocusReason.OtherFocusReason)
         elif docks:
-            _content(docks[0]).setFocus(Qt.FocusReason.OtherFocusReason)
+            docks[0].panel.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def bring(self, panel: str) -> None:
-        """Bring a hidden panel into sight: in the first arrangement that has room for it."""
+        """Bring a panel into sight: a hidden one in the first arrangement that has room for it."""
         dock = self._docks[panel]
-        if dock.isVisible():
-            return
-        places = zip(ARRANGEMENTS, self._places_of(panel), strict=True)
-        room = next((one.name for one, place in places if place), None)
-        if room is None:
-            dock.show()
-            dock.raise_()
+        rooms = (one.name for one in ARRANGEMENTS if isinstance(self._place(panel, one), Place))
+        room = next(rooms, None)
+        if room is None or not dock.isHidden():
+            dock.bring_forward()
         else:
             self.show(room)
 
-    def _places_of(self, panel: str) -> list[Place | None]:
-        return [self._place(panel, one) for one in ARRANGEMENTS]
-
-    def _place(self, panel: str, spec: ArrangementSpec) -> Place | None:
-        return self._places.get(panel, {}).get(spec.name, Place(len(spec.columns) - 1))
+    def _place(self, panel: str, spec: ArrangementSpec) -> Place | Behind:
+        places = self._places.get(panel, {})
+        return places.get(spec.name, Place(len(spec.columns) - 1)) or Behind(spec.host)
 
     def _columns(
-        self, shown: Mapping[str, Place | None], spec: ArrangementSpec, without: Sequence[str]
+        self, shown: Mapping[str, Place], spec: ArrangementSpec, without: Sequence[str]
     ) -> list[list[str]]:
-        last = len(spec.columns) - 1
         columns: list[list[str]] = [[] for _ in spec.columns]
         for panel, place in shown.items():
-            if panel in without:
-                continue
-            # What is hidden comes back where it stands in the first arrangement.
-            where = place or self._place(panel, ARRANGEMENTS[0]) or Place(last)
-            columns[min(where.column, last)].append(panel)
+            if panel not in without:
+                columns[min(place.column, len(columns) - 1)].append(panel)
         return [column for column in columns if column]
 
     def _put(self, columns: Sequence[Sequence[str]], foot: Sequence[str]) -> None:
@@ -203,7 +217,7 @@ class Arrangements(QObject):
         self,
         columns: Sequence[Sequence[str]],
         foot: Sequence[str],
-        places: Mapping[str, Place | None],
+        places: Mapping[str, Place],
         spec: ArrangementSpec,
     ) -> None:
         shares = [
@@ -233,14 +247,9 @@ class Arrangements(QObject):
 
     def _least(self, panel: str) -> QSize:
         """Return the least room in which nothing of the panel has to scroll."""
-        content = _content(self._docks[panel])
+        content = self._docks[panel].panel
         size = content.minimumSize().expandedTo(content.minimumSizeHint())
         return size + QSize(_EDGE_PX, _TITLE_PX)
-
-
-def _content(dock: QDockWidget) -> QWidget:
-    inside = dock.widget()
-    return inside.widget() if isinstance(inside, QScrollArea) else inside
 
 
 def shared(whole: int, shares: Sequence[int], least: Sequence[int]) -> list[int]:

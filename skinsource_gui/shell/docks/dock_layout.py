@@ -4,9 +4,10 @@ from collections.abc import Mapping
 
 from PySide6.QtCore import QByteArray, QObject
 from PySide6.QtGui import QGuiApplication, QScreen
-from PySide6.QtWidgets import QDockWidget, QMainWindow
+from PySide6.QtWidgets import QMainWindow
 
-from skinsource_gui.shell.arrangements import Arrangements, ArrangementSpec
+from skinsource_gui.shell.docks.arrangements import Arrangements, ArrangementSpec
+from skinsource_gui.shell.docks.dock import Dock
 from skinsource_gui.state.preferences import Preferences
 
 
@@ -26,7 +27,7 @@ class DockLayout(QObject):
     def __init__(
         self,
         window: QMainWindow,
-        docks: Mapping[str, QDockWidget],
+        docks: Mapping[str, Dock],
         arrangements: Arrangements,
         preferences: Preferences,
     ) -> None:
@@ -47,17 +48,24 @@ class DockLayout(QObject):
     def show_panels(self, content: bytes) -> None:
         """Show and hide the panels that were shown and hidden, if anything is said about it.
 
+        Of panels that share a place, one that was in sight comes to the front.
+
         Where they stand and how large they are stays: that belongs to this window and its screen,
         not to the one in which a file was saved.
         """
         before = self._window.saveState()
         if not content or not self._window.restoreState(QByteArray(content)):
             return
-        hidden = {dock: dock.isHidden() for dock in self._docks.values()}
+        docks = self._docks.values()
+        hidden = {dock: dock.isHidden() for dock in docks}
+        in_sight = [dock for dock in docks if dock.panel.isVisible()]
         self._window.restoreState(before)
         for dock, hide in hidden.items():
             if dock.isHidden() != hide:
                 dock.setHidden(hide)
+        for dock in in_sight:
+            if not dock.in_sight:
+                dock.raise_()
 
     def restore(self) -> None:
         """Bring back the last session; its sizes only where its screen is there."""

@@ -1,0 +1,9 @@
+"""Docks of a window, and where they stand."""
+
+from skinsource_gui.shell.docks.arrangements import Arrangements
+from skinsource_gui.shell.docks.dock import Dock
+from skinsource_gui.shell.docks.dock_layout import DockLayout
+from skinsource_gui.shell.docks.dock_tabs import DockTabs
+from skinsource_gui.shell.docks.dock_toggles import menu_toggles, toggles
+
+__all__ = ["Arrangements", "Dock", "DockLayout", "DockTabs", "menu_toggles", "toggles"]

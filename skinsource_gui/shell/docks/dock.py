@@ -1,0 +1,88 @@
+"""A dock: what holds a panel in the window."""
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QAbstractButton, QDockWidget, QFrame, QScrollArea, QWidget
+
+from skinsource_gui.panel import Panel
+
+_BUTTONS = {
+    "qt_dockwidget_closebutton": "Hide this panel; View > Panels brings it back",
+    "qt_dockwidget_floatbutton": "Take this panel out of the window, or back into it",
+}
+
+
+class Dock(QDockWidget):
+    """Holds a panel, which scrolls where there is too little room.
+
+    A panel behind another one, as a tab, is hidden, so that nothing is computed for it: Qt only
+    moves its dock to where nobody looks.
+
+    Parameters
+    ----------
+    panel
+        What it holds.
+    window
+        Its parent.
+    """
+
+    #: The panel is about to be hidden, because another one is in front of it.
+    goes_behind = Signal()
+    #: The panel is not behind another one any more.
+    came_forward = Signal()
+    #: The panel came into sight, or left it.
+    sight_changed = Signal()
+
+    def __init__(self, panel: Panel, window: QWidget) -> None:
+        super().__init__(panel.title, window)
+        self.panel = panel
+        self.setObjectName(panel.name)
+        area = QScrollArea()
+        area.setObjectName(f"{panel.name}_area")
+        area.setFrameShape(QFrame.Shape.NoFrame)
+        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        area.setWidgetResizable(True)
+        area.setWidget(panel)
+        self.setWidget(area)
+        for name, hint in _BUTTONS.items():
+            self.findChild(QAbstractButton, name).setToolTip(hint)
+        self.topLevelChanged.connect(self._follow)
+        # The menu of Qt, with the right button on a title, would leave it behind others.
+        self.toggleViewAction().triggered.connect(self._raise_shown)
+
+    @property
+    def in_sight(self) -> bool:
+        """Whether it is shown, and nothing is in front of it."""
+        return not self.isHidden() and not self.panel.isHidden()
+
+    def bring_forward(self) -> None:
+        """Show it, in front of those that share its place."""
+        self.show()
+        self.raise_()
+
+    def moveEvent(self, event) -> None:
+        super().moveEvent(event)
+        self._follow()
+
+    def showEvent(self, event) -> None:
+        super().showEvent(event)
+        self._follow()
+
+    def hideEvent(self, event) -> None:
+        super().hideEvent(event)
+        self.sight_changed.emit()
+
+    def _follow(self) -> None:
+        # Qt says whether a dock is behind another one for some of the ways to get there; where it
+        # puts those behind is the same for all of them.
+        behind = not self.isFloating() and self.geometry().right() < 0
+        if self.panel.isHidden() != behind:
+            if behind:
+                self.goes_behind.emit()
+            self.panel.setVisible(not behind)
+            if not behind:
+                self.came_forward.emit()
+        self.sight_changed.emit()
+
+    def _raise_shown(self) -> None:
+        if not self.isHidden():
+            self.raise_()

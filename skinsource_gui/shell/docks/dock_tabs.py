@@ -1,0 +1,107 @@
+"""Docks that share a place: one is in front, tabs tell of the others."""
+
+from collections.abc import Mapping
+from functools import partial
+
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtWidgets import QApplication, QMainWindow, QTabBar, QTabWidget
+
+from skinsource_gui.shell.docks.dock import Dock
+from skinsource_gui.shell.focus_order import focus_into
+
+_NOTHING = "No panel shares its place with another one; View > Panels brings more"
+
+
+class DockTabs(QObject):
+    """Looks after docks that are tabs, whoever made them so: an arrangement, or the user.
+
+    Parameters
+    ----------
+    window
+        Holds the docks; also the parent.
+    docks
+        By the name of their panel, in the order in which the keyboard reaches them.
+    """
+
+    #: What came of it, where that cannot be seen.
+    done = Signal(str)
+
+    def __init__(self, window: QMainWindow, docks: Mapping[str, Dock]) -> None:
+        super().__init__(window)
+        self._window, self._docks = window, docks
+        self._keyboard_is_free = False
+        window.setTabPosition(Qt.DockWidgetArea.AllDockWidgetAreas, QTabWidget.TabPosition.North)
+        window.installEventFilter(self)
+        for dock in docks.values():
+            dock.goes_behind.connect(partial(self._free_keyboard, dock))
+            dock.came_forward.connect(partial(self._take_keyboard, dock))
+            dock.sight_changed.connect(self._tell)
+        self._tell()
+
+    def next(self) -> None:
+        """Bring the tab after the one in front to the front, where the keyboard is."""
+        self._go(1)
+
+    def previous(self) -> None:
+        """Bring the tab before the one in front to the front, where the keyboard is."""
+        self._go(-1)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        # Qt makes a bar when it needs one, and says nothing else of it.
+        if event.type() == QEvent.Type.ChildPolished and isinstance(event.child(), QTabBar):
+            _prepare(event.child())
+        return False
+
+    def _tell(self) -> None:
+        names = frozenset(name for name, dock in self._docks.items() if dock.in_sight)
+        for dock in self._docks.values():
+            if dock.panel.in_sight != names:
+                dock.panel.show_in_sight(names)
+
+    def _free_keyboard(self, dock: Dock) -> None:
+        focused = QApplication.focusWidget()
+        if focused is None or not dock.panel.isAncestorOf(focused):
+            return
+        # Qt would give it to what comes next in its own order, and keys change another thing.
+        focused.clearFocus()
+        self._keyboard_is_free = True
+        for other in self._docks.values():
+            if other in self._window.tabifiedDockWidgets(dock) and other.in_sight:
+                self._take_keyboard(other)
+
+    def _take_keyboard(self, dock: Dock) -> None:
+        if self._keyboard_is_free:
+            self._keyboard_is_free = not focus_into(dock.panel, Qt.FocusReason.OtherFocusReason)
+
+    def _go(self, step: int) -> None:
+        docks = [dock for dock in self._docks.values() if not dock.isHidden()]
+        focused = QApplication.focusWidget()
+        # Where the keyboard is; else the first place that holds several.
+        docks.sort(key=lambda dock: focused is None or not dock.isAncestorOf(focused))
+        for dock in docks:
+            bar = self._bar_of(dock) if dock.in_sight else None
+            if bar is not None:
+                title = bar.tabText((bar.currentIndex() + step) % bar.count())
+                other = next(one for one in docks if one.windowTitle() == title)
+                other.bring_forward()
+                focus_into(other.panel, Qt.FocusReason.ShortcutFocusReason)
+                return
+        self.done.emit(_NOTHING)
+
+    def _bar_of(self, dock: Dock) -> QTabBar | None:
+        """The bar in which a dock is in front of others."""
+        direct = Qt.FindChildOption.FindDirectChildrenOnly
+        # A bar that Qt is about to delete still holds what it held: the newest is the one.
+        for bar in reversed(self._window.findChildren(QTabBar, options=direct)):
+            if bar.count() > 1 and bar.tabText(bar.currentIndex()) == dock.windowTitle():
+                return bar
+        return None
+
+
+def _prepare(bar: QTabBar) -> None:
+    bar.setAccessibleName("Panels in one place")
+    bar.setToolTip("Panels in one place; Ctrl+Tab shows the next")
+    # The keyboard has a key for it; a stop without a panel would only be in the way of Tab.
+    bar.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    bar.setDrawBase(False)
+    bar.setExpanding(False)

@@ -1,0 +1,43 @@
+"""Actions that bring docks into sight, and hide them."""
+
+from collections.abc import Iterable
+from functools import partial
+
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QAction
+
+from skinsource_gui.shell.docks.dock import Dock
+
+
+def menu_toggles(docks: Iterable[Dock], parent: QObject) -> list[QAction]:
+    """Return an action for each dock, on while it is in sight: it brings it there, or hides it."""
+    actions = []
+    for dock in docks:
+        action = QAction(dock.windowTitle(), parent)
+        action.setCheckable(True)
+        action.triggered.connect(partial(_turn, dock, action))
+        dock.sight_changed.connect(partial(_tick, dock, action))
+        _tick(dock, action)
+        actions.append(action)
+    return actions
+
+
+def toggles(docks: Iterable[Dock]) -> list[QAction]:
+    """Return one new action for each dock, which shows or hides it; for the palette."""
+    actions = []
+    for dock in docks:
+        action = QAction(f"{'Hide' if dock.in_sight else 'Show'} panel: {dock.windowTitle()}")
+        action.triggered.connect(dock.hide if dock.in_sight else dock.bring_forward)
+        actions.append(action)
+    return actions
+
+
+def _turn(dock: Dock, action: QAction) -> None:
+    if action.isChecked():
+        dock.bring_forward()
+    else:
+        dock.hide()
+
+
+def _tick(dock: Dock, action: QAction) -> None:
+    action.setChecked(dock.in_sight)

@@ -1,0 +1,148 @@
+"""Three axes of one acceleration as one signal."""
+
+from dataclasses import replace
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+
+from skinsource.errors import InvalidInputError, RecordingError
+from skinsource.recordings import Found, ImportChoice, Series, suggested, take, taken
+from skinsource.recordings.three_axes import dft321, other_axes
+
+WORDS = "(DFT321, Landin et al. 2010)"
+
+
+def by_definition(axes):
+    """Sums of the definition in 30 digits: no fast transform, and both halves of the spectrum."""
+    n = len(axes[0])
+    with mpmath.workdps(30):
+        turns = [mpmath.expjpi(mpmath.mpf(-2 * k) / n) for k in range(n)]
+        spectrum = []
+        for k in range(n):
+            parts = [
+                mpmath.fsum(mpmath.mpf(x) * turns[(k * j) % n] for j, x in enumerate(axis))
+                for axis in axes
+            ]
+            magnitude = mpmath.sqrt(mpmath.fsum(abs(part) ** 2 for part in parts))
+            spectrum.append(mpmath.rect(magnitude, mpmath.arg(mpmath.fsum(parts))))
+        return np.array(
+            [
+                float(
+                    mpmath.fsum(
+                        a * mpmath.conj(turns[(k * j) % n]) for k, a in enumerate(spectrum)
+                    ).real
+                    / n
+                )
+                for j in range(n)
+            ]
+        )
+
+
+@pytest.mark.parametrize("n", [1, 2, 31, 32])
+def test_it_is_what_the_sums_of_its_definition_give(n):
+    axes = np.random.default_rng(n).normal(size=(3, n))
+    np.testing.assert_allclose(dft321(axes), by_definition(axes.tolist()), rtol=0, atol=1e-13)
+
+
+def test_axes_in_step_become_the_length_of_their_vector():
+    wave = np.cos(2 * np.pi * 5 * np.arange(200) / 200 + 0.3)
+    together = dft321(np.stack([2.0 * wave, 3.0 * wave, 6.0 * wave]))
+    np.testing.assert_allclose(together, 7.0 * wave, rtol=0, atol=1e-12)
+
+
+def test_axes_that_cancel_keep_their_energy():
+    wave = np.sin(2 * np.pi * 5 * np.arange(200) / 200)
+    together = dft321(np.stack([wave, -wave, np.zeros(200)]))
+    assert np.sum(together**2) == pytest.approx(2 * np.sum(wave**2), rel=1e-12)
+
+
+@given(
+    axes=arrays(np.float64, st.tuples(st.just(3), st.integers(1, 40)), elements=st.floats(-9, 9))
+)
+def test_no_energy_is_lost_and_no_axis_comes_first(axes):
+    together = dft321(axes)
+    assert np.sum(together**2) == pytest.approx(np.sum(axes**2), rel=1e-9, abs=1e-12)
+    assert np.sum(dft321(axes[::-1]) ** 2) == pytest.approx(
+        np.sum(together**2), rel=1e-9, abs=1e-12
+    )
+
+
+@pytest.mark.parametrize("axes", [np.zeros((2, 5)), np.zeros((3, 0)), np.zeros(3), [[np.nan]] * 3])
+def test_anything_but_three_rows_of_numbers_is_refused(axes):
+    with pytest.raises(InvalidInputError, match="axes"):
+        dft321(axes)
+
+
+def found(*names, n=100, **more):
+    series = [
+        Series(key=str(k), name=name, n_samples=n, dtype="f8", **more)
+        for k, name in enumerate(names)
+    ]
+    return Found(format="CSV", series=tuple(series))
+
+
+@pytest.mark.parametrize(
+    ("names", "first", "expected"),
+    [
+        (("acc_x", "acc_y", "acc_z", "gyr_x", "gyr_y", "gyr_z"), 1, "02"),
+        (("acc_x", "acc_y", "acc_z", "gyr_x", "gyr_y", "gyr_z"), 3, "45"),
+        (("force", "X", "Y", "Z"), 3, "12"),
+        (("channel 1", "channel 2", "channel 3"), 0, "12"),
+        (("channel 1", "channel 2"), 0, ""),
+        (("force", "x", "y", "z"), 0, ""),
+        (("x", "x", "y", "z"), 0, ""),
+        (("max", "a", "b"), 0, "12"),
+    ],
+)
+def test_axes_that_belong_together_are_found_by_name_or_number(names, first, expected):
+    file = found(*names)
+    others = other_axes(file, file.series[first])
+    assert "".join(one.key for one in others) == expected
+
+
+def test_axes_of_another_length_or_unit_do_not_belong_to_it():
+    file = found("x", "y", "z")
+    short = replace(file.series[2], n_samples=99)
+    other = replace(file.series[2], unit="g")
+    for one in (short, other):
+        assert other_axes(replace(file, series=(*file.series[:2], one)), file.series[0]) == ()
+
+
+def test_three_columns_of_a_file_are_taken_as_one(tmp_path, process):
+    rng = np.random.default_rng(7)
+    axes = rng.normal(size=(3, 400)) + np.array([[0.0], [1.0], [9.81]])
+    rows = "\n".join(",".join(f"{x:.17g}" for x in row) for row in axes.T)
+    (tmp_path / "a.csv").write_text(f"ax [m/s^2],ay [m/s^2],az [m/s^2]\n{rows}\n")
+    file = process.look(tmp_path / "a.csv")
+    others = tuple(one.key for one in other_axes(file, file.series[0]))
+    assert others == ("1", "2")
+    choice = replace(suggested(file), rate_hz=1300.0, scale="keep", others=others)
+    whole = take(tmp_path / "a.csv", choice, process=process)
+    expected = dft321(axes - axes.mean(axis=1, keepdims=True))
+    np.testing.assert_allclose(whole.samples.values, expected, rtol=0, atol=1e-12)
+    assert whole.name == "a.csv, ax, ay, az"
+    assert whole.samples.unit == "m/s²"
+    assert any(note.endswith(f"{WORDS}.") for note in whole.notes)
+    assert sum("offset" in note for note in whole.notes) == 3
+    with pytest.raises(RecordingError, match="no signal 'gone'"):
+        take(tmp_path / "a.csv", replace(choice, others=("1", "gone")), process=process)
+
+
+def test_missing_numbers_of_any_axis_are_refused_or_zero():
+    axes = np.ones((3, 4)) * np.array([1.0, -1.0, 1.0, -1.0])
+    axes[2, 1] = np.nan
+    choice = ImportChoice(series="0", others=("1", "2"), rate_hz=1300.0, scale="keep")
+    with pytest.raises(InvalidInputError, match="1 of 4 numbers"):
+        taken(axes, choice, 1300.0)
+    found = taken(axes, replace(choice, missing="zero", remove_offset=False), 1300.0).samples.values
+    assert np.sum(found**2) == pytest.approx(11.0, rel=1e-12)
+
+
+@pytest.mark.parametrize("others", [("1",), ("0", "1"), ("1", "1"), ("1", "2", "3")])
+def test_a_choice_of_axes_that_are_not_three_is_refused(others):
+    with pytest.raises(InvalidInputError, match="two other axes"):
+        ImportChoice(series="0", others=others)

@@ -1,0 +1,319 @@
+"""Panels that share a place: one in front, the others as tabs."""
+
+import random
+
+import pytest
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu, QTabBar
+
+from skinsource.catalogue import available_limbs
+from skinsource.design import start_design
+from skinsource.design_file import save_design
+from skinsource.view import View
+from skinsource_gui.shell.docks.arrangements import ARRANGEMENTS, Behind, Place
+from skinsource_gui.shell.panels import PANELS
+from skinsource_gui.shell.window import MainWindow
+
+GUESTS = ("compare", "history", "library")
+
+
+def bars(window):
+    """The bars of tabs that the window has; those that Qt gave up are gone for good."""
+    QApplication.processEvents()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    direct = Qt.FindChildOption.FindDirectChildrenOnly
+    return window.findChildren(QTabBar, options=direct)
+
+
+def titles(bar):
+    return [bar.tabText(k) for k in range(bar.count())]
+
+
+def bar_with(window, title):
+    return next(bar for bar in bars(window) if title in titles(bar) and bar.count() > 1)
+
+
+def click_tab(window, title):
+    bar = bar_with(window, title)
+    at = bar.tabRect(titles(bar).index(title)).center()
+    QTest.mouseClick(bar, Qt.MouseButton.LeftButton, pos=at)
+    QApplication.processEvents()
+
+
+def in_sight(window):
+    return {panel.name for panel in window.panels if panel.isVisible()}
+
+
+@pytest.fixture
+def active(window, qtbot):
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    return window
+
+
+@pytest.fixture
+def wanted(window):
+    """What the window was last asked for."""
+    requests = []
+    window.conductor.delivered.connect(lambda outcome: requests.append(outcome.request.wanted))
+    return lambda: requests[-1]
+
+
+@pytest.mark.parametrize("name", GUESTS)
+def test_a_panel_without_a_place_of_its_own_takes_no_room_from_traces_and_spectra(window, name):
+    before = {one: window.docks[one].geometry() for one in ("traces", "spectra", "timeline")}
+    window.docks[name].bring_forward()
+    QApplication.processEvents()
+    assert name in in_sight(window)
+    assert "inspector" not in in_sight(window)
+    assert {one: window.docks[one].geometry() for one in before} == before
+
+
+def test_every_panel_comes_up_in_every_arrangement_and_squeezes_none(window, settle):
+    for arrangement in ARRANGEMENTS:
+        window.do(f"arrange_{arrangement.name}")
+        settle()
+        sizes = {name: window.docks[name].width() for name in in_sight(window)}
+        for spec in PANELS:
+            name = spec.panel.name
+            window.docks[name].bring_forward()
+            settle()
+            assert name in in_sight(window)
+            place = spec.places[arrangement.name]
+            if not isinstance(place, Place):
+                host = place.panel if isinstance(place, Behind) else arrangement.host
+                assert window.docks[host] in window.tabifiedDockWidgets(window.docks[name])
+        for name in sizes:
+            window.docks[name].bring_forward()
+        settle()
+        assert {name: window.docks[name].width() for name in sizes} == sizes
+
+
+def test_those_with_whom_panels_share_a_place_have_one_of_their_own():
+    places = {spec.panel.name: spec.places for spec in PANELS}
+    for arrangement in ARRANGEMENTS:
+        hosts = {arrangement.host}
+        for spec in PANELS:
+            place = spec.places[arrangement.name]
+            hosts |= {place.panel} if isinstance(place, Behind) else set()
+        assert all(isinstance(places[host][arrangement.name], Place) for host in hosts)
+
+
+def test_nothing_is_computed_for_a_panel_behind_another_one(window, settle, wanted):
+    window.tabifyDockWidget(window.docks["traces"], window.docks["spectra"])
+    settle()
+    click_tab(window, "Traces")
+    others = (panel.needs for panel in window.panels if panel.name != "spectra")
+    own = window.panel("spectra").needs.difference(*others)
+    assert own
+    window.document.edit("a", window.document.design.with_input(0, amplitude=2.0))
+    settle()
+    assert "selected_traces" in wanted()
+    assert not wanted() & own
+    click_tab(window, "Spectra")
+    settle()
+    assert wanted() >= own
+    window.document.edit("b", window.document.design.with_input(0, amplitude=3.0))
+    settle()
+    assert "selected_traces" not in wanted()
+
+
+def test_a_panel_that_comes_to_the_front_shows_the_present_design(window, settle):
+    window.tabifyDockWidget(window.docks["traces"], window.docks["spectra"])
+    click_tab(window, "Spectra")
+    window.do("clear_inputs")
+    settle()
+    drawn = []
+    window.panel("traces").show_results = drawn.append
+    window.panel("traces").show_problem = drawn.append
+    window.do("undo")
+    settle()
+    assert not drawn
+    click_tab(window, "Traces")
+    settle()
+    assert len(drawn) == 1
+
+
+def test_snapshots_are_not_predicted_for_a_comparison_behind_another_panel(window, settle):
+    window.docks["compare"].bring_forward()
+    settle()
+    click_tab(window, "Inspector")
+    told = []
+    window.panel("compare").show_snapshots = told.append
+    window.do("store_snapshot_1")
+    window.document.edit("a", window.document.design.with_input(0, amplitude=2.0))
+    settle()
+    assert not told
+
+
+def test_bars_of_tabs_say_what_they_are_and_are_no_stop_for_the_keyboard(active):
+    active.tabifyDockWidget(active.docks["hand"], active.docks["skin"])
+    active.docks["library"].bring_forward()
+    found = [bar for bar in bars(active) if bar.count() > 1]
+    assert len(found) == 2
+    assert {bar.accessibleName() for bar in found} == {"Panels in one place"}
+    assert {bar.focusPolicy() for bar in found} == {Qt.FocusPolicy.NoFocus}
+
+
+def test_ctrl_tab_shows_what_shares_the_place_of_the_keyboard_and_takes_it_along(active, settle):
+    active.docks["library"].bring_forward()
+    active.docks["history"].bring_forward()
+    settle()
+    active.panel("history").setFocus()
+    seen = []
+    for _ in range(3):
+        active.do("next_tab")
+        settle()
+        focused = QApplication.focusWidget()
+        seen.append(next(p.name for p in active.panels if p.isAncestorOf(focused)))
+        assert seen[-1] in in_sight(active)
+    names = [active.panel(name).title for name in seen]
+    row = titles(bar_with(active, "Library"))
+    start = row.index("History") + 1
+    assert names == row[start:] + row[:start]
+    active.do("previous_tab")
+    assert seen[-2] in in_sight(active)
+
+
+def test_ctrl_tab_from_elsewhere_goes_to_the_panels_that_share_a_place(active, settle):
+    active.docks["library"].bring_forward()
+    settle()
+    active.panel("hand").setFocus()
+    active.do("next_tab")
+    assert "inspector" in in_sight(active)
+    assert active.panel("inspector").isAncestorOf(QApplication.focusWidget())
+
+
+def test_ctrl_tab_says_when_no_panels_share_a_place(window):
+    window.do("next_tab")
+    assert window.statusBar().currentMessage().startswith("No panel shares its place")
+
+
+def test_a_click_on_a_tab_takes_the_keyboard_from_the_panel_it_hides_to_the_one_it_shows(active):
+    active.docks["library"].bring_forward()
+    QApplication.processEvents()
+    active.panel("library").setFocus()
+    assert active.panel("library").isAncestorOf(QApplication.focusWidget())
+    click_tab(active, "Inspector")
+    assert active.panel("inspector").isAncestorOf(QApplication.focusWidget())
+    active.panel("hand").setFocus()
+    click_tab(active, "Library")
+    assert active.panel("hand").isAncestorOf(QApplication.focusWidget())
+
+
+def test_a_panel_in_a_window_of_its_own_is_in_sight_on_a_screen_to_the_left_too(window, settle):
+    window.docks["traces"].setFloating(True)
+    window.docks["traces"].move(-900, 10)
+    settle()
+    assert window.panel("traces").isVisible()
+
+
+def test_the_panels_menu_ticks_what_is_in_sight_and_brings_what_is_behind(window, settle):
+    menu = next(one for one in window.findChildren(QMenu) if one.title() == "Panels")
+    entry = {action.text(): action for action in menu.actions()}
+    assert {text for text, one in entry.items() if one.isChecked()} == {
+        window.panel(name).title for name in in_sight(window)
+    }
+    entry["Library"].trigger()
+    settle()
+    assert entry["Library"].isChecked()
+    assert not entry["Inspector"].isChecked()
+    entry["Inspector"].trigger()
+    settle()
+    assert "inspector" in in_sight(window)
+    assert not entry["Library"].isChecked()
+    entry["Inspector"].trigger()
+    settle()
+    assert window.docks["inspector"].isHidden()
+    assert "library" in in_sight(window)
+
+
+def test_tabs_of_the_last_session_are_tabs_again(qtbot, preferences):
+    def session():
+        window = MainWindow(
+            start_design("synthetic-1"), preferences=preferences, available_limbs=available_limbs()
+        )
+        qtbot.addWidget(window, before_close_func=lambda one: one.runner.close())
+        window.show()
+        qtbot.waitExposed(window)
+        qtbot.waitUntil(lambda: not window.engine.busy)
+        return window
+
+    first = session()
+    first.docks["history"].bring_forward()
+    first.docks["library"].bring_forward()
+    QApplication.processEvents()
+    # As older studios put it: at the foot of the last column.
+    first.splitDockWidget(first.docks["spectra"], first.docks["compare"], Qt.Orientation.Vertical)
+    first.docks["compare"].show()
+    before = in_sight(first)
+    assert {"library", "compare"} <= before
+    assert not {"history", "inspector"} & before
+    first.close()
+    again = session()
+    QApplication.processEvents()
+    assert in_sight(again) == before
+    assert sorted(titles(bar_with(again, "Library"))) == ["History", "Inspector", "Library"]
+    wanted = []
+    again.conductor.delivered.connect(lambda outcome: wanted.append(outcome.request.wanted))
+    click_tab(again, "Inspector")
+    assert "inspector" in in_sight(again)
+
+
+def test_a_file_brings_its_panel_to_the_front(window, settle, tmp_path):
+    path = tmp_path / "behind.skinsource"
+    window.docks["library"].bring_forward()
+    settle()
+    save_design(path, window.document.design, View(), layout=window.layout_of_docks.content())
+    window.do("arrange_design")
+    settle()
+    assert "inspector" in in_sight(window)
+    window.files.open(path)
+    settle()
+    assert "library" in in_sight(window)
+    assert "inspector" not in in_sight(window)
+    assert not window.docks["inspector"].isHidden()
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_whatever_is_done_to_docks_just_those_in_front_are_shown(window, settle, seed):
+    chance = random.Random(seed)  # noqa: S311
+    docks = list(window.docks.values())
+    saved = [window.saveState()]
+
+    def act():
+        one, other = chance.sample(docks, 2)
+        way = chance.choice(list(Qt.Orientation))
+        arrangement = chance.choice(ARRANGEMENTS).name
+        chance.choice(
+            [
+                lambda: window.tabifyDockWidget(one, other),
+                lambda: window.splitDockWidget(one, other, way),
+                lambda: one.setFloating(not one.isFloating()),
+                one.hide,
+                one.show,
+                one.raise_,
+                one.bring_forward,
+                lambda: window.arrangements.show(arrangement),
+                lambda: saved.append(window.saveState()),
+                lambda: window.restoreState(chance.choice(saved)),
+                lambda: window.layout_of_docks.show_panels(chance.choice(saved).data()),
+            ]
+        )()
+
+    for _ in range(40):
+        act()
+        found = [bar for bar in bars(window) if bar.count() > 1]
+        for dock in docks:
+            seen = dock.isFloating() or not dock.visibleRegion().isEmpty()
+            assert dock.panel.isVisible() == (dock.isVisible() and seen), dock.objectName()
+        assert all(bar.focusPolicy() == Qt.FocusPolicy.NoFocus for bar in found)
+    settle()
+
+
+def test_a_tab_is_as_high_as_its_words(window):
+    window.docks["library"].bring_forward()
+    bar = bar_with(window, "Library")
+    assert bar.height() >= bar.fontMetrics().height() + 8
+    assert bar.tabRect(0).contains(QPoint(4, 4))

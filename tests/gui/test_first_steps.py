@@ -1,0 +1,84 @@
+"""Empty panels say what can be done, and it can be done there."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel
+
+from skinsource import edits
+from skinsource.design import Design, track
+from skinsource.edits import Edit
+from skinsource.view import View
+from skinsource_gui.shell.docks.arrangements import ARRANGEMENTS
+from skinsource_gui.shell.panels import PANELS
+from skinsource_gui.widgets.plot.plot import Plot
+
+ANYWHERE = ("Press ", "View > Panels")
+#: Words of a sentence, and the panel that they lead to.
+LEADS = {"on the hand": "hand", "in the timeline": "timeline", "on the skin map": "skin"}
+
+
+def words_of(panel):
+    """All sentences of a panel that ask for something."""
+    labels = (one.text() for one in panel.findChildren(QLabel) if one.isVisibleTo(panel))
+    plots = (one.message for one in panel.findChildren(Plot))
+    return [w for w in (*labels, *plots) if w.startswith(("Click ", "Press ", "Select ", "Show "))]
+
+
+@pytest.mark.parametrize("arrangement", [one.name for one in ARRANGEMENTS])
+@pytest.mark.parametrize("state", ["empty", "nothing selected"])
+def test_no_words_lead_to_a_panel_that_is_not_in_sight(window, settle, arrangement, state):
+    if state == "empty":
+        window.do("clear_inputs")
+    window.document.look(replace(window.document.view, outputs=(), selected_inputs=()))
+    window.do(f"arrange_{arrangement}")
+    settle()
+    said = 0
+    for spec in PANELS:
+        window.docks[spec.panel.name].bring_forward()
+        settle()
+        panel = window.panel(spec.panel.name)
+        for words in words_of(panel):
+            said += 1
+            ways = [name for part, name in LEADS.items() if part in words]
+            assert ways or any(part in words for part in ANYWHERE), words
+            for name in ways:
+                assert window.panel(name).isVisible(), (panel.name, words)
+    assert said >= 4
+
+
+def test_what_is_said_without_a_hand_adds_an_input(window, settle, qtbot):
+    window.do("clear_inputs")
+    window.do("arrange_drawing")
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    settle()
+    empty = window.panel("timeline").findChild(QLabel, "inputs_empty")
+    assert empty.text() == "Press Ctrl+Shift+N to add a track"
+    held = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
+    QTest.keyClick(window, Qt.Key.Key_N, held)
+    settle()
+    assert [one.location for one in window.document.design.inputs] == [7]
+    assert not empty.isVisible()
+    window.do("clear_inputs")
+    window.do("arrange_design")
+    settle()
+    assert empty.text() == "Click a place on the hand to add a track"
+    window.docks["hand"].hide()
+    assert empty.text() == "Press Ctrl+Shift+N to add a track"
+
+
+def test_inputs_are_added_where_there_are_none_yet():
+    design, view = Design(limb="synthetic-1", inputs=(track(location=1),)), View()
+    places = []
+    for _ in range(21):
+        outcome = edits.add_input(design, view)
+        assert isinstance(outcome, Edit)
+        design, view = outcome.design, outcome.view
+        places.append(design.inputs[-1].location)
+        assert view.selected_inputs == (design.ids[-1],)
+    assert places[:3] == [7, 2, 3]
+    assert sorted(places[:19]) == list(range(2, 21))
+    assert places[19:] == [7, 7]
