@@ -15,19 +15,12 @@ from skinsource_gui.import_page.file_drops import FileDrops
 from skinsource_gui.import_page.import_actions import ImportActions
 from skinsource_gui.library_page.library_actions import LibraryActions
 from skinsource_gui.panel import Panel
+from skinsource_gui.shell import docks
 from skinsource_gui.shell.action_set import ActionSet
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.bars import setup_toolbar
 from skinsource_gui.shell.clip_drops import ClipDrops
-from skinsource_gui.shell.docks import (
-    Arrangements,
-    Dock,
-    DockLayout,
-    DockTabs,
-    menu_toggles,
-    toggles,
-)
 from skinsource_gui.shell.focus_order import move_focus
 from skinsource_gui.shell.installations import Installations
 from skinsource_gui.shell.keeping.keeping import Keeping
@@ -84,7 +77,7 @@ class MainWindow(QMainWindow):
         self.engine = FirstPaintEngine(graphs_that_share(), self)
         self.runner = JobRunner(self)
         self.panels: tuple[Panel, ...] = tuple(spec.panel() for spec in PANELS)
-        self.docks = {panel.name: Dock(panel, self) for panel in self.panels}
+        self.docks = {panel.name: docks.Dock(panel, self) for panel in self.panels}
         self.limbs = InstalledLimbs(tuple(available_limbs), self)
         self.notice = Notice(self)
         self.setup_bar = SetupBar()
@@ -142,9 +135,11 @@ class MainWindow(QMainWindow):
     def _make_capabilities(self) -> None:
         self.appearance = Appearance(self.preferences, self)
         places = {spec.panel.name: spec.places for spec in PANELS}
-        self.arrangements = Arrangements(self, self.docks, places)
-        self.dock_tabs = DockTabs(self, self.docks)
-        self.layout_of_docks = DockLayout(self, self.docks, self.arrangements, self.preferences)
+        self.arrangements = docks.Arrangements(self, self.docks, places)
+        self.dock_tabs = docks.DockTabs(self, self.docks)
+        self.layout_of_docks = docks.DockLayout(
+            self, self.docks, self.arrangements, self.preferences
+        )
         self.files = FileActions(
             self.document, self.preferences, self, self.layout_of_docks.content
         )
@@ -211,7 +206,7 @@ class MainWindow(QMainWindow):
         actions = self.actions_by_name
         recent = RecentMenu(self.files.recent, self)
         recent.chosen.connect(self.files.open)
-        shown = menu_toggles(self.docks.values(), self)
+        shown = docks.menu_toggles(self.docks.values(), self)
         fill_menu_bar(self.menuBar(), ACTIONS, actions, recent, shown)
         groups = [[actions["undo"], actions["redo"]], [actions["find_action"]]]
         setup_toolbar(self, self.setup_bar, groups)
@@ -264,7 +259,7 @@ class MainWindow(QMainWindow):
 
     def _findable(self) -> list[QAction]:
         others = [one for name, one in self.actions_by_name.items() if name != "find_action"]
-        panels = toggles(self.docks.values())
+        panels = docks.toggles(self.docks.values())
         return [*others, *panels, *self.setup_bar.choices(None), *kind_choices(self.document)]
 
     def _drawer_of(self, panel: str) -> Draw:
