@@ -137,9 +137,8 @@ class MainWindow(QMainWindow):
         places = {spec.panel.name: spec.places for spec in PANELS}
         self.arrangements = docks.Arrangements(self, self.docks, places)
         self.dock_tabs = docks.DockTabs(self, self.docks)
-        self.layout_of_docks = docks.DockLayout(
-            self, self.docks, self.arrangements, self.preferences
-        )
+        arrangements = self.arrangements
+        self.layout_of_docks = docks.DockLayout(self, self.docks, arrangements, self.preferences)
         self.files = FileActions(
             self.document, self.preferences, self, self.layout_of_docks.content
         )
@@ -206,10 +205,10 @@ class MainWindow(QMainWindow):
         actions = self.actions_by_name
         recent = RecentMenu(self.files.recent, self)
         recent.chosen.connect(self.files.open)
-        shown = docks.menu_toggles(self.docks.values(), self)
-        fill_menu_bar(self.menuBar(), ACTIONS, actions, recent, shown)
-        groups = [[actions["undo"], actions["redo"]], [actions["find_action"]]]
-        setup_toolbar(self, self.setup_bar, groups)
+        toggles = docks.menu_toggles(self.docks.values(), self)
+        fill_menu_bar(self.menuBar(), ACTIONS, actions, recent, toggles)
+        steps, search = [actions["undo"], actions["redo"]], [actions["find_action"]]
+        setup_toolbar(self, self.setup_bar, (steps, search))
         self.statusBar().addWidget(self.status_line, 1)
         self.statusBar().addPermanentWidget(self.job_bar)
         self.statusBar().addPermanentWidget(self._limb_note)
