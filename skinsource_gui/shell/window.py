@@ -135,10 +135,9 @@ class MainWindow(QMainWindow):
     def _make_capabilities(self) -> None:
         self.appearance = Appearance(self.preferences, self)
         places = {spec.panel.name: spec.places for spec in PANELS}
-        self.arrangements = docks.Arrangements(self, self.docks, places)
+        self.arrangements = arranged = docks.Arrangements(self, self.docks, places)
         self.dock_tabs = docks.DockTabs(self, self.docks)
-        arrangements = self.arrangements
-        self.layout_of_docks = docks.DockLayout(self, self.docks, arrangements, self.preferences)
+        self.layout_of_docks = docks.DockLayout(self, self.docks, arranged, self.preferences)
         self.files = FileActions(
             self.document, self.preferences, self, self.layout_of_docks.content
         )
@@ -205,10 +204,10 @@ class MainWindow(QMainWindow):
         actions = self.actions_by_name
         recent = RecentMenu(self.files.recent, self)
         recent.chosen.connect(self.files.open)
-        toggles = docks.menu_toggles(self.docks.values(), self)
-        fill_menu_bar(self.menuBar(), ACTIONS, actions, recent, toggles)
-        steps, search = [actions["undo"], actions["redo"]], [actions["find_action"]]
-        setup_toolbar(self, self.setup_bar, (steps, search))
+        shown = docks.menu_toggles(self.docks.values(), self)
+        fill_menu_bar(self.menuBar(), ACTIONS, actions, recent, shown)
+        groups = [[actions["undo"], actions["redo"]], [actions["find_action"]]]
+        setup_toolbar(self, self.setup_bar, groups)
         self.statusBar().addWidget(self.status_line, 1)
         self.statusBar().addPermanentWidget(self.job_bar)
         self.statusBar().addPermanentWidget(self._limb_note)
