@@ -66,6 +66,8 @@ class ActionSet(QObject):
     def _action(self, spec: ActionSpec, capabilities: Capabilities, window: QWidget) -> QAction:
         action = QAction(spec.text, window)
         action.setObjectName(spec.name)
+        if spec.short:
+            action.setIconText(spec.short)
         action.setShortcuts([QKeySequence(key) for key in spec.keys])
         keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
         action.setToolTip(f"{spec.hint} ({keys})" if keys else spec.hint)

@@ -24,6 +24,8 @@ class ActionSpec:
         Name of the action, the same for ever.
     menu, text
         Menu it stands in; what the menu says.
+    short
+        What its button says in the bar, where that is less.
     hint
         What it does, in a sentence.
     keys
@@ -51,6 +53,7 @@ class ActionSpec:
     text: str
     hint: str
     keys: tuple[str, ...] = ()
+    short: str = ""
     keywords: str = ""
     command: str = ""
     argument: str = ""

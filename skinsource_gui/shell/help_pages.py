@@ -30,6 +30,7 @@ _MOUSE = (
     ("Drag across a plot", "zoom to that stretch"),
 )
 _KEYS = (
+    ("Esc, Esc", "while it plays: stop at once; the gain goes back to where it starts"),
     ("Tab, Shift+Tab", "go from control to control through all panels, and back"),
     ("Left, Right", "choose another of some buttons of which one is on"),
 )

@@ -14,6 +14,7 @@ from skinsource_gui.panels.hand.panel import HandPanel
 from skinsource_gui.panels.history.panel import HistoryPanel
 from skinsource_gui.panels.inspector.panel import InspectorPanel
 from skinsource_gui.panels.library.panel import LibraryPanel
+from skinsource_gui.panels.playback.panel import PlaybackPanel
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.spectra.panel import SpectraPanel
@@ -112,4 +113,5 @@ PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(panel=HistoryPanel, places=_places()),
     PanelSpec(panel=LibraryPanel, places=_places()),
     PanelSpec(panel=ActuatorPanel, settings=ActuatorSettings, places=_places()),
+    PanelSpec(panel=PlaybackPanel, places=_places()),
 )

@@ -120,7 +120,7 @@ class SetupBar(QWidget):
         title.setBuddy(field)
         self._row.addWidget(title)
         self._row.addWidget(field)
-        self._row.addSpacing(6)
+        self._row.addSpacing(2)
         return field
 
     def _choose(self, edit: Callable[..., Edit | Refusal], value: str, gesture: int | None) -> None:

@@ -1,10 +1,23 @@
-"""Shortcuts of the window work from inside number fields and lines of text too."""
+"""Shortcuts of the window and the keys of the widget that has the keyboard: which goes first.
+
+Shortcuts work from inside number fields and lines of text too.  Keys without Ctrl or Alt that a
+widget needs itself stay with it: letters and spaces where a text is typed, Space on what is
+pressed or chosen with it.
+"""
 
 from collections.abc import Iterable
 
-from PySide6.QtCore import QEvent, QObject
-from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QApplication, QLineEdit, QPlainTextEdit, QWidget
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QApplication,
+    QComboBox,
+    QLineEdit,
+    QPlainTextEdit,
+    QWidget,
+)
 
 _Standard = QKeySequence.StandardKey
 #: What these keys do to a text while it is typed.
@@ -21,6 +34,9 @@ _WHILE_TYPING = (
 #: What they do to a text that is only shown.
 _WHILE_RESTING = (_Standard.Copy, _Standard.Paste)
 _TEXTS = (QLineEdit, QPlainTextEdit)
+#: What is pressed, or chosen from, with Space.
+_PRESSED = (QAbstractButton, QComboBox, QAbstractItemView)
+_HELD = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
 
 
 class ShortcutsInFields(QObject):
@@ -41,17 +57,27 @@ class ShortcutsInFields(QObject):
         super().__init__(window)
         self._window = window
         self._shortcuts = [key for action in actions for key in action.shortcuts()]
-        self._watched: QLineEdit | QPlainTextEdit | None = None
-        # One line of text at a time: a filter on all widgets would see each event of the studio.
+        self._watched: QWidget | None = None
+        # One widget at a time: a filter on all widgets would see each event of the studio.
         QApplication.instance().focusChanged.connect(self._watch)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.ShortcutOverride and isinstance(watched, _TEXTS):
+        if event.type() != QEvent.Type.ShortcutOverride or not isinstance(event, QKeyEvent):
+            return super().eventFilter(watched, event)
+        if isinstance(watched, _TEXTS):
             own = _WHILE_RESTING if watched.isReadOnly() else _WHILE_TYPING
+            typed = not watched.isReadOnly() and _is_typed(event)
             pressed = QKeySequence(event.keyCombination())
-            if pressed in self._shortcuts and not any(event.matches(key) for key in own):
+            if (
+                pressed in self._shortcuts
+                and not typed
+                and not any(event.matches(key) for key in own)
+            ):
                 event.ignore()
                 return True
+        elif event.key() == Qt.Key.Key_Space and not event.modifiers() & _HELD:
+            event.accept()
+            return True
         return super().eventFilter(watched, event)
 
     def _watch(self, _old: QWidget | None, new: QWidget | None) -> None:
@@ -59,10 +85,18 @@ class ShortcutsInFields(QObject):
             self._watched.removeEventFilter(self)
             self._watched.destroyed.disconnect(self._forget)
             self._watched = None
-        if isinstance(new, _TEXTS) and self._window.isAncestorOf(new):
+        # A button that was clicked has the keyboard too, but nobody means it any more.
+        clicked = isinstance(new, QAbstractButton) and bool(QApplication.mouseButtons())
+        wanted = isinstance(new, (*_TEXTS, *_PRESSED)) and not clicked
+        if wanted and self._window.isAncestorOf(new):
             self._watched = new
             new.installEventFilter(self)
             new.destroyed.connect(self._forget)
 
     def _forget(self) -> None:
         self._watched = None
+
+
+def _is_typed(event: QKeyEvent) -> bool:
+    """Whether a key puts something into a text."""
+    return event.text().isprintable() and event.text() != "" and not event.modifiers() & _HELD

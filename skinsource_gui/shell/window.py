@@ -30,6 +30,7 @@ from skinsource_gui.shell.notice import Notice
 from skinsource_gui.shell.pages import Pages, late
 from skinsource_gui.shell.panel_focus import PanelFocus
 from skinsource_gui.shell.panels import PANELS
+from skinsource_gui.shell.playing.playback import Playback
 from skinsource_gui.shell.recent_menu import RecentMenu
 from skinsource_gui.shell.reports import Reports
 from skinsource_gui.shell.running_jobs import RunningJobs
@@ -159,6 +160,7 @@ class MainWindow(QMainWindow):
         )
         self.imports = ImportActions(self.document, self.preferences, lambda: self.theme, self)
         self.library = LibraryActions(self.document, lambda: self.theme, self)
+        self.playback = Playback(self.document, self.preferences, self)
         self.running_jobs = RunningJobs(self.runner, self)
         self.levelling = WaveletLevelling(self.document, self.runner, self)
         self.pages = Pages(
@@ -191,6 +193,7 @@ class MainWindow(QMainWindow):
             "comparison": self.comparison,
             "jobs": self.running_jobs,
             "levelling": self.levelling,
+            **self.playback.capabilities(),
             "steps": self.document.undo_stack,
             "arrangements": self.arrangements,
             "dock_tabs": self.dock_tabs,
@@ -207,7 +210,7 @@ class MainWindow(QMainWindow):
         shown = docks.menu_toggles(self.docks.values(), self)
         fill_menu_bar(self.menuBar(), ACTIONS, actions, recent, shown)
         groups = [[actions["undo"], actions["redo"]], [actions["find_action"]]]
-        setup_toolbar(self, self.setup_bar, groups)
+        setup_toolbar(self, (self.setup_bar, self.playback.bar), groups)
         self.statusBar().addWidget(self.status_line, 1)
         self.statusBar().addPermanentWidget(self.job_bar)
         self.statusBar().addPermanentWidget(self._limb_note)
@@ -232,6 +235,7 @@ class MainWindow(QMainWindow):
         drops.design_dropped.connect(self.files.open)
         drops.recording_dropped.connect(self.imports.open_page)
         drops.preset_dropped.connect(self.library.place_file)
+        self.playback.connect_to(self.panel("playback"), self.appearance, reports)
         self.keeping.connect_to(self.conductor, reports)
         for panel in self.panels:
             panel.action_wanted.connect(self.do)
@@ -282,18 +286,15 @@ class MainWindow(QMainWindow):
         self._limb_note.show_available(self.limbs.names)
 
     def focusNextPrevChild(self, forward: bool) -> bool:
-        regions = (self.notice.buttons, self.setup_bar, *self.panels, self.statusBar())
-        return move_focus(self, regions, forward=forward)
+        regions = (self.notice.buttons, self.setup_bar, self.playback.bar, *self.panels)
+        return move_focus(self, (*regions, self.statusBar()), forward=forward)
 
     def closeEvent(self, event) -> None:
         if not (self.files.may_lose_changes() and self.running_jobs.may_close()):
             event.ignore()
             return
-        self.keeping.end()
-        self.layout_of_docks.close()
-        self.engine.close()
-        self.running_jobs.end()
-        self.pages.end()
-        self.imports.end()
-        self.stimuli.end()
+        first = (self.keeping.end, self.layout_of_docks.close, self.engine.close)
+        rest = (self.playback.player, self.running_jobs, self.pages, self.imports, self.stimuli)
+        for end in (*first, *(one.end for one in rest)):
+            end()
         super().closeEvent(event)

@@ -138,6 +138,15 @@ class Preferences:
     def folder(self, folder: Path) -> None:
         self._settings.setValue("folder", str(folder))
 
+    @property
+    def output_text(self) -> str:
+        """What this machine plays on, see `skinsource.playing.Output`; empty at first."""
+        return str(self._settings.value("output", ""))
+
+    @output_text.setter
+    def output_text(self, text: str) -> None:
+        self._settings.setValue("output", text)
+
     def flush(self) -> None:
         """Write what is remembered to disk."""
         self._settings.sync()

@@ -49,6 +49,7 @@ def region_of(window, widget):
     parts = {
         "notice": window.notice.buttons,
         "setup": window.setup_bar,
+        "transport": window.playback.bar,
         "status": window.statusBar(),
         **{panel.name: panel for panel in window.panels},
     }
@@ -70,12 +71,15 @@ def test_tab_goes_through_all_panels_in_the_order_of_the_work(at_work):
         "spectra",
         "status",  # how to get the measured limbs
         "setup",
+        "transport",
         "hand",
     ]
     assert len(set(names)) == len(names)
     assert {
         ("setup", "limb"),
         ("setup", "method"),
+        ("transport", "play_button"),
+        ("transport", "gain_field"),
         ("timeline", "amplitude_field"),
         ("inspector", "kind_field"),
         ("inspector", "location_field"),
@@ -110,7 +114,7 @@ def test_each_arrangement_has_its_own_round(at_work, arrangement):
     QApplication.processEvents()
     at_work.panel("skin").setFocus()
     visible = {panel.name for panel in at_work.panels if panel.isVisible()}
-    assert {region for region, _ in walk(at_work)} == visible | {"setup", "status"}
+    assert {region for region, _ in walk(at_work)} == visible | {"setup", "transport", "status"}
 
 
 def test_a_notice_comes_first(at_work):

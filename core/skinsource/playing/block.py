@@ -1,6 +1,6 @@
 """The next block of samples: all that happens between a mix and the device."""
 
-from math import log10
+from math import inf, log10
 from time import perf_counter
 
 import numpy as np
@@ -48,7 +48,7 @@ def _fill(deck: Deck, block: Floats, *, first: bool) -> None:
         factors = deck.factors[: block.shape[1]]
         deck.gain.fill(factors)
         np.multiply(block, factors, out=block)
-        sound = _sound_samples(deck, block, factors)
+        sound = _sound_samples(deck, block)
         if sound < block.shape[1]:
             deck.fallen = 0
             if sound:
@@ -114,7 +114,7 @@ def _render(deck: Deck, block: Floats) -> None:
         deck.old = None
 
 
-def _sound_samples(deck: Deck, block: Floats, factors: Floats) -> int:
+def _sound_samples(deck: Deck, block: Floats) -> int:
     """Samples before the first that may not be played; sets the ending where there is one."""
     magnitude = deck.other[:, : block.shape[1]]
     np.abs(block, out=magnitude)
@@ -124,13 +124,15 @@ def _sound_samples(deck: Deck, block: Floats, factors: Floats) -> int:
     first = int(np.argmax(~(magnitude <= 1.0).all(axis=0)))
     output = int(np.argmax(~(magnitude[:, first] <= 1.0)))
     peak = float(magnitude[output, first])
-    names = () if deck.mix is None else deck.mix.names
+    mixes = [one for one in (deck.mix, deck.old) if one is not None]
+    names = mixes[0].names if mixes else ()
+    largest = max((one.peak for one in mixes), default=peak)
     deck.ending = Ending(
         reason="limit" if np.isfinite(peak) else "broken",
         output=output + 1,
         name=names[output] if output < len(names) else "",
         peak=peak,
-        gain_db=20.0 * log10(float(factors[first])),
+        highest_db=-20.0 * log10(largest) if 0.0 < largest < inf else 0.0,
     )
     return first
 

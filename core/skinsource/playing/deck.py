@@ -88,6 +88,13 @@ class Deck:
             )
         self.swap = Swap(mix, at, perf_counter())
 
+    def seek(self, at: int) -> None:
+        """Go on at another sample of what is played."""
+        swap = self.swap
+        mix = self.mix if swap is None else swap.mix
+        if mix is not None:
+            self.swap = Swap(mix, at, perf_counter())
+
     def stop(self) -> None:
         """Fade out."""
         self.swap = Swap(None, None, perf_counter())

@@ -8,10 +8,7 @@ from skinsource.playing.output import RATES_HZ, Output
 from skinsource.playing.sounding import sound_library
 from skinsource.quoting import printable, quoted
 
-_NONE = (
-    "No device to play on was found. Connect one and look again; without one, the playhead runs "
-    "in silence."
-)
+_NONE = "No device to play on was found. Connect one and look again."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

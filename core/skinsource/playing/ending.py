@@ -1,9 +1,8 @@
 """Why it became silent."""
 
 from dataclasses import dataclass
+from math import floor
 from typing import Literal
-
-from skinsource.decibels import decibels
 
 Reason = Literal["end", "stopped", "panic", "limit", "broken"]
 
@@ -23,27 +22,27 @@ class Ending:
         no sample is to blame.
     peak
         Its absolute value, 1 is full scale.
-    gain_db
-        The gain at that sample.
+    highest_db
+        The highest gain at which all of it stays within full scale.
     """
 
     reason: Reason
     output: int = 0
     name: str = ""
     peak: float = 0.0
-    gain_db: float = 0.0
+    highest_db: float = 0.0
 
     @property
     def sentence(self) -> str:
         """What to tell, and what to do next; "" where it is what was asked for."""
         where = f"output {self.output}{f' ({self.name})' if self.name else ''}"
         if self.reason == "limit":
-            over_db = float(decibels(self.peak))
+            # Rounded down, so that what is said is enough.
+            most_db = floor(10.0 * self.highest_db) / 10.0
             return (
-                f"Stopped: {where} would have passed full scale by {over_db:.1f} dB. "
-                f"Turn the gain down to {self.gain_db - over_db - 0.05:.1f} dB or less, or lower "
-                "the amplitude."
-            )
+                f"Stopped: {where} would have passed full scale. Turn the gain down to "
+                f"{most_db:.1f} dB or less, or lower the amplitude."
+            ).replace("-", "\u2212")
         if self.reason == "broken":
             return f"Stopped: {where} was to play something that is no number."
         if self.reason == "panic":

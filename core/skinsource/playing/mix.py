@@ -31,6 +31,8 @@ class Mix:
         From time 0 of the design on; silence before and after.  1 is full scale.
     sample_rate_hz
         Their rate.
+    peak
+        Largest absolute sample.
     names
         Words for what each output plays, ``""`` where it is silent.
     loop
@@ -43,6 +45,7 @@ class Mix:
 
     samples: Frames
     sample_rate_hz: int
+    peak: float
     names: tuple[str, ...]
     loop: tuple[int, int] | None = None
     seam: Frames
@@ -166,6 +169,7 @@ def mix_of(
     return Mix(
         samples=samples,
         sample_rate_hz=sample_rate_hz,
+        peak=float(np.abs(samples).max(initial=0.0)),
         names=tuple(" + ".join(one) for one in names),
         loop=loop,
         seam=_seam_of(samples, loop, sample_rate_hz),

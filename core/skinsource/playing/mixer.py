@@ -2,8 +2,10 @@
 
 import numpy as np
 
+from skinsource.catalogue import load_limb
 from skinsource.design import Design
 from skinsource.errors import InvalidInputError
+from skinsource.limb import Limb
 from skinsource.playing.device_rows import DeviceRows
 from skinsource.playing.mix import SHORTEST_LOOP_S, Mix, mix_of
 from skinsource.playing.output import Output
@@ -24,6 +26,13 @@ class Mixer:
 
     def __init__(self) -> None:
         self.rows = DeviceRows()
+        self._limb: tuple[str, Limb] | None = None
+
+    def stimulus(self, design: Design) -> Stimulus:
+        """Channels of a design, at the rate of its limb."""
+        if self._limb is None or self._limb[0] != design.limb:
+            self._limb = design.limb, load_limb(design.limb)
+        return stimulus_of(design, limb=self._limb[1])
 
     def mix(
         self,
@@ -50,7 +59,7 @@ class Mixer:
         DatasetMissingError
             Its limb is a measured one, and no measured dataset is installed.
         """
-        stimulus = stimulus_of(design)
+        stimulus = self.stimulus(design)
         rate_hz = output.sample_rate_hz
         own_hz = _whole(stimulus.sample_rate_hz)
         _refuse_too_long(stimulus, rate_hz)

@@ -13,7 +13,6 @@ from skinsource.playing.output import Output
 from skinsource.playing.silent_run import SilentRun
 from skinsource.playing.stream import Stream
 from skinsource.playing.tones import tone_of
-from skinsource.stimulus import stimulus_of
 
 #: A device of two outputs gets both: what is given one alone, it may play on both.
 _FEWEST = 2
@@ -42,6 +41,14 @@ class Playing:
         if self.stream is not None:
             return self.stream.position_s()
         return None if self.silent is None else self.silent.position_s()
+
+    def seek(self, at_s: float) -> None:
+        """Go on elsewhere."""
+        if self.silent is not None:
+            self.silent.seek(at_s)
+        elif self.stream is not None:
+            deck = self.stream.deck
+            deck.seek(round(at_s * deck.sample_rate_hz))
 
     @property
     def over(self) -> bool:
@@ -92,6 +99,8 @@ class Session:
             The design cannot be played, or the device refuses; nothing is played then.
         """
         self.close()
+        # What a limb's name means may have changed since.
+        self._mixer = Mixer()
         try:
             found = devices()
             device = device_of(output, found)
@@ -106,7 +115,7 @@ class Session:
     ) -> Playing | None:
         """Go over to an edited design, where it is; None: nothing is played any more."""
         if playing.silent is not None:
-            duration_s = stimulus_of(design).duration_s
+            duration_s = self._mixer.stimulus(design).duration_s
             playing.silent.change(duration_s, loop_of(design, duration_s, loops=loops))
             return playing
         stream = playing.stream
@@ -137,6 +146,11 @@ class Session:
         tone = tone_of(number, n_outputs, output.sample_rate_hz)
         return Playing(stream=self._open(tone, device, output, 0.0, gain_db))
 
+    def let_go(self, stream: Stream) -> None:
+        """Close ``stream``, if it is still the one."""
+        if stream is self._stream:
+            self.close()
+
     def close(self) -> None:
         """End what is played, and let go of the device."""
         if self._stream is not None:
@@ -165,7 +179,7 @@ class Session:
         return mix
 
     def _in_silence(self, design: Design, *, loops: bool, at_s: float, reason: str) -> Playing:
-        duration_s = stimulus_of(design).duration_s
+        duration_s = self._mixer.stimulus(design).duration_s
         loop_s = loop_of(design, duration_s, loops=loops)
         begin_s = _begin(at_s, duration_s, loop_s)
         return Playing(silent=SilentRun(duration_s, loop_s, begin_s), reason=reason)

@@ -1,6 +1,7 @@
 """A deck that is heard on a device."""
 
 from collections.abc import Callable
+from threading import Event
 from time import perf_counter
 from typing import Any
 
@@ -18,6 +19,7 @@ BLOCK_S = 0.005
 # What PortAudio calls them.
 _WRONG_RATE, _TOO_MANY_CHANNELS, _UNAVAILABLE = -9997, -9998, -9985
 _GONE_AFTER_S = 2.0
+_LONGEST_WAIT_S = 1.0
 
 
 class Stream:
@@ -32,12 +34,14 @@ class Stream:
     latency_s
         Delay that is asked for.
     finished
-        Called once from another thread when nothing is played any more, for whatever reason.
+        Called from another thread when nothing is played any more, for whatever reason.
 
     Attributes
     ----------
     underruns
         How often the device ran out of samples.
+    closed
+        Whether it was closed: nobody need be told that it has finished.
 
     Raises
     ------
@@ -50,7 +54,8 @@ class Stream:
     ) -> None:
         self._library = sound_library()
         self.deck, self.device = deck, device
-        self.underruns = 0
+        self.underruns, self.closed = 0, False
+        self._silent, self._finished = Event(), finished
         self._heard = HeardPosition(deck.sample_rate_hz)
         self._called_s = perf_counter()
         self._inside_s = 0.0
@@ -67,7 +72,7 @@ class Stream:
                 dither_off=True,
                 clip_off=True,
                 callback=self._fill,
-                finished_callback=finished,
+                finished_callback=self._finish,
             )
         except self._library.PortAudioError as error:
             raise PlaybackError(_refusal(error, device, deck)) from error
@@ -88,7 +93,12 @@ class Stream:
             raise PlaybackError(_refusal(error, self.device, self.deck)) from error
 
     def close(self) -> None:
-        """Stop, and let go of the device."""
+        """Fall silent, and let go of the device."""
+        self.closed = True
+        if self._stream.active:
+            # To close it at once would be a click.
+            self.deck.stop_at_once()
+            self._silent.wait(_LONGEST_WAIT_S)
         # A device that is gone cannot be closed in order, and need not be.
         self._stream.close(ignore_errors=True)
 
@@ -107,6 +117,10 @@ class Stream:
     def delay(self, render_s: float) -> Delay:
         """From the last edit to the outputs; ``render_s`` is what came before the deck."""
         return Delay(render_s=render_s, wait_s=self.deck.waited_s, device_s=self._inside_s)
+
+    def _finish(self) -> None:
+        self._silent.set()
+        self._finished()
 
     def _fill(self, out: Frames, frames: int, times: Any, status: Any) -> None:
         self._called_s = perf_counter()

@@ -15,7 +15,7 @@ from skinsource.design import Design, Input, audible_inputs
 from skinsource.effects import played
 from skinsource.errors import InvalidInputError
 from skinsource.job import Stop, never, stop_if
-from skinsource.limb import check_input_location
+from skinsource.limb import Limb, check_input_location
 from skinsource.locations import input_words
 from skinsource.quoting import quoted
 from skinsource.resampling import MAX_RATE_HZ, by_ratio
@@ -38,6 +38,7 @@ def stimulus_of(
     inputs: Iterable[int] | None = None,
     clips: Iterable[int] | None = None,
     stages: Sequence[Stage] = (),
+    limb: Limb | None = None,
     stop: Stop = never,
 ) -> Stimulus:
     """Return what the actuators get to play a design.
@@ -59,14 +60,15 @@ def stimulus_of(
         Ids of the inputs, or of the clips, that take part; None: all of them.
     stages
         What is done at the end, at ``sample_rate_hz``, one after the other.
+    limb
+        Of the design, where it is open already.
     stop
         Asked now and then; once true, `skinsource.errors.Stopped` is raised.
 
     Raises
     ------
     InvalidInputError
-        A place that the limb does not have, an id or a rate that cannot be, an input that plays
-        what cannot be used, or more samples than can be held.
+        A place, an id, a rate or a sample that cannot be, or more samples than can be held.
     DatasetMissingError
         The limb is a measured one, and the measured dataset is not installed.
 
@@ -83,7 +85,7 @@ def stimulus_of(
     if sample_rate_hz is not None:
         sample_rate_hz = whole_number("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ)
     heard = _taking_part(design, inputs, clips)
-    found = _made(design, heard, one_of("per", per, _PER), sample_rate_hz, stop)
+    found = _made(design, limb, heard, one_of("per", per, _PER), sample_rate_hz, stop)
     for stage in stages:
         stop_if(stop)
         found = stage(found)
@@ -91,10 +93,15 @@ def stimulus_of(
 
 
 def _made(
-    design: Design, heard: tuple[Input, ...], per: str, sample_rate_hz: int | None, stop: Stop
+    design: Design,
+    limb: Limb | None,
+    heard: tuple[Input, ...],
+    per: str,
+    sample_rate_hz: int | None,
+    stop: Stop,
 ) -> Stimulus:
     """What ``heard`` plays."""
-    limb = load_limb(design.limb)
+    limb = load_limb(design.limb) if limb is None else limb
     for one in heard:
         check_input_location(one.location, limb.n_inputs)
     own_rate_hz = limb.sample_rate_hz

@@ -30,6 +30,8 @@ class OutputKeys(QObject):
     ----------
     cursor_output
         Where the cursor is; ``None`` until keys are used.
+    used
+        Whether keys were used here since the mouse was.
     """
 
     #: The outputs that are meant.
@@ -40,6 +42,7 @@ class OutputKeys(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.cursor_output: int | None = None
+        self.used = False
 
     def claims(self, event: QKeyEvent) -> bool:
         """Whether a shortcut of the window must not take this key."""
@@ -74,6 +77,7 @@ class OutputKeys(QObject):
             self.meant.emit(dorsal_outputs(points))
         else:
             return False
+        self.used = True
         return True
 
     def _start(self, points: Floats, outputs: Outputs, middle: QPointF) -> int:

@@ -155,15 +155,23 @@ class SkinMap(QWidget):
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             self._show_tooltip(event)
             return True
-        if event.type() == QEvent.Type.ShortcutOverride and self.keys.claims(event):
+        if event.type() == QEvent.Type.ShortcutOverride and self._overrides(event):
             event.accept()
             return True
         return super().event(event)
+
+    def _overrides(self, event: QKeyEvent) -> bool:
+        """Whether a key is wanted here even if it is a shortcut of the window."""
+        # Until keys are used here, Space is left to whom the window gives it.
+        if event.key() == Qt.Key.Key_Space and not self.keys.used:
+            return False
+        return self.keys.claims(event)
 
     def wheelEvent(self, event) -> None:
         self.pan_zoom.wheel(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        self.keys.used = False
         self.pan_zoom.press(event)
         if event.button() == Qt.MouseButton.LeftButton:
             self.mouse.press(event.position())

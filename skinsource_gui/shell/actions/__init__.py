@@ -7,7 +7,8 @@ from skinsource_gui.shell.action_spec import ActionSpec
 from skinsource_gui.shell.actions.edit_menu import EDIT
 from skinsource_gui.shell.actions.file_menu import FILE
 from skinsource_gui.shell.actions.help_menu import HELP
+from skinsource_gui.shell.actions.play_menu import PLAY
 from skinsource_gui.shell.actions.view_menu import VIEW
 
-MENUS = ("File", "Edit", "View", "Help")
-ACTIONS: tuple[ActionSpec, ...] = (*FILE, *EDIT, *VIEW, *HELP)
+MENUS = ("File", "Edit", "View", "Play", "Help")
+ACTIONS: tuple[ActionSpec, ...] = (*FILE, *EDIT, *VIEW, *PLAY, *HELP)

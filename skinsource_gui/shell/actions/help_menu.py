@@ -11,6 +11,7 @@ HELP: tuple[ActionSpec, ...] = (
         "Type a few letters of anything the studio can do",
         "Ctrl+K",
         command="pages.search",
+        short="Search…",
         keywords="palette find command",
     ),
     action(

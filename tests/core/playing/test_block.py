@@ -175,8 +175,20 @@ def test_a_sample_beyond_full_scale_is_not_played_and_its_output_is_named():
     ending = live.ending
     assert (ending.reason, ending.output, ending.name) == ("limit", 2, "place 2")
     assert ending.peak == pytest.approx(1.25)
-    assert "output 2 (place 2) would have passed full scale by 1.9 dB" in ending.sentence
-    assert "-2.0 dB or less" in ending.sentence
+    assert "output 2 (place 2) would have passed full scale." in ending.sentence
+    assert "down to \u22122.0 dB or less" in ending.sentence
+
+
+def test_the_gain_that_is_named_is_low_enough_for_all_that_comes():
+    row = np.concatenate((np.linspace(0.0, 3.0, 500), np.full(100, -7.0)))
+    loud = playing(mix(row))
+    block(loud, 800)
+    assert loud.ending.peak < 1.1
+    told = float(loud.ending.sentence.split("down to ")[1].split()[0].replace("\u2212", "-"))
+    again = playing(mix(row), gain_db=told)
+    block(again, 800)
+    assert again.ending.reason == "end"
+    assert told == pytest.approx(-20 * np.log10(7.0), abs=0.11)
 
 
 def test_full_scale_itself_is_played():
@@ -195,7 +207,7 @@ def test_a_gain_that_would_pass_full_scale_stops_where_it_does():
     assert live.ending.reason == "limit"
     # From 0.5 to 1.0 takes 50 ms, the way from silence to full scale.
     assert int(np.argmax(heard)) == pytest.approx(0.05 * RATE_HZ, abs=2)
-    assert live.ending.gain_db == pytest.approx(6.02, abs=0.05)
+    assert live.ending.highest_db == pytest.approx(6.0206, abs=1e-4)
 
 
 def test_the_limit_is_told_apart_from_what_is_no_number():
@@ -206,6 +218,7 @@ def test_the_limit_is_told_apart_from_what_is_no_number():
     for name, value in (
         ("samples", broken),
         ("sample_rate_hz", RATE_HZ),
+        ("peak", 0.5),
         ("names", ("place 1",)),
         ("loop", None),
         ("seam", broken[:, :0]),

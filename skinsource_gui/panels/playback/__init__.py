@@ -1,0 +1,1 @@
+"""Panel of what this machine plays on."""

@@ -1,0 +1,150 @@
+"""Fields of the device: which, at which rate, how late."""
+
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, QSignalBlocker, Signal
+from PySide6.QtWidgets import QGridLayout, QLabel, QToolButton
+
+from skinsource.fields import ChoiceSpec, NumberSpec
+from skinsource.playing import Output
+from skinsource.playing.output import (
+    LEAST_SHIFT_HZ,
+    LONGEST_LATENCY_S,
+    MOST_SHIFT_HZ,
+    SHORTEST_LATENCY_S,
+)
+from skinsource_gui.played import Played
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.fields.number_field import NumberField
+
+_NUMBER_PX = 88
+_SYSTEM = "What the system plays on"
+_BETWEEN = "\n"
+_LATENCY = NumberSpec(
+    label="Delay asked for",
+    unit="s",
+    minimum=SHORTEST_LATENCY_S,
+    maximum=LONGEST_LATENCY_S,
+    step=0.001,
+    hint="The shorter, the sooner an edit is felt, and the sooner the device runs out of samples",
+)
+_SHIFT = NumberSpec(
+    label="Shift",
+    unit="Hz",
+    minimum=LEAST_SHIFT_HZ,
+    maximum=MOST_SHIFT_HZ,
+    step=10.0,
+    hint="How many hertz higher everything sounds",
+)
+
+
+class DeviceFields(QObject):
+    """Rows of a grid: words on the left, fields on the right."""
+
+    #: The `Output` that is wanted.
+    output_wanted = Signal(object)
+    devices_wanted = Signal()
+
+    def __init__(self, grid: QGridLayout) -> None:
+        super().__init__()
+        self._output = Output()
+        self._shown: tuple[object, ...] = ()
+        self.device = ChoiceField(ChoiceSpec(label="Device", options=(("", _SYSTEM),)))
+        self.device.chosen.connect(self._choose_device)
+        self.look = QToolButton()
+        self.look.setText("Look again")
+        self.look.setObjectName("look_for_devices")
+        self.look.setToolTip("Look for devices that were connected since; ends what is played")
+        self.look.clicked.connect(self.devices_wanted)
+        self.rate = ChoiceField(ChoiceSpec(label="Sample rate", options=()))
+        self.rate.chosen.connect(self._choose_rate)
+        self.latency = NumberField(_LATENCY)
+        self.latency.setToolTip(_LATENCY.hint)
+        self.latency.edited.connect(self._choose_latency)
+        self.stand_in = QToolButton()
+        self.stand_in.setText("Stand-in for the ears")
+        self.stand_in.setCheckable(True)
+        self.stand_in.setObjectName("stand_in")
+        self.stand_in.setToolTip(
+            "For people without actuators: all channels, from left to right in their order, with "
+            "all frequencies shifted up by as many hertz"
+        )
+        self.stand_in.clicked.connect(self._choose_stand_in)
+        self.shift = NumberField(_SHIFT)
+        self.shift.setToolTip(_SHIFT.hint)
+        self.shift.edited.connect(self._choose_shift)
+        for widget, name in (
+            (self.device, "device"),
+            (self.rate, "sample_rate"),
+            (self.latency, "latency"),
+            (self.shift, "shift"),
+        ):
+            widget.setObjectName(f"{name}_field")
+            widget.setAccessibleName(name.replace("_", " ").capitalize())
+        for field in (self.latency, self.shift):
+            field.setFixedWidth(_NUMBER_PX)
+        grid.addWidget(QLabel("Device"), 0, 0)
+        grid.addWidget(self.device, 0, 1, 1, 3)
+        grid.addWidget(QLabel("Sample rate"), 1, 0)
+        grid.addWidget(self.rate, 1, 1, 1, 3)
+        grid.addWidget(QLabel("Delay asked for"), 2, 0)
+        grid.addWidget(self.latency, 2, 1)
+        grid.addWidget(self.look, 2, 3)
+        grid.addWidget(self.stand_in, 3, 0, 1, 2)
+        grid.addWidget(QLabel("shift"), 3, 2)
+        grid.addWidget(self.shift, 3, 3)
+
+    def show_played(self, played: Played) -> None:
+        """Take over what is chosen, and what can be."""
+        shown = played.output, played.devices, played.rates_hz
+        if shown == self._shown:
+            return
+        self._shown, self._output = shown, played.output
+        options = [("", _SYSTEM)]
+        options += [(_key(one.name, one.host_api), one.title) for one in played.devices]
+        _fill(self.device, options, _key(played.output.device, played.output.host_api))
+        rates = sorted({*played.rates_hz, played.output.sample_rate_hz})
+        words = [(str(rate), f"{rate:,} Hz".replace(",", " ")) for rate in rates]
+        _fill(self.rate, words, str(played.output.sample_rate_hz))
+        self.latency.set_value(played.output.latency_s)
+        self.shift.set_value(played.output.shift_hz)
+        self.shift.setEnabled(played.output.stand_in)
+        self.stand_in.setChecked(played.output.stand_in)
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self.latency.show_theme(theme)
+        self.shift.show_theme(theme)
+
+    def _choose_device(self, key: str, _gesture: int | None) -> None:
+        name, _, host_api = key.partition(_BETWEEN)
+        self._want(device=name, host_api=host_api)
+
+    def _choose_rate(self, rate: str, _gesture: int | None) -> None:
+        self._want(sample_rate_hz=int(rate))
+
+    def _choose_latency(self, latency_s: float, _gesture: int | None) -> None:
+        self._want(latency_s=latency_s)
+
+    def _choose_stand_in(self, on: bool) -> None:
+        self._want(stand_in=on)
+
+    def _choose_shift(self, shift_hz: float, _gesture: int | None) -> None:
+        self._want(shift_hz=shift_hz)
+
+    def _want(self, **changes: object) -> None:
+        self.output_wanted.emit(replace(self._output, **changes))
+
+
+def _key(name: str, host_api: str) -> str:
+    return f"{name}{_BETWEEN}{host_api}" if name else ""
+
+
+def _fill(field: ChoiceField, options: list[tuple[str, str]], chosen: str) -> None:
+    """Offer other choices."""
+    with QSignalBlocker(field):
+        field.clear()
+        for option, words in options:
+            field.addItem(words, option)
+        field.set_value(chosen)

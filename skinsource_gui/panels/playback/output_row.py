@@ -1,0 +1,101 @@
+"""One place of the design: its output, how loud that is, and a tone to find it by."""
+
+from functools import partial
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QGridLayout, QLabel, QToolButton
+
+from skinsource.fields import NumberSpec
+from skinsource.locations import input_words
+from skinsource.playing.output import MOST_OUTPUTS
+from skinsource_gui.played import Played
+from skinsource_gui.theme import Theme, tabular
+from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.level_meter import LevelMeter
+
+_METER_PX, _NUMBER_PX = 8, 56
+_SILENT_DB = -200.0
+
+
+class OutputRow(QObject):
+    """Its widgets stand in one row of a grid.
+
+    Parameters
+    ----------
+    grid, row
+        Where.
+    place, output
+        Input place, and the output, from 1, that drives its actuator.
+    """
+
+    #: The place, and the output that shall drive it.
+    output_wanted = Signal(int, int)
+    #: The output that shall play a tone.
+    tone_wanted = Signal(int)
+
+    def __init__(self, grid: QGridLayout, row: int, place: int, output: int) -> None:
+        super().__init__()
+        words = input_words(place)
+        self.place = place
+        self.title = QLabel(f"{place} · {words.name}")
+        spec = NumberSpec(
+            label=f"Output of place {place}", minimum=1, maximum=MOST_OUTPUTS, whole=True
+        )
+        self.output = NumberField(spec, widest_unit="")
+        self.output.setObjectName(f"output_of_{place}")
+        self.output.setAccessibleName(spec.label)
+        self.output.setToolTip("Number of the output of the device that its actuator is wired to")
+        self.output.setFixedWidth(_NUMBER_PX)
+        self.output.edited.connect(self._choose)
+        self.meter = LevelMeter()
+        self.meter.setFixedHeight(_METER_PX)
+        self.level = QLabel()
+        self.level.setFont(tabular(self.level.font()))
+        self.level.setObjectName(f"level_of_{place}")
+        self.tone = QToolButton()
+        self.tone.setText("Tone")
+        self.tone.setObjectName(f"tone_of_{place}")
+        self.tone.setAccessibleName(f"Test tone for place {place}")
+        self.tone.setToolTip(
+            "0.6 s of 100 Hz on this output alone, at the gain above, to find its actuator"
+        )
+        self.tone.clicked.connect(partial(self._ask_tone))
+        for column, widget in enumerate(self.widgets):
+            grid.addWidget(widget, row, column)
+        self.show_output(output)
+
+    @property
+    def widgets(self) -> tuple[QLabel, NumberField, LevelMeter, QLabel, QToolButton]:
+        """From left to right."""
+        return self.title, self.output, self.meter, self.level, self.tone
+
+    def show_output(self, output: int) -> None:
+        """Show another output."""
+        self.output.set_value(float(output))
+
+    def show_played(self, played: Played) -> None:
+        """Show how loud its output is."""
+        index = round(self.output.value_si) - 1
+        levels = played.levels
+        if levels is None or index >= levels.rms_db.size:
+            self.meter.show_level(_SILENT_DB, _SILENT_DB)
+            self.level.setText("")
+            return
+        self.meter.show_level(float(levels.rms_db[index]), float(levels.peak_db[index]))
+        highest_db = float(levels.highest_db[index])
+        self.level.setText(
+            "silent"
+            if highest_db <= _SILENT_DB
+            else f"{highest_db:.1f} dBFS".replace("-", "\u2212")
+        )
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self.output.show_theme(theme)
+        self.meter.show_theme(theme)
+
+    def _choose(self, output: float, _gesture: int | None) -> None:
+        self.output_wanted.emit(self.place, round(output))
+
+    def _ask_tone(self) -> None:
+        self.tone_wanted.emit(round(self.output.value_si))

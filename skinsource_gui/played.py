@@ -1,0 +1,52 @@
+"""What panels are told of what is played."""
+
+from dataclasses import dataclass, field
+
+from skinsource.playing import START_DB, Delay, Output
+from skinsource.playing.devices import Device
+from skinsource.playing.meters import Levels
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Played:
+    """What is played, on what, and how.
+
+    Attributes
+    ----------
+    playing
+        Whether anything is.
+    looked
+        Whether devices were looked for.
+    devices
+        What can be played on.
+    missing
+        Why nothing can be heard, and what to do; "" where it can.
+    output
+        What this machine plays on.
+    rates_hz
+        Rates that its device takes; none while that is not known.
+    wired
+        Pairs of a place of the design and the output that drives it.
+    names
+        Words for what each output plays now, "" where it is silent.
+    levels, delay
+        How loud each output is, and how late an edit comes; None while nothing is heard.
+    underruns
+        How often the device ran out of samples since playing began.
+    gain_db, loops
+        The gain; whether a design without a loop is played again and again.
+    """
+
+    playing: bool = False
+    looked: bool = False
+    devices: tuple[Device, ...] = ()
+    missing: str = ""
+    output: Output = field(default_factory=Output)
+    rates_hz: tuple[int, ...] = ()
+    wired: tuple[tuple[int, int], ...] = ()
+    names: tuple[str, ...] = ()
+    levels: Levels | None = None
+    delay: Delay | None = None
+    underruns: int = 0
+    gain_db: float = START_DB
+    loops: bool = False

@@ -1,0 +1,1 @@
+"""Playing in the window: the bar, Esc Esc, and who is told."""

@@ -1,0 +1,95 @@
+"""Brings what is played to those who show it, and what they want to the player."""
+
+from PySide6.QtCore import QObject, QTimer
+from PySide6.QtWidgets import QWidget
+
+from skinsource_gui.panels.playback.panel import PlaybackPanel
+from skinsource_gui.shell.appearance import Appearance
+from skinsource_gui.shell.playing.escape_twice import EscapeTwice
+from skinsource_gui.shell.playing.transport import Transport
+from skinsource_gui.shell.reports import Reports
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.playing.player import Player
+from skinsource_gui.state.playing.telling import played_by
+from skinsource_gui.state.preferences import Preferences
+
+# How often levels are shown.
+_STEP_MS = 50
+
+
+class Playback(QObject):
+    """The player of one window, its bar and its panel; costs nothing while nothing is played.
+
+    Parameters
+    ----------
+    document
+        What is played.
+    preferences
+        Where it is kept what this machine plays on.
+    window
+        The parent.
+
+    Attributes
+    ----------
+    player, bar
+        Who plays; what asks for it above the panels.
+    """
+
+    def __init__(self, document: Document, preferences: Preferences, window: QWidget) -> None:
+        super().__init__(window)
+        self._document = document
+        self.player = Player(document, preferences, self)
+        self.bar = Transport(window)
+        self._panel: PlaybackPanel | None = None
+        self._timer = QTimer(self, interval=_STEP_MS)
+        self._timer.timeout.connect(self._show)
+        self._escape = EscapeTwice(window)
+        self._escape.pressed.connect(self.player.stop_at_once)
+
+    def capabilities(self) -> dict[str, QObject]:
+        """Who carries out its actions, by the names that their table has for them."""
+        return {"player": self.player, "gain": self.player.gain}
+
+    def connect_to(self, panel: PlaybackPanel, appearance: Appearance, reports: Reports) -> None:
+        """Show it in ``panel``, while that is visible, and say in ``reports`` what goes wrong."""
+        player, bar = self.player, self.bar
+        self._panel = panel
+        appearance.changed.connect(bar.show_theme)
+        bar.play_wanted.connect(player.play_or_stop)
+        bar.repeat_wanted.connect(player.toggle_loop)
+        bar.gain_wanted.connect(player.gain.put)
+        player.changed.connect(self._follow)
+        player.failed.connect(reports.complain)
+        player.told.connect(reports.report)
+        panel.output_wanted.connect(player.settings.choose)
+        panel.devices_wanted.connect(player.settings.look)
+        panel.tone_wanted.connect(player.play_tone)
+        panel.visibility_changed.connect(self._look)
+        self._document.changed.connect(self._show_places)
+        self._follow()
+
+    def _follow(self) -> None:
+        playing = self.player.playing
+        self._escape.watch(playing)
+        if playing and not self._timer.isActive():
+            self._timer.start()
+        elif not playing:
+            self._timer.stop()
+        self._show()
+
+    def _show(self) -> None:
+        played = played_by(self.player, self._document.design)
+        self.bar.show_played(played)
+        if self._panel is not None and self._panel.isVisible():
+            self._panel.show_played(played)
+
+    def _show_places(self) -> None:
+        if self._panel is not None and self._panel.isVisible():
+            self._show()
+
+    def _look(self) -> None:
+        """Find out what there is, when somebody first wants to know."""
+        if self._panel is not None and self._panel.isVisible():
+            self._show()
+            if not self.player.settings.looked and not self.player.playing:
+                self.player.settings.look()

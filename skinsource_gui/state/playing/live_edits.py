@@ -1,0 +1,95 @@
+"""What is played follows what is edited."""
+
+from functools import partial
+from time import perf_counter
+
+from PySide6.QtCore import QObject, Signal
+
+from skinsource.design import Design
+from skinsource.errors import SkinSourceError
+from skinsource.playing import Output
+from skinsource.playing.session import Playing, Session
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.playing.sound_thread import SoundThread
+
+
+class LiveEdits(QObject):
+    """Renders the design anew at each edit, away from the GUI thread; the last one counts.
+
+    Parameters
+    ----------
+    document
+        What is followed.
+    session, thread
+        Who renders, and where.
+
+    Attributes
+    ----------
+    render_s
+        How long the last edit took until the device could have it; 0: there was none.
+    """
+
+    #: What plays the edited design.
+    replaced = Signal(object)
+    #: Why an edit is not heard: what was played before goes on.
+    failed = Signal(str)
+
+    def __init__(
+        self, document: Document, session: Session, thread: SoundThread, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._session, self._thread = document, session, thread
+        self._playing: Playing | None = None
+        self._rendered: tuple[Design, bool] | None = None
+        self._output, self._loops = Output(), False
+        self._busy = False
+        self._edited_s = self.render_s = 0.0
+
+    def begin(self, playing: Playing, design: Design, output: Output, *, loops: bool) -> None:
+        """Follow the document, of which ``design`` is what is played."""
+        self._playing, self._output, self._loops = playing, output, loops
+        self._rendered, self.render_s = (design, loops), 0.0
+        self._document.changed.connect(self._follow)
+        self._follow()
+
+    def end(self) -> None:
+        """Follow no longer."""
+        if self._playing is not None:
+            self._playing = None
+            self._document.changed.disconnect(self._follow)
+
+    def loop(self, *, loops: bool) -> None:
+        """Play a design without a loop again and again, or once."""
+        self._loops = loops
+        if self._playing is not None:
+            self._follow()
+
+    def _follow(self) -> None:
+        wanted = self._document.design, self._loops
+        if self._busy or self._playing is None or self._rendered == wanted:
+            return
+        self._busy, self._rendered, self._edited_s = True, wanted, perf_counter()
+        change = partial(
+            self._session.change, self._playing, wanted[0], self._output, loops=wanted[1]
+        )
+        self._thread.do(partial(_timed, change), self._take)
+
+    def _take(
+        self, timed: tuple[Playing | None, float] | None, error: SkinSourceError | None
+    ) -> None:
+        self._busy = False
+        if self._playing is None:
+            return
+        if timed is None:
+            self.failed.emit(f"Not heard yet: {error}")
+        elif timed[0] is not None:
+            self.render_s = timed[1] - self._edited_s
+            self._playing = timed[0]
+            self.replaced.emit(timed[0])
+        # What was edited meanwhile.
+        self._follow()
+
+
+def _timed(change: partial[Playing | None]) -> tuple[Playing | None, float]:
+    """What ``change`` returns, and when."""
+    return change(), perf_counter()

@@ -1,0 +1,212 @@
+"""Plays the open design, and tells what happens."""
+
+import sys
+from collections.abc import Callable
+from functools import partial
+
+from PySide6.QtCore import QObject, Qt, Signal
+
+from skinsource.errors import SkinSourceError
+from skinsource.playing.session import Playing, Session
+from skinsource.playing.stream import Stream
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.playing.gain_setting import GainSetting
+from skinsource_gui.state.playing.live_edits import LiveEdits
+from skinsource_gui.state.playing.running_playhead import RunningPlayhead
+from skinsource_gui.state.playing.sound_settings import SoundSettings
+from skinsource_gui.state.playing.sound_thread import SoundThread
+from skinsource_gui.state.preferences import Preferences
+
+_GONE = (
+    "The device does not ask for sound any more: it may have been unplugged. Connect it, look for "
+    "devices again (View > Panels > Playback), and play."
+)
+# How long a thread may keep the others waiting: the device asks every 5 ms.
+_SWITCH_S = 0.001
+
+
+class Player(QObject):
+    """Space, loop, gain and panic.
+
+    Parameters
+    ----------
+    document
+        What is played.
+    preferences
+        Where it is kept what this machine plays on.
+
+    Attributes
+    ----------
+    now
+        What is being played, if anything.
+    settings
+        What it is played on.
+    edits
+        What follows the edits.
+    gain
+        How loud.
+    loops
+        Whether a design without a loop is played again and again.
+    """
+
+    #: Playing began or ended, or something else that can be told, but levels and times.
+    changed = Signal()
+    #: Why something is not played, or was stopped.
+    failed = Signal(str)
+    #: What else there is to say.
+    told = Signal(str)
+    _finished = Signal(object)  # from the thread of the device
+
+    def __init__(self, document: Document, preferences: Preferences, parent: QObject) -> None:
+        super().__init__(parent)
+        self._document = document
+        self._thread = SoundThread(self)
+        self._session = Session(self._finished.emit)
+        self.settings = SoundSettings(preferences, self._session, self._thread, self)
+        self.edits = LiveEdits(document, self._session, self._thread, self)
+        self._playhead = RunningPlayhead(document, self)
+        self.now: Playing | None = None
+        self._starting = False
+        self._usual_switch_s = sys.getswitchinterval()
+        self.gain, self.loops = GainSetting(self), False
+        self._finished.connect(self._end_of, Qt.ConnectionType.QueuedConnection)
+        self.settings.changed.connect(self.changed)
+        self.settings.output_changed.connect(self.stop)
+        # What is loud enough for one device may be too much for another.
+        self.settings.device_changed.connect(self.gain.start_anew)
+        self.gain.changed.connect(self._pass_gain)
+        self.edits.replaced.connect(self._replace)
+        self.edits.failed.connect(self.failed)
+        self._playhead.moved_away.connect(self._seek)
+        self._playhead.stepped.connect(self._watch)
+
+    @property
+    def playing(self) -> bool:
+        """Whether it plays, or is about to."""
+        return self._starting or self.now is not None
+
+    def play_or_stop(self) -> None:
+        """Play from the playhead on; or fade out."""
+        if self.now is not None:
+            self.stop()
+        elif not self._starting:
+            design, output, loops = self._document.design, self.settings.output, self.loops
+            at_s, gain_db = self._document.view.playhead_s, self.gain.gain_db
+            play = partial(
+                self._session.play, design, output, loops=loops, at_s=at_s, gain_db=gain_db
+            )
+
+            def follow() -> None:
+                self._playhead.run(self._position)
+                self.edits.begin(self.now, design, output, loops=loops)
+
+            self._begin(play, follow)
+
+    def play_tone(self, number: int) -> None:
+        """Play the test tone on one output, instead of all else."""
+        if not self._starting:
+            self._leave()
+            output, gain_db = self.settings.output, self.gain.gain_db
+            self._begin(partial(self._session.tone, number, output, gain_db), None)
+
+    def stop(self) -> None:
+        """Fade out."""
+        stream = None if self.now is None else self.now.stream
+        if stream is None or stream.gone:
+            self._leave()
+        else:
+            # The device tells when it has become silent.
+            stream.deck.stop()
+
+    def stop_at_once(self) -> None:
+        """Be silent within a millisecond; the gain goes back to where it starts."""
+        self._starting = False
+        if self.now is not None and self.now.stream is not None:
+            self.now.stream.deck.stop_at_once()
+        else:
+            self._leave()
+        self.gain.start_anew()
+
+    def toggle_loop(self) -> None:
+        """Play a design that has no loop again and again, or once."""
+        self.loops = not self.loops
+        self.edits.loop(loops=self.loops)
+        self.changed.emit()
+
+    def end(self) -> None:
+        """Stop for good, and let go of the device."""
+        self._starting = False
+        self._leave()
+        self._thread.end(self._session.close)
+
+    def _begin(self, play: Callable[[], Playing], follow: Callable[[], None] | None) -> None:
+        self._starting = True
+
+        def take(playing: Playing | None, error: SkinSourceError | None) -> None:
+            if playing is None:
+                self._starting = False
+                self.failed.emit(str(error))
+            elif not self._starting:
+                # It was stopped before it began.
+                self._thread.do(self._session.close, _nothing_more)
+            else:
+                self._starting, self.now = False, playing
+                sys.setswitchinterval(_SWITCH_S)
+                self.settings.note_missing(playing.reason)
+                if playing.reason:
+                    self.told.emit(f"In silence: {playing.reason}")
+                if follow is not None:
+                    follow()
+            self.changed.emit()
+
+        self._thread.do(play, take)
+        self.changed.emit()
+
+    def _pass_gain(self, gain_db: float) -> None:
+        if self.now is not None and self.now.stream is not None:
+            self.now.stream.deck.set_gain(gain_db)
+        self.changed.emit()
+
+    def _position(self) -> float | None:
+        return None if self.now is None else self.now.position_s()
+
+    def _replace(self, playing: Playing) -> None:
+        self.now = playing
+        self.changed.emit()
+
+    def _seek(self, time_s: float) -> None:
+        if self.now is not None:
+            self.now.seek(time_s)
+
+    def _watch(self) -> None:
+        now = self.now
+        if now is not None and now.over:
+            self._leave()
+            if now.stream is not None:
+                self._thread.do(partial(self._session.let_go, now.stream), _nothing_more)
+                self.failed.emit(_GONE)
+
+    def _end_of(self, stream: Stream) -> None:
+        if stream.closed or self.now is None or self.now.stream is not stream:
+            return
+        self._leave()
+        self._thread.do(partial(self._session.let_go, stream), _nothing_more)
+        ending = stream.deck.ending
+        if ending is None:
+            self.failed.emit(_GONE)
+        elif ending.reason == "panic":
+            self.told.emit(ending.sentence)
+        elif ending.sentence:
+            self.failed.emit(ending.sentence)
+
+    def _leave(self) -> None:
+        self.edits.end()
+        self._playhead.rest()
+        if self.now is not None:
+            self.now = None
+            sys.setswitchinterval(self._usual_switch_s)
+        self.changed.emit()
+
+
+def _nothing_more(_result: object, _error: SkinSourceError | None) -> None:
+    """All there is to say was said."""

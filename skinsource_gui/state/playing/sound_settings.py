@@ -1,0 +1,103 @@
+"""What this machine plays on: chosen once, kept, and never part of a design."""
+
+from functools import partial
+
+from PySide6.QtCore import QObject, Signal
+
+from skinsource.errors import InvalidInputError, SkinSourceError
+from skinsource.playing import Output, output_from_text
+from skinsource.playing.devices import Device, device_of, rates_of
+from skinsource.playing.session import Session
+from skinsource_gui.state.playing.sound_thread import SoundThread
+from skinsource_gui.state.preferences import Preferences
+
+
+class SoundSettings(QObject):
+    """The device, its rate and the channel map of this machine.
+
+    Parameters
+    ----------
+    preferences
+        Where they are kept.
+    session, thread
+        Who knows devices, and the thread that may ask it.
+
+    Attributes
+    ----------
+    output
+        What is played on.
+    looked, devices, rates_hz
+        Whether devices were looked for; those that were found, and the rates of the chosen one.
+    missing
+        Why there are none, or not the chosen one.
+    """
+
+    #: Something else is known, or chosen.
+    changed = Signal()
+    #: What is played on was chosen anew.
+    output_changed = Signal()
+    #: Another device: what was loud enough for one may be too much for the other.
+    device_changed = Signal()
+
+    def __init__(
+        self, preferences: Preferences, session: Session, thread: SoundThread, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._preferences, self._session, self._thread = preferences, session, thread
+        self.output = _kept(preferences)
+        self.looked = False
+        self.devices: tuple[Device, ...] = ()
+        self.rates_hz: tuple[int, ...] = ()
+        self.missing = ""
+
+    def choose(self, output: Output) -> None:
+        """Play on something else from now on."""
+        before, self.output = self.output, output
+        if before == output:
+            return
+        self._preferences.output_text = output.to_text()
+        self.output_changed.emit()
+        self.changed.emit()
+        if (before.device, before.host_api) != (output.device, output.host_api):
+            self.device_changed.emit()
+            self._ask_rates()
+
+    def look(self) -> None:
+        """Look for devices; what is played ends."""
+        self._thread.do(self._session.devices, self._take_devices)
+
+    def note_missing(self, reason: str) -> None:
+        """Take over why nothing was heard; "": it was."""
+        if reason != self.missing:
+            self.missing = reason
+            self.changed.emit()
+
+    def _take_devices(
+        self, found: tuple[Device, ...] | None, error: SkinSourceError | None
+    ) -> None:
+        self.looked, self.devices, self.rates_hz = True, found or (), ()
+        self.missing = "" if error is None else str(error)
+        self._ask_rates()
+        self.changed.emit()
+
+    def _ask_rates(self) -> None:
+        if not self.looked:
+            return
+        try:
+            device = device_of(self.output, self.devices)
+        except SkinSourceError as error:
+            self.missing = self.missing or str(error)
+            return
+        self._thread.do(partial(rates_of, device), self._take_rates)
+
+    def _take_rates(self, found: tuple[int, ...] | None, error: SkinSourceError | None) -> None:
+        self.rates_hz = found or ()
+        self.changed.emit()
+
+
+def _kept(preferences: Preferences) -> Output:
+    try:
+        return output_from_text(preferences.output_text)
+    except InvalidInputError:
+        # Nothing is kept yet, or by another version of the studio.
+        return Output()

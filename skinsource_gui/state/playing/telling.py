@@ -1,0 +1,28 @@
+"""What can be told of a player."""
+
+from skinsource.design import Design
+from skinsource.playing.mixer import outputs_by_place
+from skinsource_gui.played import Played
+from skinsource_gui.state.playing.player import Player
+
+
+def played_by(player: Player, design: Design) -> Played:
+    """What is played now, on what, and how loud."""
+    settings, stream = player.settings, player.now.stream if player.now else None
+    mix = None if stream is None else stream.deck.mix
+    render_s = player.edits.render_s
+    return Played(
+        playing=player.playing,
+        looked=settings.looked,
+        devices=settings.devices,
+        missing=settings.missing,
+        output=settings.output,
+        rates_hz=settings.rates_hz,
+        wired=tuple(outputs_by_place(design, settings.output).items()),
+        names=() if mix is None else mix.names,
+        levels=None if stream is None else stream.deck.levels(),
+        delay=None if stream is None or not render_s else stream.delay(render_s),
+        underruns=0 if stream is None else stream.underruns,
+        gain_db=player.gain.gain_db,
+        loops=player.loops,
+    )

@@ -1,0 +1,89 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.errors import InvalidInputError, UnknownLimbError
+from skinsource.playing import Output
+from skinsource.playing.mixer import MOST_SAMPLES, Mixer
+
+TWO = ss.Design(
+    limb="synthetic-1",
+    inputs=(
+        ss.track(7, ss.waveforms.Tone(frequency_hz=100.0), amplitude=0.5),
+        ss.track(12, ss.waveforms.Tone(frequency_hz=180.0), onset_s=0.1, amplitude=0.25),
+    ),
+)
+
+
+def test_what_is_played_is_the_stimulus_that_is_exported():
+    found = Mixer().mix(TWO, Output())
+    expected = ss.stimulus_of(TWO, 48_000).samples
+    assert np.array_equal(found.samples, expected.astype(np.float32))
+    assert found.names == ("place 7", "place 12")
+    assert found.loop is None
+
+
+def test_an_amplitude_of_one_is_full_scale_whatever_else_is_played():
+    found = Mixer().mix(TWO, Output())
+    assert np.abs(found.samples).max(axis=1) == pytest.approx([0.5, 0.25], rel=0.01)
+
+
+def test_each_place_plays_on_its_output():
+    found = Mixer().mix(TWO, Output(outputs=((7, 4), (12, 2))), least_outputs=2)
+    assert found.names == ("", "place 12", "", "place 7")
+    assert [found.plays_on(number) for number in range(1, 6)] == [False, True, False, True, False]
+
+
+def test_what_one_place_drives_does_not_depend_on_whether_another_is_muted():
+    muted = TWO.with_input(0, muted=True)
+    found = Mixer().mix(muted, Output())
+    assert found.names == ("", "place 12")
+    assert not found.samples[0].any()
+
+
+def test_the_loop_of_the_design_goes_before_that_of_all_of_it():
+    mixer = Mixer()
+    looped = replace(TWO, loop_s=(0.05, 0.25))
+    assert mixer.mix(looped, Output(), loops=True).loop == (2400, 12_000)
+    assert mixer.mix(looped, Output()).loop == (2400, 12_000)
+    whole = mixer.mix(TWO, Output(), loops=True)
+    assert whole.loop == (0, whole.n_times)
+
+
+def test_nothing_at_all_can_be_looped_too():
+    silent = ss.Design(limb="synthetic-1")
+    assert Mixer().mix(silent, Output(), loops=True, least_outputs=2).loop == (0, 480)
+
+
+def test_the_stand_in_plays_on_two_ears_so_many_hertz_higher():
+    design = TWO.with_input(1, muted=True)
+    found = Mixer().mix(design, Output(stand_in=True, shift_hz=250.0, outputs=((7, 9),)))
+    assert found.names == ("left", "right")
+    spectrum = np.abs(np.fft.rfft(found.samples[0], 48_000))
+    assert spectrum.argmax() == pytest.approx(350, abs=1)
+    assert np.allclose(found.samples[0], found.samples[1])
+
+
+def test_only_the_track_that_was_edited_is_resampled():
+    mixer = Mixer()
+    mixer.mix(TWO, Output())
+    first = mixer.rows.n_resampled
+    mixer.mix(TWO.with_input(1, amplitude=0.3), Output())
+    assert 0 < mixer.rows.n_resampled - first < 0.7 * first
+    second = mixer.rows.n_resampled
+    mixer.mix(TWO.with_input(1, amplitude=0.3), Output(outputs=((7, 3),)))
+    assert mixer.rows.n_resampled == second
+
+
+def test_too_much_to_be_held_is_refused():
+    tracks = tuple(ss.track(1 + k, ss.waveforms.Impulse(), onset_s=0.0) for k in range(20))
+    late = ss.track(1, ss.waveforms.Impulse(), onset_s=MOST_SAMPLES / 20 / 384_000 + 1)
+    with pytest.raises(InvalidInputError, match="Choose a lower rate, or mute inputs"):
+        Mixer().mix(replace(TWO, inputs=(*tracks, late)), Output(sample_rate_hz=384_000))
+
+
+def test_a_limb_that_is_not_there_is_said():
+    with pytest.raises(UnknownLimbError):
+        Mixer().mix(replace(TWO, limb="nobody"), Output())

@@ -1,0 +1,171 @@
+import threading
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.errors import NothingToPlayOnError, PlaybackError
+from skinsource.playing import Output
+from skinsource.playing.session import Session
+from tests.core.playing.made_up_sound import MadeUpLibrary, use
+
+TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.5)
+ONE = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE, amplitude=0.9),))
+FADE = 240
+
+
+def wait_for(condition):
+    """Until it holds; the thread of the device runs meanwhile."""
+    pause = threading.Event()
+    assert any(condition() or pause.wait(0.005) for _ in range(4000))
+
+
+@pytest.fixture
+def sound(monkeypatch):
+    return use(monkeypatch, MadeUpLibrary(Two=2, Eight=8))
+
+
+@pytest.fixture
+def session():
+    over = threading.Event()
+    found = Session(lambda stream: over.set())
+    found.over = over
+    yield found
+    found.close()
+
+
+def play(session, design=ONE, output=None, **changes):
+    settings = {"loops": False, "at_s": 0.0, "gain_db": 0.0, **changes}
+    return session.play(design, output or Output(), **settings)
+
+
+def test_a_design_is_played_to_its_end(sound, session):
+    playing = play(session)
+    assert session.over.wait(20)
+    assert playing.stream.deck.ending.reason == "end"
+    expected = ss.stimulus_of(ONE, 48_000).samples[0].astype(np.float32)
+    heard = sound.streams[0].samples
+    assert np.array_equal(heard[0, FADE : FADE + expected.size], expected)
+    assert not heard[1].any()
+
+
+def test_a_playhead_behind_the_end_or_outside_the_loop_starts_from_the_beginning(sound, session):
+    looped = replace(ONE, loop_s=(0.2, 0.4))
+    for design, at_s, expected in (
+        (ONE, 0.25, 0.25), (ONE, 9.0, 0.0), (looped, 0.3, 0.3), (looped, 0.0, 0.2),
+        (looped, 0.45, 0.2),
+    ):  # fmt: skip
+        deck = play(session, design, at_s=at_s).stream.deck
+        swap, begun = deck.swap, deck.position
+        begin = swap.at if swap is not None else begun
+        assert begin >= round(expected * 48_000) - FADE
+        assert begin < round((expected + 0.15) * 48_000)
+
+
+def test_an_edit_goes_over_on_the_same_stream(sound, session):
+    playing = play(session, loops=True)
+    changed = session.change(playing, ONE.with_input(0, amplitude=0.5), Output(), loops=True)
+    assert changed is playing
+    assert len(sound.streams) == 1
+
+
+def test_an_edit_that_needs_more_outputs_opens_the_device_anew(sound, session):
+    playing = play(session, output=Output(device="Eight"), loops=True)
+    three = replace(ONE, inputs=tuple(ss.track(place, TONE) for place in (7, 8, 9)))
+    changed = session.change(playing, three, Output(device="Eight"), loops=True)
+    assert [one.asked["channels"] for one in sound.streams] == [2, 3]
+    assert playing.stream.closed
+    assert not changed.stream.closed
+
+
+def test_more_places_than_outputs_are_refused_and_what_plays_goes_on(sound, session):
+    playing = play(session, loops=True)
+    three = replace(ONE, inputs=tuple(ss.track(place, TONE) for place in (7, 8, 9)))
+    with pytest.raises(PlaybackError, match="Two has 2 outputs, and place 9 is to play on output"):
+        session.change(playing, three, Output(), loops=True)
+    assert not playing.stream.closed
+    with pytest.raises(PlaybackError, match="Two has 2 outputs"):
+        play(session, three)
+    muted = three.with_input(2, muted=True)
+    assert play(session, muted, loops=True).stream is not None
+
+
+def test_what_has_ended_cannot_be_changed(sound, session):
+    playing = play(session)
+    assert session.over.wait(20)
+    assert session.change(playing, ONE, Output(), loops=False) is None
+
+
+def test_closing_falls_to_silence_first(sound, session):
+    play(session, loops=True)
+    stream = sound.streams[0]
+    wait_for(lambda: stream.samples.shape[1] > 4000)
+    session.close()
+    heard = stream.samples[0].astype(float)
+    assert np.abs(np.diff(heard)).max() < np.pi / 2 / 48
+    assert heard[-1] == 0.0
+
+
+def test_a_tone_is_on_one_output_alone(sound, session):
+    playing = session.tone(5, Output(device="Eight"), 0.0)
+    assert session.over.wait(20)
+    heard = sound.streams[0].samples
+    assert heard.shape[0] == 5
+    assert not heard[:4].any()
+    assert np.abs(heard[4]).max() == pytest.approx(1.0, abs=1e-3)
+    assert playing.stream.deck.ending.reason == "end"
+    with pytest.raises(PlaybackError, match="Two has 2 outputs"):
+        session.tone(3, Output(), 0.0)
+
+
+def test_without_a_device_it_runs_in_silence_and_says_why(monkeypatch, session):
+    use(monkeypatch, MadeUpLibrary())
+    playing = play(session)
+    assert playing.stream is None
+    assert "No device to play on was found" in playing.reason
+    assert playing.position_s() >= 0.0
+    changed = session.change(playing, replace(ONE, loop_s=(0.1, 0.2)), Output(), loops=False)
+    assert changed is playing
+    assert not playing.over
+    with pytest.raises(NothingToPlayOnError):
+        session.tone(1, Output(), 0.0)
+
+
+def test_a_chosen_device_that_is_away_is_an_error_and_no_silence(sound, session):
+    with pytest.raises(PlaybackError, match="'Nine' is not there"):
+        play(session, output=Output(device="Nine"))
+
+
+def test_a_rate_that_is_refused_is_said(sound, session):
+    with pytest.raises(PlaybackError, match="Two does not take 96000 Hz; it prefers 48000 Hz"):
+        play(session, output=Output(sample_rate_hz=96_000))
+
+
+def test_a_device_that_does_not_begin_is_let_go(sound, session):
+    sound.refuses_to_start = True
+    with pytest.raises(PlaybackError, match="Two is not free"):
+        play(session)
+    sound.refuses_to_start = False
+    assert play(session).stream is not None
+
+
+def test_a_device_that_is_pulled_out_leaves_no_ending(sound, session):
+    playing = play(session, loops=True)
+    sound.streams[0].pull_out()
+    assert session.over.wait(20)
+    assert playing.stream.deck.ending is None
+    assert not playing.stream.closed
+
+
+def test_underruns_are_counted(sound, session):
+    playing = play(session, loops=True)
+    sound.streams[0].underflows = 3
+    seen = playing.stream.deck.played_samples
+    wait_for(lambda: playing.stream.deck.played_samples > seen + 2400)
+    assert playing.stream.underruns == 3
+
+
+def test_looking_for_devices_ends_what_is_played(sound, session):
+    play(session, loops=True)
+    assert [one.name for one in session.devices()] == ["Two", "Eight"]

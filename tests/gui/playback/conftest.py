@@ -1,0 +1,49 @@
+"""A window on made-up devices, whose blocks are kept."""
+
+import pytest
+
+from skinsource.design import Design, track
+from skinsource.waveforms import Tone
+from tests.core.playing.made_up_sound import MadeUpLibrary, use
+
+TONE = Tone(frequency_hz=100.0, duration_s=0.5)
+DESIGN = Design(
+    limb="synthetic-1",
+    inputs=(track(7, TONE, amplitude=0.9), track(12, TONE, amplitude=0.5, colour=1)),
+)
+
+
+@pytest.fixture
+def sound(monkeypatch):
+    return use(monkeypatch, MadeUpLibrary(Two=2, Eight=8))
+
+
+@pytest.fixture
+def no_sound(monkeypatch):
+    return use(monkeypatch, MadeUpLibrary())
+
+
+@pytest.fixture
+def studio(make_window):
+    window = make_window(DESIGN)
+    window.activateWindow()
+    return window
+
+
+@pytest.fixture
+def player(studio):
+    return studio.playback.player
+
+
+@pytest.fixture
+def listen(qtbot, studio, player):
+    """Play, and wait until something is heard, or would be."""
+
+    def begin(**changes):
+        if changes.get("loops"):
+            studio.do("repeat")
+        studio.do("play")
+        qtbot.waitUntil(lambda: player.now is not None, timeout=20_000)
+        return player.now
+
+    return begin

@@ -1,0 +1,116 @@
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLineEdit, QPushButton
+
+from skinsource_gui.shell.playing.escape_twice import EscapeTwice
+
+LEFT = Qt.MouseButton.LeftButton
+SPACE, ESCAPE = Qt.Key.Key_Space, Qt.Key.Key_Escape
+
+
+@pytest.fixture
+def pressed(studio, monkeypatch, qtbot):
+    """How often Space has played."""
+    qtbot.waitUntil(studio.isActiveWindow)
+    played = []
+    studio.actions_by_name["play"].triggered.connect(lambda: played.append(1))
+    monkeypatch.setattr(studio.playback.player, "_begin", lambda *_: None)
+    return played
+
+
+@pytest.mark.parametrize("name", ["hand", "skin", "timeline", "traces"])
+def test_space_plays_from_the_pictures(studio, pressed, name):
+    panel = studio.panel(name)
+    panel.setFocus()
+    widget = QApplication.focusWidget()
+    assert panel.isAncestorOf(widget)
+    before = studio.document.design, studio.document.view
+    QTest.keyClick(widget, SPACE)
+    assert pressed == [1]
+    assert (studio.document.design, studio.document.view) == before
+
+
+def test_on_the_skin_map_space_selects_once_keys_are_used_there(studio, pressed):
+    skin = studio.panel("skin")
+    skin.setFocus()
+    widget = QApplication.focusWidget()
+    QTest.keyClick(widget, Qt.Key.Key_Down)
+    QTest.keyClick(widget, SPACE)
+    assert pressed == []
+    assert len(studio.document.view.outputs) == 1
+    QTest.mouseClick(widget.viewport() if hasattr(widget, "viewport") else widget, LEFT)
+    QTest.keyClick(widget, SPACE)
+    assert pressed == [1]
+
+
+def test_space_plays_from_a_number_at_rest(studio, pressed):
+    field = studio.panel("inspector").findChild(QLineEdit, "frequency_hz_field")
+    field.setFocus()
+    QTest.keyClick(field, SPACE)
+    assert pressed == [1]
+
+
+def test_a_space_that_is_typed_is_a_space(studio, pressed):
+    line = QLineEdit(studio)
+    line.show()
+    line.setFocus()
+    QTest.keyClicks(line, "a b")
+    assert line.text() == "a b"
+    assert pressed == []
+
+
+def test_space_presses_the_button_that_the_keyboard_is_on(studio, pressed):
+    button = QPushButton("Press", studio)
+    clicks = []
+    button.clicked.connect(lambda: clicks.append(1))
+    button.show()
+    button.setFocus(Qt.FocusReason.TabFocusReason)
+    QTest.keyClick(button, SPACE)
+    assert (clicks, pressed) == ([1], [])
+
+
+def test_a_button_that_was_clicked_leaves_space_to_playing(studio, pressed):
+    button = QPushButton("Press", studio)
+    clicks = []
+    button.clicked.connect(lambda: clicks.append(1))
+    button.show()
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert QApplication.focusWidget() is button
+    QTest.keyClick(button, SPACE)
+    assert (clicks, pressed) == ([1], [1])
+
+
+def test_escape_twice_is_heard_wherever_the_keyboard_is(studio, qtbot):
+    qtbot.waitUntil(studio.isActiveWindow)
+    escape = EscapeTwice(studio)
+    heard = []
+    escape.pressed.connect(lambda: heard.append(1))
+    escape.watch(True)
+    for name in ("hand", "timeline"):
+        studio.panel(name).setFocus()
+        widget = QApplication.focusWidget()
+        QTest.keyClick(widget, ESCAPE)
+        assert heard == []
+        QTest.keyClick(widget, ESCAPE)
+        assert heard == [1]
+        heard.clear()
+    QTest.keyClick(widget, ESCAPE)
+    QTest.keyClick(widget, Qt.Key.Key_A)
+    QTest.keyClick(widget, ESCAPE)
+    assert heard == []
+    escape.watch(False)
+    QTest.keyClick(widget, ESCAPE)
+    QTest.keyClick(widget, ESCAPE)
+    assert heard == []
+
+
+def test_escape_twice_stops_what_plays(sound, studio, player, qtbot, listen):
+    qtbot.waitUntil(studio.isActiveWindow)
+    now = listen(loops=True)
+    studio.panel("timeline").setFocus()
+    widget = QApplication.focusWidget()
+    QTest.keyClick(widget, ESCAPE)
+    QTest.keyClick(widget, ESCAPE)
+    qtbot.waitUntil(lambda: not player.playing, timeout=20_000)
+    assert now.stream.deck.ending.reason == "panic"

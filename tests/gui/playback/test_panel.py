@@ -1,0 +1,112 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtWidgets import QLabel, QToolButton
+
+from skinsource.playing import Output
+
+WAIT = {"timeout": 20_000}
+
+
+@pytest.fixture
+def panel(studio, player, qtbot):
+    """The panel of playback, with what there is to choose from."""
+    studio.do("show_playback")
+    qtbot.waitUntil(lambda: player.settings.looked, **WAIT)
+    return studio.panel("playback")
+
+
+def words(panel, name):
+    return panel.findChild(QLabel, name).text()
+
+
+def test_it_looks_for_devices_when_it_is_first_seen(sound, player, panel, qtbot):
+    offered = [panel.fields.device.itemText(k) for k in range(panel.fields.device.count())]
+    assert offered == [
+        "What the system plays on", "Two (Made up, 2 outputs)", "Eight (Made up, 8 outputs)",
+    ]  # fmt: skip
+    qtbot.waitUntil(lambda: player.settings.rates_hz == (44_100, 48_000), **WAIT)
+    rates = [panel.fields.rate.itemText(k) for k in range(panel.fields.rate.count())]
+    assert rates == ["44 100 Hz", "48 000 Hz"]
+
+
+def test_device_rate_delay_and_stand_in_are_chosen_there(sound, player, panel):
+    panel.fields.device.choose("Eight\nMade up")
+    panel.fields.latency.edited.emit(0.05, None)
+    panel.fields.stand_in.click()
+    panel.fields.shift.edited.emit(250.0, None)
+    assert player.settings.output == Output(
+        device="Eight", host_api="Made up", latency_s=0.05, stand_in=True, shift_hz=250.0
+    )
+    assert "All frequencies sound 250 Hz higher" in words(panel, "playback_words")
+    panel.fields.rate.choose("44100")
+    assert player.settings.output.sample_rate_hz == 44_100
+
+
+def test_each_place_has_an_output_and_two_of_them_change_places(sound, player, panel):
+    first, second = panel._rows
+    assert [round(row.output.value_si) for row in panel._rows] == [1, 2]
+    first.output.edited.emit(2.0, None)
+    assert player.settings.output.outputs == ((7, 2), (12, 1))
+    assert [round(row.output.value_si) for row in panel._rows] == [2, 1]
+    second.output.edited.emit(5.0, None)
+    assert player.settings.output.outputs == ((7, 2), (12, 5))
+
+
+def test_a_tone_is_heard_on_the_output_of_its_place_alone(sound, player, panel, qtbot):
+    panel.findChild(QToolButton, "tone_of_12").click()
+    qtbot.waitUntil(lambda: bool(sound.streams), **WAIT)
+    qtbot.waitUntil(lambda: not player.playing, **WAIT)
+    heard = sound.streams[0].samples
+    assert not heard[0].any()
+    assert np.abs(heard[1]).max() == pytest.approx(0.1, rel=1e-3)
+
+
+def test_levels_delay_and_underruns_are_shown(sound, studio, player, panel, qtbot, listen):
+    now = listen(loops=True)
+    sound.streams[-1].underflows = 2
+    design = studio.document.design
+    studio.document.edit("Louder", design.with_input(1, amplitude=0.6))
+    qtbot.waitUntil(lambda: "from an edit to the output" in words(panel, "playback_words"), **WAIT)
+    qtbot.waitUntil(lambda: "ran out of samples 2 times" in words(panel, "playback_words"), **WAIT)
+    qtbot.waitUntil(lambda: words(panel, "level_of_7") == "\u221220.9 dBFS", **WAIT)
+    meter = panel._rows[0].meter
+    qtbot.waitUntil(lambda: -30 < meter.rms_db < -20 and meter.peak_db > -22, **WAIT)
+    assert now.stream.underruns == 2
+
+
+def test_what_is_missing_is_said_with_what_to_do(no_sound, panel):
+    assert "No device to play on was found. Connect one" in words(panel, "playback_problem")
+
+
+def test_a_device_that_is_connected_later_is_found_by_looking_again(no_sound, player, panel, qtbot):
+    no_sound.outputs = {"New": 4}
+    no_sound.default.device["output"] = 0
+    panel.fields.look.click()
+    qtbot.waitUntil(lambda: len(player.settings.devices) == 1, **WAIT)
+    assert not panel.problem.isVisibleTo(panel)
+    assert panel.fields.device.itemText(1) == "New (Made up, 4 outputs)"
+
+
+def test_rows_follow_the_places_of_the_design(sound, studio, panel):
+    design = studio.document.design
+    studio.document.edit("Remove", design.without_input(0))
+    assert [row.place for row in panel._rows] == [12]
+    studio.document.edit("Remove", replace(design, inputs=()))
+    assert panel._rows == []
+    assert "No place is in use" in words(panel, "playback_words")
+
+
+def test_it_says_that_nothing_is_calibrated_and_what_full_scale_is(sound, panel):
+    assert "an amplitude of 1 m/s² is full scale. Uncalibrated" in words(panel, "playback_words")
+
+
+def test_hidden_it_is_told_nothing(sound, studio, player, panel, qtbot, listen, monkeypatch):
+    studio.docks["playback"].hide()
+    told = []
+    monkeypatch.setattr(type(panel), "show_played", lambda self, played: told.append(played))
+    listen(loops=True)
+    seen = studio.document.view.playhead_s
+    qtbot.waitUntil(lambda: studio.document.view.playhead_s != seen, **WAIT)
+    assert told == []

@@ -1,0 +1,194 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.playing import START_DB
+from tests.gui.playback.conftest import DESIGN
+
+WAIT = {"timeout": 20_000}
+
+
+def settled(player):
+    return lambda: not player.playing
+
+
+def test_space_plays_and_the_playhead_comes_back_where_it_was(sound, studio, player, qtbot, listen):
+    document = studio.document
+    document.look(replace(document.view, playhead_s=0.1))
+    seen = []
+    document.playhead_moved.connect(lambda: seen.append(document.view.playhead_s))
+    listen()
+    qtbot.waitUntil(settled(player), **WAIT)
+    assert seen[-1] == 0.1
+    assert min(seen) >= 0.1
+    assert max(seen) > 0.1
+    assert document.undo_stack.count() == 0
+    # From the playhead on, at the gain that it starts with.
+    heard = sound.streams[0].samples
+    expected = ss.stimulus_of(DESIGN, 48_000).samples[:, 4800:] * 0.1
+    assert heard[:, 240 : 240 + expected.shape[1]] == pytest.approx(expected, abs=1e-7)
+
+
+def test_a_playhead_that_runs_evaluates_nothing(sound, studio, player, qtbot, listen):
+    listen(loops=True)
+    asked = []
+    studio.conductor.delivered.connect(asked.append)
+    steps = []
+    studio.document.playhead_moved.connect(lambda: steps.append(1))
+    changes = []
+    studio.document.changed.connect(lambda: changes.append(1))
+    qtbot.waitUntil(lambda: len(steps) > 10, **WAIT)
+    assert (asked, changes) == ([], [])
+
+
+def test_space_again_fades_out(sound, studio, player, qtbot, listen):
+    now = listen(loops=True)
+    studio.do("play")
+    qtbot.waitUntil(settled(player), **WAIT)
+    assert now.stream.deck.ending.reason == "stopped"
+    assert studio.notice.text == ""
+    assert studio.document.view.playhead_s == 0.0
+
+
+def test_an_edit_is_heard_while_it_loops_without_a_click(sound, studio, player, qtbot, listen):
+    now = listen(loops=True)
+    softer = DESIGN.with_input(0, amplitude=0.2)
+    studio.document.edit("Softer", softer)
+    qtbot.waitUntil(lambda: player.edits.render_s > 0, **WAIT)
+    heard_to = now.stream.deck.played_samples
+    qtbot.waitUntil(lambda: now.stream.deck.played_samples > heard_to + 30_000, **WAIT)
+    heard = sound.streams[0].samples.astype(float)
+    assert np.abs(heard[0, -24_000:]).max() == pytest.approx(0.02, rel=0.02)
+    own = np.abs(np.diff(ss.stimulus_of(DESIGN, 48_000).samples)).max() * 0.1
+    assert np.abs(np.diff(heard)).max() <= own + 0.1 * 2 * np.pi / 2 / 240
+    told = now.stream.delay(player.edits.render_s)
+    assert told.device_s == pytest.approx(0.015)
+    assert told.total_s == pytest.approx(told.render_s + told.wait_s + told.device_s)
+
+
+def test_many_edits_at_once_are_heard_as_the_last_one(sound, studio, player, qtbot, listen):
+    now = listen(loops=True)
+    for amplitude in np.linspace(0.8, 0.1, 15):
+        studio.document.edit("Softer", DESIGN.with_input(0, amplitude=float(amplitude)))
+    qtbot.waitUntil(
+        lambda: now.stream.deck.mix.samples[0].max() < 0.11 and player.edits.render_s > 0, **WAIT
+    )
+    assert now.stream.deck.ending is None
+
+
+def test_an_edit_that_cannot_be_played_leaves_what_is_heard(sound, studio, player, qtbot, listen):
+    now = listen(loops=True)
+    nine = tuple(ss.track(place, amplitude=0.1) for place in (7, 12, 9))
+    studio.document.edit("Add", replace(DESIGN, inputs=nine))
+    qtbot.waitUntil(lambda: "Two has 2 outputs" in studio.notice.text, **WAIT)
+    assert player.now is now
+    assert now.stream.deck.ending is None
+
+
+def test_the_limit_stops_and_names_the_output(sound, studio, player, qtbot, listen):
+    player.gain.put(6.0)
+    listen(loops=True)
+    qtbot.waitUntil(lambda: "output 1 (place 7)" in studio.notice.text, **WAIT)
+    assert "would have passed full scale" in studio.notice.text
+    assert not player.playing
+    assert np.abs(sound.streams[0].samples).max() <= 1.0
+
+
+def test_stop_at_once_is_silent_and_turns_the_gain_back(sound, studio, player, qtbot, listen):
+    player.gain.put(-3.0)
+    now = listen(loops=True)
+    studio.do("stop_at_once")
+    qtbot.waitUntil(settled(player), **WAIT)
+    assert now.stream.deck.ending.reason == "panic"
+    assert player.gain.gain_db == START_DB
+
+
+def test_a_stop_before_the_device_has_begun_holds(sound, studio, player, qtbot):
+    studio.do("play")
+    studio.do("stop_at_once")
+    assert not player.playing
+    qtbot.waitUntil(lambda: bool(sound.streams) and not sound.streams[0].active, **WAIT)
+    assert player.now is None
+
+
+def test_a_device_that_is_pulled_out_is_said(sound, studio, player, qtbot, listen):
+    listen(loops=True)
+    sound.streams[0].pull_out()
+    qtbot.waitUntil(lambda: "may have been unplugged" in studio.notice.text, **WAIT)
+    assert not player.playing
+
+
+def test_the_gain_reaches_what_is_heard(sound, studio, player, qtbot, listen):
+    now = listen(loops=True)
+    studio.do("play_louder")
+    studio.do("play_louder")
+    assert player.gain.gain_db == START_DB + 2
+    assert studio.playback.bar.gain.value_si == START_DB + 2
+    assert now.stream.deck.gain_db == pytest.approx(START_DB + 2)
+    studio.do("play_softer")
+    assert now.stream.deck.gain_db == pytest.approx(START_DB + 1)
+    player.gain.put(900.0)
+    assert player.gain.gain_db == 20.0
+
+
+def test_a_playhead_that_is_put_elsewhere_is_followed(sound, studio, player, qtbot, listen):
+    now = listen(loops=True)
+    deck = now.stream.deck
+    document = studio.document
+    document.look(replace(document.view, playhead_s=0.4))
+    qtbot.waitUntil(lambda: deck.swap is None and deck.position > 0.39 * 48_000, **WAIT)
+    studio.do("play")
+    qtbot.waitUntil(settled(player), **WAIT)
+    assert document.view.playhead_s == 0.4
+
+
+def test_without_a_device_the_playhead_runs_in_silence(no_sound, studio, player, qtbot, listen):
+    now = listen()
+    assert now.stream is None
+    words = studio.statusBar().currentMessage()
+    assert words.startswith("In silence: No device to play on was found.")
+    seen = []
+    studio.document.playhead_moved.connect(lambda: seen.append(studio.document.view.playhead_s))
+    qtbot.waitUntil(settled(player), **WAIT)
+    assert max(seen) > 0.2
+    assert studio.document.view.playhead_s == 0.0
+    assert studio.notice.text == ""
+
+
+def test_what_is_chosen_is_kept_on_this_machine_but_not_the_gain(sound, make_window, preferences):
+    first = make_window(DESIGN).playback.player
+    output = replace(first.settings.output, device="Eight", host_api="Made up", latency_s=0.03)
+    first.gain.put(-3.0)
+    first.settings.choose(output)
+    assert first.gain.gain_db == START_DB
+    second = make_window(DESIGN).playback.player
+    assert second.settings.output == output
+    assert second.gain.gain_db == START_DB
+
+
+def test_another_output_ends_what_is_played(sound, studio, player, qtbot, listen):
+    listen(loops=True)
+    player.settings.choose(replace(player.settings.output, stand_in=True))
+    qtbot.waitUntil(settled(player), **WAIT)
+    now = listen()
+    qtbot.waitUntil(lambda: now.stream.deck.mix is not None, **WAIT)
+    assert now.stream.deck.mix.names == ("left", "right")
+
+
+def test_nothing_ticks_while_nothing_is_played(sound, studio, player, qtbot, listen):
+    timers = studio.playback._timer, player._playhead._timer
+    assert not any(timer.isActive() for timer in timers)
+    listen(loops=True)
+    assert all(timer.isActive() for timer in timers)
+    studio.do("play")
+    qtbot.waitUntil(settled(player), **WAIT)
+    assert not any(timer.isActive() for timer in timers)
+
+
+def test_closing_the_window_lets_go_of_the_device(sound, studio, player, listen):
+    listen(loops=True)
+    studio.document.undo_stack.setClean()
+    studio.close()
+    assert not sound.streams[0].active
