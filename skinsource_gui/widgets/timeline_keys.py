@@ -83,6 +83,10 @@ CLIP_EDITOR: tuple[KeyHint, ...] = (
         keys=("P",),
     ),
     KeyHint(name="envelope", words="E", means="shape the envelope", keys=("E",)),
+    KeyHint(name="glide", words="G", means="shape frequency and amplitude of a glide", keys=("G",)),
+    KeyHint(name="flip", words="F", means="change between frequency and amplitude", keys=("F",)),
+    KeyHint(name="point_before", words="Page Up", means="choose the point before", keys=("PgUp",)),
+    KeyHint(name="next_point", words="Page Down", means="choose the next point", keys=("PgDown",)),
     KeyHint(
         name="nudge",
         words="Arrow keys",

@@ -19,6 +19,11 @@ _TOOLS = (
         "Envelope",
         "Shape the envelope: a click on the curve adds a point, a drag moves it",
     ),
+    (
+        "glide",
+        "Glide",
+        "Shape frequency and amplitude of a glide: a click on a curve adds a point",
+    ),
 )
 
 
@@ -71,6 +76,10 @@ class EditorToolbar(QWidget):
         self._words.setToolTip(words)
         for button in (*self._tools.values(), self._bound, self._fit):
             button.setEnabled(enabled)
+
+    def offer_glide(self, offered: bool) -> None:
+        """Whether the clip plays a glide, whose curves can be shaped."""
+        self._tools["glide"].setVisible(offered)
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QLabel, QStackedLayout, QVBoxLayout, QWidget
 from skinsource.arrays import Floats
 from skinsource.clips import Clip
 from skinsource.design import Design
+from skinsource.edits import Refusal
 from skinsource.edits.selection import clip_of
 from skinsource.errors import InvalidInputError
 from skinsource.limb import SAMPLE_RATE_HZ
@@ -20,6 +21,7 @@ from skinsource_gui.panel import Panel
 from skinsource_gui.panels.clip_editor.drawing import Drawing
 from skinsource_gui.panels.clip_editor.editor_toolbar import EditorToolbar
 from skinsource_gui.panels.clip_editor.editor_view import EditorView
+from skinsource_gui.panels.clip_editor.gliding import Gliding
 from skinsource_gui.panels.clip_editor.shaping import Shaping
 from skinsource_gui.panels.clip_editor.spectrum_strip import SpectrumStrip
 from skinsource_gui.panels.clip_editor.tools.look import Look
@@ -30,6 +32,7 @@ from skinsource_gui.widgets.inputs.input_words import duration_text, figure_text
 from skinsource_gui.widgets.key_table import meant
 from skinsource_gui.widgets.lateness import Lateness
 
+_NO_GLIDE = Refusal(sentence="The clip does not play a glide; choose that waveform first.")
 _ZOOM = 1.5
 
 
@@ -47,7 +50,13 @@ class ClipEditorPanel(Panel):
         self._raw: tuple[Any, float, Floats | None] = (None, 0.0, None)
         self._drawing, self._shaping = Drawing(self), Shaping(self)
         self._look, self._pen = Look(self), self._drawing.pen
-        self._tools = {"look": self._look, "pen": self._pen, "envelope": self._shaping.tool}
+        self._gliding = Gliding(self)
+        self._tools = {
+            "look": self._look,
+            "pen": self._pen,
+            "envelope": self._shaping.tool,
+            "glide": self._gliding.tool,
+        }
         self._canvas = EditorView(self._look)
         self._toolbar, self._spectrum = EditorToolbar(), SpectrumStrip()
         self._empty = QLabel()
@@ -116,6 +125,9 @@ class ClipEditorPanel(Panel):
         clip = self.clip
         if tool == "pen" and clip is not None and not self._drawing.is_allowed(clip):
             tool = "look"
+        if tool == "glide" and not self._gliding.can_edit(clip):
+            self.edited.emit(_NO_GLIDE, None)
+            tool = "look"
         self._canvas.use(self._tools[tool])
         self._toolbar.show_tool(tool)
         # A question may have taken the keyboard away.
@@ -129,20 +141,24 @@ class ClipEditorPanel(Panel):
         self._look.pan_wanted.connect(self._canvas.pan)
         self._drawing.edited.connect(self.edited)
         self._shaping.edited.connect(self.edited)
+        self._gliding.edited.connect(self.edited)
 
     def _show(self) -> None:
         clip = self.clip
         self._drawing.show_state(self._design, self._view, clip, self._rate_hz)
         self._shaping.show_state(self._design, self._view, clip)
+        self._gliding.show_state(self._design, self._view, clip, self._rate_hz)
         self._stack.setCurrentIndex(0 if clip is None else 1)
         if clip is None:
             inputs = bool(self._design and self._design.inputs)
             self._empty.setText(clip_words(self.in_sight, inputs=inputs))
             self._canvas.show_clip(None, None, None, self._rate_hz)
             return
-        if self._canvas.tool is self._pen and not self._drawing.may_draw(clip):
-            # Another clip than the one that was asked about.
+        gone = self._canvas.tool is self._gliding.tool and not self._gliding.can_edit(clip)
+        if gone or (self._canvas.tool is self._pen and not self._drawing.may_draw(clip)):
+            # Another clip than the one that was asked about, or another waveform.
             self.use("look")
+        self._toolbar.offer_glide(self._gliding.can_edit(clip))
         raw = self._sampled(clip)
         played = self._waveforms.get(clip.id)
         if not clip.effects and raw is not None:
@@ -181,4 +197,6 @@ class ClipEditorPanel(Panel):
         elif wanted == "give_up":
             self.use("look")
         else:
-            self._shaping.press(wanted, event)
+            glides = self._canvas.tool is self._gliding.tool
+            (self._gliding if glides else self._shaping).press(wanted, event)
+            self._canvas.lay_out()

@@ -58,6 +58,8 @@ class Shaping(QObject):
         """Do what a key means to the points; whether it means anything."""
         if wanted == "remove":
             self.tool.remove_chosen()
+        elif wanted in ("next_point", "point_before"):
+            self.tool.choose_next(1 if wanted == "next_point" else -1)
         elif wanted == "nudge":
             by_s, by_value = _STEPS[_Key(event.key())]
             leap = _LEAP if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1

@@ -15,7 +15,7 @@ from tests.gui.clip_editor.bench import NONE, RATE_HZ, whole
 def test_without_a_clip_the_panel_says_what_to_do(flat):
     flat.design, flat.view = Design(limb="synthetic-1"), View()
     flat.show()
-    assert "Select a clip" in flat.panel._empty.text()
+    assert "Click a place on the hand" in flat.panel._empty.text()
     assert flat.panel._empty.isVisible()
     assert flat.canvas.content is None
 

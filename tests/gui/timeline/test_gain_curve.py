@@ -238,3 +238,13 @@ def test_a_clip_below_the_curve_is_still_dragged(lanes):
     lanes.drag(lanes.box(3).center(), lanes.box(3).center() + px(lanes, 0.05))
     assert lanes.onset(3) == pytest.approx(0.75, abs=0.005)
     assert curve(lanes) == ((0.1, 1.9),)
+
+
+def test_a_lane_gives_higher_gains_room_only_once_the_button_is_up(lanes):
+    with_curve(lanes, (0.1, 1.0), (0.5, 1.0))
+    start = on_line(lanes, 0.5)
+    lanes.drag(start, start + px(lanes, gain=2.0), release=False)
+    assert curve(lanes)[1][1] == pytest.approx(3.0, abs=0.1)
+    assert strip(lanes).top == 2.0
+    QTest.mouseRelease(lanes.lanes.viewport(), LEFT)
+    assert strip(lanes).top > 3.0

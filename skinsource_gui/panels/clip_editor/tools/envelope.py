@@ -1,7 +1,6 @@
 """Breakpoints over the waveform."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import lru_cache
 from itertools import product
 
@@ -15,6 +14,8 @@ from skinsource.effects import breakpoints as algebra
 from skinsource.effects.breakpoints import Points
 from skinsource.fields import SEGMENTS
 from skinsource_gui.panels.clip_editor.content import EditorContent
+from skinsource_gui.panels.clip_editor.tools.curve_drag import Drag
+from skinsource_gui.panels.clip_editor.tools.curve_look import CurveLook
 from skinsource_gui.panels.clip_editor.tools.tool import Button, Held
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.gesture import new_gesture
@@ -30,18 +31,7 @@ _FINE = 0.1
 _HOW = "Double click to add a point, or click the line; drag points to shape the envelope"
 
 
-@dataclass(slots=True)
-class _Drag:
-    points: Points
-    chosen: tuple[int, ...]
-    start: tuple[float, float]
-    number: int
-    upright: bool = False
-    added: bool = False
-    box: QPointF | None = None
-    moved: bool = False
-    # The points without the one that the press added.
-    before: Points = ()
+_ENVELOPE = CurveLook(how=_HOW)
 
 
 class EnvelopeTool(QObject):
@@ -54,6 +44,8 @@ class EnvelopeTool(QObject):
     ----------
     points
         Returns the points that there are now.
+    look
+        How the curve is painted, and what its values are.
     """
 
     #: The points, and the number of the gesture or None.
@@ -63,11 +55,13 @@ class EnvelopeTool(QObject):
 
     cursor = Qt.CursorShape.ArrowCursor
 
-    def __init__(self, points: Callable[[], Points], parent: QObject) -> None:
+    def __init__(
+        self, points: Callable[[], Points], parent: QObject, look: CurveLook = _ENVELOPE
+    ) -> None:
         super().__init__(parent)
-        self._points = points
+        self._points, self._look = points, look
         self.chosen: tuple[int, ...] = ()
-        self._drag: _Drag | None = None
+        self._drag: Drag | None = None
         self._pointer = QPointF(-1, -1)
 
     def press(self, content: EditorContent, at: QPointF, button: Button, held: Held) -> None:
@@ -85,12 +79,12 @@ class EnvelopeTool(QObject):
                 self.chosen = tuple(sorted(set(self.chosen) ^ {index}))
             elif index not in self.chosen:
                 self.chosen = (index,)
-            self._drag = _Drag(points, self.chosen or (index,), start, number)
+            self._drag = Drag(points, self.chosen or (index,), start, number)
             return
         segment = _segment_at(content, points, at)
         if segment is None:
-            self._drag = _Drag(points, (), start, number, box=at)
-        elif held & Held.AltModifier:
+            self._drag = Drag(points, (), start, number, box=at)
+        elif held & Held.AltModifier and self._look.bends:
             here = SEGMENTS.index(points[segment][2])
             following = SEGMENTS[(here + 1) % len(SEGMENTS)]
             self.changed.emit(algebra.with_segment(points, segment, following), None)
@@ -98,11 +92,11 @@ class EnvelopeTool(QObject):
             # A click adds a point on the curve; a drag moves the segment up and down, or, where the
             # curve is level before the first or after the last point, the new point alone.
             if 0 <= segment < len(points) - 1:
-                self._drag = _Drag(points, (segment, segment + 1), start, number, upright=True)
+                self._drag = Drag(points, (segment, segment + 1), start, number, upright=True)
             else:
                 added = algebra.with_point(points, max(start[0], 0.0))
                 index = 0 if segment < 0 else len(added) - 1
-                self._drag = _Drag(added, (index,), start, number, added=True, before=points)
+                self._drag = Drag(added, (index,), start, number, added=True, before=points)
 
     def move(self, content: EditorContent, at: QPointF, held: Held) -> None:
         self._pointer = at
@@ -150,7 +144,7 @@ class EnvelopeTool(QObject):
         time_s, value = content.place(at)
         added = algebra.with_point(self._points(), max(time_s, 0.0))
         index = sum(one[0] < max(time_s, 0.0) - 1e-9 for one in added)
-        by_value = max(value, 0.0) - added[index][1]
+        by_value = min(max(value, 0.0), self._look.highest) - added[index][1]
         self.chosen = (index,)
         self.changed.emit(algebra.moved(added, (index,), 0.0, by_value), None)
 
@@ -166,6 +160,18 @@ class EnvelopeTool(QObject):
             moved = algebra.moved(self._points(), self.chosen, by_s, by_value)
             self.changed.emit(moved, gesture)
 
+    def choose_next(self, step: int) -> None:
+        """Choose the point after the chosen one, or before; the first or last of all at first."""
+        last = len(self._points()) - 1
+        number = (0 if step > 0 else last) if not self.chosen else self.chosen[-1] + step
+        self.chosen = (min(max(number, 0), last),)
+
+    def is_near(self, content: EditorContent, at: QPointF) -> bool:
+        """Whether a point, or the curve, is within reach."""
+        points = self._points()
+        near = _point_at(content, points, at) is not None
+        return near or _segment_at(content, points, at) is not None
+
     def remove_chosen(self) -> None:
         """Remove the selected points."""
         self._remove(self.chosen)
@@ -174,7 +180,7 @@ class EnvelopeTool(QObject):
         """Paint curve, points and box."""
         points = self._points()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        colour = QColor(theme.warning)
+        colour = QColor(getattr(theme, self._look.colour))
         shown = np.linspace(content.area.left(), content.area.right(), 400)
         times = content.scale.shown_s[0] + (shown - content.scale.left_px) / content.scale.px_per_s
         values = algebra.curve_at(points, times)
@@ -185,8 +191,9 @@ class EnvelopeTool(QObject):
         # Four thin lines are painted in a sixth of the time of one that is two px wide.
         for aside, down in product((-0.5, 0.5), repeat=2):
             painter.drawPath(curve.translated(aside, down))
-        painter.setPen(QPen(colour, 1, Qt.PenStyle.DotLine))
-        painter.drawPath(arrayToQPath(x, content.curve(times, -values)[1], finiteCheck=False))
+        if self._look.mirrored:
+            painter.setPen(QPen(colour, 1, Qt.PenStyle.DotLine))
+            painter.drawPath(arrayToQPath(x, content.curve(times, -values)[1], finiteCheck=False))
         self._paint_points(painter, content, points, theme)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if self._drag is not None and self._drag.box is not None:
@@ -198,10 +205,11 @@ class EnvelopeTool(QObject):
         self, painter: QPainter, content: EditorContent, points: Points, theme: Theme
     ) -> None:
         near = _point_at(content, points, self._pointer)
-        painter.setPen(QPen(QColor(theme.warning), 1.5))
+        colour = getattr(theme, self._look.colour)
+        painter.setPen(QPen(QColor(colour), 1.5))
         painter.setBrush(QColor(theme.base))
         x, y = _places(content, points)
-        dot = _dot(theme.warning, theme.base, painter.device().devicePixelRatioF())
+        dot = _dot(colour, theme.base, painter.device().devicePixelRatioF())
         for place in map(QPointF, (x - _DOT_PX / 2).tolist(), (y - _DOT_PX / 2).tolist()):
             painter.drawPixmap(place, dot)
         # The others are painted again, over those beside them.
@@ -218,11 +226,11 @@ class EnvelopeTool(QObject):
         if len(points) == 1 and not self.chosen:
             painter.setPen(QColor(theme.text))
             flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom
-            painter.drawText(content.area.adjusted(0, 0, 0, -6), flags, _HOW)
+            painter.drawText(content.area.adjusted(0, 0, 0, -6), flags, self._look.how)
         if len(self.chosen) != 1 or self.chosen[0] >= len(points):
             return
         time_s, value, kind = points[self.chosen[0]]
-        words = f"{value_text(time_s, 's', digits=5)} · {number_text(value, 3)} · {kind}"
+        words = self._words(time_s, value, kind)
         at = content.at(time_s, value)
         flags = Qt.AlignmentFlag.AlignCenter
         line = QFontMetricsF(painter.font())
@@ -237,6 +245,12 @@ class EnvelopeTool(QObject):
         painter.drawRect(room)
         painter.setPen(QColor(theme.text))
         painter.drawText(room, flags, words)
+
+    def _words(self, time_s: float, value: float, kind: str) -> str:
+        look, when = self._look, value_text(time_s, "s", digits=5)
+        if look.bends:
+            return f"{when} · {number_text(value, 3)} · {kind}"
+        return f"{look.label} · {when} · {value:.5g} {look.unit}".rstrip()
 
     def _remove(self, indices: tuple[int, ...]) -> None:
         if indices:

@@ -1,0 +1,110 @@
+"""What the glide tool does to the clip in the editor."""
+
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+
+from skinsource import edits
+from skinsource.clips import Clip
+from skinsource.design import Design
+from skinsource.edits import Edit
+from skinsource.effects.breakpoints import Points
+from skinsource.synthesis.glide_curves import Column, Curve, bends_of, curve_of
+from skinsource.view import View
+from skinsource.waveforms import Glide
+from skinsource_gui.panels.clip_editor.tools.glide import GlideTool
+from skinsource_gui.widgets.fields.burst import Burst
+
+_LEAP = 10
+_Key = Qt.Key
+_TIMES = {_Key.Key_Left: -0.001, _Key.Key_Right: 0.001}
+_VALUES = {_Key.Key_Up: 1.0, _Key.Key_Down: -1.0}
+#: One step of an arrow key up; with Shift ten.
+STEPS: dict[Column, float] = {"frequency": 1.0, "amplitude": 0.01}
+
+
+class Gliding(QObject):
+    """Turns what the tool does to the curves into edits of the glide that a clip plays.
+
+    Attributes
+    ----------
+    tool
+        The tool.
+    """
+
+    edited = Signal(object, object)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._design, self._view = Design(limb=""), View()
+        self._clip: Clip | None = None
+        self._rate_hz = 1300.0
+        # What was drawn: points that bend nothing yet are not part of a glide.
+        self._drawn: dict[Column, Points] = {}
+        self._burst = Burst(self)
+        self.tool = GlideTool(self._points, self)
+        # Number of the drag, and what there was before it.
+        self._before: tuple[int, Design, View] | None = None
+        self.tool.changed.connect(self._change)
+        self.tool.given_up.connect(self._give_up)
+
+    def show_state(self, design: Design, view: View, clip: Clip | None, rate_hz: float) -> None:
+        """Take over what there is to shape."""
+        if clip is None or self._clip is None or clip.id != self._clip.id:
+            self.tool.forget()
+            self._drawn = {}
+        self._design, self._view, self._clip, self._rate_hz = design, view, clip, rate_hz
+
+    def can_edit(self, clip: Clip | None) -> bool:
+        """Whether a clip plays a glide."""
+        return clip is not None and isinstance(clip.waveform, Glide)
+
+    def press(self, wanted: str, event: QKeyEvent) -> bool:
+        """Do what a key means to the points; whether it means anything."""
+        tool = self.tool.tools[self.tool.active]
+        if wanted == "remove":
+            tool.remove_chosen()
+        elif wanted == "flip":
+            self.tool.flip()
+        elif wanted in ("next_point", "point_before"):
+            tool.choose_next(1 if wanted == "next_point" else -1)
+        elif wanted == "nudge":
+            far = _LEAP if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
+            key = _Key(event.key())
+            by_value = far * STEPS[self.tool.active] * _VALUES.get(key, 0.0)
+            tool.nudge(far * _TIMES.get(key, 0.0), by_value, self._burst.gesture())
+        else:
+            return False
+        return True
+
+    def _points(self, column: Column) -> Points:
+        waveform = None if self._clip is None else self._clip.waveform
+        if not isinstance(waveform, Glide):
+            return ((0.0, 0.0, "straight"),)
+        curve, drawn = curve_of(waveform.points, column), self._drawn.get(column, ())
+        if drawn and bends_of(_curve(drawn)) == curve:
+            return drawn
+        return tuple((x, y, "straight") for x, y in curve)
+
+    def _change(self, column: Column, points: Points, gesture: int | None) -> None:
+        if self._clip is None:
+            return
+        if gesture is not None and (self._before is None or self._before[0] != gesture):
+            self._before = (gesture, self._design, self._view)
+        # Half the sample rate itself cannot be played.
+        most = 1.0 if column == "amplitude" else 0.4999 * self._rate_hz
+        kept: Points = tuple((round(x, 12), round(min(y, most), 12), kind) for x, y, kind in points)
+        self._drawn[column] = kept
+        outcome = edits.set_glide_curve(
+            self._design, self._view, self._clip.id, column, _curve(kept)
+        )
+        self.edited.emit(outcome, gesture)
+
+    def _give_up(self, gesture: int) -> None:
+        if self._before is not None and self._before[0] == gesture:
+            _, design, view = self._before
+            self._drawn = {}
+            self.edited.emit(Edit(label="", design=design, view=view), gesture)
+
+
+def _curve(points: Points) -> Curve:
+    return tuple((x, y) for x, y, _ in points)

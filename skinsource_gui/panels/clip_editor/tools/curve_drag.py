@@ -1,0 +1,23 @@
+"""A drag of breakpoints in the clip editor."""
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QPointF
+
+from skinsource.effects.breakpoints import Points
+
+
+@dataclass(slots=True)
+class Drag:
+    """Points as they were when the button went down, and which of them move."""
+
+    points: Points
+    chosen: tuple[int, ...]
+    start: tuple[float, float]
+    number: int
+    upright: bool = False
+    added: bool = False
+    box: QPointF | None = None
+    moved: bool = False
+    # The points without the one that the press added.
+    before: Points = ()
