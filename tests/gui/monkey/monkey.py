@@ -7,11 +7,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QCoreApplication, QEvent, QObject
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
+from skinsource.design import start_design
+from skinsource.view import View
 from skinsource_gui.history import MOST_STEPS
+from skinsource_gui.panels.timeline.lanes_view import LanesView
 from tests.gui.monkey import deeds_in_fields as fields
 from tests.gui.monkey import deeds_on_canvases as canvases
 from tests.gui.monkey.hands import Hands
@@ -35,7 +38,7 @@ _TIDIED_EVERY = 20
 _LONGEST_S, _MOST_INPUTS, _MOST_CLIPS = 8.0, 8, 60
 _TOLERANCE_DB = 1e-6
 #: What may be made late and kept, in objects: pages, menus, rows of a list.
-KEPT_LATE = 150
+KEPT_LATE = 250
 
 
 @dataclass(slots=True)
@@ -103,6 +106,7 @@ class Monkey:
                 self._check_state()
                 if k % COMPARED_EVERY == 0 or k == count:
                     self._compare_levels()
+                    self._compare_muted()
                     self._check_history()
                     self._check_file()
                 if k in (count // 2, count):
@@ -177,6 +181,20 @@ class Monkey:
         QApplication.processEvents()
         self.window.catch_up()
 
+    def _compare_muted(self) -> None:
+        """The same once a clip, and then a track, is muted: what is silent is easily forgotten."""
+        for mute in (self._mute_clip, self._mute_track):
+            mute()
+            self._compare_levels()
+            mute()
+
+    def _mute_clip(self) -> None:
+        canvases.seen(self.hands, "timeline").findChild(LanesView).setFocus()
+        self.hands.key(Qt.Key.Key_M)
+
+    def _mute_track(self) -> None:
+        self.window.do("mute_input")
+
     def _compare_levels(self) -> None:
         self.hands.close_what_opened()
         self.window.do("arrange_design")
@@ -228,6 +246,9 @@ class Monkey:
     def _count_objects(self) -> None:
         """Count what lives, and see that it is no more than half way."""
         self._begin_anew()
+        # The inspector keeps the fields of what it showed last: of a tone, each time.
+        self.document.start_over(start_design(self._base.limb), View(), None)
+        self._base = self.document.design
         self._settle()
         for _ in range(3):
             QApplication.processEvents()
