@@ -112,10 +112,7 @@ def main() -> int:
         window.resize(1920, 1080)
         window.show()
         window.do("arrange_design")
-        dock = window.docks["clip_editor"]
-        dock.show()
-        # Where it is a tab, in front of the others.
-        dock.raise_()
+        window.docks["clip_editor"].bring_forward()
         window.catch_up()
         QApplication.processEvents()
         seen = [panel.name for panel in window.panels if panel.isVisible()]

@@ -65,12 +65,12 @@ from skinsource_gui.widgets.fields.field_cell import FieldCell
 
 path = Path(sys.argv[1])
 older = open_design(sys.argv[2])
-assert older.view.playhead_s == 0.25, "the file knew nothing of it"
+assert older.view.bookmark_s == 0.25, "the file knew nothing of it"
 assert older.design.inputs[0].label == ""
 drawn = Samples(values=np.arange(4.0), sample_rate_hz=1300.0)
 clicks = Clicks(gap_s=0.04, name="touché", envelope=((0.0, 0.5), (0.5, 1.0)), drawn=drawn)
 design = Design(limb="synthetic-1", inputs=(track(location=7, waveform=clicks, label="first"),))
-view = View(playhead_s=0.75)
+view = View(bookmark_s=0.75)
 save_design(path, design, view)
 found = open_design(path)
 assert found.design == design and found.view == view
@@ -85,7 +85,7 @@ panel.show_state(design, replace(view, selected_inputs=design.ids))
 cells = {cell.name: cell.field for cell in panel.findChildren(FieldCell)}
 assert cells["gap_s"].value_si == 0.04
 assert cells["name"].text() == "touché"
-assert cells["envelope"].text() == "((0.0, 0.5), (0.5, 1.0))"
+assert cells["envelope"].text() == "0 0.5; 500 1"
 assert cells["drawn"].text().startswith("4 at 1300 Hz")
 print("all of it works")
 """
@@ -102,7 +102,7 @@ def test_a_new_waveform_is_a_file_and_a_name_and_a_new_field_is_a_line(make_copy
     # A line in Input and one in View.
     label = 'label: str = fields.text("", TextSpec(label="Label", longest=20))\n'
     copy.insert(copy.library / "design.py", "    muted: bool = fields", f"    {label}")
-    playhead = 'playhead_s: float = fields.number(0.25, NumberSpec(label="Playhead"))\n'
-    copy.insert(copy.library / "view.py", "    delay_removed: bool = fields", f"    {playhead}")
+    bookmark = 'bookmark_s: float = fields.number(0.25, NumberSpec(label="Bookmark"))\n'
+    copy.insert(copy.library / "view.py", "    delay_removed: bool = fields", f"    {bookmark}")
     found = copy.run(TRY, tmp_path / "new.skinsource", copy.old_design)
     assert found == "all of it works\n"
