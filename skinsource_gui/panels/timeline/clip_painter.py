@@ -56,11 +56,12 @@ def paint_clip(
         painter.setOpacity(_PALE if pale else 1.0)
         _paint_samples(painter, box, shown, samples, pictures, colour, loudest)
         painter.setOpacity(1.0)
+    if any(box.fades_px):
+        _paint_fades(painter, box, QColor(theme.text))
+    # Over the lines of fades: the name is read first.
     if shown.width() >= _WORDS_FROM_PX:
         _write(painter, words_of(box), shown, theme, pale=pale)
     _paint_frame(painter, box.rect, shown, theme, colour, selected=selected)
-    if any(box.fades_px):
-        _paint_fades(painter, box, QColor(theme.text))
     if shown_elsewhere and not selected:
         painter.setPen(QPen(QColor(theme.accent), 2, Qt.PenStyle.DotLine))
         painter.drawRoundedRect(box.rect.adjusted(1, 1, -1, -1), _ROUNDING_PX, _ROUNDING_PX)
