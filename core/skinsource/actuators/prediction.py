@@ -123,11 +123,13 @@ def duty_of(drive: Floats, sample_rate_hz: float) -> float:
 
     Counted are stretches of 10 ms that hold more than a thousandth of the peak.
     """
+    if not drive.any():
+        return 0.0
     n = max(int(_STRETCH_S * sample_rate_hz), 1)
     padded = np.zeros(-(-drive.size // n) * n)
     padded[: drive.size] = np.abs(drive)
     peaks = padded.reshape(-1, n).max(axis=1)
-    return float(np.mean(peaks > _DRIVEN * peaks.max())) if peaks.max() else 0.0
+    return float(np.mean(peaks > _DRIVEN * peaks.max()))
 
 
 @dataclass(frozen=True, slots=True)

@@ -24,7 +24,8 @@ def objections(ready: Prepared, limits: Sequence[Limit] = ()) -> tuple[str, ...]
             ]
             if words:
                 found.append(
-                    f"{path.name}: samples beyond full scale would be cut off: {', '.join(words)}."
+                    f"{path.name}: samples lie beyond full scale, where a device cuts them off: "
+                    f"{', '.join(words)}."
                 )
     if ready.rig is not None:
         sent = scaled(ready.drives, ready.gain)

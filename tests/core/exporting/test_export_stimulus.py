@@ -175,7 +175,7 @@ def test_what_clips_is_refused_until_it_is_confirmed(design, tmp_path, kind):
     about = sidecar(path)
     assert about["clip_count"] == counts.sum()
     assert [one["clip_count"] for one in about["channels"]] == counts.tolist()
-    assert "cut off" in about["confirmed"][0]
+    assert "cuts them off" in about["confirmed"][0]
     if kind == "pcm16":
         limited = np.clip(drive, -1.0, 1.0)
         np.testing.assert_allclose(read(path) * 32768 / 32767, limited, rtol=0, atol=2e-5)

@@ -238,6 +238,16 @@ def test_without_anything_that_plays_it_says_what_to_do(make_window, qtbot):
     assert panel.figures.table.figures == ()
 
 
+def test_a_track_that_lost_its_clips_asks_nothing_of_the_actuator(window, panel, qtbot):
+    before = number(panel, "Peak acceleration")
+    design, view = window.document.design, window.document.view
+    window.document.apply(edits.remove_clips(design, view, [clip.id for clip in design.clips]))
+    settle(window, qtbot)
+    assert len(window.document.design.inputs) == 2
+    assert before != 0.0
+    assert number(panel, "Peak acceleration") == 0.0
+
+
 def test_settings_of_another_studio_do_no_harm():
     odd = ActuatorSettings(actuator="no such", parameters=(("no_field", 1.0),))
     assert odd.model == ss.actuators.load("example-voice-coil")
