@@ -14,7 +14,9 @@ from skinsource_gui.shell.garbage import GarbageCollector, take_over_collection
 from skinsource_gui.shell.window import MainWindow
 
 UNNEEDED = (
-    "skinsource.stimulus",
+    "skinsource.stimulus_export",
+    "skinsource.stimulus_formats",
+    "sounddevice",
     "scipy.signal",
     "matplotlib",
     "pandas",

@@ -18,6 +18,7 @@ from skinsource.actuators import (
 )
 from skinsource.arguments import finite_array
 from skinsource.errors import InvalidInputError
+from skinsource.quoting import quoted
 from skinsource.rigs.channel import RigChannel
 from skinsource.rigs.rig import Rig
 from skinsource.rigs.sending import volts_of
@@ -96,7 +97,7 @@ def rig_breaches(
         channel = rig.channel_of(place)
         if channel is None:
             raise InvalidInputError(
-                f"place {place} is not wired in the rig {rig.title!r:.80}; add a channel for it"
+                f"place {place} is not wired in the rig {quoted(rig.title)}; add a channel for it"
             )
         found += [RigBreach(place, one) for one in _of_channel(channel, row, sample_rate_hz)]
     return tuple(found)

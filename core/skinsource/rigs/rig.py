@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from skinsource import fields
 from skinsource.errors import InvalidInputError
 from skinsource.fields import ListSpec, RecipeSpec, TextSpec
+from skinsource.quoting import quoted
 from skinsource.rigs.channel import RigChannel
 
 MAX_CHANNELS = 256
@@ -46,7 +47,7 @@ class Rig:
         for (device, output), count in outputs.items():
             if count > 1:
                 raise InvalidInputError(
-                    f"Rig.channels has output {output} of device {device!r:.80} {count} times, "
+                    f"Rig.channels has output {output} of device {quoted(device)} {count} times, "
                     "expected once; wire each place to its own"
                 )
 

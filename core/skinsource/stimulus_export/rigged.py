@@ -8,6 +8,7 @@ from skinsource.actuators import load, names
 from skinsource.equalising import Equaliser, equalised
 from skinsource.errors import InvalidInputError
 from skinsource.fields import specs_of
+from skinsource.quoting import quoted
 from skinsource.rigs import Rig, RigChannel, calibration_words, rig_breaches
 from skinsource.stimulus import Stimulus
 
@@ -132,5 +133,5 @@ def _actuator_of(channel: RigChannel) -> Any:
         return load(channel.actuator)
     raise InvalidInputError(
         f"place {channel.place}: the rig does not say how the actuator "
-        f"{channel.actuator!r:.80} moves. Measure it, or name one of {', '.join(names())}."
+        f"{quoted(channel.actuator)} moves. Measure it, or name one of {', '.join(names())}."
     )
