@@ -54,7 +54,7 @@ def test_it_never_asks_and_says_in_one_line_what_is_wrong(saved, tmp_path, capsy
     call = ["export", str(saved), "--out", str(out), "--full-scale", "0.1"]
     assert main(call) == 1
     told = capsys.readouterr().err
-    assert told.startswith("skinsource: drive.wav: samples beyond full scale")
+    assert told.startswith("skinsource: drive.wav: samples lie beyond full scale")
     assert told.count("\n") == 1
     assert not out.exists()
     assert main([*call, "--confirm"]) == 0
