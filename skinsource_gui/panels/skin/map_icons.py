@@ -1,13 +1,10 @@
 """Icons of the map's buttons, drawn in the colours of the theme."""
 
-from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QIcon, QPainter, QPainterPath, QPen, QPixmap
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QIcon, QPainterPath
 
 from skinsource_gui.theme import Theme
-
-_SIZE = 16
-# Larger than shown, so that it stays sharp on fine screens.
-_OVERSAMPLED = 3
+from skinsource_gui.widgets.drawn_icon import drawn_icon
 
 
 def sensors_icon(theme: Theme) -> QIcon:
@@ -24,7 +21,7 @@ def sensors_icon(theme: Theme) -> QIcon:
         (12.4, 13),
     ):
         dots.addEllipse(QPointF(x, y), 1.5, 1.5)
-    return _icon(dots, theme, filled=True)
+    return drawn_icon(dots, theme, filled=True, greyed=False)
 
 
 def fit_icon(theme: Theme) -> QIcon:
@@ -35,7 +32,7 @@ def fit_icon(theme: Theme) -> QIcon:
         path.lineTo(x, y)
         path.lineTo(x, y + 3 * dy)
     path.addRoundedRect(QRectF(6, 4.5, 4, 7), 1.8, 1.8)
-    return _icon(path, theme)
+    return drawn_icon(path, theme, greyed=False)
 
 
 def hand_icon(theme: Theme) -> QIcon:
@@ -51,22 +48,4 @@ def hand_icon(theme: Theme) -> QIcon:
     path.lineTo(13.4, 10.5)
     path.quadTo(13.4, 13, 11.6, 14.5)
     path.closeSubpath()
-    return _icon(path, theme)
-
-
-def _icon(path: QPainterPath, theme: Theme, *, filled: bool = False) -> QIcon:
-    icon = QIcon()
-    for state, name in ((QIcon.State.Off, theme.text), (QIcon.State.On, theme.on_accent)):
-        pixmap = QPixmap(_SIZE * _OVERSAMPLED, _SIZE * _OVERSAMPLED)
-        pixmap.fill(Qt.GlobalColor.transparent)
-        painter = QPainter(pixmap)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.scale(_OVERSAMPLED, _OVERSAMPLED)
-        if filled:
-            painter.fillPath(path, QColor(name))
-        else:
-            painter.strokePath(path, QPen(QColor(name), 1.2))
-        painter.end()
-        icon.addPixmap(pixmap, QIcon.Mode.Normal, state)
-        icon.addPixmap(pixmap, QIcon.Mode.Disabled, state)
-    return icon
+    return drawn_icon(path, theme, greyed=False)
