@@ -3,57 +3,17 @@
 import numpy as np
 import pytest
 import soundfile
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
-from PySide6.QtGui import QDragEnterEvent, QDragLeaveEvent, QDragMoveEvent, QDropEvent
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QWidget
 
 from skinsource import edits
 from skinsource.recordings import take
 from skinsource.recordings.three_axes import dft321
-from skinsource.waveforms import Recording
 from skinsource_gui.import_page import placing
 from skinsource_gui.import_page.reading_worker import ReadingWorker
 from skinsource_gui.widgets.drop_place import DropPlace
 
 NO_KEYS = Qt.KeyboardModifier.NoModifier
-
-
-@pytest.fixture
-def sound(tmp_path):
-    """Half a second of 150 Hz and of its half, at 48 kHz."""
-    tone = 0.8 * np.sin(2.0 * np.pi * 150.0 * np.arange(24_000) / 48_000) * np.hanning(24_000)
-    soundfile.write(tmp_path / "tap.wav", np.stack([tone, 0.5 * tone], axis=1), 48_000)
-    return tmp_path / "tap.wav"
-
-
-@pytest.fixture
-def page_on(window, qtbot):
-    """Open the page on a file, and wait until it shows what it can."""
-    opened = []
-
-    def open_on(path, place=None):
-        window.imports.open_page(path, place)
-        page = window.imports.pages[-1]
-        opened.append(page)
-        qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
-        QApplication.processEvents()
-        return page
-
-    return open_on
-
-
-def drop(window, path, at, kind=QDropEvent):
-    data = QMimeData()
-    data.setUrls([QUrl.fromLocalFile(str(path))])
-    where = QPointF(at) if kind is QDropEvent else at
-    event = kind(where, Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton, NO_KEYS)
-    QApplication.sendEvent(window, event)
-    return event
-
-
-def site(window, number):
-    diagram = window.panel("hand").diagram
-    return diagram.mapTo(window, diagram.site_centre(number))
 
 
 def choose(page, qtbot, name, option):
@@ -276,68 +236,11 @@ def test_a_page_that_is_closed_while_it_reads_leaves_nothing(window, sound):
     assert window.imports.pages == ()
 
 
-@pytest.mark.parametrize("where", ["site", "row", "elsewhere"])
-def test_a_file_that_is_dropped_goes_where_it_was_dropped(window, qtbot, sound, where):
-    first = window.document.design.inputs[0]
-    row = window.findChild(QWidget, "input_rows").rows[0]
-    at = {
-        "site": site(window, 13),
-        "row": row.mapTo(window, row.rect().center()),
-        "elsewhere": window.panel("traces").mapTo(window, QPoint(50, 50)),
-    }[where]
-    assert drop(window, sound, at, QDragEnterEvent).isAccepted()
-    assert drop(window, sound, at).isAccepted()
-    (page,) = window.imports.pages
-    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
-    QApplication.processEvents()
-    page.accept()
-    inputs = window.document.design.inputs
-    if where == "site":
-        assert inputs[-1].location == 13
-        assert isinstance(inputs[-1].clips[0].waveform, Recording)
-    else:
-        # The start design's only input is the selected one.
-        assert [one.id for one in inputs] == [first.id]
-        assert isinstance(inputs[0].clips[-1].waveform, Recording)
-
-
-def test_a_file_that_is_dropped_on_a_lane_starts_there(window, qtbot, sound):
-    lanes = window.panel("timeline").findChild(QWidget, "lanes")
-    lanes.set_snaps(False)
-    content = lanes.content
-    track = content.lanes[0]
-    at = lanes.mapTo(window, QPoint(round(content.scale.x(0.125)), round(track.top_px) + 4))
-    drop(window, sound, at, QDragEnterEvent)
-    drop(window, sound, at, QDragMoveEvent)
-    assert lanes.over.shown.words == "A clip here"
-    drop(window, sound, at)
-    assert lanes.over.shown.words == ""
-    (page,) = window.imports.pages
-    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
-    QApplication.processEvents()
-    page.accept()
-    (one,) = window.document.design.inputs
-    assert one.clips[-1].onset_s == pytest.approx(0.125, abs=0.01)
-    assert one.clips[-1].waveform.name.startswith("tap.wav")
-
-
 def test_without_a_place_it_starts_at_the_playhead(window, page_on, sound):
     design, view = window.document.design, window.document.view
     window.document.apply(edits.move_playhead(design, view, 0.25), None)
     page_on(sound).accept()
     assert window.document.design.inputs[0].clips[-1].onset_s == 0.25
-
-
-def test_a_site_lights_up_while_a_recording_is_held_over_it(window, sound, tmp_path):
-    stage = window.panel("hand").diagram.stage
-    at = site(window, 13)
-    drop(window, sound, at, QDragEnterEvent)
-    drop(window, sound, at, QDragMoveEvent)
-    assert stage.state.target == 13
-    QApplication.sendEvent(window, QDragLeaveEvent())
-    assert stage.state.target is None
-    drop(window, tmp_path / "a.skinsource", at, QDragEnterEvent)
-    assert stage.state.target is None
 
 
 def test_the_menu_asks_for_a_file(window, monkeypatch, qtbot, sound):
