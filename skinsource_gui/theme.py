@@ -144,22 +144,18 @@ THEMES = {theme.name: theme for theme in (LIGHT, DARK)}
 def apply_theme(app: QApplication, theme: Theme, text_scale: float = 1.0) -> None:
     """Give every widget of ``app`` the colours of ``theme``, and words of that size.
 
-    ``text_scale`` is 1 for words as large as the desktop has them.
+    ``text_scale`` is 1 for words as large as the desktop has them.  Where all of that is so
+    already, nothing is done: Qt would go through all widgets.
     """
-    app.setStyle("Fusion")
     font = scaled(QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont), text_scale)
+    sheet = _sheet(theme)
+    if sheet == app.styleSheet() and font == app.font():
+        return
+    app.setStyle("Fusion")
     if font != app.font():
         app.setFont(font)
     app.setPalette(_palette(theme))
-    app.setStyleSheet(
-        Template(read_text("theme.qss")).substitute(
-            {
-                name: getattr(theme, name)
-                for name in Theme.__slots__
-                if isinstance(getattr(theme, name), str)
-            }
-        )
-    )
+    app.setStyleSheet(sheet)
 
 
 def scaled(font: QFont, scale: float) -> QFont:
@@ -183,6 +179,12 @@ def tabular(font: QFont) -> QFont:
     copy = QFont(font)
     copy.setFeature(QFont.Tag("tnum"), 1)
     return copy
+
+
+def _sheet(theme: Theme) -> str:
+    colours = {name: getattr(theme, name) for name in Theme.__slots__}
+    words = {name: value for name, value in colours.items() if isinstance(value, str)}
+    return Template(read_text("theme.qss")).substitute(words)
 
 
 def _palette(theme: Theme) -> QPalette:

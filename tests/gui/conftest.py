@@ -18,12 +18,17 @@ from skinsource_gui.state.preferences import Preferences
 
 @pytest.fixture(autouse=True)
 def _garbage_is_collected_in_this_thread(qapp):
-    """As in the studio: elsewhere, widgets would be destroyed while this thread paints them."""
+    """As in the studio: elsewhere, widgets would be destroyed while this thread paints them.
+
+    The window of the test before is let go of by pytest only now.  Modules are not looked through.
+    """
     automatic = gc.isenabled()
     gc.disable()
+    gc.collect()
+    if not gc.get_freeze_count():
+        gc.freeze()
     yield
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    gc.collect(0)
     if automatic:
         gc.enable()
 

@@ -2,7 +2,8 @@
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -116,7 +117,7 @@ def _response(model: SyntheticModel, row: int) -> Floats:
 def synthetic_model(number: int) -> SyntheticModel:
     """Prepare a built-in synthetic limb from the shipped parameters.
 
-    The same numbers come out at every call.
+    Each is prepared once and kept, 0.7 MB; its arrays cannot be written to.
 
     Parameters
     ----------
@@ -133,16 +134,36 @@ def synthetic_model(number: int) -> SyntheticModel:
             f"synthetic limb {quoted(number)} does not exist: there are the limbs 1 to "
             f"{len(SYNTHETIC_LIMBS)}. Choose one of them."
         )
-    shared = _parameters()
-    limb = next(entry for entry in shared["limbs"] if entry["number"] == number)
-    return _prepared(shared, limb)
+    return _model(int(number))
 
 
+@cache
 def standard_hand() -> HandShape:
     """Return the hand that all synthetic limbs are variations of; the studio draws it."""
-    return hand_shape(_proportions(_parameters()["hand"]))
+    shape = hand_shape(_proportions(_parameters()["hand"]))
+    _read_only(shape)
+    return shape
 
 
+@cache
+def _model(number: int) -> SyntheticModel:
+    shared = _parameters()
+    limb = next(entry for entry in shared["limbs"] if entry["number"] == number)
+    model = _prepared(shared, limb)
+    _read_only(model.shape)
+    _read_only(model)
+    return model
+
+
+def _read_only(held: HandShape | SyntheticModel) -> None:
+    for one in fields(held):
+        value = getattr(held, one.name)
+        for array in value if isinstance(value, tuple) else (value,):
+            if isinstance(array, np.ndarray):
+                array.flags.writeable = False
+
+
+@cache
 def _parameters() -> dict[str, Any]:
     text = (data_folder() / "synthetic-limbs.json").read_text(encoding="utf-8")
     parameters: dict[str, Any] = json.loads(text)
