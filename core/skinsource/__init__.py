@@ -46,7 +46,6 @@ if TYPE_CHECKING:
         perception,
         recordings,
         rigs,
-        scenes,
         sweeps,
     )
     from skinsource.rigs import open_rig, save_rig
@@ -96,7 +95,6 @@ __all__ = [
     "rms",
     "save_design",
     "save_rig",
-    "scenes",
     "sinusoid",
     "stimulus_of",
     "surface_operator",
@@ -119,7 +117,6 @@ _PACKAGES = (
     "perception",
     "recordings",
     "rigs",
-    "scenes",
     "sweeps",
 )
 _NAMES = {

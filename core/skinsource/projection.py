@@ -1,4 +1,4 @@
-"""From three axes of acceleration to one signal for each output."""
+"""From the axes of acceleration to one signal for each output."""
 
 from typing import Literal, get_args
 
@@ -8,10 +8,25 @@ from numpy.typing import ArrayLike, NDArray
 from skinsource.arguments import LARGEST_SAMPLE, one_of, real_array
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
+from skinsource.limb import AXES, Axes, axis_numbers
 
-Axes = Literal["x", "y", "z", "xy", "xz", "yz", "xyz"]
+__all__ = [
+    "AXES",
+    "METHODS",
+    "SMALLEST_GAP",
+    "Axes",
+    "Method",
+    "axis_numbers",
+    "magnitude",
+    "main_axis_gap",
+    "no_main_axis",
+    "principal_axis",
+    "principal_axis_of",
+    "project_axes",
+    "rms_direction",
+]
+
 Method = Literal["mag", "pca", "rms", "soc"]
-AXES: tuple[Axes, ...] = get_args(Axes)
 METHODS: tuple[Method, ...] = get_args(Method)
 
 #: Below this gap noise of a millionth turns a main axis by more than 0.06 degrees.
@@ -20,19 +35,24 @@ SMALLEST_GAP = 1e-3
 _TIE = 1e-9
 
 
-def project_axes(acceleration: ArrayLike, axes: Axes = "xyz", method: Method = "mag") -> Floats:
-    """Project three-axis acceleration to one signal for each output.
+def project_axes(
+    acceleration: ArrayLike, axes: Axes = "xyz", method: Method = "mag", measured: Axes = "xyz"
+) -> Floats:
+    """Project acceleration along several axes to one signal for each output.
 
     Parameters
     ----------
-    acceleration : (n_outputs, 3 axes, n_times)
-        In m/s², or any other unit.
+    acceleration : (n_outputs, n_axes, n_times)
+        In m/s², or any other unit; of three axes, unless ``measured`` names fewer.
     axes
-        The axes that take part.  With a single axis the method has no say.
+        The axes that take part; ``"xyz"``: all there are.  With a single axis the method has no
+        say.
     method
         ``"mag"`` length of the vector; ``"pca"`` component along the first principal axis of the
         centred data, applied to the data as they are, largest coefficient positive; ``"rms"``
         component along the vector of the axes' RMS values; ``"soc"`` sum of components.
+    measured
+        The axes of ``acceleration``, in its order, see `Limb.axes`.
 
     Returns
     -------
@@ -41,38 +61,35 @@ def project_axes(acceleration: ArrayLike, axes: Axes = "xyz", method: Method = "
     Raises
     ------
     InvalidInputError
-        Unknown axes or method, wrong shape, no samples, or values that are not finite.
+        Unknown axes or method, axes that were not measured, wrong shape, no samples, or values
+        that are not finite.
     """
     one_of("axes", axes, AXES)
     one_of("method", method, METHODS)
-    data = real_array("acceleration", acceleration, "(n_outputs, 3, n_times)")
-    if data.ndim != 3 or data.shape[1] != 3:
-        raise InvalidInputError(
-            f"acceleration has shape {data.shape}, expected (n_outputs, 3, n_times)"
-        )
+    one_of("measured", measured, AXES)
+    numbers = axis_numbers(axes, measured)
+    expected = f"(n_outputs, {len(measured)}, n_times)"
+    data = real_array("acceleration", acceleration, expected)
+    if data.ndim != 3 or data.shape[1] != len(measured):
+        raise InvalidInputError(f"acceleration has shape {data.shape}, expected {expected}")
     if data.shape[-1] == 0:
         raise InvalidInputError("acceleration has no samples, expected at least one")
     # NaN is the maximum of whatever holds it, and not less than anything.
     if data.size and not np.abs(data).max() <= LARGEST_SAMPLE:
         place = np.argwhere(~(np.abs(data) <= LARGEST_SAMPLE))[0]
         raise InvalidInputError(
-            f"acceleration of output {place[0] + 1}, axis {'xyz'[place[1]]}, sample {place[2]} is "
-            f"{data[tuple(place)]}, not a finite number of at most {LARGEST_SAMPLE:g}"
+            f"acceleration of output {place[0] + 1}, axis {measured[place[1]]}, sample {place[2]} "
+            f"is {data[tuple(place)]}, not a finite number of at most {LARGEST_SAMPLE:g}"
         )
-    if len(axes) == 1:
-        return data[:, "xyz".index(axes)].copy()
-    chosen = data if axes == "xyz" else data[:, ["xyz".index(axis) for axis in axes]]
+    if len(numbers) == 1:
+        return data[:, numbers[0]].copy()
+    chosen = data if len(numbers) == len(measured) else data[:, list(numbers)]
     if method == "soc":
         return chosen.sum(axis=1)
     if method == "mag":
         return magnitude(chosen)
     direction = principal_axis(chosen) if method == "pca" else rms_direction(chosen)
     return np.einsum("oa,oat->ot", direction, chosen)
-
-
-def axis_numbers(axes: Axes) -> tuple[int, ...]:
-    """Places of ``axes`` among x, y, z."""
-    return tuple("xyz".index(axis) for axis in axes)
 
 
 def magnitude(data: Floats) -> Floats:

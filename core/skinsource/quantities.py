@@ -14,7 +14,7 @@ from skinsource.arrays import Floats
 from skinsource.design import Design, Input, audible_indices
 from skinsource.graph import Graph
 from skinsource.job import Stop
-from skinsource.limb import PRE_TRIGGER_DELAY_S, Limb, LimbMap
+from skinsource.limb import Limb, LimbMap
 from skinsource.rendering import level_rules, trace_rules, vibration_rules, voice_rules
 from skinsource.rendering.remembered import Remembered
 from skinsource.shared import Shared
@@ -67,10 +67,10 @@ def surface_levels_db(surface: SurfaceOperator, output_levels_db: Floats) -> Flo
     return surface.interpolate(output_levels_db)
 
 
-def response_time_s(response_samples: int, sample_rate_hz: float, delay_removed: bool) -> Floats:
+def response_time_s(response_samples: int, limb_data: Limb, delay_removed: bool) -> Floats:
     """Sampling instants of the response, (n_times,), in seconds."""
-    shift_s = PRE_TRIGGER_DELAY_S if delay_removed else 0.0
-    return np.arange(response_samples) / sample_rate_hz - shift_s
+    shift_s = limb_data.pre_trigger_delay_s if delay_removed else 0.0
+    return np.arange(response_samples) / limb_data.sample_rate_hz - shift_s
 
 
 #: All rules but those of `skinsource.shared.Shared`.

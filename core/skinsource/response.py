@@ -54,7 +54,7 @@ def predict(
 
     Returns
     -------
-    (72 outputs, 3 axes, n_times + 521), m/s², float64: the full linear convolution.
+    (n_outputs, n_axes, n_times + n_taps - 1), m/s², float64: the full linear convolution.
 
     Raises
     ------

@@ -40,8 +40,8 @@ def test_every_memory_of_an_engine_is_held_to_its_budget():
 
 @pytest.mark.parametrize("n_places", [1, 2, 4, 5, 7, 10, 19, 20])
 def test_whatever_is_transformed_at_once_fits(n_places):
-    longest = max(n for n in range(500, 40_000, 97) if length_at_once(n, n_places) is not None)
-    n_bins = length_at_once(longest, n_places) // 2 + 1
+    longest = max(n for n in range(500, 40_000, 97) if length_at_once(n, n_places, 216) is not None)
+    n_bins = length_at_once(longest, n_places, 216) // 2 + 1
     held = n_places * N_OUTPUTS * N_AXES * n_bins * 16
     assert held <= budgets.RESPONSE_SPECTRA_BYTES
     # Nor is less transformed at once than there is room for.

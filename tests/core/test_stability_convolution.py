@@ -94,7 +94,7 @@ def window_error(found: np.ndarray, exact: np.ndarray) -> float:
 def ratio(found: np.ndarray, exact: np.ndarray, scene) -> float:
     """Largest error over eps log2(N) Σ‖drive‖ ‖response‖."""
     n = exact.shape[-1]
-    n_fft = length_at_once(n, len(set(scene.places))) or BLOCK_FFT
+    n_fft = length_at_once(n, len(set(scene.places)), 216) or BLOCK_FFT
     bound = np.zeros(exact.shape[:2])
     rows = [output - 1 for output in OUTPUTS]
     for drive, place in zip(scene.drives, scene.places, strict=True):

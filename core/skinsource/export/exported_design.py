@@ -8,8 +8,7 @@ import numpy as np
 from skinsource.arrays import Floats
 from skinsource.design import Design
 from skinsource.job import Progress, Stop
-from skinsource.limb import Limb
-from skinsource.projection import Axes
+from skinsource.limb import ALL_AXES, Axes, Limb, axes_of
 from skinsource.quantities import new_graph, sources
 from skinsource.rendering.check import TraceError
 from skinsource.rendering.streaming import StreamedVibration
@@ -69,7 +68,8 @@ class ExportedDesign:
 
     def holdable(self, outputs: tuple[int, ...], axes: Axes) -> tuple[int, ...]:
         """The first of ``outputs``, as many as may be held from beginning to end; all if short."""
-        bytes_each = len(axes) * self.n_times * np.dtype(np.float64).itemsize
+        n_axes = len(axes_of(self.limb.axes, axes))
+        bytes_each = n_axes * self.n_times * np.dtype(np.float64).itemsize
         return outputs if self.streamed is None else outputs[: _MOST_HELD_BYTES // bytes_each]
 
     def error(self, outputs: tuple[int, ...], axes: Axes) -> TraceError | None:
@@ -78,16 +78,16 @@ class ExportedDesign:
         return found
 
     def error_of(self, field: Floats, outputs: tuple[int, ...]) -> TraceError | None:
-        """Error of ``field``, (n_outputs, 3 axes, n_times), at some outputs."""
+        """Error of ``field``, (n_outputs, n_axes, n_times), at some outputs."""
         found: TraceError | None = self.value(
-            "trace_error", outputs=outputs, axes="xyz", axis_traces=field
+            "trace_error", outputs=outputs, axes=ALL_AXES, axis_traces=field
         )
         return found
 
     def field_blocks(self) -> Iterator[Floats]:
-        """Yield the field piece by piece, (n_outputs, 3 axes, n) in m/s², silence included."""
+        """Yield the field piece by piece, (n_outputs, n_axes, n) in m/s², silence included."""
         if self.streamed is None:
-            yield self.value("axis_traces", outputs=self.all_outputs, axes="xyz")
+            yield self.value("axis_traces", outputs=self.all_outputs, axes=ALL_AXES)
             return
         done = 0
         for first, block in self.streamed.blocks(self.stop):

@@ -10,6 +10,7 @@ from skinsource.design import audible_inputs
 from skinsource.errors import TooInaccurateError
 from skinsource.export.description import describe_levels, describe_played, describe_projection
 from skinsource.export.exported_design import ExportedDesign
+from skinsource.limb import axes_of
 from skinsource.rendering.check import ESTIMATE_FACTOR, N_SAMPLES, TraceError
 from skinsource.version import __version__
 
@@ -26,7 +27,8 @@ def about_design(exported: ExportedDesign) -> list[str]:
 
 def about_axes(exported: ExportedDesign) -> str:
     """Line on the axes and how they become one signal."""
-    return describe_projection(exported.view.axes, exported.view.method)
+    axes = axes_of(exported.limb.axes, exported.view.axes)
+    return describe_projection(axes, exported.view.method)
 
 
 def about_levels(exported: ExportedDesign) -> str:

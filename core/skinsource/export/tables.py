@@ -21,9 +21,7 @@ from skinsource.export.figures import (
 )
 from skinsource.export.output_file import output_file
 from skinsource.job import Progress, Stop, never, silent
-from skinsource.limb import PRE_TRIGGER_DELAY_S
 from skinsource.locations import OUTPUTS, output_place
-from skinsource.projection import axis_numbers
 from skinsource.view import View
 
 
@@ -69,7 +67,7 @@ def export_traces(
     about = [
         *about_design(exported),
         about_axes(exported),
-        f"pre-trigger delay of {PRE_TRIGGER_DELAY_S * 1e3:g} ms: {shift} the times",
+        f"pre-trigger delay of {exported.limb.pre_trigger_delay_s * 1e3:g} ms: {shift} the times",
         about_levels(exported),
         *about_method(exported),
         about_error(error, what),
@@ -138,6 +136,6 @@ def _trace_blocks(exported: ExportedDesign) -> Iterator[Floats]:
             yield traces[:, first : first + PIECE_SAMPLES]
         return
     projection = exported.value("selected_projection")
-    chosen = np.ix_([output - 1 for output in outputs], axis_numbers(exported.view.axes))
+    chosen = np.ix_([output - 1 for output in outputs], projection.axis_numbers)
     for block in exported.field_blocks():
         yield projection.signals(block[chosen])

@@ -20,7 +20,7 @@ from skinsource.export.figures import (
 from skinsource.export.npz_archive import NpzArchive
 from skinsource.export.output_file import output_file
 from skinsource.job import Progress, Stop, never, silent, stop_if
-from skinsource.limb import PRE_TRIGGER_DELAY_S
+from skinsource.limb import ALL_AXES
 from skinsource.view import View
 
 # Headers, the text and the table of contents take less.
@@ -38,7 +38,7 @@ def export_field(
 ) -> None:
     """Compute and write the acceleration of all outputs on all axes, block by block.
 
-    ``numpy.load`` reads the file.  It holds ``acceleration_m_per_s2`` (72 outputs, 3 axes, n_times;
+    ``numpy.load`` reads the file.  It holds ``acceleration_m_per_s2`` (n_outputs, n_axes, n_times;
     float64, time 0 first, the pre-trigger delay contained), ``sample_rate_hz``, and ``about``, a
     text.  Silence is exactly 0.
 
@@ -53,7 +53,7 @@ def export_field(
     shape = exported.limb.n_outputs, exported.limb.n_axes, exported.n_times
     # What is checked is what was written, at some outputs.
     looked_at = view.outputs if exported.streamed is not None else ()
-    checked = exported.holdable(looked_at or exported.all_outputs, "xyz")
+    checked = exported.holdable(looked_at or exported.all_outputs, ALL_AXES)
     rows = [output - 1 for output in checked]
     kept = np.empty((len(checked), *shape[1:]))
     with output_file(path, stop) as file:
@@ -80,9 +80,9 @@ def _about(exported: ExportedDesign) -> list[str]:
     return [
         *about_design(exported),
         f"acceleration_m_per_s2: {exported.limb.n_outputs} outputs, {exported.limb.n_axes} axes "
-        f"(x, y, z), {exported.n_times} times, in m/s²",
+        f"({', '.join(exported.limb.axes)}), {exported.n_times} times, in m/s²",
         f"times: sample k at k / {exported.sample_rate_hz:g} s; pre-trigger delay of "
-        f"{PRE_TRIGGER_DELAY_S * 1e3:g} ms: contained in the times",
+        f"{exported.limb.pre_trigger_delay_s * 1e3:g} ms: contained in the times",
         about_levels(exported),
         *about_method(exported),
     ]

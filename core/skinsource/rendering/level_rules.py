@@ -11,9 +11,10 @@ import numpy as np
 from skinsource.arrays import Booleans, Complexes, Floats
 from skinsource.decibels import decibels
 from skinsource.job import Stop
-from skinsource.limb import Limb
+from skinsource.limb import Axes, Limb
+from skinsource.limb import axis_numbers as numbers_of
 from skinsource.loudest_window import Span, window_samples
-from skinsource.projection import Axes, Method
+from skinsource.projection import Method
 from skinsource.rendering.loudest_energies import loudest_energies, loudest_energies_streamed
 from skinsource.rendering.moment_matrices import CrossMatrix, OwnMatrix
 from skinsource.rendering.moments import (
@@ -30,8 +31,6 @@ from skinsource.rendering.response_spectra import ResponseSpectrum
 from skinsource.rendering.streaming import StreamedVibration
 from skinsource.rendering.total_spectrum import TotalSpectrum
 
-_ALL_AXES = (0, 1, 2)
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SummedMoments:
@@ -41,9 +40,14 @@ class SummedMoments:
     cancelled: Booleans
 
 
-def products_needed(axes: Axes, method: Method) -> bool:
+def axis_numbers(limb_data: Limb, axes: Axes) -> tuple[int, ...]:
+    """Where the chosen axes are among those that the limb measures along."""
+    return numbers_of(axes, limb_data.axes)
+
+
+def products_needed(axis_numbers: tuple[int, ...], method: Method) -> bool:
     """Whether levels need the products of different axes."""
-    return needs_products(axes, method)
+    return needs_products(axis_numbers, method)
 
 
 def others_moments(
@@ -127,16 +131,20 @@ def moments(
     total, cancelled = summed_moments.moments, summed_moments.cancelled
     if total_spectrum is None or not cancelled.any():
         return total
-    rows = total_spectrum.rows(np.flatnonzero(cancelled), _ALL_AXES)
+    every_axis = tuple(range(total_spectrum.shape[1]))
+    rows = total_spectrum.rows(np.flatnonzero(cancelled), every_axis)
     again = moments_of(rows, total_spectrum.n_fft, products=products_needed)
     second, first = total.second.copy(), total.first.copy()
     second[cancelled], first[cancelled] = again.second, again.first
     return Moments(second, first)
 
 
-def projection(moments: Moments, axes: Axes, method: Method, response_samples: int) -> Projection:
+def projection(
+    moments: Moments, axis_numbers: tuple[int, ...], method: Method, response_samples: int
+) -> Projection:
     """How the axes of each output become one signal."""
-    return Projection(axes, directions_of(moments, axes, method, response_samples))
+    directions = directions_of(moments, axis_numbers, method, response_samples)
+    return Projection(axis_numbers, directions)
 
 
 def record_rms(
@@ -150,7 +158,7 @@ def record_rms(
     Where the axes of an output cancel in its projection, its energy is taken from the projected
     spectrum instead.
     """
-    energy, cancelled = energies(moments, projection.directions, projection.axes)
+    energy, cancelled = energies(moments, projection.directions, projection.axis_numbers)
     if total_spectrum is not None and cancelled.any():
         rows = np.flatnonzero(cancelled)
         spectra = total_spectrum.rows(rows, projection.axis_numbers)
@@ -193,6 +201,7 @@ def output_levels_db(output_rms: Floats) -> Floats:
 
 
 RULES = (
+    axis_numbers,
     products_needed,
     others_moments,
     own_matrix,

@@ -12,14 +12,14 @@ from functools import cached_property
 import numpy as np
 
 from skinsource.arrays import Complexes, Floats
-from skinsource.rendering.moments import PAIRS, Moments
+from skinsource.rendering.moments import Moments, pairs
 
 
 @dataclass(frozen=True, eq=False)
 class OwnMatrix:
     """What the responses to one place make of a drive's power.
 
-    ``values`` are the spectra of the responses, (n_outputs, 3 axes, n_bins).
+    ``values`` are the spectra of the responses, (n_outputs, n_axes, n_bins).
     """
 
     values: Complexes
@@ -35,8 +35,10 @@ class OwnMatrix:
 
     @cached_property
     def _products(self) -> Floats:
-        found = np.empty(self.values.shape)
-        for k, (a, b) in enumerate(PAIRS):
+        n_outputs, n_axes, n_bins = self.values.shape
+        of_pairs = pairs(n_axes)
+        found = np.empty((n_outputs, len(of_pairs), n_bins))
+        for k, (a, b) in enumerate(of_pairs):
             left, right = self.values[:, a], self.values[:, b]
             found[:, k] = left.real * right.real + left.imag * right.imag
         return found
@@ -54,7 +56,7 @@ class OwnMatrix:
 class CrossMatrix:
     """What the vibration by other voices and the responses to one place make of a drive.
 
-    ``others`` is that vibration, (n_outputs, 3 axes, n_bins), ``own`` holds the responses.
+    ``others`` is that vibration, (n_outputs, n_axes, n_bins), ``own`` holds the responses.
     """
 
     others: Complexes
@@ -66,8 +68,10 @@ class CrossMatrix:
 
     @cached_property
     def _products(self) -> Floats:
-        found = np.empty(self.others.shape, np.complex128)
-        for k, (a, b) in enumerate(PAIRS):
+        n_outputs, n_axes, n_bins = self.others.shape
+        of_pairs = pairs(n_axes)
+        found = np.empty((n_outputs, len(of_pairs), n_bins), np.complex128)
+        for k, (a, b) in enumerate(of_pairs):
             np.multiply(self.others[:, a], self.own.conjugates[:, b], out=found[:, k])
             found[:, k] += self.others[:, b] * self.own.conjugates[:, a]
         found *= 0.5
@@ -90,7 +94,7 @@ _NUMBERS_AT_ONCE = 8192
 
 
 def _by(matrix: Floats, column: Floats) -> Floats:
-    """One product of a matrix and a column, (n_outputs, 3), row by row and by one thread.
+    """One product of a matrix and a column, (n_outputs, n_rows), row by row and by one thread.
 
     As a matrix product it would be shared out among the threads of the linear algebra library,
     which wait for each other without sleeping: where another program has the second processor,
@@ -112,8 +116,11 @@ def _weights(n_fft: int) -> Floats:
 
 
 def _filled(squares: Floats, products: Floats | None) -> Floats:
-    second = np.zeros((len(squares), 3, 3))
-    second[:, (0, 1, 2), (0, 1, 2)] = squares
-    for k, (a, b) in enumerate(PAIRS if products is not None else ()):
-        second[:, a, b] = second[:, b, a] = products[:, k] if products is not None else 0.0
+    n_outputs, n_axes = squares.shape
+    second = np.zeros((n_outputs, n_axes, n_axes))
+    every = np.arange(n_axes)
+    second[:, every, every] = squares
+    if products is not None:
+        for k, (a, b) in enumerate(pairs(n_axes)):
+            second[:, a, b] = second[:, b, a] = products[:, k]
     return second

@@ -1,21 +1,25 @@
-"""Second moments of the three axes of each output, and what follows from them.
+"""Second moments of the axes of each output, and what follows from them.
 
 RMS levels of every projection follow from the moments, and the moments from spectra by Parseval:
 no channel is brought back to time.
 """
 
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 
 from skinsource.arrays import Booleans, Complexes, Floats
-from skinsource.projection import Axes, Method, no_main_axis, principal_axis_of
+from skinsource.projection import Method, no_main_axis, principal_axis_of
 
 #: Below this share of its terms a sum has lost too many digits, and is computed another way.  Above
 #: it the rounding of the terms, about 4e-16 of their size, keeps a level right to 1e-14.
 _CANCELLED = 0.05
-#: Different axes whose products are wanted.
-PAIRS = (0, 1), (0, 2), (1, 2)
+
+
+def pairs(n_axes: int) -> tuple[tuple[int, int], ...]:
+    """Different axes whose products are wanted, by their numbers."""
+    return tuple(combinations(range(n_axes), 2))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -24,9 +28,9 @@ class Moments:
 
     Attributes
     ----------
-    second : (n_outputs, 3 axes, 3 axes)
+    second : (n_outputs, n_axes, n_axes)
         Sum of the products of axes; only the diagonal where nothing else is needed.
-    first : (n_outputs, 3 axes)
+    first : (n_outputs, n_axes)
         Sum of the samples.
     """
 
@@ -34,20 +38,21 @@ class Moments:
     first: Floats
 
 
-def needs_products(axes: Axes, method: Method) -> bool:
+def needs_products(axes: tuple[int, ...], method: Method) -> bool:
     """Whether a projection needs the products of different axes."""
     return len(axes) > 1 and method != "mag"
 
 
 def moments_of(spectra: Complexes, n_fft: int, *, products: bool) -> Moments:
-    """Moments of a vibration from its spectra, (n_outputs, 3, n_fft // 2 + 1).
+    """Moments of a vibration from its spectra, (n_outputs, n_axes, n_fft // 2 + 1).
 
     Products of different axes only if ``products`` are wanted.
     """
-    second = np.zeros((*spectra.shape[:2], 3))
-    for a in range(3):
+    n_axes = spectra.shape[1]
+    second = np.zeros((*spectra.shape[:2], n_axes))
+    for a in range(n_axes):
         second[:, a, a] = _product_sum(spectra[:, a], spectra[:, a])
-    for a, b in PAIRS if products else ():
+    for a, b in pairs(n_axes) if products else ():
         second[:, a, b] = second[:, b, a] = _product_sum(spectra[:, a], spectra[:, b])
     return Moments(second / n_fft, spectra[:, :, 0].real.copy())
 
@@ -82,8 +87,10 @@ def combined(
     return Moments(second, first), (energy < _CANCELLED * size).any(axis=1)
 
 
-def directions_of(moments: Moments, axes: Axes, method: Method, n_times: int) -> Floats | None:
-    """Vector that the chosen axes are projected on, (n_outputs, n_axes).
+def directions_of(
+    moments: Moments, axes: tuple[int, ...], method: Method, n_times: int
+) -> Floats | None:
+    """Vector that the chosen axes, by their numbers, are projected on, (n_outputs, n_axes).
 
     None for ``"mag"`` of several axes, which is no projection.
     """
@@ -99,13 +106,15 @@ def directions_of(moments: Moments, axes: Axes, method: Method, n_times: int) ->
     return principal_axis_of(covariance_of(moments, axes, n_times))
 
 
-def covariance_of(moments: Moments, axes: Axes, n_times: int) -> Floats:
+def covariance_of(moments: Moments, axes: tuple[int, ...], n_times: int) -> Floats:
     """Sums of products of the chosen axes' centred samples, (n_outputs, n_axes, n_axes)."""
     second, first = _chosen(moments, axes)
     return second - first[:, :, None] * first[:, None, :] / n_times
 
 
-def without_main_axis(moments: Moments, axes: Axes, method: Method, n_times: int) -> Booleans:
+def without_main_axis(
+    moments: Moments, axes: tuple[int, ...], method: Method, n_times: int
+) -> Booleans:
     """Outputs that are projected on a main axis they do not have, (n_outputs,).
 
     See `skinsource.projection.no_main_axis`; False for all where no main axis is looked for.
@@ -115,7 +124,9 @@ def without_main_axis(moments: Moments, axes: Axes, method: Method, n_times: int
     return no_main_axis(covariance_of(moments, axes, n_times))
 
 
-def energies(moments: Moments, directions: Floats | None, axes: Axes) -> tuple[Floats, Booleans]:
+def energies(
+    moments: Moments, directions: Floats | None, axes: tuple[int, ...]
+) -> tuple[Floats, Booleans]:
     """Sum of squares of the projected signal of each output, (n_outputs,).
 
     Also where the axes cancelled in the projection, (n_outputs,): compute those another way.
@@ -133,8 +144,8 @@ def energies_of(spectra: Complexes, n_fft: int) -> Floats:
     return _product_sum(spectra, spectra) / n_fft
 
 
-def _chosen(moments: Moments, axes: Axes) -> tuple[Floats, Floats]:
-    if axes == "xyz":
+def _chosen(moments: Moments, axes: tuple[int, ...]) -> tuple[Floats, Floats]:
+    if len(axes) == moments.first.shape[1]:
         return moments.second, moments.first
-    numbers = ["xyz".index(axis) for axis in axes]
+    numbers = list(axes)
     return moments.second[:, numbers][:, :, numbers], moments.first[:, numbers]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from skinsource.arrays import Complexes, Floats
-from skinsource.projection import Axes, axis_numbers, magnitude
+from skinsource.projection import magnitude
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -15,25 +15,20 @@ class Projection:
 
     Attributes
     ----------
-    axes
-        The chosen axes.
+    axis_numbers
+        Where the chosen axes are among those that the limb measures along.
     directions : (n_outputs, n_axes) or None
         Vector that each output is projected on; None: the length of the vector is taken.
     """
 
-    axes: Axes
+    axis_numbers: tuple[int, ...]
     directions: Floats | None
-
-    @property
-    def axis_numbers(self) -> tuple[int, ...]:
-        """Places of the axes among x, y, z."""
-        return axis_numbers(self.axes)
 
     def at(self, rows: Sequence[int] | slice | np.ndarray) -> "Projection":
         """The same for some of its outputs, counted from 0."""
         if self.directions is None:
             return self
-        return Projection(self.axes, self.directions[rows])
+        return Projection(self.axis_numbers, self.directions[rows])
 
     def signals(self, traces: Floats) -> Floats:
         """Projected signals, (n_outputs, n_times), of the chosen axes, (…, n_axes, n_times)."""

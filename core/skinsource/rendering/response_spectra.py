@@ -30,9 +30,9 @@ class ResponseSpectrum:
 
     Attributes
     ----------
-    taps : (n_outputs, 3 axes, n_taps)
+    taps : (n_outputs, n_axes, n_taps)
         m/s².
-    values : (n_outputs, 3 axes, n_fft // 2 + 1)
+    values : (n_outputs, n_axes, n_fft // 2 + 1)
         Their spectra.
     known_norms
         Those of the taps, where they were computed already.
@@ -94,7 +94,7 @@ class Norms:
 
     @classmethod
     def of(cls, taps: Floats) -> "Norms":
-        """Those of responses, (n_outputs, 3 axes, n_taps)."""
+        """Those of responses, (n_outputs, n_axes, n_taps)."""
         n_taps = taps.shape[-1]
         rows = taps.reshape(-1, n_taps)
         begins = [tap for tap in SECTIONS if tap < n_taps]
@@ -204,7 +204,7 @@ class ResponseSpectra:
 
 
 def scaled_taps(limb: Limb, location: int, scaling: Scaling) -> Floats:
-    """Responses to ``location``, (n_outputs, 3, n_taps); refused where one is no usable number."""
+    """Responses to ``location``, (n_outputs, n_axes, n_taps); refused where one is not usable."""
     return bounded_taps(limb, location, scaling)[0]
 
 
@@ -217,10 +217,10 @@ def bounded_taps(limb: Limb, location: int, scaling: Scaling) -> tuple[Floats, f
         output, axis, tap = bad
         raise InvalidInputError(
             f"{limb.name}: in the response to input location {location}, output {output + 1}, axis "
-            f"{'xyz'[axis]}, tap {tap} is {taps[bad]}, expected a finite number of at most "
+            f"{limb.axes[axis]}, tap {tap} is {taps[bad]}, expected a finite number of at most "
             f"{LARGEST:g}. Install or load the limb again."
         )
-    if scaling != "probe":
+    if scaling != "probe" or limb.per_unit_drive:
         return taps, largest
     taps = per_probe_acceleration(taps, limb.sample_rate_hz)
     return taps, float(np.abs(taps).max(initial=0.0))

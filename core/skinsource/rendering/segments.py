@@ -6,17 +6,16 @@ import numpy as np
 
 from skinsource.arrays import Floats
 from skinsource.chain import Drive
-from skinsource.limb import N_AXES, N_INPUTS, N_OUTPUTS
 from skinsource.rendering.transforms import transform_length
 
 #: A block of so many samples of a drive, for responses of up to half its length.
 BLOCK_FFT = 2048
-#: Responses longer than this are computed block by block where twenty places are in use.
+#: Responses longer than this are computed block by block where twenty places of a limb of 216
+#: channels are in use, of any where spectra of the responses take as much.
 LONGEST_AT_ONCE = 6144
+_MOST_BINS = LONGEST_AT_ONCE * 20 * 216
 #: With few places in use there is memory for longer ones, up to this.
 LONGEST_OF_FEW = 15_360
-
-_N_CHANNELS = N_OUTPUTS * N_AXES
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,9 +82,7 @@ class Played:
     location: int
 
 
-def length_at_once(
-    response_samples: int, n_places: int, n_channels: int = _N_CHANNELS
-) -> int | None:
+def length_at_once(response_samples: int, n_places: int, n_channels: int) -> int | None:
     """Length of the transforms of a whole design; None: it is to be computed block by block.
 
     Parameters
@@ -98,6 +95,5 @@ def length_at_once(
         Channels of the responses, outputs times axes.
     """
     n_fft = transform_length(response_samples)
-    most = LONGEST_AT_ONCE * N_INPUTS * _N_CHANNELS
-    longest = min(LONGEST_OF_FEW, most // (max(n_places, 1) * n_channels))
+    longest = min(LONGEST_OF_FEW, _MOST_BINS // (max(n_places, 1) * n_channels))
     return n_fft if n_fft <= longest else None

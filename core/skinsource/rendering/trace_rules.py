@@ -4,7 +4,7 @@ from skinsource.arrays import Complexes, Floats
 from skinsource.errors import InvalidInputError
 from skinsource.job import Stop
 from skinsource.limb import Limb
-from skinsource.projection import Axes, Method, axis_numbers
+from skinsource.projection import Method
 from skinsource.quoting import quoted
 from skinsource.rendering.check import Heard, TraceError, exact_gains, trace_error_of
 from skinsource.rendering.moments import Moments, without_main_axis
@@ -28,10 +28,10 @@ def shown_outputs(outputs: tuple[int, ...], limb_data: Limb) -> tuple[int, ...]:
 
 
 def axis_traces(
-    vibration: Vibration, shown_outputs: tuple[int, ...], axes: Axes, stop: Stop
+    vibration: Vibration, shown_outputs: tuple[int, ...], axis_numbers: tuple[int, ...], stop: Stop
 ) -> Floats:
     """Acceleration of the selected outputs, (n_selected, n_axes, n_times), in m/s²."""
-    return vibration.traces(shown_outputs, axis_numbers(axes), stop)
+    return vibration.traces(shown_outputs, axis_numbers, stop)
 
 
 def selected_projection(projection: Projection, shown_outputs: tuple[int, ...]) -> Projection:
@@ -42,12 +42,12 @@ def selected_projection(projection: Projection, shown_outputs: tuple[int, ...]) 
 def selected_without_main_axis(
     moments: Moments,
     shown_outputs: tuple[int, ...],
-    axes: Axes,
+    axis_numbers: tuple[int, ...],
     method: Method,
     response_samples: int,
 ) -> tuple[int, ...]:
     """Selected outputs that are projected on a main axis they do not have."""
-    without = without_main_axis(moments, axes, method, response_samples)
+    without = without_main_axis(moments, axis_numbers, method, response_samples)
     return tuple(output for output in shown_outputs if without[output - 1])
 
 
@@ -57,10 +57,10 @@ def selected_traces(axis_traces: Floats, selected_projection: Projection) -> Flo
 
 
 def axis_spectra(
-    vibration: Vibration, shown_outputs: tuple[int, ...], axes: Axes, stop: Stop
+    vibration: Vibration, shown_outputs: tuple[int, ...], axis_numbers: tuple[int, ...], stop: Stop
 ) -> Complexes:
     """Transforms of `axis_traces` over exactly their samples, (n_selected, n_axes, n_bins)."""
-    return vibration.transforms(shown_outputs, axis_numbers(axes), stop)
+    return vibration.transforms(shown_outputs, axis_numbers, stop)
 
 
 def selected_spectra(
@@ -97,7 +97,7 @@ def trace_error(
     responses: Responses,
     placed: tuple[Placed, ...],
     shown_outputs: tuple[int, ...],
-    axes: Axes,
+    axis_numbers: tuple[int, ...],
     axis_traces: Floats,
     stop: Stop,
 ) -> TraceError | None:
@@ -122,7 +122,7 @@ def trace_error(
         )
         for one, response, factor in zip(moving, to_places, factors, strict=True)
     ]
-    return trace_error_of(axis_traces, shown_outputs, axis_numbers(axes), heard)
+    return trace_error_of(axis_traces, shown_outputs, axis_numbers, heard)
 
 
 RULES = (

@@ -8,7 +8,6 @@ from typing import Any
 from skinsource.export.exported_design import ExportedDesign
 from skinsource.files import hdf5
 from skinsource.job import silent, stop_if
-from skinsource.limb import PRE_TRIGGER_DELAY_S
 from skinsource.stimulus_formats.about import about
 from skinsource.stimulus_formats.column_names import channel_names
 from skinsource.stimulus_formats.stimulus_format import Facts, Outgoing, StimulusFormat
@@ -54,8 +53,8 @@ def _add_response(outgoing: Outgoing, file: Any) -> str:
         outgoing.progress(done, shape[-1], "Writing")
     found.attrs["sample_rate_hz"] = exported.sample_rate_hz
     found.attrs["unit"] = "m/s²"
-    found.attrs["axes"] = "xyz"
-    found.attrs["pre_trigger_delay_s"] = PRE_TRIGGER_DELAY_S
+    found.attrs["axes"] = exported.limb.axes
+    found.attrs["pre_trigger_delay_s"] = exported.limb.pre_trigger_delay_s
     found.attrs["synthetic"] = exported.limb.synthetic
     return "whole design from time 0 on, before fades and cuts"
 

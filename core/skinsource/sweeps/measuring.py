@@ -49,6 +49,7 @@ _FIRST = (
     "response_samples",
     "stimulus_samples",
     "limb_data",
+    "axis_numbers",
     "products_needed",
 )
 
@@ -130,7 +131,7 @@ class Measurer:
         if field is None:
             return self._seen_in_blocks(design, stop)
         limb, plan, n_times = found["limb_data"], self.plan, found["response_samples"]
-        projected = projection(field.moments, plan.axes, plan.method, n_times)
+        projected = projection(field.moments, found["axis_numbers"], plan.method, n_times)
         rms = record_rms(field.moments, projected, field.spectrum, n_times)
         level = None
         if plan.level_db is not None:

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource import edits
 from skinsource.design import Design
+from skinsource.limb import PRE_TRIGGER_DELAY_S
 from skinsource.panel_settings import settings_of, with_settings
-from skinsource.quantities import PRE_TRIGGER_DELAY_S
 from skinsource.view import View
 from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.signal_panel import SignalPanel

@@ -2,62 +2,24 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
+from skinsource.limb.axes import AXES, Axes
+from skinsource.limb.limb_map import LimbMap
+from skinsource.limb.places import check_input_location
+from skinsource.limb.published import (
+    N_AXES,
+    N_INPUTS,
+    N_OUTPUTS,
+    N_TAPS,
+    PRE_TRIGGER_DELAY_S,
+    SAMPLE_RATE_HZ,
+)
 from skinsource.quoting import quoted
 from skinsource.work import tally
-
-N_INPUTS, N_OUTPUTS, N_AXES, N_TAPS = 20, 72, 3, 522
-SAMPLE_RATE_HZ = 1300.0
-#: Time between the trigger and the pulse in the measured responses.
-PRE_TRIGGER_DELAY_S = 0.052
-#: Outputs on the palmar side: they have no place on the dorsal map.
-VOLAR_OUTPUTS = (61, 62, 63, 64, 65, 66)
-
-#: The largest number that a place or an output of any limb can have.
-MOST_PLACES = 10_000
-
-#: Hand lengths of limbs 1 to 4, measured and synthetic alike.
-HAND_LENGTHS_MM = (175.0, 165.0, 185.0, 165.0)
-#: Every limb that exists, installed or not.
-LIMB_NAMES = tuple(f"{kind}-{k}" for kind in ("measured", "synthetic") for k in range(1, 5))
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class LimbMap:
-    """Where things are on the back of a right hand and arm.
-
-    Coordinates are outline pixels: x to the right, y up (towards the fingertips), thumb to the
-    left.  ``hand_length_px`` of them make one hand length.
-
-    Attributes
-    ----------
-    outline : (n_vertices, 2)
-        Closed polygon, last vertex not repeated.
-    output_positions : (72, 2)
-        Sensors; rows of the six volar outputs (61 to 66) are NaN.
-    input_positions : (20, 2)
-        Input places, seen through the hand from the back.
-    hand_length_px
-        Tip of digit III to the middle of the wrist, in pixels.
-    visibility : (n_vertices, 72) or None
-        Distance from outline vertex to output where the one sees the other, else NaN.
-        ``None``: the surface operator applies its own rule.
-    densify
-        Whether the surface operator may split long outline edges (own outlines yes; the
-        published outline no, for parity).
-    """
-
-    outline: Floats
-    output_positions: Floats
-    input_positions: Floats
-    hand_length_px: float
-    visibility: Floats | None = None
-    densify: bool = True
 
 
 class Limb:
@@ -72,6 +34,14 @@ class Limb:
     n_inputs, n_outputs, n_axes, n_taps
         Input places, outputs, axes and samples of a response: 20, 72, 3 and 522 for the limbs that
         were measured and those like them.
+    axes
+        Along which each output measures, in this order: ``"xyz"``; ``"xz"`` for two of them.
+    pre_trigger_delay_s
+        How late the responses are: 0.052 in the published limbs.
+    per_unit_drive
+        Whether a response answers one sample of the drive, so that convolving is all there is to
+        do; else it answers the measuring pulse of the published limbs, which probe scaling divides
+        by.
     synthetic
         Whether the responses are computed, not measured.  Every view and export says so.
     map
@@ -92,6 +62,9 @@ class Limb:
         map: LimbMap,
         read_response: Callable[[int], Floats],
         sample_rate_hz: float = SAMPLE_RATE_HZ,
+        axes: Axes = "xyz",
+        pre_trigger_delay_s: float = PRE_TRIGGER_DELAY_S,
+        per_unit_drive: bool = False,
         note: str = "",
         shape: tuple[int, int, int, int] = (N_INPUTS, N_OUTPUTS, N_AXES, N_TAPS),
     ) -> None:
@@ -102,6 +75,14 @@ class Limb:
         self.sample_rate_hz = sample_rate_hz
         self.note = note
         self.n_inputs, self.n_outputs, self.n_axes, self.n_taps = shape
+        if axes not in AXES or len(axes) != self.n_axes:
+            raise InvalidInputError(
+                f"{name}: axes is {quoted(axes)}, expected {self.n_axes} of x, y and z, in their "
+                "order, as many as the responses have"
+            )
+        self.axes: Axes = axes
+        self.pre_trigger_delay_s = pre_trigger_delay_s
+        self.per_unit_drive = per_unit_drive
         self.bytes_read = 0
         self._read_response = read_response
         self._responses: dict[int, Floats] = {}
@@ -150,13 +131,3 @@ class Limb:
             self._responses = {place: everything[place - 1] for place in places}
             self._everything = everything
         return self._everything
-
-
-def check_input_location(location: int, n_inputs: int = N_INPUTS) -> None:
-    """Raise `InvalidInputError` unless ``location`` is an integer from 1 to ``n_inputs``."""
-    is_integer = isinstance(location, int | np.integer) and not isinstance(location, bool)
-    if not is_integer or not 1 <= location <= n_inputs:
-        raise InvalidInputError(
-            f"input location {quoted(location)} does not exist: locations are the whole numbers 1 "
-            f"to {n_inputs}. See skinsource.locations for the list."
-        )

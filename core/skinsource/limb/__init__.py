@@ -1,0 +1,39 @@
+"""One upper limb: its impulse responses, its map, and how large all of it is."""
+
+from skinsource.limb.axes import ALL_AXES, AXES, Axes, axes_of, axis_numbers
+from skinsource.limb.limb import Limb
+from skinsource.limb.limb_map import LimbMap
+from skinsource.limb.places import check_input_location
+from skinsource.limb.published import (
+    HAND_LENGTHS_MM,
+    LIMB_NAMES,
+    MOST_PLACES,
+    N_AXES,
+    N_INPUTS,
+    N_OUTPUTS,
+    N_TAPS,
+    PRE_TRIGGER_DELAY_S,
+    SAMPLE_RATE_HZ,
+    VOLAR_OUTPUTS,
+)
+
+__all__ = [
+    "ALL_AXES",
+    "AXES",
+    "HAND_LENGTHS_MM",
+    "LIMB_NAMES",
+    "MOST_PLACES",
+    "N_AXES",
+    "N_INPUTS",
+    "N_OUTPUTS",
+    "N_TAPS",
+    "PRE_TRIGGER_DELAY_S",
+    "SAMPLE_RATE_HZ",
+    "VOLAR_OUTPUTS",
+    "Axes",
+    "Limb",
+    "LimbMap",
+    "axes_of",
+    "axis_numbers",
+    "check_input_location",
+]

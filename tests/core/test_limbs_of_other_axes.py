@@ -1,0 +1,200 @@
+"""A limb of 7 places, 31 outputs and two axes at 4 kHz, or one: what is computed, and why not."""
+
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+import pytest
+
+from skinsource.analysis import extent
+from skinsource.design import Design, track
+from skinsource.errors import InvalidInputError
+from skinsource.limb import Limb, LimbMap, axes_of, axis_numbers
+from skinsource.projection import AXES, METHODS, project_axes
+from skinsource.quantities import new_graph, sources
+from skinsource.rendering.moments import moments_of, pairs
+from skinsource.response import predict
+from skinsource.scaling.calibration import per_probe_acceleration
+from skinsource.spectra import magnitude_spectrum, rms
+from skinsource.surface import surface_operator
+from skinsource.view import View
+from skinsource.waveforms import Noise, Tap, Tone
+
+N_INPUTS, N_OUTPUTS, N_TAPS, RATE_HZ = 7, 31, 180, 4000.0
+OUTPUTS = (31, 2, 5)
+PLAYED = Design(
+    limb="made-up",
+    scaling="relative",
+    inputs=(
+        track(7, Tone(frequency_hz=1500.0, duration_s=0.1)),
+        track(3, Noise(seed=2), amplitude=-0.5, onset_s=0.05),
+        track(7, Tap(), amplitude=2.0, onset_s=0.1),
+    ),
+)
+LONG = PLAYED.with_clip(2, onset_s=15.0)
+
+
+def limb_along(axes: str, n_taps: int = N_TAPS, **more) -> Limb:
+    rng = np.random.default_rng(4)
+    around = np.linspace(0, 2 * np.pi, 24, endpoint=False)
+    places = rng.uniform(-30, 30, (N_OUTPUTS, 2))
+    places[4] = np.nan
+    return Limb(
+        name="made-up",
+        hand_length_mm=100.0,
+        synthetic=True,
+        map=LimbMap(
+            outline=50.0 * np.column_stack((np.cos(around), np.sin(around))),
+            output_positions=places,
+            input_positions=rng.uniform(-30, 30, (N_INPUTS, 2)),
+            hand_length_px=100.0,
+        ),
+        read_response=lambda place: np.random.default_rng(place).standard_normal(
+            (N_OUTPUTS, len(axes), n_taps)
+        ),
+        sample_rate_hz=RATE_HZ,
+        axes=axes,
+        shape=(N_INPUTS, N_OUTPUTS, len(axes), n_taps),
+        **more,
+    )
+
+
+def plainly(limb: Limb, design: Design) -> np.ndarray:
+    """Acceleration, (31, n_axes, n_times), by direct convolution, channel by channel."""
+    played = [(round(one.onset_s * RATE_HZ), one.waveform.samples(RATE_HZ)) for one in design.clips]
+    n_times = max(start + samples.size for start, samples in played) + limb.n_taps - 1
+    total = np.zeros((N_OUTPUTS, limb.n_axes, n_times))
+    for one, (start, samples) in zip(design.inputs, played, strict=True):
+        alone = np.zeros_like(total)
+        for channel in np.ndindex(N_OUTPUTS, limb.n_axes):
+            answer = np.convolve(samples, limb.response_to(one.location)[channel])
+            alone[channel][start : start + answer.size] = answer
+        largest = alone.max() if design.scaling == "upstream" else 1.0
+        total += alone * (one.amplitude / largest)
+    return total
+
+
+def shown(limb: Limb, design: Design, view: View, *wanted: str, graph=None) -> dict:
+    given = sources(design, view) | {"limb_data": limb}
+    return (graph or new_graph()).evaluate(wanted, given)
+
+
+@pytest.mark.parametrize("measured", ["xz", "xy", "z", "xyz"])
+@pytest.mark.parametrize("design", [PLAYED, LONG], ids=["at once", "streamed"])
+def test_every_projection_of_the_axes_there_are_is_that_of_plain_convolution(measured, design):
+    limb, graph = limb_along(measured), new_graph()
+    field = plainly(limb, design)
+    there = [axes for axes in AXES if set(axes) <= set(measured)]
+    for axes, method, span in product((*there, "xyz"), METHODS, ("record", "loudest")):
+        view = View(axes=axes, method=method, outputs=OUTPUTS, span=span)
+        found = shown(
+            limb,
+            design,
+            view,
+            "output_rms",
+            "selected_traces",
+            "selected_spectra",
+            "trace_error",
+            graph=graph,
+        )
+        signals = project_axes(field, axes, method, measured)
+        np.testing.assert_allclose(found["output_rms"], rms(signals, span, RATE_HZ), rtol=1e-10)
+        picked = signals[[output - 1 for output in OUTPUTS]]
+        tolerance = 1e-12 * np.abs(signals).max()
+        np.testing.assert_allclose(found["selected_traces"], picked, atol=tolerance)
+        hz, magnitudes = magnitude_spectrum(picked, RATE_HZ)
+        np.testing.assert_array_equal(found["selected_spectra"][0], hz)
+        np.testing.assert_allclose(found["selected_spectra"][1], magnitudes, atol=tolerance)
+        assert found["trace_error"].estimate < 1e-13
+
+
+def test_each_input_that_stands_apart_gives_the_same_levels():
+    limb = limb_along("xz")
+    for method in METHODS:
+        view = View(axes="xz", method=method, outputs=())
+        levels = [
+            shown(limb, PLAYED, replace(view, selected_inputs=(id,)), "output_rms")["output_rms"]
+            for id in PLAYED.ids
+        ]
+        for other in levels[1:]:
+            np.testing.assert_allclose(other, levels[0], rtol=1e-12)
+
+
+def test_upstream_scaling_takes_the_largest_of_the_axes_there_are():
+    limb, design = limb_along("xz"), replace(PLAYED, scaling="upstream")
+    expected = rms(project_axes(plainly(limb, design), "xz", "mag", "xz"))
+    found = shown(limb, design, View(axes="xz", method="mag", outputs=()), "output_rms")
+    np.testing.assert_allclose(found["output_rms"], expected, rtol=1e-11)
+
+
+@pytest.mark.parametrize(("measured", "axes"), [("xz", "y"), ("xz", "xy"), ("z", "x")])
+def test_an_axis_that_was_not_measured_is_refused_by_name(measured, axes):
+    limb = limb_along(measured)
+    words = f"measures along {' and '.join(measured)} only. Choose '{measured}'"
+    with pytest.raises(InvalidInputError, match=words):
+        shown(limb, PLAYED, View(axes=axes, outputs=OUTPUTS), "output_rms")
+    with pytest.raises(InvalidInputError, match=words):
+        project_axes(np.zeros((2, len(measured), 9)), axes, "mag", measured)
+
+
+def test_all_axes_are_those_there_are():
+    assert axes_of("xz", "xyz") == "xz"
+    assert axis_numbers("z", "xz") == (1,)
+    assert axis_numbers("xyz", "z") == (0,)
+    assert axis_numbers("xz") == (0, 2)
+
+
+@pytest.mark.parametrize("axes", ["", "zx", "xx", "q", "xyz", None])
+def test_a_limb_whose_axes_are_not_those_of_its_responses_is_refused(axes):
+    with pytest.raises(InvalidInputError, match="expected 2 of x, y and z"):
+        Limb(
+            name="odd",
+            hand_length_mm=100.0,
+            synthetic=True,
+            map=limb_along("xz").map,
+            read_response=lambda _: np.zeros((N_OUTPUTS, 2, 9)),
+            axes=axes,
+            shape=(N_INPUTS, N_OUTPUTS, 2, 9),
+        )
+
+
+@pytest.mark.parametrize("n_axes", [1, 2, 3])
+def test_moments_of_any_number_of_axes_are_sums_over_time(n_axes):
+    signals = np.random.default_rng(1).standard_normal((5, n_axes, 64))
+    found = moments_of(np.fft.rfft(signals), 64, products=True)
+    np.testing.assert_allclose(found.second, signals @ signals.transpose(0, 2, 1), atol=1e-12)
+    np.testing.assert_allclose(found.first, signals.sum(axis=-1), atol=1e-12)
+    assert len(pairs(n_axes)) == n_axes * (n_axes - 1) // 2
+
+
+def test_probe_scaling_divides_by_the_pulse_only_where_a_pulse_was_played():
+    drive = Tone(frequency_hz=200.0, duration_s=0.1).samples(RATE_HZ)
+    plain, pulsed = limb_along("xz", per_unit_drive=True), limb_along("xz")
+    relative = predict(plain, [drive], [3], scaling="relative")
+    np.testing.assert_array_equal(predict(plain, [drive], [3], scaling="probe"), relative)
+    taps = per_probe_acceleration(pulsed.response_to(3), RATE_HZ)
+    expected = np.convolve(drive, taps[7, 1])
+    found = predict(pulsed, [drive], [3], scaling="probe")[7, 1]
+    np.testing.assert_allclose(found, expected, atol=1e-12 * np.abs(expected).max())
+    assert not np.allclose(found, relative[7, 1], atol=1e-3 * np.abs(expected).max())
+
+
+def test_the_map_shows_the_outputs_that_have_a_place():
+    limb = limb_along("xz")
+    operator = surface_operator(limb)
+    assert operator.weights.shape[1] == N_OUTPUTS
+    assert not operator.weights[:, [4]].nnz
+    found = shown(limb, PLAYED, View(axes="xz", outputs=()), "output_levels_db")
+    levels = operator.interpolate(found["output_levels_db"])
+    inside = levels[np.isfinite(levels)]
+    placed = np.delete(found["output_levels_db"], 4)
+    assert inside.size
+    assert placed.min() - 1e-9 <= inside.min() <= inside.max() <= placed.max() + 1e-9
+    energy = 10 ** (found["output_levels_db"] / 20)
+    assert 0.0 < extent(energy, limb, (7,)).mean_distance_mm < 100.0
+
+
+def test_times_are_shifted_by_the_delay_of_the_limb():
+    limb = limb_along("z", pre_trigger_delay_s=0.01)
+    found = shown(limb, PLAYED, View(delay_removed=True, outputs=()), "response_time_s")
+    np.testing.assert_allclose(found["response_time_s"][:2], [-0.01, 1 / RATE_HZ - 0.01])
