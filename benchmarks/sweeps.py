@@ -3,7 +3,8 @@
 Four inputs of 1 s each; all waveforms new in every stimulus, or one input varying.  The plain way
 convolves each drive with its 216 responses and adds them up: it has then no metric yet, the sweep
 has all of them.  Both run in turn, some stimuli at a time, in one process by one thread; medians of
-the ratios.  Then two processes against one, from the first stimulus that each has measured on.
+the ratios of processor times, which other programs on the computer change little.  Then two
+processes against one, from the first stimulus that each has measured on.
 
     python benchmarks/sweeps.py [--stimuli 400]
 """
@@ -11,7 +12,7 @@ the ratios.  Then two processes against one, from the first stimulus that each h
 import argparse
 import statistics
 import sys
-from time import perf_counter
+from time import perf_counter, process_time
 
 import numpy as np
 from scipy.signal import fftconvolve
@@ -19,13 +20,14 @@ from scipy.signal import fftconvolve
 import skinsource as ss
 from skinsource.allocation import keep_freed_memory
 from skinsource.sweeps import Measurer, Plan
+from skinsource.sweeps.plan import TOGETHER
 from skinsource.sweeps.workers import measured
 
 RATE_HZ = 1300
 PLACES = (3, 7, 12, 18)
 PROMISED = {"all new": 6.0, "one varies": 20.0, "two processes": 1.7}
-_AT_A_TIME = 20
-_WARM = 16
+_AT_A_TIME = 2 * TOGETHER
+_WARM = 2 * TOGETHER
 
 
 def plan_of(which: str, count: int) -> Plan:
@@ -53,19 +55,20 @@ def ratio_to_plain(which: str, count: int) -> tuple[float, float, float]:
     limb = ss.load_limb("synthetic-1")
     drives = np.random.default_rng(1).standard_normal((len(PLACES), RATE_HZ))
     plain(limb, drives)
-    measurer = Measurer(plan_of(which, count + 2))
-    measurer.measure(1)
-    measurer.measure(2)
+    measurer = Measurer(plan_of(which, count + TOGETHER))
+    numbers = range(1, TOGETHER + count + 1)
+    for number in numbers[:TOGETHER]:
+        measurer.measure(number)
     times = []
-    for first in range(3, count + 3, _AT_A_TIME):
-        start = perf_counter()
-        for number in range(first, min(first + _AT_A_TIME, count + 3)):
+    for first in range(TOGETHER, len(numbers), _AT_A_TIME):
+        these = numbers[first : first + _AT_A_TIME]
+        start = process_time()
+        for number in these:
             measurer.measure(number)
-        between = perf_counter()
-        n = min(_AT_A_TIME, count + 3 - first)
-        for _ in range(n):
+        between = process_time()
+        for _ in these:
             plain(limb, drives)
-        times.append(((perf_counter() - between) / n, (between - start) / n))
+        times.append(((process_time() - between) / len(these), (between - start) / len(these)))
     ratio = statistics.median(slow / quick for slow, quick in times)
     slow, quick = (1e3 * statistics.median(column) for column in zip(*times, strict=True))
     return slow, quick, ratio

@@ -3,6 +3,7 @@
 Times are ``arange(n) / sample_rate_hz``; amplitude 1 is the peak of the recipe.
 """
 
+from functools import lru_cache
 from math import floor
 from typing import Literal, get_args
 
@@ -39,6 +40,9 @@ BAND_HZ = (25.0, 600.0)
 MAX_SAMPLES = 120_000_000
 
 _LARGEST_SEED = 2**128 - 1
+
+# Windows up to so many samples are remembered.
+_SHORT = 2**14
 
 
 def sample_count(duration_s: float, sample_rate_hz: float = SAMPLE_RATE_HZ) -> int:
@@ -105,6 +109,16 @@ def window_between(name: WindowName, n: int, shift: float) -> Floats:
     return between
 
 
+def _window_of_burst(name: WindowName, n: int, shift: float) -> Floats:
+    """The same, not to be changed: bursts of one length follow each other in sweeps."""
+    return _known_window(name, n) if not shift and n <= _SHORT else window_between(name, n, shift)
+
+
+@lru_cache(maxsize=8)
+def _known_window(name: WindowName, n: int) -> Floats:
+    return window(name, n)
+
+
 def sinusoid(
     frequency_hz: float,
     duration_s: float = 0.1,
@@ -138,7 +152,7 @@ def sinusoid(
     n = sample_count(duration_s, rate_hz)
     samples = np.sin(2.0 * np.pi * turns(frequency, n + (shift > 0.0), rate_hz, shift) + phase)
     if window_name != "none" or shift:
-        samples *= window_between(window_name, n, shift * rate_hz)
+        samples *= _window_of_burst(window_name, n, shift * rate_hz)
     return samples
 
 

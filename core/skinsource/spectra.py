@@ -181,7 +181,7 @@ def share_outside_band(
     data, _ = _scaled(data)
     low, high = np.minimum(edges_hz, rate / 2).tolist()
     # Of numpy: the editor of a clip asks before anything else of scipy.fft has been imported.
-    n = 1 << (2 * data.size - 1).bit_length()
+    n = _length(2 * data.size)
     spectrum = np.fft.rfft(data, n)
     correlation = np.fft.irfft(spectrum.real**2 + spectrum.imag**2, n)[: data.size]
     weights = (_known_weights if data.size <= _SHORT else _weights)(low, high, data.size, rate)
@@ -194,6 +194,12 @@ def _weights(low_hz: float, high_hz: float, n_times: int, rate_hz: float) -> Flo
     edges = np.sin(2.0 * np.pi * turns(high_hz, n_times, rate_hz)[1:])
     edges -= np.sin(2.0 * np.pi * turns(low_hz, n_times, rate_hz)[1:])
     return edges / (np.pi * np.arange(1, n_times))
+
+
+def _length(n: int) -> int:
+    """The shortest of 8, 9, 10, 12 and 15 times a power of two, at least ``n``."""
+    octave = 1 << max(n.bit_length() - 4, 0)
+    return next(step * octave for step in (8, 9, 10, 12, 15, 16) if step * octave >= n)
 
 
 # Asked for again and again for stimuli of one length; short ones, so that little is held.

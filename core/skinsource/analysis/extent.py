@@ -68,28 +68,44 @@ def extent(rms: ArrayLike, limb: Limb, location: int | Sequence[int]) -> Extent:
         )
     if (values < 0.0).any():
         raise InvalidInputError(f"rms holds {values.min():g}, expected values of 0 or more")
-    distance_mm = _distances_mm(limb, location)
-    shown = np.isfinite(distance_mm)
-    values, distance_mm = values[shown], distance_mm[shown]
-    largest = values.max(initial=0.0)
-    if largest == 0.0:
+    distance_mm = distances_mm(limb, location)
+    if not values[np.isfinite(distance_mm)].any():
         raise InvalidInputError(
             "rms is zero at all outputs with a place on the map, so it has no extent. Choose a "
             "window in which the skin moves."
         )
-    relative = values / largest
+    return Extent(**{name: float(one) for name, one in spread(values, distance_mm).items()})
+
+
+def spread(rms: Floats, distance_mm: Floats) -> dict[str, Floats]:
+    """How far vibrations reach, by the distance of each output from the contact.
+
+    Parameters
+    ----------
+    rms : (..., n_outputs)
+        Of each vibration; at least one output with a distance moves.
+    distance_mm : (n_outputs,)
+        Outputs whose distance is NaN take no part.
+
+    Returns
+    -------
+    What `Extent` holds, by name, (...) each.
+    """
+    shown = np.isfinite(distance_mm)
+    values, distance_mm = rms[..., shown], distance_mm[shown]
+    relative = values / values.max(axis=-1, keepdims=True)
     energy = np.square(relative)
-    share = energy / energy.sum()
-    return Extent(
-        mean_distance_mm=float(share @ distance_mm),
-        share_above_12_db=_share_above(relative, 12.0),
-        share_above_20_db=_share_above(relative, 20.0),
-        d90_mm=_distance_of_share(share, distance_mm),
-        participation=float(1.0 / np.square(share).sum()),
-    )
+    share = energy / energy.sum(axis=-1, keepdims=True)
+    return {
+        "mean_distance_mm": np.vecdot(share, distance_mm),
+        "share_above_12_db": _share_above(relative, 12.0),
+        "share_above_20_db": _share_above(relative, 20.0),
+        "d90_mm": _distance_of_share(share, distance_mm),
+        "participation": 1.0 / np.square(share).sum(axis=-1),
+    }
 
 
-def _distances_mm(limb: Limb, location: int | Sequence[int]) -> Floats:
+def distances_mm(limb: Limb, location: int | Sequence[int]) -> Floats:
     """Distance of each output from the nearest place, (n_outputs,), mm; NaN: not on the map."""
     places = [location] if isinstance(location, int) else list(location)
     if not places:
@@ -102,12 +118,14 @@ def _distances_mm(limb: Limb, location: int | Sequence[int]) -> Floats:
     return distance_px * (limb.hand_length_mm / limb.map.hand_length_px)
 
 
-def _share_above(relative: Floats, below_db: float) -> float:
-    return float(np.mean(relative > 10.0 ** (-below_db / 20.0)))
+def _share_above(relative: Floats, below_db: float) -> Floats:
+    found: Floats = np.mean(relative > 10.0 ** (-below_db / 20.0), axis=-1)
+    return found
 
 
-def _distance_of_share(share: Floats, distance_mm: Floats) -> float:
+def _distance_of_share(share: Floats, distance_mm: Floats) -> Floats:
     order = np.argsort(distance_mm, kind="stable")
-    reached = np.cumsum(share[order])
+    reached = np.cumsum(share[..., order], axis=-1)
     # The last sum may be a little less than 1, but never less than nine tenths.
-    return float(distance_mm[order][np.searchsorted(reached, _ENERGY_SHARE)])
+    found: Floats = distance_mm[order][np.argmax(reached >= _ENERGY_SHARE, axis=-1)]
+    return found

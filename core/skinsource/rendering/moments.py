@@ -88,7 +88,7 @@ def combined(
 
 
 def directions_of(
-    moments: Moments, axes: tuple[int, ...], method: Method, n_times: int
+    moments: Moments, axes: tuple[int, ...], method: Method, n_times: int | Floats
 ) -> Floats | None:
     """Vector that the chosen axes, by their numbers, are projected on, (n_outputs, n_axes).
 
@@ -106,8 +106,11 @@ def directions_of(
     return principal_axis_of(covariance_of(moments, axes, n_times))
 
 
-def covariance_of(moments: Moments, axes: tuple[int, ...], n_times: int) -> Floats:
-    """Sums of products of the chosen axes' centred samples, (n_outputs, n_axes, n_axes)."""
+def covariance_of(moments: Moments, axes: tuple[int, ...], n_times: int | Floats) -> Floats:
+    """Sums of products of the chosen axes' centred samples, (n_outputs, n_axes, n_axes).
+
+    ``n_times`` may differ between the outputs: (n_outputs, 1, 1) then.
+    """
     second, first = _chosen(moments, axes)
     return second - first[:, :, None] * first[:, None, :] / n_times
 

@@ -14,8 +14,6 @@ from skinsource.sweeps.one_by_one import found_of
 from skinsource.sweeps.plan import Plan, chunks, plan_of
 from skinsource.sweeps.workers import Row
 
-#: Long enough that the way to another machine counts little.
-_AT_ONCE = 16
 #: Chunks that wait at the scheduler for each thread that measures.
 _WAITING = 3
 _CONNECT_S = 30
@@ -72,7 +70,7 @@ class Cluster:
         self, client: Any, plan: Plan, numbers: Iterable[int], stop: Stop
     ) -> Iterator[Row]:
         text, digest = plan.text, plan.digest
-        waiting = chunks(iter(numbers), _AT_ONCE)
+        waiting = chunks(numbers)
 
         def submitted(chunk: tuple[int, ...]) -> Any:
             # Not pure: a later sweep of the same plan is measured again.

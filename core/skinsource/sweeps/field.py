@@ -37,13 +37,26 @@ class Field:
     moments: Moments
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Common:
-    """What the inputs that do not vary cause together; None: nothing."""
+class Common:
+    """What the inputs that do not vary cause together; it is remembered."""
 
-    placed: tuple[Placed, ...]
-    responses: Responses
-    spectrum: Complexes | None
+    def __init__(self) -> None:
+        self._known: tuple[Responses, tuple[Placed, ...], Complexes | None] | None = None
+
+    def spectrum(
+        self, responses: Responses, moving: tuple[Placed, ...], stop: Stop
+    ) -> Complexes | None:
+        """Spectrum of all outputs, the same object for the same inputs; None for none."""
+        known = self._known
+        if known is None or known[0] != responses or not same(known[1], moving):
+            values, drives = terms(responses, moving, stop)
+            spectrum = None
+            if values:
+                spectrum = np.empty(values[0].shape, np.complex128)
+                for part in _parts_of(len(spectrum)):
+                    add_up([one[part] for one in values], drives, spectrum[part])
+            known = self._known = responses, moving, spectrum
+        return known[2]
 
 
 class Fields:
@@ -58,7 +71,7 @@ class Fields:
 
     def __init__(self, varying: frozenset[int]) -> None:
         self._varying = varying
-        self._common: _Common | None = None
+        self._common = Common()
         self._room = np.empty((0, 0, 0), np.complex128)
 
     def of(
@@ -81,8 +94,8 @@ class Fields:
         moving = tuple(one for one in placed if one.moves)
         alone = tuple(one for one in moving if one.voice.id in self._varying)
         rest = tuple(one for one in moving if one.voice.id not in self._varying)
-        common = self._spectrum_of(responses, rest, stop)
-        values, drives = _terms(responses, alone, stop)
+        common = self._common.spectrum(responses, rest, stop)
+        values, drives = terms(responses, alone, stop)
         limb = responses.limb
         shape = limb.n_outputs, limb.n_axes, responses.n_fft // 2 + 1
         if self._room.shape != shape:
@@ -111,33 +124,20 @@ class Fields:
         )
         return Field(spectrum, moments)
 
-    def _spectrum_of(
-        self, responses: Responses, rest: tuple[Placed, ...], stop: Stop
-    ) -> Complexes | None:
-        known = self._common
-        if known is None or known.responses != responses or not _same(known.placed, rest):
-            values, drives = _terms(responses, rest, stop)
-            spectrum = None
-            if values:
-                spectrum = np.empty(values[0].shape, np.complex128)
-                for part in _parts_of(len(spectrum)):
-                    add_up([one[part] for one in values], drives, spectrum[part])
-            known = self._common = _Common(rest, responses, spectrum)
-        return known.spectrum
-
 
 def _parts_of(n_outputs: int) -> list[slice]:
     return [slice(low, low + _OUTPUTS_AT_ONCE) for low in range(0, n_outputs, _OUTPUTS_AT_ONCE)]
 
 
-def _same(left: tuple[Placed, ...], right: tuple[Placed, ...]) -> bool:
+def same(left: tuple[Placed, ...], right: tuple[Placed, ...]) -> bool:
+    """Whether inputs play the same, at the same place and time and as strong."""
     return len(left) == len(right) and all(
         a.drive is b.drive and a.start == b.start and a.voice == b.voice
         for a, b in zip(left, right, strict=True)
     )
 
 
-def _terms(
+def terms(
     responses: Responses, moving: tuple[Placed, ...], stop: Stop
 ) -> tuple[list[Complexes], list[Complexes]]:
     """Spectra of the responses, and of the drives with onset and weight, of some voices."""

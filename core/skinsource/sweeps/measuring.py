@@ -1,26 +1,27 @@
 """Metrics of one stimulus after another."""
 
-from dataclasses import dataclass, replace
-from typing import Any
+from collections.abc import Iterable
+from dataclasses import replace
 
 import numpy as np
 
-from skinsource.analysis import extent
 from skinsource.arrays import Floats
 from skinsource.decibels import decibels
 from skinsource.design import Design
+from skinsource.errors import SkinSourceError, Stopped
 from skinsource.job import Stop, never
-from skinsource.limb import Limb
-from skinsource.loudest_window import loudest_energy, window_samples
+from skinsource.limb import axis_numbers
 from skinsource.quantities import new_graph, sources
-from skinsource.rendering.level_rules import loudest_rms, projection, record_rms
-from skinsource.rendering.placed import Placed
+from skinsource.rendering.moments import needs_products
 from skinsource.rendering.trace_rules import shown_outputs
-from skinsource.rendering.transforms import inverse
 from skinsource.shared import Shared
-from skinsource.spectra import share_outside_band
+from skinsource.sweeps.drive_metrics import DriveMetrics
+from skinsource.sweeps.extents import OF_EXTENT, Extents
 from skinsource.sweeps.field import Fields
 from skinsource.sweeps.plan import Plan
+from skinsource.sweeps.prepared import Prepared, Preparing
+from skinsource.sweeps.seen import Seen, looked_at, seen_alone, seen_together, windows_of
+from skinsource.sweeps.together import Together
 from skinsource.view import View
 
 #: What one number each says of a stimulus, in the order of the columns: without those of outputs.
@@ -35,23 +36,10 @@ METRICS = (
     "rms_100ms",
     "peak",
     "level_100ms_db",
-    "mean_distance_mm",
-    "d90_mm",
-    "share_above_12_db",
-    "share_above_20_db",
-    "participation",
+    *OF_EXTENT,
 )
 _OF_OUTPUTS = ("rms", "rms_100ms", "peak")
 Metrics = dict[str, float]
-_FIRST = (
-    "placed",
-    "responses",
-    "response_samples",
-    "stimulus_samples",
-    "limb_data",
-    "axis_numbers",
-    "products_needed",
-)
 
 
 def columns_of(outputs: tuple[int, ...]) -> tuple[str, ...]:
@@ -72,11 +60,19 @@ class Measurer:
 
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
-        self._graph = new_graph(Shared())
+        shared = Shared()
+        self._graph = new_graph(shared)
+        self._preparing = Preparing(shared)
         self._fields = Fields(plan.varying)
+        self._together = Together(self._preparing)
+        # Of the neighbours that were asked for latest; None: each by itself.
+        self._latest = range(0)
+        self._prepared: dict[int, Prepared] = {}
+        self._seen: dict[int, Seen] | None = None
         # No input stands apart: which of them vary is another matter here.
         self._view = View(axes=plan.axes, method=plan.method, outputs=(), selected_inputs=())
-        self._shares: dict[int, tuple[Any, float]] = {}
+        self._drives = DriveMetrics()
+        self._extents = Extents()
 
     def measure(self, number: int, stop: Stop = never) -> Metrics:
         """Metrics of stimulus ``number``, by name.
@@ -102,107 +98,93 @@ class Measurer:
         DatasetMissingError
             Its limb is a measured one, and the measured dataset is not installed.
         """
-        design = self.plan.design_of(number)
-        found = self._evaluate(design, self._view, _FIRST, stop)
-        limb: Limb = found["limb_data"]
-        seen = self._seen(design, found, stop)
+        prepared, seen = self._looked_at(number, stop)
         factor = 1.0 if seen.level is None else _factor(self.plan.level_db, seen.level)
-        rate_hz = limb.sample_rate_hz
         loudest, rms = seen.loudest, seen.rms
         metrics = {
             "factor": factor,
-            "duration_s": found["stimulus_samples"] / rate_hz,
-            **self._drive(found["placed"], found["stimulus_samples"], rate_hz, factor),
+            "duration_s": prepared.stimulus_samples / prepared.limb.sample_rate_hz,
+            **self._drives.of(prepared, factor),
             "loudest_output": loudest if rms[loudest - 1] > 0.0 else np.nan,
-            **_of_trace("", rms[loudest - 1], seen.traces[loudest], rate_hz, factor),
+            **_of_output("", rms[loudest - 1], seen.windows[loudest], factor),
             "level_100ms_db": _level_db(seen.level, factor),
-            **_extent(rms, limb, found["placed"]),
+            **seen.extent,
         }
         for one in self.plan.outputs:
-            metrics |= _of_trace(f"output_{one}_", rms[one - 1], seen.traces[one], rate_hz, factor)
+            metrics |= _of_output(f"output_{one}_", rms[one - 1], seen.windows[one], factor)
         return {name: float(value) for name, value in metrics.items()}
 
-    def _seen(self, design: Design, found: dict[str, Any], stop: Stop) -> "_Seen":
-        """What the skin does."""
-        shown_outputs(self.plan.outputs, found["limb_data"])
-        field = self._fields.of(
-            found["responses"], found["placed"], stop, products=found["products_needed"]
+    def _looked_at(self, number: int, stop: Stop) -> tuple[Prepared, Seen]:
+        """A stimulus, and what the skin does."""
+        if number not in self._latest:
+            neighbours = self.plan.neighbours(number)
+            self._latest, self._prepared, self._seen = range(0), {}, None
+            self._seen = self._seen_together(neighbours, stop)
+            self._latest = neighbours
+        prepared = self._prepared.pop(number, None) or self._prepare(number, stop)
+        seen = (self._seen or {}).get(number)
+        return prepared, seen or self._seen_alone(prepared, stop)
+
+    def _prepare(self, number: int, stop: Stop) -> Prepared:
+        prepared = self._preparing.of(self.plan.design_of(number), stop)
+        shown_outputs(self.plan.outputs, prepared.limb)
+        return prepared
+
+    def _seen_together(self, neighbours: range, stop: Stop) -> dict[int, Seen] | None:
+        """What the skin does by each of the neighbours; None where they have little in common."""
+        found: list[Prepared | None] = []
+        for number in neighbours:
+            try:
+                one = self._prepared[number] = self._prepare(number, stop)
+            except Stopped:
+                raise
+            except (SkinSourceError, MemoryError):
+                # It is said when it is that one's turn.
+                found.append(None)
+                continue
+            if one.n_fft() is None:
+                return None
+            found.append(one)
+        vibrations = self._together.of(found, stop, products=self._products(found))
+        if vibrations is None:
+            return None
+        seen = seen_together(self.plan, vibrations, found, self._extents, stop)
+        return dict(zip(neighbours, seen, strict=True))
+
+    def _products(self, stimuli: Iterable[Prepared | None]) -> bool:
+        """Whether products of different axes are needed of any."""
+        plan = self.plan
+        return any(
+            needs_products(axis_numbers(plan.axes, one.limb.axes), plan.method)
+            for one in stimuli
+            if one is not None
         )
+
+    def _seen_alone(self, one: Prepared, stop: Stop) -> Seen:
+        responses = self._preparing.responses(one, one.n_fft())
+        field = self._fields.of(responses, one.placed, stop, products=self._products([one]))
         if field is None:
-            return self._seen_in_blocks(design, stop)
-        limb, plan, n_times = found["limb_data"], self.plan, found["response_samples"]
-        projected = projection(field.moments, found["axis_numbers"], plan.method, n_times)
-        rms = record_rms(field.moments, projected, field.spectrum, n_times)
+            return self._seen_in_blocks(one, stop)
+        return seen_alone(self.plan, field, one, self._extents, stop)
+
+    def _seen_in_blocks(self, one: Prepared, stop: Stop) -> Seen:
+        """The same of a long design, by the rules that stream it."""
+        design, plan = one.design, self.plan
+        rms = self._evaluate(design, self._view, "output_rms", stop)
         level = None
         if plan.level_db is not None:
-            loud = loudest_rms("loudest", limb, projected, field.spectrum, None, stop)
-            level = None if loud is None else float(loud.max())
-        rows = np.array(self._outputs(rms)) - 1
-        spectra = field.spectrum.rows(rows, projected.axis_numbers)
-        traces = inverse(spectra, field.spectrum.n_fft)[..., :n_times]
-        signals = projected.at(rows).signals(traces)
-        return _Seen(rms, dict(zip(self._outputs(rms), signals, strict=True)), level)
-
-    def _seen_in_blocks(self, design: Design, stop: Stop) -> "_Seen":
-        """The same of a long design, by the rules that stream it."""
-        rms = self._evaluate(design, self._view, ("output_rms",), stop)["output_rms"]
-        level = None
-        if self.plan.level_db is not None:
             view = replace(self._view, span="loudest")
-            level = float(self._evaluate(design, view, ("output_rms",), stop)["output_rms"].max())
-        outputs = self._outputs(rms)
+            level = float(self._evaluate(design, view, "output_rms", stop).max())
+        outputs = looked_at(rms, plan)
         view = replace(self._view, outputs=outputs)
-        traces = self._evaluate(design, view, ("selected_traces",), stop)["selected_traces"]
-        return _Seen(rms, dict(zip(outputs, traces, strict=True)), level)
+        traces = self._evaluate(design, view, "selected_traces", stop)
+        windows = windows_of(traces, one.limb.sample_rate_hz)
+        (extent,) = self._extents.of([rms], [one])
+        return Seen(rms, dict(zip(outputs, windows, strict=True)), level, extent)
 
-    def _outputs(self, rms: Floats) -> tuple[int, ...]:
-        """Those whose traces are looked at, each once; the loudest first."""
-        return tuple(dict.fromkeys((int(np.argmax(rms)) + 1, *self.plan.outputs)))
-
-    def _evaluate(
-        self, design: Design, view: View, names: tuple[str, ...], stop: Stop
-    ) -> dict[str, Any]:
-        return self._graph.evaluate(names, sources(design, view), stop)
-
-    def _drive(
-        self, placed: tuple[Placed, ...], n_times: int, rate_hz: float, factor: float
-    ) -> Metrics:
-        channels: dict[int, Floats] = {}
-        energy = outside = 0.0
-        for one in placed:
-            weight = one.voice.amplitude * one.drive.factor * factor
-            channel = channels.setdefault(one.voice.location, np.zeros(n_times))
-            channel[one.start : one.end] += weight * one.drive.samples
-            own = weight**2 * float(np.square(one.drive.samples).sum())
-            energy += own
-            outside += own * self._share_outside(one, rate_hz)
-        drives = np.array(list(channels.values()))
-        return {
-            "drive_peak": float(np.abs(drives).max(initial=0.0)),
-            "drive_rms": float(np.sqrt(np.mean(np.square(drives)))) if drives.size else 0.0,
-            "share_outside_band": outside / energy if energy > 0.0 else np.nan,
-        }
-
-    def _share_outside(self, one: Placed, rate_hz: float) -> float:
-        """Of the drive; asked again for those that did not change."""
-        id = one.voice.id
-        known = self._shares.get(id)
-        if known is None or known[0] is not one.drive:
-            known = self._shares[id] = (one.drive, share_outside_band(one.drive.samples, rate_hz))
-        return known[1]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Seen:
-    """RMS of each output, (n_outputs,); traces of some, (n_times,), by number; and the level."""
-
-    rms: Floats
-    traces: dict[int, Floats]
-    level: float | None
-
-    @property
-    def loudest(self) -> int:
-        return next(iter(self.traces))
+    def _evaluate(self, design: Design, view: View, name: str, stop: Stop) -> Floats:
+        found: Floats = self._graph.evaluate((name,), sources(design, view), stop)[name]
+        return found
 
 
 def _level_db(level: float | None, factor: float) -> float:
@@ -214,26 +196,9 @@ def _factor(level_db: float | None, level: float) -> float:
     return 10.0 ** ((level_db or 0.0) / 20.0) / level if level > 0.0 else 1.0
 
 
-def _of_trace(before: str, rms: float, trace: Floats, rate_hz: float, factor: float) -> Metrics:
-    n_window = window_samples(rate_hz)
+def _of_output(before: str, rms: float, window: tuple[float, float], factor: float) -> Metrics:
     return {
         f"{before}rms": factor * rms,
-        f"{before}rms_100ms": factor * np.sqrt(float(loudest_energy(trace, n_window)) / n_window),
-        f"{before}peak": factor * float(np.abs(trace).max(initial=0.0)),
+        f"{before}rms_100ms": factor * window[0],
+        f"{before}peak": factor * window[1],
     }
-
-
-def _extent(rms: Floats, limb: Limb, placed: tuple[Placed, ...]) -> Metrics:
-    names = (
-        "mean_distance_mm",
-        "d90_mm",
-        "share_above_12_db",
-        "share_above_20_db",
-        "participation",
-    )
-    places = tuple({one.voice.location for one in placed if one.moves})
-    on_map = np.isfinite(limb.map.output_positions).all(axis=1)
-    if not places or not rms[on_map].any():
-        return dict.fromkeys(names, np.nan)
-    found = extent(rms, limb, places)
-    return {name: float(getattr(found, name)) for name in names}

@@ -1,9 +1,10 @@
 """Which stimuli a sweep consists of."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from hashlib import sha256
+from itertools import groupby
 
 from skinsource import codec
 from skinsource.codec.text import from_text, to_text
@@ -16,6 +17,8 @@ from skinsource.sweeps.variables import Value, varied
 from skinsource.view import View
 
 MOST_STIMULI = 1_000_000
+#: Neighbours that are measured together: what they have in common is computed once for them.
+TOGETHER = 16
 #: The predicted level that a sweep can bring its stimuli to, in dB re 1 m/s².
 LOWEST_DB, HIGHEST_DB = -100.0, 100.0
 _FORMAT = "skinsource sweep"
@@ -98,6 +101,11 @@ class Plan:
             design = varied(design, name, value)
         return design
 
+    def neighbours(self, number: int) -> range:
+        """Numbers of the stimuli that are measured together with ``number``."""
+        first = number - (number - 1) % TOGETHER
+        return range(first, min(first + TOGETHER, len(self) + 1))
+
     @property
     def varying(self) -> frozenset[int]:
         """Ids of the inputs that neighbours differ in; all where they differ in more than inputs.
@@ -169,15 +177,9 @@ def plan_of(text: str) -> Plan:
     )
 
 
-def chunks(numbers: Iterator[int], size: int) -> Iterator[tuple[int, ...]]:
-    """Neighbours together: what they have in common is computed once."""
-    chunk: list[int] = []
-    for number in numbers:
-        chunk.append(number)
-        if len(chunk) == size:
-            yield tuple(chunk)
-            chunk = []
-    if chunk:
+def chunks(numbers: Iterable[int]) -> Iterator[tuple[int, ...]]:
+    """Numbers of stimuli in their order, those that are measured together in one piece."""
+    for _, chunk in groupby(numbers, lambda number: (number - 1) // TOGETHER):
         yield tuple(chunk)
 
 

@@ -22,8 +22,6 @@ from skinsource.sweeps.plan import Plan, chunks
 
 #: The child; it takes no module from the folder that happens to be the current one.
 COMMAND = (sys.executable, "-P", "-m", "skinsource.sweeps.worker")
-#: Neighbours have much in common, which is computed once in a process.
-_AT_ONCE = 8
 _BETWEEN_LOOKS_S = 0.05
 _MOST_LOST = 2
 
@@ -71,7 +69,7 @@ class _Tasks:
     """What is left to do; threads take pieces of it."""
 
     def __init__(self, numbers: Iterable[int]) -> None:
-        self._waiting = deque(chunks(iter(numbers), _AT_ONCE))
+        self._waiting = deque(chunks(numbers))
         self._lost: Counter[int] = Counter()
         self._lock = Lock()
 
