@@ -16,6 +16,8 @@ from skinsource.graph import Graph
 from skinsource.job import Stop
 from skinsource.limb import Limb, LimbMap
 from skinsource.rendering import level_rules, trace_rules, vibration_rules, voice_rules
+from skinsource.rendering.in_time import block_of
+from skinsource.rendering.in_time import rules as in_time_rules
 from skinsource.rendering.remembered import Remembered
 from skinsource.shared import Shared
 from skinsource.surface import SurfaceOperator
@@ -85,6 +87,7 @@ RULES: tuple[Callable[..., Any], ...] = (
     *vibration_rules.RULES,
     *level_rules.RULES,
     *trace_rules.RULES,
+    *in_time_rules.RULES,
 )
 
 
@@ -100,6 +103,7 @@ def sources(design: Design, view: View) -> dict[str, Any]:
         "outputs": view.outputs,
         "selected_input": view.selected_input,
         "delay_removed": view.delay_removed,
+        "moving_block": block_of(view.playhead_s),
     }
 
 

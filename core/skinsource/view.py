@@ -53,6 +53,12 @@ SELECTED_CLIPS = ListSpec(
     different=True,
 )
 PLAYHEAD = NumberSpec(label="Playhead", unit="s", minimum=0.0, maximum=1e6)
+SLOW_MOTION = NumberSpec(
+    label="Slow motion",
+    minimum=1.0,
+    maximum=200.0,
+    hint="How many times slower than it happens it is played; only at 1 can it be heard",
+)
 DELAY_REMOVED = SwitchSpec(label="Remove pre-trigger delay")
 TIME_RANGE = RangeSpec(label="Zoom of time axes", unit="s")
 PANELS = PlainSpec(label="Settings of panels")
@@ -103,6 +109,8 @@ class View:
         one that it lists stands for it.
     playhead_s
         Where the playhead stands.
+    slow_motion
+        How many times slower than it happens it is played.
     delay_removed
         Whether time axes are shifted by the pre-trigger delay of the responses.
     time_range_s
@@ -123,6 +131,7 @@ class View:
     selected_inputs: tuple[int, ...] = fields.field(SELECTED_INPUTS, (1,))
     selected_clips: tuple[int, ...] = fields.field(SELECTED_CLIPS, ())
     playhead_s: float = fields.number(0.0, PLAYHEAD)
+    slow_motion: float = fields.number(1.0, SLOW_MOTION)
     delay_removed: bool = fields.switch(False, DELAY_REMOVED)
     time_range_s: Range | None = fields.interval(None, TIME_RANGE)
     snapshots: tuple[Snapshot, ...] = fields.field(SNAPSHOTS, ())

@@ -123,6 +123,7 @@ ARGUMENTS = {
     ),
     "place_input": (places, switches),
     "place_waveform": (places, st.sampled_from([Tone(), Tap()]), st.sampled_from([0.0, 0.5, -1.0])),
+    "play_slower": (anything,),
     "put_inputs_before": (ids, st.integers(-5, 9)),
     "remove_delay": (switches,),
     "remove_clips": (ids,),

@@ -34,7 +34,7 @@ def test_a_design_for_a_limb_that_is_not_here_opens_and_is_kept(window, opened, 
     path = opened(STRANGE)
     assert window.document.design == STRANGE
     qtbot.waitUntil(lambda: "limb 'foot-1' is not available here" in message(window))
-    assert window.panel("skin").map.content.coloured_levels_db is None
+    assert window.panel("skin").map.content.coloured_values is None
     limb = window.findChild(ChoiceField, "limb")
     assert limb.shown_text == "foot-1 (not available)"
     window.document.edit("Mute", STRANGE.with_input(0, muted=True))
@@ -47,7 +47,7 @@ def test_another_limb_can_be_chosen_instead(window, opened, qtbot):
     window.findChild(ChoiceField, "limb").choose("synthetic-2")
     qtbot.waitUntil(lambda: message(window) == "" and not window.engine.busy, timeout=30_000)
     assert window.document.design.limb == "synthetic-2"
-    assert np.isfinite(window.panel("skin").map.content.levels_db).all()
+    assert np.isfinite(window.panel("skin").map.content.values).all()
 
 
 @pytest.mark.parametrize(

@@ -79,6 +79,7 @@ from skinsource.edits.setup import (
     level_over,
     look_along,
     look_by_method,
+    play_slower,
     remove_delay,
 )
 from skinsource.edits.snapshots import (
@@ -146,6 +147,7 @@ __all__ = [
     "place_fragment",
     "place_input",
     "place_waveform",
+    "play_slower",
     "put_inputs_before",
     "remove_clips",
     "remove_delay",

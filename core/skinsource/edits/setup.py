@@ -57,6 +57,11 @@ def remove_delay(design: Design, view: View, removed: bool) -> Edit | Refusal:
     return _looked_at(design, view, label, delay_removed=removed, time_range_s=shown)
 
 
+def play_slower(design: Design, view: View, slow_motion: Any) -> Edit | Refusal:
+    """Play so many times slower than it happens."""
+    return _looked_at(design, view, "Change slow motion", slow_motion=slow_motion)
+
+
 def _looked_at(design: Design, view: View, label: str, **changes: Any) -> Edit | Refusal:
     try:
         return Edit(label=label, design=design, view=replace(view, **changes))

@@ -1,10 +1,12 @@
 """Designs played on a device: one after the other, and changed while they play."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 
+from skinsource.catalogue import load_limb
 from skinsource.design import Design
-from skinsource.errors import NothingToPlayOnError
+from skinsource.errors import NothingToPlayOnError, SkinSourceError
 from skinsource.playing.deck import Deck
 from skinsource.playing.devices import Device, check_outputs, device_of, devices, look_again
 from skinsource.playing.mix import Mix
@@ -30,11 +32,20 @@ class Playing:
         What tells where playing would be, where nothing is heard.
     reason
         Why nothing is heard, and what to do.
+    seen_s
+        When all that is seen of it is over: the skin moves on after the last sound.
     """
 
     stream: Stream | None = None
     silent: SilentRun | None = None
     reason: str = ""
+    seen_s: float = 0.0
+
+    def seen_on(self, from_s: float) -> "Playing | None":
+        """What goes on in silence where nothing more is heard; None: nothing does."""
+        if from_s >= self.seen_s:
+            return None
+        return Playing(silent=SilentRun(self.seen_s, None, from_s), seen_s=self.seen_s)
 
     def position_s(self) -> float | None:
         """Time in the design of what is heard now; None: nothing is yet."""
@@ -78,9 +89,16 @@ class Session:
         return look_again()
 
     def play(
-        self, design: Design, output: Output, *, loops: bool, at_s: float, gain_db: float
+        self,
+        design: Design,
+        output: Output,
+        *,
+        loops: bool,
+        at_s: float,
+        gain_db: float,
+        slow_motion: float = 1.0,
     ) -> Playing:
-        """Begin to play a design; where there is nothing to play on, in silence.
+        """Begin to play a design; in slow motion, and with nothing to play on, in silence.
 
         Parameters
         ----------
@@ -92,6 +110,8 @@ class Session:
             From when on; from the beginning where that is behind the end, or outside the loop.
         gain_db
             Gain.
+        slow_motion
+            How many times slower than it happens.
 
         Raises
         ------
@@ -101,21 +121,25 @@ class Session:
         self.close()
         # What a limb's name means may have changed since.
         self._mixer = Mixer()
+        silently = partial(self._in_silence, design, loops=loops, at_s=at_s)
+        if slow_motion != 1.0:
+            return silently(reason="", slow_motion=slow_motion)
         try:
             found = devices()
             device = device_of(output, found)
         except NothingToPlayOnError as missing:
-            return self._in_silence(design, loops=loops, at_s=at_s, reason=str(missing))
+            return silently(reason=str(missing))
         mix = self._mix(design, output, device, loops=loops)
         begin_s = _begin(at_s, mix.duration_s, loop_of(design, mix.duration_s, loops=loops))
-        return Playing(stream=self._open(mix, device, output, begin_s, gain_db))
+        stream = self._open(mix, device, output, begin_s, gain_db)
+        return Playing(stream=stream, seen_s=seen_until_s(design, mix.duration_s))
 
     def change(
         self, playing: Playing, design: Design, output: Output, *, loops: bool
     ) -> Playing | None:
         """Go over to an edited design, where it is; None: nothing is played any more."""
         if playing.silent is not None:
-            duration_s = self._mixer.stimulus(design).duration_s
+            duration_s = seen_until_s(design, self._mixer.stimulus(design).duration_s)
             playing.silent.change(duration_s, loop_of(design, duration_s, loops=loops))
             return playing
         stream = playing.stream
@@ -123,13 +147,15 @@ class Session:
             return None
         deck = stream.deck
         mix = self._mix(design, output, stream.device, loops=loops)
+        seen_s = seen_until_s(design, mix.duration_s)
         if mix.n_outputs <= deck.n_outputs:
             deck.play(mix)
-            return playing
+            return playing if seen_s == playing.seen_s else replace(playing, seen_s=seen_s)
         # More outputs than the device was opened with.
         at_s, gain_db = stream.position_s() or 0.0, deck.gain_db
         self.close()
-        return Playing(stream=self._open(mix, stream.device, output, at_s, gain_db))
+        opened = self._open(mix, stream.device, output, at_s, gain_db)
+        return Playing(stream=opened, seen_s=seen_s)
 
     def tone(self, number: int, output: Output, gain_db: float) -> Playing:
         """Play the test tone on one output.
@@ -178,11 +204,26 @@ class Session:
             check_outputs(device, heard)
         return mix
 
-    def _in_silence(self, design: Design, *, loops: bool, at_s: float, reason: str) -> Playing:
-        duration_s = self._mixer.stimulus(design).duration_s
+    def _in_silence(
+        self, design: Design, *, loops: bool, at_s: float, reason: str, slow_motion: float = 1.0
+    ) -> Playing:
+        duration_s = seen_until_s(design, self._mixer.stimulus(design).duration_s)
         loop_s = loop_of(design, duration_s, loops=loops)
         begin_s = _begin(at_s, duration_s, loop_s)
-        return Playing(silent=SilentRun(duration_s, loop_s, begin_s), reason=reason)
+        silent = SilentRun(duration_s, loop_s, begin_s, slow_motion=slow_motion)
+        return Playing(silent=silent, reason=reason, seen_s=duration_s)
+
+
+def seen_until_s(design: Design, duration_s: float) -> float:
+    """When the skin comes to rest after a stimulus of ``duration_s``: one response later.
+
+    Where the limb is not installed nothing is seen, and the stimulus is all there is.
+    """
+    try:
+        limb = load_limb(design.limb)
+    except SkinSourceError:
+        return duration_s
+    return duration_s + limb.n_taps / limb.sample_rate_hz
 
 
 def _begin(at_s: float, duration_s: float, loop_s: tuple[float, float] | None) -> float:

@@ -19,6 +19,8 @@ class SilentRun:
         Where it begins.
     clock
         Tells seconds.
+    slow_motion
+        How many times slower than the clock it runs.
     """
 
     def __init__(
@@ -27,14 +29,15 @@ class SilentRun:
         loop_s: Loop,
         at_s: float,
         clock: Callable[[], float] = perf_counter,
+        slow_motion: float = 1.0,
     ) -> None:
-        self._clock = clock
+        self._clock, self._slow_motion = clock, slow_motion
         self._duration_s, self._loop_s = duration_s, loop_s
         self._at_s, self._since_s = at_s, clock()
 
     def position_s(self) -> float:
         """Time in the design, s."""
-        later_s = self._at_s + self._clock() - self._since_s
+        later_s = self._at_s + (self._clock() - self._since_s) / self._slow_motion
         if self._loop_s is None or not self._at_s < self._loop_s[1] <= later_s:
             return later_s
         first_s, end_s = self._loop_s
@@ -49,6 +52,11 @@ class SilentRun:
     def seek(self, at_s: float) -> None:
         """Go on elsewhere."""
         self._at_s, self._since_s = at_s, self._clock()
+
+    def run_at(self, slow_motion: float) -> None:
+        """Go on where it is, so many times slower than the clock."""
+        self.seek(self.position_s())
+        self._slow_motion = slow_motion
 
     def change(self, duration_s: float, loop_s: Loop) -> None:
         """Go on where it is, in another design; at the beginning of a loop that lies behind."""

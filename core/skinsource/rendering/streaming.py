@@ -88,15 +88,24 @@ class StreamedVibration:
             yield first, block.reshape(*self._channels_shape, -1)
 
     def blocks_of(
-        self, outputs: Sequence[int], axes: Sequence[int], stop: Stop = never
+        self,
+        outputs: Sequence[int],
+        axes: Sequence[int],
+        stop: Stop = never,
+        within: tuple[int, int] | None = None,
     ) -> Iterator[tuple[int, Floats]]:
-        """Yield the same of some outputs, 1, 2, …, and axes, 0 to 2; at least one of each."""
+        """Yield the same of some outputs, 1, 2, …, and axes, 0 to 2; at least one of each.
+
+        With ``within`` only those blocks that hold a sample from its first to before its second.
+        """
         n_axes = self._channels_shape[1]
         channels = [(output - 1) * n_axes + axis for output in outputs for axis in axes]
-        for first, block in self._blocks(channels, stop):
+        for first, block in self._blocks(channels, stop, within):
             yield first, block.reshape(len(outputs), len(axes), -1)
 
-    def _blocks(self, channels: list[int] | None, stop: Stop) -> Iterator[tuple[int, Floats]]:
+    def _blocks(
+        self, channels: list[int] | None, stop: Stop, within: tuple[int, int] | None = None
+    ) -> Iterator[tuple[int, Floats]]:
         """Yield first sample and samples, (n_channels, n); None: all channels."""
         if self._stack is None:
             return
@@ -104,7 +113,8 @@ class StreamedVibration:
         if channels is not None:
             values = np.ascontiguousarray(values[:, :, channels])
         cut = self.cut
-        starts = range(0, self.n_times, cut.n_samples)
+        begin, end = within or (0, self.n_times)
+        starts = range(begin - begin % cut.n_samples, min(end, self.n_times), cut.n_samples)
         for k in range(0, len(starts), _GROUP):
             stop_if(stop)
             segments = [self._segments(first) for first in starts[k : k + _GROUP]]
@@ -115,9 +125,9 @@ class StreamedVibration:
             samples = inverse(spectra, cut.n_fft).reshape(len(sounding), -1, cut.n_fft)
             for block, place in zip(samples, sounding, strict=True):
                 first = starts[k + place]
-                within = slice(cut.overlap, cut.overlap + min(cut.n_samples, self.n_times - first))
-                active = self._active(segments[place])[within]
-                block = block[:, within]
+                inside = slice(cut.overlap, cut.overlap + min(cut.n_samples, self.n_times - first))
+                active = self._active(segments[place])[inside]
+                block = block[:, inside]
                 yield first, block if active.all() else np.where(active, block, 0.0)
 
     def _segments(self, first: int) -> dict[int, Floats]:

@@ -1,16 +1,16 @@
 """Draws a colour scale with its ticks."""
 
+from math import floor, log10
+
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
-from skinsource.choice_words import level_words, span_words
 from skinsource_gui.panels.skin.level_range import Range, tick_levels
+from skinsource_gui.panels.skin.map_quantity import MapQuantity
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.level_text import minus
-
-_UNIT = "dB re 1 m/s²"
 
 
 def level_y(level_db: float, axis_db: Range, ramp: QRectF) -> float:
@@ -26,7 +26,7 @@ def paint_colour_scale(
     range_db: Range,
     table: NDArray[np.uint32],
     theme: Theme,
-    span: str,
+    quantity: MapQuantity,
 ) -> None:
     """Draw the colours in ``ramp``, ticks and title to its right, in the painter's font.
 
@@ -37,13 +37,13 @@ def paint_colour_scale(
     ramp
         Area of the colours.
     axis_db
-        Levels of its lower and upper edge.
+        Levels of its lower and upper edge; values, where ``quantity`` is no level.
     range_db
         Levels of the lowest and the highest colour.
     table, theme
         Colours.
-    span
-        What the levels are the RMS over, as in `skinsource.choice_words`.
+    quantity
+        What the values are.
     """
     line = painter.fontMetrics().height()
     top, bottom = (level_y(level, axis_db, ramp) for level in reversed(range_db))
@@ -58,7 +58,7 @@ def paint_colour_scale(
     painter.setPen(QPen(QColor(theme.border), 1))
     painter.drawRect(ramp)
     widest = 0
-    for level in tick_levels(*axis_db, ramp.height(), 2.8 * line):
+    for level in _ticks(axis_db, ramp.height(), 2.8 * line, quantity):
         y = level_y(level, axis_db, ramp)
         words = minus(f"{level:g}")
         widest = max(widest, painter.fontMetrics().horizontalAdvance(words))
@@ -67,12 +67,14 @@ def paint_colour_scale(
         painter.setPen(QColor(theme.text))
         beside = QRectF(ramp.right() + 0.5 * line, y - line / 2, 4 * line, line)
         painter.drawText(beside, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, words)
-    _paint_title(painter, ramp, ramp.right() + 0.9 * line + widest, theme, span)
+    _paint_title(painter, ramp, ramp.right() + 0.9 * line + widest, theme, quantity)
 
 
-def _paint_title(painter: QPainter, ramp: QRectF, left: float, theme: Theme, span: str) -> None:
+def _paint_title(
+    painter: QPainter, ramp: QRectF, left: float, theme: Theme, quantity: MapQuantity
+) -> None:
     metrics = painter.fontMetrics()
-    titles = (f"{_UNIT}, {level_words(span)}", f"{_UNIT}, {span_words(span)}")
+    titles = quantity.titles
     fitting = (title for title in titles if metrics.horizontalAdvance(title) <= ramp.height())
     line = painter.fontMetrics().height()
     painter.save()
@@ -80,5 +82,14 @@ def _paint_title(painter: QPainter, ramp: QRectF, left: float, theme: Theme, spa
     painter.translate(left + line / 2, ramp.center().y())
     painter.rotate(-90)
     along = QRectF(-ramp.height() / 2, -line / 2, ramp.height(), line)
-    painter.drawText(along, Qt.AlignmentFlag.AlignCenter, next(fitting, _UNIT))
+    painter.drawText(along, Qt.AlignmentFlag.AlignCenter, next(fitting, titles[-1]))
     painter.restore()
+
+
+def _ticks(axis: Range, room_px: float, spacing_px: float, quantity: MapQuantity) -> list[float]:
+    if not quantity.signed:
+        return tick_levels(*axis, room_px, spacing_px)
+    # Steps of levels are whole decibels; here any power of ten can be meant.
+    scale = 10.0 ** (floor(log10(axis[1] - axis[0])) - 1)
+    found = tick_levels(axis[0] / scale, axis[1] / scale, room_px, spacing_px)
+    return [tick * scale for tick in found]

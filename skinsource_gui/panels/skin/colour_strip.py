@@ -1,6 +1,7 @@
 """A colour scale whose ends can be dragged."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen, QPolygonF
@@ -9,10 +10,11 @@ from PySide6.QtWidgets import QWidget
 from skinsource_gui.panels.skin.colour_scale import level_y, paint_colour_scale
 from skinsource_gui.panels.skin.level_range import SILENT_RANGE, Range, moved, with_high, with_low
 from skinsource_gui.panels.skin.map_painter import small_font
+from skinsource_gui.panels.skin.map_quantity import MapQuantity
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.key_table import meant
-from skinsource_gui.widgets.map.colour_maps import colour_table
+from skinsource_gui.widgets.map.colour_maps import VIRIDIS, colour_table
 
 _RAMP_LEFT, _RAMP_WIDTH = 10, 14
 _HANDLE_WIDTH, _HANDLE_HEIGHT = 26, 12
@@ -101,11 +103,11 @@ class ColourStrip(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._theme = LIGHT
-        self._table = colour_table()
+        self._colours = VIRIDIS
         self._range: Range = SILENT_RANGE
         self._axis = _axis_of(self._range)
         self._marks: tuple[tuple[float, QColor], ...] = ()
-        self._span = "record"
+        self._quantity = MapQuantity()
         self._at_press: Range | None = None
         self._grip_y: float | None = None
         self._scale = KeptPicture()
@@ -140,10 +142,12 @@ class ColourStrip(QWidget):
             self._marks = marks
             self.update()
 
-    def show_span(self, span: str) -> None:
-        """Say what the levels are the RMS over."""
-        if span != self._span:
-            self._span = span
+    def show_quantity(self, quantity: MapQuantity, colours: str = VIRIDIS) -> None:
+        """Say what the levels are, and in which colours."""
+        # The strip is the same at each instant.
+        quantity = replace(quantity, time_s=0.0)
+        if (quantity, colours) != (self._quantity, self._colours):
+            self._quantity, self._colours = quantity, colours
             self.update()
 
     def show_theme(self, theme: Theme) -> None:
@@ -158,7 +162,7 @@ class ColourStrip(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(tabular(small_font(self.font())))
         ramp = self._ramp()
-        scale = (self._axis, self._range, self._theme, self._span)
+        scale = (self._axis, self._range, self._theme, self._quantity, self._colours)
         ground = self.palette().window().color()
         self._scale.paint(painter, QRectF(self.rect()), scale, self._paint_scale, ground)
         painter.setPen(QPen(QColor(self._theme.base), 0.5))
@@ -204,7 +208,8 @@ class ColourStrip(QWidget):
 
     def _paint_scale(self, painter: QPainter) -> None:
         axis, levels, theme = self._axis, self._range, self._theme
-        paint_colour_scale(painter, self._ramp(), axis, levels, self._table, theme, self._span)
+        table = colour_table(self._colours)
+        paint_colour_scale(painter, self._ramp(), axis, levels, table, theme, self._quantity)
 
     def _new_handle(self, name: str, words: str, change_end: Change) -> RangeHandle:
         handle = RangeHandle(name, words, self)

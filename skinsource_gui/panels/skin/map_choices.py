@@ -9,6 +9,7 @@ from skinsource import edits
 from skinsource.design import Design
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
+from skinsource_gui.panels.skin.map_quantity import LEVELS
 from skinsource_gui.panels.skin.settings import SkinSettings
 
 
@@ -33,6 +34,10 @@ class MapChoices(QObject):
         self._view = View()
         self.settings = SkinSettings()
 
+    def show_playhead(self, view: View) -> None:
+        """Take over a view in which the playhead alone has moved."""
+        self._view = view
+
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view."""
         self._design, self._view = design, view
@@ -45,7 +50,31 @@ class MapChoices(QObject):
 
     def choose_range(self, range_db: tuple[float, float] | None) -> None:
         """Let colours span these levels, or follow the loudest output."""
-        self._change(map_range_db=range_db)
+        if self.settings.quantity == LEVELS:
+            self._change(map_range_db=range_db)
+        else:
+            self._change(moving_range_db=range_db)
+
+    def choose_limits(self, limits: tuple[float, float] | None) -> None:
+        """Let colours span these accelerations along z, or follow the design."""
+        self._change(z_limits=limits)
+
+    def choose_quantity(self, name: str) -> None:
+        """Show levels, or the skin in time."""
+        self._change(quantity=name)
+
+    def choose_window(self, window_s: float) -> None:
+        """Take the sliding RMS over another time."""
+        self._change(rms_window_s=window_s)
+
+    def choose_colours(self, name: str) -> None:
+        """Show levels in other colours."""
+        self._change(colours=name)
+
+    def choose_pace(self, slow_motion: float) -> None:
+        """Play so many times slower than it happens."""
+        if self._design is not None:
+            self.edited.emit(edits.play_slower(self._design, self._view, slow_motion), None)
 
     def choose_style(self, style: str) -> None:
         """Colour the skin, or the sensors alone."""

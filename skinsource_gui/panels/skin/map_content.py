@@ -5,7 +5,12 @@ from dataclasses import dataclass, fields
 from skinsource.arrays import Floats
 from skinsource.limb import LimbMap
 from skinsource_gui.panels.skin.level_range import SILENT_RANGE, Range
+from skinsource_gui.panels.skin.map_quantity import MapQuantity
+from skinsource_gui.widgets.map.colour_maps import VIRIDIS
 from skinsource_gui.widgets.map.field_image import FieldImage
+
+_LEVELS = MapQuantity()
+_COMPARED = (tuple, bool, str, MapQuantity)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -16,20 +21,22 @@ class MapContent:
     ----------
     limb_map
         Outline and places; ``None`` before there are any.
-    levels_db : (n_outputs,) or None
-        Level of each output; ``None``: no colours.
-    field, field_levels_db
-        Interpolated map and its levels, (rows, columns); ``None``: sensors carry the colours.
-    range_db
-        Levels of the lowest and the highest colour.
+    values : (n_outputs,) or None
+        Level of each output in dB, or what ``quantity`` says; ``None``: no colours.
+    field, field_values
+        Interpolated map and its values, (rows, columns); ``None``: sensors carry the colours.
+    quantity
+        What the values are.
+    value_range, fixed
+        Values of the lowest and the highest colour; whether they were chosen, and stay.
+    colours
+        Name of the colour map.
     outputs
         Selected outputs.
     sensors_shown
         Whether sensors are marked on the interpolated map.
     synthetic
         Whether the responses are computed, not measured.
-    span
-        What levels are the RMS over.
     message
         Why there is no map; shown in its middle, instead of it.
     note
@@ -39,14 +46,16 @@ class MapContent:
     """
 
     limb_map: LimbMap | None = None
-    levels_db: Floats | None = None
+    values: Floats | None = None
     field: FieldImage | None = None
-    field_levels_db: Floats | None = None
-    range_db: Range = SILENT_RANGE
+    field_values: Floats | None = None
+    quantity: MapQuantity = _LEVELS
+    value_range: Range = SILENT_RANGE
+    fixed: bool = False
+    colours: str = VIRIDIS
     outputs: tuple[int, ...] = ()
     sensors_shown: bool = True
     synthetic: bool = False
-    span: str = "record"
     message: str = ""
     note: str = ""
     outdated: bool = False
@@ -55,18 +64,22 @@ class MapContent:
         """Whether ``other`` looks the same; arrays are compared by identity."""
         return all(
             mine is theirs
-            or (type(mine) in (tuple, bool, str) and type(mine) is type(theirs) and mine == theirs)
+            or (
+                type(mine) in (tuple, bool, str, MapQuantity)
+                and type(mine) is type(theirs)
+                and mine == theirs
+            )
             for mine, theirs in (
                 (getattr(self, field.name), getattr(other, field.name)) for field in fields(self)
             )
         )
 
     @property
-    def coloured_levels_db(self) -> Floats | None:
-        """Levels that may be shown, (n_outputs,); none while a message stands in their place."""
-        return None if self.message else self.levels_db
+    def coloured_values(self) -> Floats | None:
+        """Values that may be shown, (n_outputs,); none while a message stands in their place."""
+        return None if self.message else self.values
 
     @property
     def shown_field(self) -> FieldImage | None:
         """The interpolated map, where it may be shown."""
-        return None if self.message or self.field_levels_db is None else self.field
+        return None if self.message or self.field_values is None else self.field

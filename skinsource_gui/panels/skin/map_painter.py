@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import (
     QColor,
@@ -24,7 +23,7 @@ from skinsource_gui.panels.skin.output_picking import dorsal_outputs
 from skinsource_gui.panels.skin.triad import paint_triad
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.kept_picture import KeptPicture, PaintedAnew
-from skinsource_gui.widgets.map.colour_maps import is_light, level_colours
+from skinsource_gui.widgets.map.colour_maps import colour_table, is_light, level_colours
 
 _RING_PX = 2.2
 _HINTS = QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
@@ -37,8 +36,6 @@ class MapPainter:
     ----------
     limb_map
         Outline and places.
-    table
-        Colours, see `colour_table`.
     kept
         `KeptPicture` on the screen, `PaintedAnew` for pages and files.
     """
@@ -46,13 +43,11 @@ class MapPainter:
     def __init__(
         self,
         limb_map: LimbMap,
-        table: NDArray[np.uint32],
         kept: type[KeptPicture | PaintedAnew] = KeptPicture,
     ) -> None:
         self._outline = QPainterPath()
         self._outline.addPolygon(QPolygonF([QPointF(x, y) for x, y in limb_map.outline]))
         self._outline.closeSubpath()
-        self._table = table
         self._kept = kept
         self._layout: MapLayout | None = None
         self._screen_outline = QPainterPath()
@@ -79,13 +74,14 @@ class MapPainter:
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
     ) -> None:
         """The field, a little beyond the outline, or the bare skin."""
-        field, levels = content.shown_field, content.field_levels_db
+        field, levels = content.shown_field, content.field_values
         if field is None or levels is None:
             painter.fillPath(self._screen_outline, QColor(theme.skin))
             return
         # The picture's first line is the highest y: it is drawn downwards from there.
         area = layout.frame.transform().mapRect(field.rect)
-        painter.drawImage(area, field.image(levels, content.range_db, self._table))
+        table = colour_table(content.colours)
+        painter.drawImage(area, field.image(levels, content.value_range, table))
 
     def _paint_still(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
@@ -151,10 +147,11 @@ class MapPainter:
 
     def _fills(self, outputs: Sequence[int], content: MapContent, theme: Theme) -> list[QColor]:
         """Colour of each of ``outputs``."""
-        levels = content.coloured_levels_db
+        levels = content.coloured_values
         if levels is None:
             return [QColor(theme.base)] * len(outputs)
-        return level_colours(levels[np.array(outputs) - 1], content.range_db, self._table)
+        table = colour_table(content.colours)
+        return level_colours(levels[np.array(outputs) - 1], content.value_range, table)
 
 
 def ring_radius(number: int, content: MapContent, layout: MapLayout) -> float:

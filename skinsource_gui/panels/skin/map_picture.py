@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
-from skinsource.choice_words import LIMBS, SCALINGS, level_words, signal_words, word_of
+from skinsource.choice_words import LIMBS, SCALINGS, signal_words, word_of
 from skinsource.design import Design
 from skinsource.view import View
 from skinsource_gui.panels.skin.colour_scale import paint_colour_scale
@@ -17,6 +17,7 @@ from skinsource_gui.panels.skin.map_layout import (
     outline_bounds,
 )
 from skinsource_gui.panels.skin.map_painter import MapPainter, small_font
+from skinsource_gui.panels.skin.map_quantity import MapQuantity
 from skinsource_gui.panels.skin.map_words import paint_words
 from skinsource_gui.theme import Theme, tabular
 from skinsource_gui.widgets.kept_picture import PaintedAnew
@@ -41,14 +42,14 @@ class Heading:
     note: str = ""
 
 
-def heading_of(design: Design | None, view: View) -> Heading:
-    """What a picture of the map is called."""
-    parts = [signal_words(view.axes, view.method)]
+def heading_of(design: Design | None, view: View, quantity: MapQuantity | None = None) -> Heading:
+    """What a picture of the map is called; levels, if nothing else is said."""
+    quantity = quantity or MapQuantity(span=view.span)
+    parts = [quantity.details or signal_words(view.axes, view.method)]
     if design is not None:
         scaling = word_of(SCALINGS, design.scaling).title.lower()
         parts = [word_of(LIMBS, design.limb).title, *parts, f"scaling: {scaling}"]
-    title = f"Skin acceleration, {level_words(view.span)}"
-    return Heading(title=title, details=" · ".join(parts))
+    return Heading(title=quantity.heading, details=" · ".join(parts))
 
 
 def paint_picture(
@@ -86,9 +87,10 @@ def paint_picture(
     painter.setFont(small_font(font))
     layout = _paint_map(painter, content, room, theme) if content.limb_map is not None else None
     ramp = QRectF(room.right() + line, room.top() + line, line, room.height() - 2 * line)
-    levels = content.range_db
+    levels = content.value_range
     painter.setFont(small_font(font))
-    paint_colour_scale(painter, ramp, levels, levels, colour_table(), theme, content.span)
+    table = colour_table(content.colours)
+    paint_colour_scale(painter, ramp, levels, levels, table, theme, content.quantity)
     painter.setFont(font)
     paint_words(painter, content, layout, room, theme)
 
@@ -132,6 +134,6 @@ def _paint_map(painter: QPainter, content: MapContent, room: QRectF, theme: Them
     bounds = outline_bounds(content.limb_map)
     frame = fitted_beside_cards(bounds, room, metrics)
     layout = map_layout(content.limb_map, frame, room, metrics)
-    map_painter = MapPainter(content.limb_map, colour_table(), PaintedAnew)
+    map_painter = MapPainter(content.limb_map, PaintedAnew)
     map_painter.paint(painter, content, layout, theme)
     return layout

@@ -8,17 +8,24 @@ from skinsource_gui.widgets.fields.level_text import level_text, output_text
 
 
 def output_readout(content: MapContent, number: int) -> str:
-    """Number and place of an output, and in a second line its level."""
-    levels = content.coloured_levels_db
+    """Number and place of an output, and in a second line its value."""
+    values = content.coloured_values
     words = output_text(number)
-    return words if levels is None else f"{words}\n{level_text(levels[number - 1], content.span)}"
+    return (
+        words if values is None else f"{words}\n{_value_text(float(values[number - 1]), content)}"
+    )
 
 
 def pixel_readout(content: MapContent, layout: MapLayout, at: QPointF) -> str:
-    """Level of the interpolated map at a screen place, empty outside."""
-    field, levels = content.shown_field, content.field_levels_db
+    """Value of the interpolated map at a screen place, empty outside."""
+    field, levels = content.shown_field, content.field_values
     on_card = layout.palmar_card.contains(at) or layout.triad_card.contains(at)
     if field is None or levels is None or on_card:
         return ""
     level = field.level_at(levels, *layout.frame.to_drawing(at))
-    return "" if level is None else level_text(level, content.span)
+    return "" if level is None else _value_text(level, content)
+
+
+def _value_text(value: float, content: MapContent) -> str:
+    quantity = content.quantity
+    return quantity.text(value) if quantity.moves else level_text(value, quantity.span)

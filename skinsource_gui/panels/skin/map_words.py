@@ -9,10 +9,12 @@ from skinsource.choice_words import BACK_SIDE
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import MapLayout
 from skinsource_gui.panels.skin.map_painter import small_font
+from skinsource_gui.panels.skin.map_quantity import time_text
 from skinsource_gui.theme import Theme
 
 SYNTHETIC_MARK = "SYNTHETIC"
 OUTDATED_MARK = "updating…"
+FIXED_MARK = "range fixed"
 # Places that are tried for a message: so many steps across, and so many down.
 _STEPS = 24
 
@@ -68,8 +70,13 @@ def message_place(wanted: QRectF, room: QRectF, layout: MapLayout) -> QRectF:
 
 def _side_words(content: MapContent, room_px: float, metrics: QFontMetricsF) -> str:
     side = "" if content.limb_map is None else BACK_SIDE
+    said = [FIXED_MARK] if content.fixed else []
+    if content.quantity.moves and content.values is not None:
+        said.insert(0, time_text(content.quantity.time_s))
     if content.outdated:
         phrasings = (f"{side} · {OUTDATED_MARK}", OUTDATED_MARK) if side else (OUTDATED_MARK,)
+    elif said and side:
+        phrasings = (" · ".join((side, *said)), " · ".join(said), said[0])
     else:
         phrasings = (side, side.partition(" ")[0])
     fitting = (words for words in phrasings if metrics.horizontalAdvance(words) <= room_px)

@@ -22,10 +22,12 @@ from skinsource_gui.panels.skin.map_choices import MapChoices
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_menu import open_map_menu
 from skinsource_gui.panels.skin.map_picture import heading_of, paint_picture
+from skinsource_gui.panels.skin.map_quantity import LEVELS, MapQuantity, Z
 from skinsource_gui.panels.skin.map_toolbar import MapToolbar
 from skinsource_gui.panels.skin.note_line import NoteLine
 from skinsource_gui.panels.skin.readout_lines import ReadoutLines
 from skinsource_gui.panels.skin.skin_map import SkinMap
+from skinsource_gui.panels.skin.time.time_view import TimeView
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.lateness import Lateness
 from skinsource_gui.widgets.map.field_image import field_image
@@ -53,6 +55,7 @@ class SkinPanel(Panel):
         self._lateness = Lateness(self)
         self._lateness.changed.connect(self._mark_outdated)
         self.toolbar = MapToolbar(self)
+        self.time = TimeView(self)
         self.map = SkinMap(self)
         self.map.setObjectName("skin_map")
         self.colour_bar = ColourBar(self)
@@ -62,65 +65,90 @@ class SkinPanel(Panel):
         self.readout = ReadoutLines(self)
         self.readout.setObjectName("skin_readout")
         self.readout.setAccessibleName("Under the pointer")
+        self.time.put_behind(self.colour_bar.auto_button)
         grid = QGridLayout(self)
         grid.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
         grid.setSpacing(UNIT_PX // 2)
         grid.addWidget(self.toolbar, 0, 0, 1, 2)
-        grid.addWidget(self.map, 1, 0)
-        grid.addWidget(self.colour_bar, 1, 1)
-        grid.addWidget(self.note, 2, 0, 1, 2)
-        grid.addWidget(self.readout, 3, 0, 1, 2)
-        grid.setRowStretch(1, 1)
+        grid.addWidget(self.time.row, 1, 0, 1, 2)
+        grid.addWidget(self.map, 2, 0)
+        grid.addWidget(self.colour_bar, 2, 1)
+        grid.addWidget(self.time.bar, 2, 1)
+        grid.addWidget(self.time.scrub, 3, 0, 1, 2)
+        grid.addWidget(self.note, 4, 0, 1, 2)
+        grid.addWidget(self.readout, 5, 0, 1, 2)
+        grid.setRowStretch(2, 1)
         grid.setColumnStretch(0, 1)
         self.setMinimumSize(258, 300)
         self.setFocusProxy(self.map)
         self._connect()
-        self.toolbar.show_settings(self._choices.settings)
+        self._show_settings()
         self.show_theme(LIGHT)
         self._show_readout(self.map.readout())
 
     @property
     def needs(self) -> frozenset[str]:
-        always = frozenset({"limb_map", "output_levels_db"})
+        moving = self.time.needs(self._choices.settings)
+        always = frozenset({"limb_map"}) | (moving or {"output_levels_db"})
         if self._choices.settings.map_style == "sensors":
             return always
-        return always | {"limb_data", "surface", "surface_levels_db"}
+        over_skin = always | {"limb_data", "surface"}
+        return over_skin if moving else over_skin | {"surface_levels_db"}
 
     def sizeHint(self) -> QSize:
         return QSize(420, 640)
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
+        before = self._choices.settings.quantity
         self._choices.show_state(design, view)
-        self.toolbar.show_settings(self._choices.settings)
-        self.colour_bar.choose(self._choices.settings.map_range_db)
-        if self._content.levels_db is not None:
-            self.colour_bar.follow(self._content.levels_db)
+        self._show_settings()
+        if self._choices.settings.quantity != before:
+            # What is shown are not the numbers that are wanted now.
+            self.time.frames.forget()
+            self._change(values=None, field_values=None, message="", outdated=False)
+        elif self._moves:
+            self._change_frame()
+        elif self._content.values is not None:
+            self.colour_bar.follow(self._content.values)
         if self._choices.settings.map_style == "sensors":
             # Kept, it would belong to an older design when it is shown again.
-            self._change(field_levels_db=None)
+            self._change(field_values=None)
         self._show_choice()
+
+    def show_playhead(self, view: View) -> None:
+        self._view = view
+        self._choices.show_playhead(view)
+        if self._moves and self.isVisible():
+            self._change_frame()
+            self._show_choice()
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._lateness.set_stale(False)
         self._shown_limb = "" if self._design is None else self._design.limb
-        levels = results["output_levels_db"]
-        interpolated = (
-            self._choices.settings.map_style == "interpolated" and "surface_levels_db" in results
-        )
-        surface = results["surface"] if interpolated else None
+        surface = results.get("surface") if "surface" in self.needs else None
         if surface is not None and surface is not self._surface:
             self._surface = surface
             self._change(field=field_image(surface, results["limb_data"]))
         self._change(
             limb_map=results["limb_map"],
-            levels_db=levels,
-            field_levels_db=results["surface_levels_db"] if interpolated else None,
-            message=SILENT if float(np.max(levels)) <= FLOOR_DB else "",
             note=_note(surface, results.get("limb_data")),
             outdated=False,
         )
-        self.colour_bar.follow(levels)
+        self.time.take(results, self._choices.settings, self._view)
+        if self._moves:
+            self.colour_bar.follow(self.time.levels_of_largest())
+            self._change(message="" if self.time.frames.largest > 0.0 else SILENT)
+            self._show_settings()
+            self._change_frame()
+        else:
+            levels = results["output_levels_db"]
+            self._change(
+                values=levels,
+                field_values=None if surface is None else results["surface_levels_db"],
+                message=SILENT if float(np.max(levels)) <= FLOOR_DB else "",
+            )
+            self.colour_bar.follow(levels)
         self._show_choice()
 
     def show_stale(self, stale: bool) -> None:
@@ -128,12 +156,20 @@ class SkinPanel(Panel):
 
     def show_problem(self, reason: str) -> None:
         self._lateness.set_stale(False)
-        self._change(levels_db=None, field_levels_db=None, message=reason, note="", outdated=False)
+        self.time.frames.forget()
+        self._change(values=None, field_values=None, message=reason, note="", outdated=False)
         self._show_choice()
 
     def show_theme(self, theme: Theme) -> None:
         self._theme = theme
-        for part in (self.toolbar, self.map, self.colour_bar, self.note, self.readout):
+        for part in (
+            self.toolbar,
+            self.time,
+            self.map,
+            self.colour_bar,
+            self.note,
+            self.readout,
+        ):
             part.show_theme(theme)
         self._show_choice()
 
@@ -142,7 +178,9 @@ class SkinPanel(Panel):
     ) -> None:
         """Draw the map for a page or a slide, with all that is needed to read it; size in px."""
         content = replace(self._content, outdated=False)
-        heading = replace(heading_of(self._design, self._view), note=self._content.note)
+        heading = replace(
+            heading_of(self._design, self._view, self._content.quantity), note=self._content.note
+        )
         size = QSizeF(width, height)
         paint_picture(painter, size, content, heading, theme, self.font().family())
 
@@ -164,9 +202,41 @@ class SkinPanel(Panel):
         self.map.menu_requested.connect(self._open_menu)
         self.map.readout_changed.connect(self._show_readout)
         self.colour_bar.range_chosen.connect(self._choices.choose_range)
+        self.time.bar.limits_chosen.connect(self._choices.choose_limits)
+        self.time.row.quantity_chosen.connect(self._choices.choose_quantity)
+        self.time.row.window_chosen.connect(self._choices.choose_window)
+        self.time.row.pace_chosen.connect(self._choices.choose_pace)
+        self.time.scrub.time_wanted.connect(self.playhead_wanted)
+        self.time.scrub.play_wanted.connect(partial(self.action_wanted.emit, "play"))
+        self.time.part_wanted.connect(self.visibility_changed)
 
     def _change(self, **changes: Any) -> None:
         self._content = replace(self._content, **changes)
+
+    @property
+    def _moves(self) -> bool:
+        """Whether what is shown is another thing at another time."""
+        return self._choices.settings.quantity != LEVELS
+
+    def _show_settings(self) -> None:
+        settings = self._choices.settings
+        self.toolbar.show_settings(settings)
+        self.time.show_state(settings, self._view)
+        signed = settings.quantity == Z
+        self.time.bar.setVisible(signed)
+        self.colour_bar.setVisible(not signed)
+        chosen = settings.moving_range_db if self._moves else settings.map_range_db
+        self.colour_bar.choose(chosen)
+
+    def _change_frame(self) -> None:
+        """Take the skin at the playhead; where it is not known yet, what was shown is late."""
+        settings = self._choices.settings
+        surface = self._surface if settings.map_style == "interpolated" else None
+        changes = self.time.changes(settings, self._view, surface)
+        if changes is not None:
+            self._change(**changes)
+        elif self.time.frames.known:
+            self._lateness.set_stale(True)
 
     def _show_choice(self) -> None:
         """Draw results the way the view wants them."""
@@ -174,12 +244,18 @@ class SkinPanel(Panel):
         self._change(
             outputs=self._view.outputs,
             sensors_shown=self._choices.settings.sensors_shown,
-            range_db=self.colour_bar.range_db,
-            span=self._view.span,
             synthetic=any(limb.startswith("synthetic") for limb in limbs),
         )
-        levels = self._content.coloured_levels_db
-        self.colour_bar.strip.show_span(self._view.span)
+        if not self._moves:
+            settings = self._choices.settings
+            self._change(
+                quantity=MapQuantity(span=self._view.span),
+                value_range=self.colour_bar.range_db,
+                fixed=settings.map_range_db is not None,
+                colours=settings.colours,
+            )
+        levels = self._content.coloured_values
+        self.colour_bar.strip.show_quantity(self._content.quantity, self._content.colours)
         self.colour_bar.show_marks(
             ()
             if levels is None

@@ -3,7 +3,42 @@
 from dataclasses import dataclass
 
 from skinsource import fields
-from skinsource.fields import ChoiceSpec, Range, RangeSpec, SwitchSpec
+from skinsource.fields import ChoiceSpec, NumberSpec, Range, RangeSpec, SwitchSpec
+from skinsource_gui.panels.skin.map_quantity import LEVELS, MAGNITUDE, RMS, Z
+from skinsource_gui.widgets.map.colour_maps import VIRIDIS
+
+QUANTITY = ChoiceSpec(
+    label="Shown",
+    options=(
+        (LEVELS, "RMS level"),
+        (Z, "In time: along z"),
+        (MAGNITUDE, "In time: magnitude"),
+        (RMS, "In time: sliding RMS"),
+    ),
+    hint="The level of the whole response, or what the skin does where the playhead is: its "
+    "acceleration along z with its sign, the length of the acceleration, or its RMS over a window",
+)
+RMS_WINDOW = NumberSpec(
+    label="Window",
+    unit="s",
+    minimum=0.001,
+    maximum=0.5,
+    step=0.001,
+    hint="What the sliding RMS is taken over; the playhead is in its middle",
+)
+Z_LIMITS = RangeSpec(label="Limits", unit="m/s²")
+COLOURS = ChoiceSpec(
+    label="Colours",
+    options=(
+        (VIRIDIS, "Viridis"),
+        ("cividis", "Cividis"),
+        ("magma", "Magma"),
+        ("CET-L1", "Grey"),
+        ("turbo", "Turbo, like MATLAB's jet"),
+    ),
+    hint="Colours of levels. All but the last grow evenly lighter, and are told apart with any "
+    "colour vision",
+)
 
 MAP_STYLE = ChoiceSpec(
     label="Style", options=(("interpolated", "Interpolated"), ("sensors", "Sensors only"))
@@ -14,7 +49,7 @@ MAP_RANGE = RangeSpec(label="Range", unit="dB")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SkinSettings:
-    """How the map is drawn.
+    """What the map shows, and how.
 
     Attributes
     ----------
@@ -23,11 +58,25 @@ class SkinSettings:
     map_range_db
         Levels of the ends of the colour bar; ``None``: they follow the loudest output
         (`automatic_range`).
+    quantity
+        What is shown: levels, or what the skin does at the playhead.
+    rms_window_s
+        What the sliding RMS is taken over.
+    moving_range_db, z_limits
+        The same of magnitude and sliding RMS, dB; and of acceleration along z, m/s².
+    colours
+        Colour map of levels.
     """
 
     map_style: str = fields.choice("interpolated", MAP_STYLE)
     sensors_shown: bool = fields.switch(True, SENSORS_SHOWN)
     map_range_db: Range | None = fields.interval(None, MAP_RANGE)
+
+    quantity: str = fields.choice(LEVELS, QUANTITY)
+    rms_window_s: float = fields.number(0.02, RMS_WINDOW)
+    moving_range_db: Range | None = fields.interval(None, MAP_RANGE)
+    z_limits: Range | None = fields.interval(None, Z_LIMITS)
+    colours: str = fields.choice(VIRIDIS, COLOURS)
 
     def __post_init__(self) -> None:
         fields.check(self)

@@ -31,7 +31,6 @@ from skinsource_gui.panels.skin.output_mouse import REACH_PX, OutputMouse
 from skinsource_gui.panels.skin.output_picking import output_at
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.key_table import meant
-from skinsource_gui.widgets.map.colour_maps import colour_table
 from skinsource_gui.widgets.pan_zoom import FREE, WHOLE, PanZoom
 from skinsource_gui.widgets.tooltips import tooltip
 
@@ -89,7 +88,7 @@ class SkinMap(QWidget):
         self.content = content
         if other_limb:
             limb_map = content.limb_map
-            self._painter = None if limb_map is None else MapPainter(limb_map, colour_table())
+            self._painter = None if limb_map is None else MapPainter(limb_map)
             if self.pan_zoom.fit == FREE:
                 self.pan_zoom.fit = WHOLE
             self._fit()

@@ -9,6 +9,7 @@ from skinsource_gui.shell.playing.escape_twice import EscapeTwice
 from skinsource_gui.shell.playing.transport import Transport
 from skinsource_gui.shell.reports import Reports
 from skinsource_gui.state.document import Document
+from skinsource_gui.state.playing.pace import Pace
 from skinsource_gui.state.playing.player import Player
 from skinsource_gui.state.playing.telling import played_by
 from skinsource_gui.state.preferences import Preferences
@@ -31,14 +32,15 @@ class Playback(QObject):
 
     Attributes
     ----------
-    player, bar
-        Who plays; what asks for it above the panels.
+    player, pace, bar
+        Who plays; how fast; what asks for it above the panels.
     """
 
     def __init__(self, document: Document, preferences: Preferences, window: QWidget) -> None:
         super().__init__(window)
         self._document = document
         self.player = Player(document, preferences, self)
+        self.pace = Pace(document, self.player, self)
         self.bar = Transport(window)
         self._panel: PlaybackPanel | None = None
         self._timer = QTimer(self, interval=_STEP_MS)
@@ -48,7 +50,7 @@ class Playback(QObject):
 
     def capabilities(self) -> dict[str, QObject]:
         """Who carries out its actions, by the names that their table has for them."""
-        return {"player": self.player, "gain": self.player.gain}
+        return {"player": self.player, "gain": self.player.gain, "pace": self.pace}
 
     def connect_to(self, panel: PlaybackPanel, appearance: Appearance, reports: Reports) -> None:
         """Show it in ``panel``, while that is visible, and say in ``reports`` what goes wrong."""

@@ -47,6 +47,8 @@ class Player(QObject):
         How loud.
     loops
         Whether a design without a loop is played again and again.
+    playhead
+        What runs while it plays.
     """
 
     #: Playing began or ended, or something else that can be told, but levels and times.
@@ -64,7 +66,7 @@ class Player(QObject):
         self._session = Session(self._finished.emit)
         self.settings = SoundSettings(preferences, self._session, self._thread, self)
         self.edits = LiveEdits(document, self._session, self._thread, self)
-        self._playhead = RunningPlayhead(document, self)
+        self.playhead = RunningPlayhead(document, self)
         self.now: Playing | None = None
         self._starting = False
         self._usual_switch_s = sys.getswitchinterval()
@@ -77,8 +79,7 @@ class Player(QObject):
         self.gain.changed.connect(self._pass_gain)
         self.edits.replaced.connect(self._replace)
         self.edits.failed.connect(self.failed)
-        self._playhead.moved_away.connect(self._seek)
-        self._playhead.stepped.connect(self._watch)
+        self.playhead.stepped.connect(self._watch)
 
     @property
     def playing(self) -> bool:
@@ -90,17 +91,28 @@ class Player(QObject):
         if self.now is not None:
             self.stop()
         elif not self._starting:
-            design, output, loops = self._document.design, self.settings.output, self.loops
-            at_s, gain_db = self._document.view.playhead_s, self.gain.gain_db
-            play = partial(
-                self._session.play, design, output, loops=loops, at_s=at_s, gain_db=gain_db
-            )
+            self.play()
 
-            def follow() -> None:
-                self._playhead.run(self._position)
-                self.edits.begin(self.now, design, output, loops=loops)
+    def play(self) -> None:
+        """Play from the playhead on, in place of what is played; as slowly as the view says."""
+        design, view = self._document.design, self._document.view
+        output, loops = self.settings.output, self.loops
+        play = partial(
+            self._session.play,
+            design,
+            output,
+            loops=loops,
+            at_s=view.playhead_s,
+            gain_db=self.gain.gain_db,
+            slow_motion=view.slow_motion,
+        )
 
-            self._begin(play, follow)
+        def follow() -> None:
+            self.playhead.run(self._position)
+            self.edits.end()
+            self.edits.begin(self.now, design, output, loops=loops)
+
+        self._begin(play, follow)
 
     def play_tone(self, number: int) -> None:
         """Play the test tone on one output, instead of all else."""
@@ -152,7 +164,8 @@ class Player(QObject):
             else:
                 self._starting, self.now = False, playing
                 sys.setswitchinterval(_SWITCH_S)
-                self.settings.note_missing(playing.reason)
+                if playing.reason or playing.stream is not None:
+                    self.settings.note_missing(playing.reason)
                 if playing.reason:
                     self.told.emit(f"In silence: {playing.reason}")
                 if follow is not None:
@@ -174,10 +187,6 @@ class Player(QObject):
         self.now = playing
         self.changed.emit()
 
-    def _seek(self, time_s: float) -> None:
-        if self.now is not None:
-            self.now.seek(time_s)
-
     def _watch(self) -> None:
         now = self.now
         if now is not None and now.over:
@@ -189,9 +198,15 @@ class Player(QObject):
     def _end_of(self, stream: Stream) -> None:
         if stream.closed or self.now is None or self.now.stream is not stream:
             return
-        self._leave()
-        self._thread.do(partial(self._session.let_go, stream), _nothing_more)
         ending = stream.deck.ending
+        natural = ending is not None and ending.reason == "end"
+        seen_on = self.now.seen_on(self._document.view.playhead_s) if natural else None
+        if seen_on is None:
+            self._leave()
+        else:
+            # The last waves are still on their way.
+            self.now = seen_on
+        self._thread.do(partial(self._session.let_go, stream), _nothing_more)
         if ending is None:
             self.failed.emit(_GONE)
         elif ending.reason == "panic":
@@ -201,7 +216,7 @@ class Player(QObject):
 
     def _leave(self) -> None:
         self.edits.end()
-        self._playhead.rest()
+        self.playhead.rest()
         if self.now is not None:
             self.now = None
             sys.setswitchinterval(self._usual_switch_s)

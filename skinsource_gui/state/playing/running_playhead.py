@@ -52,6 +52,10 @@ class RunningPlayhead(QObject):
         self._document.changed.disconnect(self._look)
         self._put(self._from_s)
 
+    def stay(self) -> None:
+        """Come to rest where it is now, not where it ran from."""
+        self._from_s = self._put_s
+
     def _step(self) -> None:
         time_s = None if self._position is None else self._position()
         if time_s is not None:

@@ -1,5 +1,7 @@
 """From a part of the range to a colour."""
 
+from functools import cache
+
 import numpy as np
 import pyqtgraph
 from numpy.typing import NDArray
@@ -7,10 +9,13 @@ from PySide6.QtGui import QColor
 
 #: Number of colours in a table.
 N_COLOURS = 256
+#: The usual map: perceptually uniform, and safe for colour-vision deficiencies.
+VIRIDIS = "viridis"
 
 
-def colour_table(name: str = "viridis") -> NDArray[np.uint32]:
-    """Colours of a perceptually uniform map as ``0xffrrggbb``, lowest first, (256,).
+@cache
+def colour_table(name: str = VIRIDIS) -> NDArray[np.uint32]:
+    """Colours of a map as ``0xffrrggbb``, lowest first, (256,).
 
     Parameters
     ----------
@@ -19,7 +24,9 @@ def colour_table(name: str = "viridis") -> NDArray[np.uint32]:
     """
     rgb = pyqtgraph.colormap.get(name).getLookupTable(nPts=N_COLOURS, alpha=False)
     red, green, blue = rgb.astype(np.uint32).T
-    return np.uint32(0xFF000000) | (red << 16) | (green << 8) | blue
+    table = np.uint32(0xFF000000) | (red << 16) | (green << 8) | blue
+    table.flags.writeable = False
+    return table
 
 
 def colour_indices(levels_db: NDArray[np.float64], range_db: tuple[float, float]) -> NDArray:

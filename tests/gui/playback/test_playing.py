@@ -178,7 +178,7 @@ def test_another_output_ends_what_is_played(sound, studio, player, qtbot, listen
 
 
 def test_nothing_ticks_while_nothing_is_played(sound, studio, player, qtbot, listen):
-    timers = studio.playback._timer, player._playhead._timer
+    timers = studio.playback._timer, player.playhead._timer
     assert not any(timer.isActive() for timer in timers)
     listen(loops=True)
     assert all(timer.isActive() for timer in timers)

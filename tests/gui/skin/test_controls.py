@@ -57,7 +57,7 @@ def test_everything_that_can_be_used_is_reached_by_tab_and_named(window):
     reached, widget = [], panel.nextInFocusChain()
     while widget is not panel:
         stops = widget.focusPolicy() & Qt.FocusPolicy.TabFocus and widget.focusProxy() is None
-        if stops and widget.isEnabled():
+        if stops and widget.isEnabled() and widget.isVisibleTo(panel):
             reached.append(widget)
         widget = widget.nextInFocusChain()
     names = [one.objectName() for one in reached]
@@ -66,6 +66,7 @@ def test_everything_that_can_be_used_is_reached_by_tab_and_named(window):
         "map_sensors_shown",
         "map_fit_all",
         "map_fit_hand",
+        "skin_quantity",
         "skin_map",
         "range_high_field",
         "colour_strip",

@@ -72,10 +72,10 @@ def test_every_place_of_the_skin_is_drawn_where_it_is(qtbot):
         levels = np.broadcast_to(spacing, (60, 60))
         content = MapContent(
             limb_map=limb_map,
-            levels_db=np.full(72, 30.0),
+            values=np.full(72, 30.0),
             field=field,
-            field_levels_db=np.ascontiguousarray(levels if along_x else levels.T),
-            range_db=(0.0, 64.0),
+            field_values=np.ascontiguousarray(levels if along_x else levels.T),
+            value_range=(0.0, 64.0),
             sensors_shown=False,
         )
         canvas.show_content(content)
@@ -147,7 +147,7 @@ def test_a_problem_empties_the_map_and_is_told_there(window):
     content = window.panel.map.content
     assert content.message == "no dataset is installed"
     assert content.shown_field is None
-    assert content.coloured_levels_db is None
+    assert content.coloured_values is None
     window.panel.map.grab()
     window.deliver()
     assert window.panel.map.content.message == ""

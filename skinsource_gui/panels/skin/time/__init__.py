@@ -1,0 +1,1 @@
+"""The skin map in time: frames, and what chooses them."""

@@ -1,0 +1,75 @@
+"""What the map shows: levels, or the skin in time; and how slowly that is played."""
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QHBoxLayout, QWidget
+
+from skinsource.fields import ChoiceSpec
+from skinsource_gui.panels.skin.map_quantity import LEVELS, RMS
+from skinsource_gui.panels.skin.settings import QUANTITY, RMS_WINDOW, SkinSettings
+from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.tooltips import tooltip
+
+_PACES = (1, 2, 5, 10, 20, 50, 100, 200)
+PACE = ChoiceSpec(
+    label="Speed",
+    options=tuple((str(pace), f"1/{pace}") for pace in _PACES),
+    hint="How fast time runs while it plays; below 1/1 it is seen, and not heard",
+)
+_PACE_PX, _WINDOW_PX = 76, 66
+
+
+class QuantityRow(QWidget):
+    """Shows what is chosen, and tells what is wanted."""
+
+    #: Name of what the map shall show.
+    quantity_chosen = Signal(str)
+    #: How many times slower it shall be played.
+    pace_chosen = Signal(float)
+    #: Length of the sliding window, s.
+    window_chosen = Signal(float)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.quantity = ChoiceField(QUANTITY, self)
+        self.quantity.setObjectName("skin_quantity")
+        self.window = NumberField(RMS_WINDOW, self, widest_unit="ms")
+        self.window.setObjectName("skin_rms_window")
+        self.window.setAccessibleName(RMS_WINDOW.label)
+        self.window.setToolTip(tooltip(RMS_WINDOW.label, RMS_WINDOW.hint))
+        self.window.setFixedWidth(_WINDOW_PX)
+        self.pace = ChoiceField(PACE, self)
+        self.pace.setObjectName("skin_pace")
+        self.pace.setMinimumContentsLength(4)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(UNIT_PX // 2)
+        row.addWidget(self.quantity, 1)
+        row.addWidget(self.window)
+        row.addWidget(self.pace)
+        self.pace.setFixedWidth(_PACE_PX)
+        self.quantity.chosen.connect(self._choose_quantity)
+        self.pace.chosen.connect(self._choose_pace)
+        self.window.edited.connect(self._choose_window)
+
+    def show_settings(self, settings: SkinSettings, slow_motion: float) -> None:
+        """Show the present choice."""
+        self.quantity.set_value(settings.quantity)
+        self.window.setVisible(settings.quantity == RMS)
+        self.window.set_value(settings.rms_window_s)
+        self.pace.setVisible(settings.quantity != LEVELS)
+        self.pace.set_value(f"{slow_motion:g}")
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self.window.show_theme(theme)
+
+    def _choose_quantity(self, name: str, _gesture: object) -> None:
+        self.quantity_chosen.emit(name)
+
+    def _choose_pace(self, pace: str, _gesture: object) -> None:
+        self.pace_chosen.emit(float(pace))
+
+    def _choose_window(self, window_s: float, _gesture: object) -> None:
+        self.window_chosen.emit(window_s)

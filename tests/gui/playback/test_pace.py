@@ -1,0 +1,85 @@
+"""Slow motion, pause, and what is seen after the last sound."""
+
+from dataclasses import replace
+
+import pytest
+
+WAIT = {"timeout": 20_000}
+RESPONSE_S = 522 / 1300
+
+
+def test_slow_motion_runs_in_silence_and_complains_of_nothing(sound, studio, player, qtbot, listen):
+    document = studio.document
+    document.look(replace(document.view, slow_motion=20.0))
+    now = listen()
+    assert now.stream is None
+    assert not sound.streams
+    assert player.settings.missing == ""
+    assert not studio.statusBar().currentMessage().startswith("In silence")
+    assert now.seen_s == pytest.approx(0.5 + RESPONSE_S)
+
+
+def test_faster_and_slower_go_through_the_paces(studio):
+    document, found = studio.document, []
+    for _ in range(9):
+        studio.do("play_slower")
+        found.append(document.view.slow_motion)
+    assert found == [2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 200.0, 200.0]
+    document.look(replace(document.view, slow_motion=30.0))
+    studio.do("play_faster")
+    assert document.view.slow_motion == 20.0
+    for _ in range(5):
+        studio.do("play_faster")
+    assert document.view.slow_motion == 1.0
+    assert document.undo_stack.count() == 0
+
+
+def test_another_pace_goes_on_where_it_is(no_sound, studio, player, qtbot, listen):
+    document = studio.document
+    document.look(replace(document.view, slow_motion=50.0, playhead_s=0.2))
+    now = listen()
+    document.look(replace(document.view, slow_motion=200.0))
+    assert player.now is now
+    assert now.silent._slow_motion == 200.0
+    assert 0.2 <= now.position_s() < 0.3
+    assert 0.2 <= document.view.playhead_s < 0.3
+
+
+def test_from_slow_motion_to_sound_and_back(sound, studio, player, qtbot, listen):
+    document = studio.document
+    document.look(replace(document.view, slow_motion=50.0))
+    studio.do("repeat")
+    slow = listen()
+    document.look(replace(document.view, slow_motion=1.0))
+    qtbot.waitUntil(lambda: player.now is not slow and player.now is not None, **WAIT)
+    heard = player.now
+    assert heard.stream is not None
+    document.look(replace(document.view, slow_motion=10.0))
+    qtbot.waitUntil(lambda: player.now is not heard and player.now is not None, **WAIT)
+    assert player.now.silent is not None
+    assert not sound.streams[0].active
+
+
+def test_a_pause_leaves_the_playhead_where_it_is(no_sound, studio, player, qtbot, listen):
+    document = studio.document
+    document.look(replace(document.view, slow_motion=10.0))
+    listen()
+    qtbot.waitUntil(lambda: document.view.playhead_s > 0.01, **WAIT)
+    studio.do("pause")
+    qtbot.waitUntil(lambda: not player.playing, **WAIT)
+    stands_s = document.view.playhead_s
+    assert stands_s > 0.01
+    studio.do("pause")
+    qtbot.waitUntil(lambda: player.now is not None, **WAIT)
+    qtbot.waitUntil(lambda: document.view.playhead_s > stands_s, **WAIT)
+    assert document.view.playhead_s < stands_s + 0.5
+
+
+def test_the_playhead_runs_on_until_the_skin_is_at_rest(sound, studio, player, qtbot, listen):
+    seen = []
+    studio.document.playhead_moved.connect(lambda: seen.append(studio.document.view.playhead_s))
+    listen()
+    qtbot.waitUntil(lambda: not player.playing, timeout=30_000)
+    assert max(seen) > 0.5 + 0.8 * RESPONSE_S
+    assert seen[-1] == 0.0
+    assert studio.notice.text == ""

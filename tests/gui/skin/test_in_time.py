@@ -1,0 +1,206 @@
+"""The skin map in time, in the studio."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+import skinsource as ss
+from skinsource.limb import PRE_TRIGGER_DELAY_S
+from skinsource.panel_settings import settings_of, with_settings
+from skinsource.quantities import new_graph, sources
+from skinsource.rendering.in_time import BLOCK_S
+from skinsource_gui.panels.skin.map_quantity import DIVERGING, LEVELS, MAGNITUDE, RMS, Z
+from skinsource_gui.panels.skin.settings import SkinSettings
+from skinsource_gui.panels.skin.time.frames import NEEDS
+
+TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2)
+SHORT = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE),))
+LONG = replace(SHORT, inputs=(ss.track(7, ss.waveforms.Noise(duration_s=40.0)),))
+
+
+@pytest.fixture
+def look(qtbot):
+    """Change what the skin panel looks at, and wait for it."""
+
+    def change(window, playhead_s=None, **settings):
+        document = window.document
+        view = (
+            document.view if playhead_s is None else replace(document.view, playhead_s=playhead_s)
+        )
+        if settings:
+            now = settings_of(view, "skin", SkinSettings)
+            view = with_settings(view, "skin", replace(now, **settings))
+        document.look(view)
+        qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
+        QApplication.processEvents()
+        return window.panel("skin").map.content
+
+    return change
+
+
+def kept(design, view, name):
+    return new_graph().evaluate({NEEDS[name]}, sources(design, view))[NEEDS[name]]
+
+
+def test_the_map_shows_the_skin_where_the_playhead_is(make_window, look):
+    window = make_window(SHORT)
+    content = look(window, playhead_s=0.0751, quantity=Z)
+    moving = kept(SHORT, window.document.view, Z)
+    assert content.values == pytest.approx(moving.acceleration(0.0751)[:, 0])
+    assert content.colours == DIVERGING
+    assert content.value_range[0] == -content.value_range[1]
+    surface = new_graph().evaluate({"surface"}, sources(SHORT, window.document.view))["surface"]
+    field = surface.interpolate(moving.acceleration(0.0751)[:, 0])
+    assert content.field_values[surface.mask] == pytest.approx(field[surface.mask])
+    content = look(window, quantity=MAGNITUDE)
+    vector = kept(SHORT, window.document.view, MAGNITUDE)
+    assert content.values == pytest.approx(ss.decibels(vector.magnitude(0.0751)))
+    content = look(window, quantity=RMS, rms_window_s=0.05)
+    energy = kept(SHORT, window.document.view, RMS)
+    assert content.values == pytest.approx(ss.decibels(energy.rms(0.0751, 0.05)))
+    levels = look(window, quantity=LEVELS)
+    assert levels.values.max() < 0.0
+    assert levels.quantity.name == LEVELS
+
+
+def test_each_step_is_another_frame_and_evaluates_nothing(make_window, look, qtbot):
+    window = make_window(SHORT)
+    look(window, quantity=Z)
+    asked, frames = [], window.panel("skin").time.frames
+    window.conductor.delivered.connect(asked.append)
+    made, seen = frames.made, set()
+    for k in range(40):
+        content = look(window, playhead_s=0.06 + k / 1300 / 7)
+        seen.add(float(content.values[28]))
+    assert frames.made == made + 40
+    assert len(seen) == 40
+    assert asked == []
+
+
+def test_the_range_is_the_same_at_each_instant(make_window, look):
+    window = make_window(SHORT)
+    for name in (Z, MAGNITUDE, RMS):
+        ranges = {look(window, playhead_s=t, quantity=name).value_range for t in (0.0, 0.08, 0.3)}
+        assert len(ranges) == 1
+
+
+def test_levels_and_hidden_maps_make_no_frames(make_window, look):
+    window = make_window(SHORT)
+    frames = window.panel("skin").time.frames
+    look(window, playhead_s=0.08)
+    assert frames.made == 0
+    look(window, quantity=Z)
+    window.docks["skin"].hide()
+    made = frames.made
+    for time_s in (0.1, 0.11):
+        look(window, playhead_s=time_s)
+    assert frames.made == made
+    window.docks["skin"].show()
+    content = look(window)
+    assert content.quantity.time_s == 0.11
+
+
+def test_what_is_needed_is_what_is_shown_and_no_more(make_window, look):
+    window = make_window(SHORT)
+    panel = window.panel("skin")
+    levels = panel.needs
+    assert "surface_levels_db" in levels
+    look(window, quantity=Z)
+    assert panel.needs == {"limb_map", "moving_z", "limb_data", "surface"}
+    look(window, quantity=RMS, map_style="sensors")
+    assert panel.needs == {"limb_map", "moving_energy"}
+    assert panel.map.content.field_values is None
+
+
+def test_with_the_delay_removed_the_wave_comes_so_much_earlier(make_window, look):
+    window = make_window(SHORT)
+    there = look(window, playhead_s=0.08, quantity=Z).values
+    window.do("remove_delay")
+    found = look(window, playhead_s=0.08 - PRE_TRIGGER_DELAY_S).values
+    assert found == pytest.approx(there, abs=1e-9)
+    end_s = window.panel("skin").time.frames.end_s(window.document.view)
+    assert end_s == pytest.approx((260 + 522 - 2) / 1300 - PRE_TRIGGER_DELAY_S)
+
+
+def test_another_part_of_a_long_design_is_asked_for_once(make_window, look):
+    window = make_window(LONG)
+    look(window, playhead_s=1.0, quantity=Z)
+    asked = []
+    window.conductor.delivered.connect(asked.append)
+    look(window, playhead_s=2.0)
+    assert asked == []
+    for time_s in (BLOCK_S + 1.0, BLOCK_S + 2.0, BLOCK_S + 3.0):
+        content = look(window, playhead_s=time_s)
+    assert len(asked) == 1
+    assert not content.outdated
+    moving = kept(LONG, window.document.view, Z)
+    assert content.values == pytest.approx(moving.acceleration(BLOCK_S + 3.0)[:, 0])
+    # Far away nothing is known at first, and then all of it.
+    content = look(window, playhead_s=38.0)
+    moving = kept(LONG, window.document.view, Z)
+    assert content.values == pytest.approx(moving.acceleration(38.0)[:, 0])
+
+
+def test_the_map_says_when_and_whether_its_range_is_fixed(make_window, look):
+    window = make_window(SHORT)
+    content = look(window, playhead_s=0.0751, quantity=Z)
+    assert not content.fixed
+    assert content.quantity.heading == "Skin acceleration along z, at 75.1 ms"
+    bar = window.panel("skin").time.bar
+    assert bar.isVisible()
+    bar.limits_chosen.emit((-0.2, 0.2))
+    content = look(window)
+    assert content.fixed
+    assert content.value_range == (-0.2, 0.2)
+    bar.limits_chosen.emit(None)
+    assert not look(window).fixed
+
+
+def test_scrubbing_moves_the_one_playhead(make_window, look):
+    window = make_window(SHORT)
+    look(window, quantity=Z)
+    scrub = window.panel("skin").time.scrub
+    scrub.slider.setValue(1234)
+    assert window.document.view.playhead_s == pytest.approx(0.1234)
+    assert scrub.words.text() == "123.4 ms"
+    assert window.panel("skin").map.content.quantity.time_s == pytest.approx(0.1234)
+    QTest.keyClick(scrub.slider, Qt.Key.Key_Right)
+    assert window.document.view.playhead_s == pytest.approx(0.1244)
+    # What is shown elsewhere is shown here.
+    look(window, playhead_s=0.3)
+    assert scrub.slider.value() == 3000
+
+
+def test_what_is_chosen_in_the_row_is_what_is_shown(make_window, look):
+    window = make_window(SHORT)
+    row = window.panel("skin").time.row
+    assert not row.pace.isVisible()
+    row.quantity.setCurrentIndex(row.quantity.findData(RMS))
+    row.quantity.activated.emit(row.quantity.currentIndex())
+    look(window)
+    assert settings_of(window.document.view, "skin", SkinSettings).quantity == RMS
+    assert row.pace.isVisible()
+    assert row.window.isVisible()
+    row.pace.setCurrentIndex(row.pace.findData("20"))
+    row.pace.activated.emit(row.pace.currentIndex())
+    assert window.document.view.slow_motion == 20.0
+    assert window.document.undo_stack.count() == 0
+
+
+def test_an_edit_changes_the_frame(make_window, look, qtbot):
+    window = make_window(SHORT)
+    before = look(window, playhead_s=0.08, quantity=Z).values
+    window.document.edit("Louder", SHORT.with_input(0, amplitude=2.0))
+    after = look(window).values
+    assert after == pytest.approx(2.0 * before)
+
+
+def test_silence_says_so(make_window, look):
+    window = make_window(replace(SHORT, inputs=()))
+    content = look(window, playhead_s=0.08, quantity=Z)
+    assert content.message.startswith("Silent")
+    assert not np.any(content.values)
