@@ -1,9 +1,10 @@
 # Everything happens in .venv; nothing else on the machine is touched.
 PYTHON ?= python3
 BIN := .venv/bin
-# As many at once as there are cores; each prepares the dataset for itself, so not too many.
 PYTEST_OPTIONS ?=
-AT_ONCE := -n auto --maxprocesses 8
+# As many at once as there are cores; each prepares the dataset for itself, so not too many.
+# Neighbours stay with one worker, which keeps what they share, until another has nothing to do.
+AT_ONCE := -n auto --maxprocesses 8 --dist worksteal
 
 BENCHMARKS := "engine_speed.py --long" predict_speed.py slots.py frequency_drag.py slider_storm.py start.py long_design.py import_hour.py sweeps.py
 

@@ -32,15 +32,15 @@ def takes(field, key):
     return event.isAccepted()
 
 
-@pytest.mark.parametrize("key", KEYS)
-def test_every_shortcut_works_from_a_number_at_rest(field, key):
-    assert not takes(field, key)
+def test_every_shortcut_works_from_a_number_at_rest(field):
+    assert [key for key in KEYS if takes(field, key)] == []
 
 
-@pytest.mark.parametrize("key", [key for key in KEYS if key not in OF_TEXTS])
-def test_while_typing_only_the_keys_of_texts_stay_with_the_text(field, key):
+def test_while_typing_only_the_keys_of_texts_stay_with_the_text(field):
     field.begin_editing("12")
-    assert not takes(field, key)
+    # Whether others take undo and redo is for the texts to say: see below.
+    assert {key for key in KEYS if takes(field, key)} <= OF_TEXTS
+    assert not field.isReadOnly()
 
 
 class GreedyLine(QLineEdit):
