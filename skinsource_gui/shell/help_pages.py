@@ -1,34 +1,18 @@
 """Pages of help: keys and mouse, about."""
 
 from collections.abc import Iterable
+from functools import partial
 from html import escape
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
 
 from skinsource import __version__
 from skinsource_gui.shell.action_spec import ActionSpec
 from skinsource_gui.widgets.key_table import WIDGET_KEYS
+from skinsource_gui.widgets.mouse_table import MOUSE
 
-_MOUSE = (
-    ("Click a place on the hand", "place an input there, or select the one that is there"),
-    ("Drag an input to another place", "move it"),
-    ("Ctrl or Shift and click an input", "add it to the selected ones, or take it out"),
-    ("Ctrl or Shift and click an empty place", "place an input and select it besides the others"),
-    ("Ctrl+Shift and click an input", "place one more at the same place"),
-    ("Right button on an input", "mute, solo, duplicate, remove it; in the list also move it"),
-    ("Drag a row of the list", "reorder the inputs"),
-    ("Drag a preset of the library onto a place or a track", "place it there"),
-    ("Double-click a preset", "place it at the playhead, on the selected track"),
-    ("Drag on a number, or turn the wheel", "change it; with Ctrl finely, with Shift coarsely"),
-    ("Double-click a number", "type it, with or without its unit"),
-    ("Click an output on the skin map", "select it; with Ctrl or Shift add it, or take it away"),
-    ("Drag across the skin map", "select all outputs in the frame"),
-    ("Right button on the map or a plot", "show all of it, copy, save or export it"),
-    ("Turn the wheel on the map or a plot", "zoom at the pointer; a double-click shows all of it"),
-    ("Drag across a plot", "zoom to that stretch"),
-)
 _KEYS = (
     ("Esc, Esc", "while it plays: stop at once; the gain goes back to where it starts"),
     ("Tab, Shift+Tab", "go from control to control through all panels, and back"),
@@ -45,9 +29,12 @@ and its dataset,
 """
 
 
-def keys_page(actions: Iterable[ActionSpec], parent: QWidget) -> QDialog:
-    """Every shortcut and what the mouse does, on one page."""
-    rows: list[tuple[str, str | None]] = [("Mouse", None), *_MOUSE, ("Keyboard", None), *_KEYS]
+def keys_page(actions: Iterable[ActionSpec], parent: QWidget, heading: str = "") -> QDialog:
+    """Every shortcut and what the mouse does, on one page; ``heading`` is at its top."""
+    rows: list[tuple[str, str | None]] = []
+    for place, gestures in MOUSE.values():
+        rows += [(place, None), *((one.words, one.means) for one in gestures)]
+    rows += [("Keyboard", None), *_KEYS]
     for place, hints in WIDGET_KEYS.values():
         rows += [(place, None), *((hint.words, hint.means) for hint in hints)]
     rows += [("Everywhere", None)]
@@ -55,17 +42,25 @@ def keys_page(actions: Iterable[ActionSpec], parent: QWidget) -> QDialog:
         (_shown(action.keys), f"{action.text} – {action.hint}") for action in actions if action.keys
     ]
     cells = "".join(
-        f"<tr><td colspan=2><h3>{escape(left)}</h3></td></tr>"
+        f'<tr><td colspan=2><h3><a name="{escape(left)}"></a>{escape(left)}</h3></td></tr>'
         if right is None
         else f"<tr><td><b>{escape(left)}</b>&nbsp;&nbsp;</td><td>{escape(right)}</td></tr>"
         for left, right in rows
     )
-    return _page("Keys and mouse", f"<table cellpadding=2>{cells}</table>", parent)
+    page = _page("Keys and mouse", f"<table cellpadding=2>{cells}</table>", parent)
+    # Where a heading lies is known once the page has its size.
+    QTimer.singleShot(0, page, partial(_scroll_to, page, heading))
+    return page
 
 
 def about_page(parent: QWidget) -> QDialog:
     """Version, licence, and what to cite."""
     return _page("About SkinSource studio", _ABOUT, parent)
+
+
+def _scroll_to(page: QDialog, heading: str) -> None:
+    if heading:
+        page.findChild(QTextBrowser, "page_text").scrollToAnchor(heading)
 
 
 def _shown(keys: tuple[str, ...]) -> str:
@@ -77,7 +72,7 @@ def _page(title: str, html: str, parent: QWidget) -> QDialog:
     dialog = QDialog(parent)
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     dialog.setWindowTitle(title)
-    dialog.resize(640, 480)
+    dialog.resize(720, 560)
     browser = QTextBrowser()
     browser.setObjectName("page_text")
     browser.setHtml(html)

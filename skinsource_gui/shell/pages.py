@@ -2,6 +2,7 @@
 
 import importlib
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QObject
@@ -10,7 +11,8 @@ from PySide6.QtWidgets import QDialog, QWidget
 
 from skinsource_gui.shell import help_pages
 from skinsource_gui.shell.action_spec import ActionSpec
-from skinsource_gui.shell.palette import Palette
+from skinsource_gui.shell.palette import BESIDES, Palette
+from skinsource_gui.widgets.mouse_table import MOUSE
 
 #: Makes a page in front of a window.
 MakePage = Callable[[QWidget], QDialog]
@@ -48,7 +50,7 @@ class Pages(QObject):
 
     def search(self) -> None:
         """Open the palette."""
-        Palette(self._findable(), self._window).open()
+        Palette([*self._findable(), *self._gestures()], self._window).open()
 
     def show_accuracy(self) -> None:
         """Open the page on errors and times, which stands beside the window."""
@@ -59,9 +61,9 @@ class Pages(QObject):
         self.accuracy.raise_()
         self.accuracy.activateWindow()
 
-    def show_keys(self) -> None:
-        """Open the page of keys and mouse."""
-        help_pages.keys_page(self._specs, self._window).open()
+    def show_keys(self, heading: str = "") -> None:
+        """Open the page of keys and mouse, with a heading at its top."""
+        help_pages.keys_page(self._specs, self._window, heading).open()
 
     def show_dataset(self) -> None:
         """Open the page on the measured limbs."""
@@ -74,6 +76,21 @@ class Pages(QObject):
     def show_about(self) -> None:
         """Open the page on version, licence and citation."""
         help_pages.about_page(self._window).open()
+
+    def _gestures(self) -> list[QAction]:
+        """What the mouse does, to be found; each leads to where the keys page says it."""
+        found = []
+        for heading, gestures in MOUSE.values():
+            for one in gestures:
+                entry = QAction(f"Mouse: {one.sentence}")
+                entry.setToolTip(f"{heading}; Enter shows all of them")
+                entry.setProperty(BESIDES, True)
+                entry.triggered.connect(partial(self._show_gestures, heading))
+                found.append(entry)
+        return found
+
+    def _show_gestures(self, heading: str, _checked: bool = False) -> None:
+        self.show_keys(heading)
 
     def end(self) -> None:
         """Close what stands beside the window, and stop what runs."""

@@ -20,6 +20,8 @@ _NOTHING_FOUND = "Nothing found"
 _HINTS = ("Try another word, such as export, limb, mute or theme", "F1 shows all keys")
 #: Property of an action: other words by which it is found.
 KEYWORDS = "keywords"
+#: Property of an action that only explains: it is found after all others.
+BESIDES = "besides"
 
 
 class Palette(QDialog):
@@ -40,7 +42,7 @@ class Palette(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle("Search actions")
         self.setObjectName("palette")
-        self.resize(460, 360)
+        self.resize(560, 400)
         self._actions = actions
         for action in actions:
             if action.parent() is None:
@@ -124,15 +126,33 @@ class _KeysAtTheRight(QStyledItemDelegate):
 def matching(actions: Sequence[QAction], letters: str) -> list[QAction]:
     """Return the actions that are meant by ``letters``, the likeliest first.
 
-    First come those that say the letters in one piece, then those that have a keyword which
-    begins with them; only where there is neither, those that say them scattered.
+    First come those that say the letters in one piece: as their whole name, at its beginning, at
+    the beginning of a word, elsewhere.  Then come those that have a keyword which begins with them;
+    only where there is neither, those that say them scattered.  What only explains comes last.
     """
     typed = letters.strip().lower()
+    besides = [one for one in actions if one.property(BESIDES) and typed in one.text().lower()]
+    actions = [one for one in actions if not one.property(BESIDES)]
     said = [one for one in actions if typed in one.text().lower()]
     meant = [one for one in actions if one not in said and _is_keyword(one, typed)]
-    scores = {one: score(letters, one.text()) for one in (said or ([] if meant else actions))}
-    found = [action for action, gaps in scores.items() if gaps is not None]
-    return sorted(found, key=lambda action: scores[action]) + meant
+    if not (said or meant or besides):
+        gaps = {one: score(letters, one.text()) for one in actions}
+        found = [one for one in actions if gaps[one] is not None]
+        return sorted(found, key=lambda one: gaps[one])
+    return [*sorted(said, key=lambda one: _nearness(one, typed)), *meant, *besides]
+
+
+def _nearness(action: QAction, typed: str) -> tuple[int, int]:
+    """How near the name of an action is to what is typed; the least is the nearest."""
+    text = action.text().lower().rstrip("…")
+    # "Show panel: Library" is called "Library" by who looks for it.
+    name = text.rpartition(": ")[2]
+    place = text.find(typed)
+    if typed in (text, name):
+        return 0, place
+    if text.startswith(typed) or name.startswith(typed):
+        return 1, place
+    return (2 if text[place - 1] in " (" else 3), place
 
 
 def _is_keyword(action: QAction, typed: str) -> bool:

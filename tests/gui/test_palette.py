@@ -5,13 +5,14 @@ from unittest.mock import Mock
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QDialog, QMenu, QWidget
+from PySide6.QtWidgets import QDialog, QMenu, QTextBrowser, QWidget
 
 from skinsource.design import start_design
 from skinsource_gui.shell.action_set import ActionSet
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.palette import Palette, matching, score
 from skinsource_gui.state.document import Document
+from skinsource_gui.widgets.mouse_table import MOUSE
 
 
 @pytest.mark.parametrize(
@@ -120,6 +121,46 @@ def found(window, qtbot, letters):
 )
 def test_other_words_for_an_action_find_it(window, qtbot, letters, expected):
     assert expected in found(window, qtbot, letters)
+
+
+@pytest.mark.parametrize(
+    ("letters", "first"),
+    [("library", "Show panel: Library"), ("save", "Save"), ("noise", "Waveform: Noise")],
+)
+def test_what_is_called_just_so_comes_first(window, qtbot, letters, first):
+    assert found(window, qtbot, letters)[0] == first
+
+
+def test_a_name_that_begins_so_comes_before_one_that_says_it_later(qapp):
+    actions = [QAction(name) for name in ("Unlock map", "Panel lock", "Lock", "Show panel: Locks")]
+    assert [one.text() for one in matching(actions, "lock")] == [
+        "Lock",
+        "Show panel: Locks",
+        "Panel lock",
+        "Unlock map",
+    ]
+
+
+def test_a_gesture_of_the_mouse_is_found_and_leads_to_where_the_keys_page_says_it(window, qtbot):
+    words = found(window, qtbot, "stretch")
+    assert any(one.startswith("Mouse: stretch a clip") and "Shift" in one for one in words)
+    window.do("find_action")
+    palette = next(one for one in window.findChildren(Palette) if one.isVisible())
+    qtbot.keyClicks(palette.line, "stretch a clip")
+    qtbot.keyClick(palette.line, Qt.Key.Key_Return)
+    text = window.findChild(QTextBrowser, "page_text")
+    assert text.isVisible()
+    pan = text.verticalScrollBar()
+    qtbot.waitUntil(lambda: text.toPlainText().startswith(MOUSE["clips"][0]) or pan.value() > 0)
+    for heading, gestures in MOUSE.values():
+        assert heading in text.toPlainText()
+        assert all(one.words in text.toPlainText() for one in gestures)
+
+
+def test_a_later_heading_of_the_keys_page_is_scrolled_to(window, qtbot):
+    window.pages.show_keys(MOUSE["ruler"][0])
+    text = window.findChild(QTextBrowser, "page_text")
+    qtbot.waitUntil(lambda: text.verticalScrollBar().value() > 0)
 
 
 def test_where_nothing_is_found_the_palette_says_so_and_enter_does_nothing(window, qtbot):

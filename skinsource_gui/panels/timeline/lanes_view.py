@@ -16,6 +16,7 @@ from skinsource_gui.panels.timeline.content import Content, ruler_px
 from skinsource_gui.panels.timeline.gain.gain_item import GainItem
 from skinsource_gui.panels.timeline.gain.gain_points import GainPoints
 from skinsource_gui.panels.timeline.gestures.gesture import Shown
+from skinsource_gui.panels.timeline.hover_words import hover_words
 from skinsource_gui.panels.timeline.lane import Lane
 from skinsource_gui.panels.timeline.lane_keys import LaneKeys
 from skinsource_gui.panels.timeline.lane_mouse import LaneMouse
@@ -25,13 +26,11 @@ from skinsource_gui.panels.timeline.overlaps import Overlaps
 from skinsource_gui.panels.timeline.playhead_item import PlayheadItem
 from skinsource_gui.panels.timeline.settings import shown_gain_curves
 from skinsource_gui.theme import Theme, scaled, tabular
-from skinsource_gui.widgets.key_table import key_text
 from skinsource_gui.widgets.plot.canvas import Canvas
 from skinsource_gui.widgets.time.time_scale import Range, TimeScale, panned, within, zoomed
 from skinsource_gui.widgets.wheel import NOTCH, ZOOM_PER_NOTCH
 
 _SIDE_PX = 8.0
-_NEXT = key_text("timeline", "below")
 _TEXT = 0.9
 _PAN_PART = 0.1
 
@@ -203,11 +202,9 @@ class LanesView(Canvas):
 
     def viewportEvent(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
-            count = len(self.content.boxes_at(QPointF(event.pos())))
-            words = (
-                f"{count} clips here: click again, or {_NEXT}, for the next" if count > 1 else ""
+            QToolTip.showText(
+                event.globalPos(), hover_words(self.content, QPointF(event.pos())), self
             )
-            QToolTip.showText(event.globalPos(), words, self)
             return True
         return super().viewportEvent(event)
 

@@ -61,7 +61,9 @@ class MoveEnd(_OneEnd):
         act = edits.stretch_clip if stretches else edits.trim_clip
         design, view = self._stage.before.design, self._stage.content().view
         self._stage.edit(act(design, view, self._clip.id, start_s, end_s))
-        return Shown(guide_s=rest.guide_s, words=value_text(end_s - start_s, "s", digits=5))
+        length = value_text(end_s - start_s, "s", digits=5)
+        words = f"Stretched to {length}" if stretches else f"{length} · Shift: stretch"
+        return Shown(guide_s=rest.guide_s, words=words)
 
 
 class FadeEnd(_OneEnd):
