@@ -46,6 +46,7 @@ if TYPE_CHECKING:
         perception,
         recordings,
         rigs,
+        scenes,
         sweeps,
     )
     from skinsource.rigs import open_rig, save_rig
@@ -95,6 +96,7 @@ __all__ = [
     "rms",
     "save_design",
     "save_rig",
+    "scenes",
     "sinusoid",
     "stimulus_of",
     "surface_operator",
@@ -117,6 +119,7 @@ _PACKAGES = (
     "perception",
     "recordings",
     "rigs",
+    "scenes",
     "sweeps",
 )
 _NAMES = {

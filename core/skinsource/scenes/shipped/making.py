@@ -1,0 +1,84 @@
+"""How the shipped scenes are put together."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from skinsource.comparing import NUMBERS, Snapshot
+from skinsource.design import Design, Input, track
+from skinsource.design_file import DesignFile
+from skinsource.scaling.response_scaling import Scaling
+from skinsource.scenes.scene import Scene
+from skinsource.view import View
+from skinsource.waveforms import Waveform
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MadeScene:
+    """A scene and the content of its file."""
+
+    scene: Scene
+    content: DesignFile
+
+
+def played(
+    limb: int,
+    *inputs: Input,
+    scaling: Scaling = "upstream",
+) -> Design:
+    """A design on one of the measured limbs."""
+    return Design(limb=f"measured-{limb}", inputs=inputs, scaling=scaling)
+
+
+def at(places: Sequence[int], waveform: Waveform, amplitude: float = 1.0) -> tuple[Input, ...]:
+    """The same waveform at some places, at once."""
+    return tuple(
+        track(place, waveform, amplitude=amplitude, colour=rank)
+        for rank, place in enumerate(places)
+    )
+
+
+def made(
+    scene: Scene,
+    *designs: Design,
+    shown: int = 0,
+    panels: Mapping[str, Mapping[str, Any]] | None = None,
+    **view: Any,
+) -> MadeScene:
+    """Put a scene together.
+
+    Parameters
+    ----------
+    scene
+        What is known of it; it has a label for each design.
+    designs
+        What it compares, in the order of the figure: snapshots, and one more where there is no
+        number left for it.
+    shown
+        Which of them is in the window when it is opened; the one without a number, if there is one.
+    panels
+        Settings of panels, by their names.
+    view
+        Fields of `View`.
+    """
+    if len(designs) != len(scene.labels):
+        raise ValueError(f"{scene.name}: {len(designs)} designs, {len(scene.labels)} labels")
+    if len(designs) > len(NUMBERS) and shown != len(designs) - 1 == len(NUMBERS):
+        raise ValueError(f"{scene.name}: of {len(designs)} designs the last one must be shown")
+    titled = tuple(_titled(scene, one, k) for k, one in enumerate(designs))
+    snapshots: tuple[Snapshot, ...] = ()
+    if len(titled) > 1:
+        # The one that was shown last stands last.
+        ordered = sorted(range(len(titled)), key=lambda k: k == shown)
+        snapshots = tuple(
+            Snapshot(number=NUMBERS[k], design=titled[k]) for k in ordered if k < len(NUMBERS)
+        )
+    held = tuple((name, tuple(one.items())) for name, one in (panels or {}).items())
+    looked = View(snapshots=snapshots, levels_matched=False, panels=held, **view)
+    return MadeScene(scene=scene, content=DesignFile(design=titled[shown], view=looked))
+
+
+def _titled(scene: Scene, design: Design, rank: int) -> Design:
+    label = scene.labels[rank]
+    words = f"Fig. {scene.name}: {label}" if label else f"Fig. {scene.name}: {scene.title}"
+    return replace(design, title=words, notes=scene.notes)
