@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from skinsource import analysis_rules
 from skinsource.arrays import Floats
 from skinsource.design import Design, Input, audible_indices
 from skinsource.graph import Graph
@@ -88,6 +89,7 @@ RULES: tuple[Callable[..., Any], ...] = (
     *level_rules.RULES,
     *trace_rules.RULES,
     *in_time_rules.RULES,
+    *analysis_rules.RULES,
 )
 
 
@@ -104,6 +106,7 @@ def sources(design: Design, view: View) -> dict[str, Any]:
         "selected_input": view.selected_input,
         "delay_removed": view.delay_removed,
         "moving_block": block_of(view.playhead_s),
+        **analysis_rules.choices_of(view),
     }
 
 

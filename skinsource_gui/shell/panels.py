@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 
+from skinsource.analysis.settings import SpectrogramSettings
 from skinsource.fields import specs_of
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.actuator.panel import ActuatorPanel
@@ -14,15 +15,21 @@ from skinsource_gui.panels.hand.panel import HandPanel
 from skinsource_gui.panels.history.panel import HistoryPanel
 from skinsource_gui.panels.inspector.panel import InspectorPanel
 from skinsource_gui.panels.library.panel import LibraryPanel
+from skinsource_gui.panels.main_axis.panel import MainAxisPanel
 from skinsource_gui.panels.playback.panel import PlaybackPanel
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.spectra.panel import SpectraPanel
 from skinsource_gui.panels.spectra.settings import SpectraSettings
+from skinsource_gui.panels.spectrogram.panel import SpectrogramPanel
+from skinsource_gui.panels.statistics.panel import StatisticsPanel
 from skinsource_gui.panels.timeline.panel import TimelinePanel
 from skinsource_gui.panels.timeline.settings import TimelineSettings
 from skinsource_gui.panels.traces.panel import TracesPanel
 from skinsource_gui.panels.traces.settings import TracesSettings
+from skinsource_gui.panels.transfer.panel import TransferPanel
+from skinsource_gui.panels.transfer.settings import TransferSettings
+from skinsource_gui.panels.wave.panel import WavePanel
 from skinsource_gui.shell.docks.arrangements import Behind, Place
 
 
@@ -114,4 +121,9 @@ PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(panel=LibraryPanel, places=_places()),
     PanelSpec(panel=ActuatorPanel, settings=ActuatorSettings, places=_places()),
     PanelSpec(panel=PlaybackPanel, places=_places()),
+    PanelSpec(panel=StatisticsPanel, places=_places()),
+    PanelSpec(panel=SpectrogramPanel, settings=SpectrogramSettings, places=_places()),
+    PanelSpec(panel=TransferPanel, settings=TransferSettings, places=_places()),
+    PanelSpec(panel=MainAxisPanel, places=_places()),
+    PanelSpec(panel=WavePanel, places=_places()),
 )

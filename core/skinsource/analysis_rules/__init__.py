@@ -1,0 +1,15 @@
+"""Rules from traces and responses to what panels of analysis show, and what they depend on."""
+
+from typing import Any
+
+from skinsource.analysis.settings import SpectrogramSettings
+from skinsource.analysis_rules import noise_rules, output_rules, wave_rules
+from skinsource.panel_settings import settings_of
+from skinsource.view import View
+
+RULES = (*noise_rules.RULES, *output_rules.RULES, *wave_rules.RULES)
+
+
+def choices_of(view: View) -> dict[str, Any]:
+    """What of a view only these rules start from, by name."""
+    return {"spectrogram_settings": settings_of(view, "spectrogram", SpectrogramSettings)}

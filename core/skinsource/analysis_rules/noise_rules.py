@@ -1,0 +1,109 @@
+"""Rules from the noise of responses to that in predictions."""
+
+import numpy as np
+import scipy
+
+from skinsource.analysis.noise import noise_rms, predicted_noise_energy, tells_noise
+from skinsource.arrays import Floats
+from skinsource.job import Stop
+from skinsource.limb import Limb
+from skinsource.rendering.placed import Placed
+from skinsource.rendering.projecting import Projection
+from skinsource.rendering.responses import Responses
+from skinsource.scaling.calibration import per_probe_acceleration
+from skinsource.scaling.response_scaling import Scaling
+
+
+def place_drives(
+    responses: Responses, placed: tuple[Placed, ...], stop: Stop
+) -> tuple[tuple[int, Floats], ...]:
+    """What is played at each place, (place, (n_times,)), as the responses to it are scaled.
+
+    In probe scaling that is the acceleration of the probe, m/s².
+    """
+    moving = [one for one in placed if one.moves]
+    to_places = responses.to(one.voice.location for one in moving)
+    gains = responses.gains(
+        [one.sounding(to) for one, to in zip(moving, to_places, strict=True)], stop
+    )
+    length = max((one.end for one in moving), default=0)
+    found: dict[int, Floats] = {}
+    for one, gain in zip(moving, gains, strict=True):
+        total = found.setdefault(one.voice.location, np.zeros(length))
+        total[one.start : one.end] += one.voice.amplitude * gain * one.drive.samples
+    return tuple(found.items())
+
+
+def noise_energy(
+    place_drives: tuple[tuple[int, Floats], ...], limb_data: Limb, scaling: Scaling
+) -> Floats | None:
+    """Energy of the noise of the responses in the prediction, (n_outputs, n_axes).
+
+    None where there is none to tell: in silence, and where `place_noise` knows of none.
+    """
+    found = {place: place_noise(limb_data, place) for place, _ in place_drives}
+    noise = {place: one for place, one in found.items() if one is not None}
+    if not noise or len(noise) < len(found):
+        return None
+    divided = divided_by_pulse(limb_data, scaling)
+    drives = {place: _shaped(played, limb_data, divided) for place, played in place_drives}
+    return predicted_noise_energy(drives, noise, limb_data.n_taps)
+
+
+def output_noise_rms(
+    noise_energy: Floats | None, projection: Projection, response_samples: int
+) -> Floats | None:
+    """RMS over the whole response of what is noise in each projected signal, (n_outputs,)."""
+    if noise_energy is None:
+        return None
+    chosen = noise_energy[:, list(projection.axis_numbers)]
+    if projection.directions is not None:
+        chosen = chosen * np.square(projection.directions)
+    return np.sqrt(chosen.sum(axis=1) / response_samples)
+
+
+def above_noise_db(record_rms: Floats, output_noise_rms: Floats | None) -> Floats | None:
+    """Level of each output above that of its noise, (n_outputs,), dB; None: nothing is known."""
+    if output_noise_rms is None:
+        return None
+    ratio = np.divide(
+        record_rms, output_noise_rms, out=np.zeros_like(record_rms), where=output_noise_rms > 0.0
+    )
+    with np.errstate(divide="ignore"):
+        level: Floats = 20.0 * np.log10(ratio)
+    return np.maximum(level, -200.0)
+
+
+RULES = (place_drives, noise_energy, output_noise_rms, above_noise_db)
+
+
+def place_noise(limb: Limb, place: int) -> Floats | None:
+    """RMS of the noise in the responses to a place, (n_outputs, n_axes); None: not known.
+
+    Synthetic limbs have none, and some of one's own too few samples before the pulse.
+    """
+    rate, before_s = limb.sample_rate_hz, limb.pre_trigger_delay_s
+    if limb.synthetic or not tells_noise(rate, before_s):
+        return None
+    return noise_rms(limb.response_to(place), rate, before_s)
+
+
+def divided_by_pulse(limb: Limb, scaling: Scaling) -> bool:
+    """Whether responses are divided by the measuring pulse, their noise with them."""
+    return scaling == "probe" and not limb.per_unit_drive
+
+
+def probe_inverse(n_taps: int, sample_rate_hz: float) -> Floats:
+    """What a response is convolved with to be one per probe acceleration, (n_taps,)."""
+    pulse = np.zeros(n_taps)
+    pulse[n_taps // 2] = 1.0
+    return per_probe_acceleration(pulse, sample_rate_hz)
+
+
+def _shaped(played: Floats, limb: Limb, divided: bool) -> Floats:
+    """What the noise is convolved with: in probe scaling it went through the inverse pulse."""
+    if not divided:
+        return played
+    inverse = probe_inverse(limb.n_taps, limb.sample_rate_hz)
+    whole: Floats = scipy.signal.oaconvolve(played, inverse)
+    return whole

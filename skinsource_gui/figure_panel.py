@@ -1,0 +1,106 @@
+"""What the panels have in common that show one figure under a row of choices."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
+
+from skinsource_gui.panel import Panel
+from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.figure.elided_label import ElidedLabel
+from skinsource_gui.widgets.figure.figure import Figure
+from skinsource_gui.widgets.first_steps import output_words
+
+#: What is said until there are results, and where nothing moves.
+COMPUTING = "Computing…"
+SILENT = "Silent: nothing is driven"
+
+
+class FigurePanel(Panel):
+    """A panel with choices above a figure, and below it what the cursor reads or what was found.
+
+    Parameters
+    ----------
+    figure
+        What fills it.
+
+    Attributes
+    ----------
+    figure, choices, words
+        Its parts.
+    """
+
+    def __init__(self, figure: Figure, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.figure = figure
+        self.setMinimumSize(240, 160)
+        self.setFocusProxy(figure)
+        self._found = ""
+        self.words = ElidedLabel(f"{self.name}_words")
+        self.choices = QHBoxLayout()
+        self.choices.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
+        self.choices.setSpacing(UNIT_PX // 2)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addLayout(self.choices)
+        column.addWidget(figure, 1)
+        foot = QHBoxLayout()
+        foot.setContentsMargins(UNIT_PX, 1, UNIT_PX, 2)
+        foot.addWidget(self.words)
+        column.addLayout(foot)
+        figure.reading.connect(self._read)
+
+    @property
+    def no_outputs(self) -> str:
+        """What it says while no output is selected."""
+        return output_words(self.in_sight)
+
+    def sizeHint(self) -> QSize:
+        return QSize(360, 280)
+
+    def add_copy(self, table: Callable[[], str]) -> QToolButton:
+        """Return a new button that copies what ``table`` gives, at the right end of the choices."""
+        button = QToolButton(self)
+        button.setObjectName(f"{self.name}_copy")
+        button.setText("Copy")
+        button.setToolTip("Copy the numbers as a table, with tabs between the columns")
+        button.setAccessibleName("Copy numbers")
+        button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        button.clicked.connect(lambda: QGuiApplication.clipboard().setText(table()))
+        self.choices.addWidget(button)
+        return button
+
+    def await_results(self) -> None:
+        """Ask for nothing any more while what was asked for is computed."""
+        self.figure.say(COMPUTING)
+
+    def show_found(self, words: str) -> None:
+        """Say below the figure what was found, while the cursor reads nothing."""
+        self._found = words
+        if self.figure.cursor_at is None:
+            self._write(words)
+
+    def show_in_sight(self, names: frozenset[str]) -> None:
+        said = self.figure.message == self.no_outputs
+        super().show_in_sight(names)
+        if said:
+            self.figure.say(self.no_outputs)
+
+    def show_stale(self, stale: bool) -> None:
+        self.figure.set_stale(stale)
+
+    def show_problem(self, reason: str) -> None:
+        self.figure.say(reason)
+        self.show_found("")
+
+    def show_theme(self, theme: Theme) -> None:
+        self.figure.show_theme(theme)
+        self.words.show_theme(theme)
+
+    def _read(self, words: str) -> None:
+        self._write(words or self._found)
+
+    def _write(self, words: str) -> None:
+        self.words.say(words)

@@ -1,0 +1,1 @@
+"""Main axes of the selected outputs."""

@@ -1,0 +1,91 @@
+"""Along which direction each selected output moves most."""
+
+from collections.abc import Mapping
+from typing import Any, ClassVar
+
+from PySide6.QtWidgets import QWidget
+
+from skinsource.design import Design
+from skinsource.view import View
+from skinsource_gui.figure_panel import FigurePanel
+from skinsource_gui.panels.main_axis.picture import MainAxisPicture, Shown
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.figure.elided_label import ElidedLabel
+
+_SINGLE = "A single axis has no main axis: choose two or three axes above"
+_ABOUT = "Ellipses of one standard deviation; the line is the main axis"
+_OWN = "x and y point another way at each sensor"
+
+
+class MainAxisPanel(FigurePanel):
+    """The ellipse of motion of each selected output, and its main axis where it has one."""
+
+    title: ClassVar[str] = "Main axis"
+    name: ClassVar[str] = "main_axis"
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        self.picture = MainAxisPicture()
+        super().__init__(self.picture, parent)
+        self.about = ElidedLabel("main_axis_about")
+        self.about.say(_ABOUT)
+        self.about.setToolTip(f"{_ABOUT}. {_OWN}.")
+        self.choices.addWidget(self.about, 1)
+        self.copy = self.add_copy(self.table)
+        self._say(self.no_outputs)
+
+    @property
+    def needs(self) -> frozenset[str]:
+        return frozenset({"output_main_axes", "shown_outputs", "axis_numbers", "limb_data"})
+
+    def show_state(self, design: Design, view: View) -> None:
+        if not view.outputs:
+            self._say(self.no_outputs)
+        elif self.figure.message == self.no_outputs:
+            self.await_results()
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        if not results["shown_outputs"]:
+            self._say(self.no_outputs)
+        elif results["output_main_axes"] is None:
+            self._say(_SINGLE)
+        else:
+            limb = results["limb_data"]
+            self.copy.setEnabled(True)
+            self.picture.show_axes(
+                Shown(
+                    found=results["output_main_axes"],
+                    outputs=results["shown_outputs"],
+                    axes="".join(limb.axes[k] for k in results["axis_numbers"]),
+                )
+            )
+            note = " · synthetic limb" if limb.synthetic else ""
+            self.show_found(f"{_OWN}{note}")
+
+    def show_problem(self, reason: str) -> None:
+        self._say(reason)
+
+    def show_theme(self, theme: Theme) -> None:
+        super().show_theme(theme)
+        self.about.show_theme(theme)
+
+    def table(self) -> str:
+        """The numbers, with tabs between the columns."""
+        shown = self.picture.shown
+        if shown is None or self.picture.message:
+            return ""
+        n_axes = len(shown.axes)
+        header = ["output", *(f"direction_{axis}" for axis in shown.axes)]
+        header += [f"deviation_{k}_m_per_s2" for k in range(1, n_axes + 1)]
+        header += ["share_of_variance", "main_axis"]
+        lines = ["\t".join(header)]
+        found = shown.found
+        for rank, output in enumerate(shown.outputs):
+            numbers = (*found.direction[rank], *found.deviation[rank], found.share[rank])
+            said = "no" if found.none[rank] else "yes"
+            lines.append("\t".join((str(output), *(repr(float(one)) for one in numbers), said)))
+        return "\n".join(lines) + "\n"
+
+    def _say(self, message: str) -> None:
+        self.figure.say(message)
+        self.show_found("")
+        self.copy.setEnabled(False)

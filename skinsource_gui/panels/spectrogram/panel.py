@@ -1,0 +1,165 @@
+"""The spectrogram of one of the selected outputs."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any, ClassVar
+
+from PySide6.QtWidgets import QComboBox, QLabel, QSizePolicy, QWidget
+
+from skinsource.analysis.settings import CEILING, FLOOR, WINDOW, SpectrogramSettings
+from skinsource.choice_words import signal_words
+from skinsource.design import Design
+from skinsource.fields import ChoiceSpec
+from skinsource.locations import output_words
+from skinsource.panel_settings import settings_of, with_settings
+from skinsource.view import View
+from skinsource_gui.figure_panel import SILENT, FigurePanel
+from skinsource_gui.panels.spectrogram.picture import Shown, SpectrogramPicture
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.plot.ranges import Range
+
+_NARROWEST_HZ = 5.0
+
+
+class SpectrogramPanel(FigurePanel):
+    """How much of each frequency there is in an output, and when."""
+
+    title: ClassVar[str] = "Spectrogram"
+    name: ClassVar[str] = "spectrogram"
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        self.picture = SpectrogramPicture()
+        super().__init__(self.picture, parent)
+        self._view, self._settings = View(), SpectrogramSettings()
+        self._results: Mapping[str, Any] | None = None
+        self.output = ChoiceField(ChoiceSpec(label="Output", options=()))
+        self.output.setObjectName("spectrogram_output")
+        self.output.setMinimumContentsLength(3)
+        self.window_length = ChoiceField(WINDOW)
+        self.window_length.setObjectName("spectrogram_window")
+        self.floor = NumberField(FLOOR, widest_unit="Hz")
+        self.ceiling = NumberField(CEILING, widest_unit="Hz")
+        self.window_length.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.window_length.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
+        for field in (self.floor, self.ceiling):
+            field.setMaximumWidth(84)
+        self.choices.addWidget(self.output, 1)
+        self.choices.addWidget(self.window_length)
+        self.choices.addWidget(self.floor)
+        self.choices.addWidget(QLabel("–"))
+        self.choices.addWidget(self.ceiling)
+        self.output.chosen.connect(self._choose_output)
+        self.window_length.chosen.connect(self._choose_window)
+        self.floor.edited.connect(self._choose_floor)
+        self.ceiling.edited.connect(self._choose_ceiling)
+        self.figure.say(self.no_outputs)
+
+    @property
+    def needs(self) -> frozenset[str]:
+        drawn = {"output_spectrogram", "spectrogram_output", "response_time_s"}
+        return frozenset(drawn | {"sample_rate_hz", "axes", "method", "limb_data"})
+
+    def begin_anew(self) -> None:
+        self.picture.begin_anew()
+
+    def show_state(self, design: Design, view: View) -> None:
+        settings = settings_of(view, self.name, SpectrogramSettings)
+        redrawn = (settings.floor_hz, settings.ceiling_hz) != (
+            self._settings.floor_hz,
+            self._settings.ceiling_hz,
+        )
+        self._view, self._settings = view, settings
+        self._show_choices()
+        self.picture.show_playhead(view.playhead_s)
+        if not view.outputs:
+            self._say(self.no_outputs)
+        elif self.figure.message == self.no_outputs:
+            self.await_results()
+        elif redrawn and self._results is not None:
+            self._draw(self._results)
+
+    def show_playhead(self, view: View) -> None:
+        self._view = view
+        self.picture.show_playhead(view.playhead_s)
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        if results["output_spectrogram"] is None:
+            self._say(self.no_outputs)
+            return
+        if not results["output_spectrogram"].amplitude.any():
+            self._say(SILENT)
+            return
+        self._results = dict(results)
+        self._draw(results)
+
+    def show_problem(self, reason: str) -> None:
+        self._say(reason)
+
+    def show_theme(self, theme: Theme) -> None:
+        super().show_theme(theme)
+        for field in (self.floor, self.ceiling):
+            field.show_theme(theme)
+
+    def _say(self, message: str) -> None:
+        self._results = None
+        self.figure.say(message)
+        self.show_found("")
+
+    def _show_choices(self) -> None:
+        settings, outputs = self._settings, self._view.outputs
+        known = [self.output.itemData(k) for k in range(self.output.count())]
+        wanted = [str(number) for number in outputs]
+        if known != wanted:
+            self.output.clear()
+            for number in outputs:
+                self.output.addItem(f"{number} {output_words(number).short_name}", str(number))
+        chosen = settings.output if settings.output in outputs else (outputs or (0,))[-1]
+        self.output.set_value(str(chosen) if chosen else "")
+        self.output.setEnabled(len(outputs) > 1)
+        self.window_length.set_value(settings.window_ms)
+        self.floor.set_value(settings.floor_hz)
+        self.ceiling.set_value(settings.ceiling_hz)
+
+    def _draw(self, results: Mapping[str, Any]) -> None:
+        found = results["output_spectrogram"]
+        band = _band(self._settings, results["sample_rate_hz"] / 2.0)
+        first_s = float(results["response_time_s"][0])
+        self.picture.show_spectrogram(Shown(found=found, first_s=first_s, band_hz=band))
+        number = results["spectrogram_output"]
+        words = [f"Output {number}, {output_words(number).short_name}"]
+        words.append(signal_words(results["axes"], results["method"]))
+        if results["method"] == "mag" and len(results["axes"]) > 1:
+            words.append("of a magnitude: rectified, doubled frequencies")
+        if results["limb_data"].synthetic:
+            words.append("synthetic limb")
+        self.show_found(" · ".join(words))
+
+    def _choose_output(self, number: str, gesture: int | None) -> None:
+        del gesture
+        self._change(output=float(number))
+
+    def _choose_window(self, window_ms: str, gesture: int | None) -> None:
+        del gesture
+        self._change(window_ms=window_ms)
+
+    def _choose_floor(self, value_hz: float, gesture: int | None) -> None:
+        del gesture
+        self._change(floor_hz=value_hz)
+
+    def _choose_ceiling(self, value_hz: float, gesture: int | None) -> None:
+        del gesture
+        self._change(ceiling_hz=value_hz)
+
+    def _change(self, **changes: Any) -> None:
+        settings = replace(self._settings, **changes)
+        if settings != self._settings:
+            self.view_changed.emit(with_settings(self._view, self.name, settings))
+
+
+def _band(settings: SpectrogramSettings, highest_hz: float) -> Range:
+    """Floor and ceiling inside of what there is, some hertz apart."""
+    floor = min(settings.floor_hz, highest_hz - _NARROWEST_HZ)
+    ceiling = min(settings.ceiling_hz, highest_hz)
+    return (floor, ceiling) if ceiling - floor >= _NARROWEST_HZ else (floor, highest_hz)

@@ -1,0 +1,183 @@
+"""The spectrogram as a picture with axes, a colour scale, a cursor and the playhead."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
+from PySide6.QtWidgets import QWidget
+
+from skinsource.analysis.spectrogram import Spectrogram
+from skinsource.arrays import Floats
+from skinsource.decibels import decibels
+from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.widgets.fields.level_text import minus
+from skinsource_gui.widgets.figure.axes import Axes, Axis, fitted_axes
+from skinsource_gui.widgets.figure.figure import Figure
+from skinsource_gui.widgets.map.colour_maps import colour_indices, colour_table
+from skinsource_gui.widgets.plot.ranges import HeldRange, Range
+
+#: How far below its loudest the colours go.
+SPAN_DB = 60.0
+_SCALE_PX = 10.0
+_LONG_S = 2.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Shown:
+    """What the picture shows.
+
+    Attributes
+    ----------
+    found
+        The spectrogram.
+    first_s
+        Time of the first sample of the record.
+    band_hz
+        Floor and ceiling.
+    """
+
+    found: Spectrogram
+    first_s: float
+    band_hz: Range
+
+
+class SpectrogramPicture(Figure):
+    """Amplitude as colour, over time and frequency."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__("spectrogram_picture", "Spectrogram", parent)
+        self.shown: Shown | None = None
+        self.axes: Axes | None = None
+        self.range_db: Range = (-SPAN_DB, 0.0)
+        self._playhead_s: float | None = None
+        self._held = HeldRange()
+        self._table = colour_table()
+        self._pixels: np.ndarray | None = None
+        self._image = QImage()
+
+    def begin_anew(self) -> None:
+        """Decide the range of the next picture without a look at the one before."""
+        self._held.let_go()
+
+    def show_spectrogram(self, shown: Shown) -> None:
+        """Take over what to show."""
+        self.shown = shown
+        rows = _rows_within(shown)
+        levels = decibels(shown.found.amplitude[rows])
+        top = self._held.follow(float(levels.min()), float(levels.max()), "level")[1]
+        self.range_db = (top - SPAN_DB, top)
+        codes = colour_indices(levels, self.range_db)
+        self._pixels = np.ascontiguousarray(self._table[codes[::-1]])
+        height, width = self._pixels.shape
+        self._image = QImage(
+            self._pixels.data, width, height, 4 * width, QImage.Format.Format_RGB32
+        )
+        self.set_stale(False)
+        self.say("")
+        self.read_again()
+
+    def show_playhead(self, time_s: float) -> None:
+        """Take over where the playhead stands."""
+        self._playhead_s = time_s
+        self.update()
+
+    def draw(self, painter: QPainter, room: QRectF) -> None:
+        shown = self.shown
+        if shown is None:
+            return
+        metrics = QFontMetricsF(painter.font())
+        scale_px = metrics.horizontalAdvance("−100 dB") + _SCALE_PX + 2 * UNIT_PX
+        inner = room.adjusted(0, 0, -scale_px, 0)
+        self.axes = axes = fitted_axes(inner, _time_axis(shown), _frequency_axis(shown), metrics)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.save()
+        painter.setClipRect(axes.frame)
+        painter.fillRect(axes.frame, QColor(int(self._table[0])))
+        painter.drawImage(self._image_place(axes, shown), self._image)
+        self._draw_lines(painter, axes)
+        painter.restore()
+        axes.paint(painter, self.theme, grid=False)
+        self._draw_scale(painter, axes, room, metrics)
+
+    def read(self, at: QPointF) -> str:
+        place = None if self.axes is None else self.axes.value_at(at)
+        if place is None or self.shown is None:
+            return ""
+        time_s, frequency_hz = place
+        level = float(decibels(self.shown.found.at(time_s - self.shown.first_s, frequency_hz)))
+        return minus(f"{time_s * 1e3:.1f} ms · {frequency_hz:.1f} Hz · {level:.1f} dB re 1 m/s²")
+
+    def keys_area(self) -> QRectF:
+        return QRectF() if self.axes is None or self.message else self.axes.frame
+
+    def _image_place(self, axes: Axes, shown: Shown) -> QRectF:
+        """Columns and rows stand for the middles of their cells."""
+        time_s, frequency_hz = shown.found.time_s, _rows_frequency(shown)
+        x, y = _edges(time_s + shown.first_s), _edges(frequency_hz)
+        corners = axes.to_screen(np.array(x), np.array(y))
+        return QRectF(QPointF(*corners[0]), QPointF(*corners[1])).normalized()
+
+    def _draw_lines(self, painter: QPainter, axes: Axes) -> None:
+        frame = axes.frame
+        if self._playhead_s is not None:
+            x = float(axes.to_screen(np.array([self._playhead_s]), np.zeros(1))[0, 0])
+            painter.setPen(QPen(QColor(self.theme.accent), 1.5))
+            painter.drawLine(QLineF(x, frame.top(), x, frame.bottom()))
+        if self.cursor_at is not None:
+            pen = QPen(QColor("#ffffff"), 1, Qt.PenStyle.DashLine)
+            painter.setPen(pen)
+            painter.drawLine(
+                QLineF(self.cursor_at.x(), frame.top(), self.cursor_at.x(), frame.bottom())
+            )
+            painter.drawLine(
+                QLineF(frame.left(), self.cursor_at.y(), frame.right(), self.cursor_at.y())
+            )
+
+    def _draw_scale(
+        self, painter: QPainter, axes: Axes, room: QRectF, metrics: QFontMetricsF
+    ) -> None:
+        frame, line = axes.frame, metrics.height()
+        ramp = QRectF(frame.right() + 2 * UNIT_PX, frame.top(), _SCALE_PX, frame.height())
+        colours = np.ascontiguousarray(self._table[::-1, None])
+        image = QImage(colours.data, 1, len(colours), 4, QImage.Format.Format_RGB32)
+        painter.drawImage(ramp, image)
+        painter.setPen(QPen(QColor(self.theme.border), 1))
+        painter.drawRect(ramp)
+        painter.setPen(QColor(self.theme.dim))
+        low, high = self.range_db
+        for part in (0.0, 0.5, 1.0):
+            y = ramp.bottom() - part * ramp.height()
+            words = minus(f"{low + part * (high - low):.0f} dB")
+            place = QRectF(ramp.right() + 4, y - line / 2, room.right() - ramp.right() - 4, line)
+            painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, words)
+
+
+def _rows_within(shown: Shown) -> slice:
+    frequency_hz, (low, high) = shown.found.frequency_hz, shown.band_hz
+    first = int(np.searchsorted(frequency_hz, low, "left"))
+    end = int(np.searchsorted(frequency_hz, high, "right"))
+    # One beyond each end: the picture is cut at the frame, not before it.
+    return slice(max(first - 1, 0), min(max(end, first + 1) + 1, frequency_hz.size))
+
+
+def _rows_frequency(shown: Shown) -> Floats:
+    return shown.found.frequency_hz[_rows_within(shown)]
+
+
+def _edges(middles: Floats) -> Range:
+    half = 0.5 * float(middles[1] - middles[0]) if middles.size > 1 else 0.5e-3
+    return float(middles[0]) - half, float(middles[-1]) + half
+
+
+def _time_axis(shown: Shown) -> Axis:
+    time_s = shown.found.time_s + shown.first_s
+    first, last = float(time_s[0]), float(time_s[-1])
+    last = last if last > first else first + 1e-3
+    if last > _LONG_S:
+        return Axis(shown=(first, last), title="Time (s)")
+    return Axis(shown=(first, last), title="Time (ms)", factor=1e3)
+
+
+def _frequency_axis(shown: Shown) -> Axis:
+    return Axis(shown=shown.band_hz, title="Frequency (Hz)")

@@ -1,0 +1,172 @@
+"""Figures of the selected outputs, as a table that can be copied."""
+
+from collections.abc import Mapping
+from typing import Any, ClassVar
+
+from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QStackedWidget,
+    QTableView,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.choice_words import signal_words, span_words
+from skinsource.design import Design
+from skinsource.view import View
+from skinsource_gui.figure_panel import COMPUTING
+from skinsource_gui.panel import Panel
+from skinsource_gui.panels.statistics.rows import NOISE_WORDS, rows_of, tab_separated
+from skinsource_gui.panels.statistics.table_model import TableModel
+from skinsource_gui.theme import UNIT_PX, Theme, tabular
+from skinsource_gui.widgets.figure.elided_label import ElidedLabel
+from skinsource_gui.widgets.first_steps import output_words
+from skinsource_gui.widgets.lateness import Lateness
+
+
+class FigureTable(QTableView):
+    """The table; the usual key copies all of it."""
+
+    def event(self, event: QEvent) -> bool:
+        is_shortcut = event.type() == QEvent.Type.ShortcutOverride
+        if is_shortcut and isinstance(event, QKeyEvent) and event.matches(QKeySequence.Copy):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        model = self.model()
+        if event.matches(QKeySequence.StandardKey.Copy) and isinstance(model, TableModel):
+            QGuiApplication.clipboard().setText(tab_separated(model.rows))
+        else:
+            super().keyPressEvent(event)
+
+
+class StatisticsPanel(Panel):
+    """RMS, peak, crest factor, main frequency and delay of each selected output."""
+
+    title: ClassVar[str] = "Statistics"
+    name: ClassVar[str] = "statistics"
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setMinimumSize(240, 120)
+        self.model = TableModel(self)
+        self.table = FigureTable()
+        self.table.setObjectName("statistics_table")
+        self.table.setAccessibleName("Figures of the selected outputs")
+        self.table.setModel(self.model)
+        self.table.setFont(tabular(self.table.font()))
+        self.table.verticalHeader().hide()
+        rows = self.table.verticalHeader()
+        rows.setMinimumSectionSize(1)
+        rows.setDefaultSectionSize(self.table.fontMetrics().height() + UNIT_PX // 2)
+        self.table.setShowGrid(False)
+        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.table.setTabKeyNavigation(False)
+        header = self.table.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        header.setHighlightSections(False)
+        self._message = QLabel()
+        self._message.setObjectName("statistics_message")
+        self._message.setWordWrap(True)
+        self._message.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._stack = QStackedWidget()
+        self._stack.addWidget(self._message)
+        self._stack.addWidget(self.table)
+        self.about = ElidedLabel("statistics_about")
+        self.copy = QToolButton()
+        self.copy.setObjectName("statistics_copy")
+        self.copy.setText("Copy")
+        self.copy.setToolTip("Copy the numbers as a table, with tabs between the columns")
+        self.copy.setAccessibleName("Copy numbers")
+        self.copy.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.copy.clicked.connect(self._copy)
+        self._lateness = Lateness(self)
+        self._lateness.changed.connect(self._mark_late)
+        self._lay_out()
+        self.setFocusProxy(self.table)
+        self._say(self.no_outputs)
+
+    @property
+    def needs(self) -> frozenset[str]:
+        drawn = {"output_statistics", "shown_outputs", "above_noise_db"}
+        return frozenset(drawn | {"axes", "method", "span"})
+
+    @property
+    def no_outputs(self) -> str:
+        """What it says while no output is selected."""
+        return output_words(self.in_sight)
+
+    def sizeHint(self) -> QSize:
+        return QSize(460, 260)
+
+    def show_state(self, design: Design, view: View) -> None:
+        if not view.outputs:
+            self._say(self.no_outputs)
+        elif self._message.text() == self.no_outputs:
+            self._message.setText(COMPUTING)
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        self._lateness.set_stale(False)
+        outputs = results["shown_outputs"]
+        if not outputs:
+            self._say(self.no_outputs)
+            return
+        rows = rows_of(outputs, results["output_statistics"], results["above_noise_db"])
+        self.model.show_rows(rows)
+        words = signal_words(results["axes"], results["method"])
+        noisy = f" · {NOISE_WORDS}" if any(row.noisy for row in rows) else ""
+        self.about.say(f"{words} · RMS: {span_words(results['span'])}{noisy}")
+        self.copy.setEnabled(True)
+        self._stack.setCurrentWidget(self.table)
+
+    def show_stale(self, stale: bool) -> None:
+        self._lateness.set_stale(stale)
+
+    def show_problem(self, reason: str) -> None:
+        self._say(reason)
+
+    def show_in_sight(self, names: frozenset[str]) -> None:
+        said = self._message.text() == self.no_outputs
+        super().show_in_sight(names)
+        if said:
+            self._message.setText(self.no_outputs)
+
+    def show_theme(self, theme: Theme) -> None:
+        self.model.theme = theme
+        self.about.show_theme(theme)
+        self._message.setStyleSheet(f"color: {theme.dim}; background: {theme.base};")
+        self.table.viewport().update()
+
+    def _lay_out(self) -> None:
+        bar = QHBoxLayout()
+        bar.setContentsMargins(UNIT_PX, 1, UNIT_PX // 2, 1)
+        bar.addWidget(self.about, 1)
+        bar.addWidget(self.copy)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addLayout(bar)
+        column.addWidget(self._stack, 1)
+
+    def _say(self, message: str) -> None:
+        self._lateness.set_stale(False)
+        self.model.show_rows(())
+        self.about.say("")
+        self.copy.setEnabled(False)
+        self._message.setText(message)
+        self._stack.setCurrentWidget(self._message)
+
+    def _mark_late(self, late: bool) -> None:
+        self.table.setEnabled(not late)
+
+    def _copy(self) -> None:
+        QGuiApplication.clipboard().setText(tab_separated(self.model.rows))

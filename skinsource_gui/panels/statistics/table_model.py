@@ -1,0 +1,62 @@
+"""Rows of figures, as Qt asks for them."""
+
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtGui import QColor
+
+from skinsource_gui.panels.statistics.rows import COLUMNS, NOISE_WORDS, Row
+from skinsource_gui.theme import LIGHT
+
+_Index = QModelIndex | QPersistentModelIndex
+_Role = Qt.ItemDataRole
+
+
+class TableModel(QAbstractTableModel):
+    """Figures of the selected outputs, one row each."""
+
+    def __init__(self, parent=None) -> None:
+        super().__init__(parent)
+        self.rows: tuple[Row, ...] = ()
+        self.theme = LIGHT
+
+    def show_rows(self, rows: tuple[Row, ...]) -> None:
+        """Take over other rows; where they are the same outputs, the selection stays."""
+        same = [row.number for row in rows] == [row.number for row in self.rows]
+        if not same:
+            self.beginResetModel()
+        self.rows = rows
+        if not same:
+            self.endResetModel()
+        elif rows:
+            end = self.index(len(rows) - 1, len(COLUMNS) - 1)
+            self.dataChanged.emit(self.index(0, 0), end)
+
+    def rowCount(self, parent: _Index | None = None) -> int:
+        return 0 if parent is not None and parent.isValid() else len(self.rows)
+
+    def columnCount(self, parent: _Index | None = None) -> int:
+        return 0 if parent is not None and parent.isValid() else len(COLUMNS)
+
+    def data(self, index: _Index, role: int = _Role.DisplayRole) -> object:
+        row, column = self.rows[index.row()], index.column()
+        if role == _Role.DisplayRole:
+            return row.texts()[column]
+        if role == _Role.TextAlignmentRole and column:
+            return int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        if role == _Role.ForegroundRole:
+            if column == 0:
+                return self.theme.output_colour(index.row())
+            return QColor(self.theme.dim if row.noisy else self.theme.text)
+        if role == _Role.ToolTipRole and row.noisy:
+            return NOISE_WORDS
+        return None
+
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = _Role.DisplayRole
+    ) -> object:
+        if orientation != Qt.Orientation.Horizontal:
+            return None
+        if role == _Role.DisplayRole:
+            return COLUMNS[section][0]
+        if role == _Role.ToolTipRole:
+            return COLUMNS[section][1]
+        return None

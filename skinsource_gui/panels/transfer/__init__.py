@@ -1,0 +1,1 @@
+"""Transfer functions to the selected outputs."""

@@ -1,0 +1,138 @@
+"""From the selected input's place to the selected outputs, whatever plays."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any, ClassVar
+
+import numpy as np
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QToolButton, QWidget
+
+from skinsource.analysis.transfer import LEAST_COHERENCE, Transfer
+from skinsource.design import Design
+from skinsource.locations import input_words
+from skinsource.panel_settings import settings_of, with_settings
+from skinsource.view import View
+from skinsource_gui.figure_panel import FigurePanel
+from skinsource_gui.panels.transfer.picture import Shown, TransferPicture
+from skinsource_gui.panels.transfer.settings import TransferSettings
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.figure.elided_label import ElidedLabel
+from skinsource_gui.widgets.first_steps import add_words
+
+_UNITS = {"probe": "1 (m/s²)/(m/s²)"}
+_OTHER_UNIT = "1 m/s² per sample of 1"
+
+
+class TransferPanel(FigurePanel):
+    """Magnitude or coherence of each output over frequency, with what can be used of it."""
+
+    title: ClassVar[str] = "Transfer"
+    name: ClassVar[str] = "transfer"
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        self.picture = TransferPicture()
+        super().__init__(self.picture, parent)
+        self._view, self._settings = View(), TransferSettings()
+        self._results: Mapping[str, Any] | None = None
+        self._has_inputs = True
+        self.coherence = QToolButton()
+        self.coherence.setObjectName("transfer_coherence")
+        self.coherence.setText("Coherence")
+        self.coherence.setToolTip(
+            "Draw the share of the power that is not noise, in place of the magnitude"
+        )
+        self.coherence.setCheckable(True)
+        self.coherence.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.coherence.clicked.connect(self._show_coherence)
+        self.place = ElidedLabel("transfer_place")
+        self.choices.addWidget(self.coherence)
+        self.choices.addWidget(self.place, 1)
+        self.copy = self.add_copy(self.table)
+        self.figure.say(self.no_outputs)
+
+    @property
+    def needs(self) -> frozenset[str]:
+        return frozenset({"transfer", "transfer_place", "shown_outputs", "scaling", "limb_data"})
+
+    def begin_anew(self) -> None:
+        self.picture.begin_anew()
+
+    def show_state(self, design: Design, view: View) -> None:
+        settings = settings_of(view, self.name, TransferSettings)
+        redrawn = settings != self._settings
+        self._view, self._settings = view, settings
+        self.coherence.setChecked(settings.coherence)
+        self._has_inputs = bool(design.inputs)
+        if not view.outputs or not design.inputs:
+            self._say_empty()
+        elif self._results is None:
+            self.await_results()
+        elif redrawn:
+            self._draw(self._results)
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        if results["transfer"] is None:
+            self._say_empty()
+            return
+        self._results = dict(results)
+        self._draw(results)
+
+    def show_problem(self, reason: str) -> None:
+        self._say(reason)
+
+    def show_theme(self, theme: Theme) -> None:
+        super().show_theme(theme)
+        self.place.show_theme(theme)
+
+    def table(self) -> str:
+        """The numbers, with tabs between the columns."""
+        if self._results is None:
+            return ""
+        found: Transfer = self._results["transfer"]
+        outputs = self._results["shown_outputs"]
+        header = ["frequency_hz"]
+        for name in ("magnitude", "noise_rms", "coherence"):
+            header += [f"{name}_{output}" for output in outputs]
+        columns = (found.frequency_hz[None], found.magnitude, found.noise, found.coherence)
+        lines = ["\t".join(header)]
+        lines += ["\t".join(map(repr, row)) for row in np.vstack(columns).T.tolist()]
+        return "\n".join(lines) + "\n"
+
+    def _say_empty(self) -> None:
+        self._say(self.no_outputs if self._has_inputs else add_words(self.in_sight))
+
+    def _say(self, message: str) -> None:
+        self._results = None
+        self.figure.say(message)
+        self.show_found("")
+        self.place.say("")
+        self.copy.setEnabled(False)
+
+    def _draw(self, results: Mapping[str, Any]) -> None:
+        found, outputs = results["transfer"], results["shown_outputs"]
+        self.copy.setEnabled(True)
+        unit = _UNITS.get(results["scaling"], _OTHER_UNIT)
+        self.picture.show_transfer(
+            Shown(found=found, outputs=outputs, unit=unit, coherence=self._settings.coherence)
+        )
+        place = results["transfer_place"]
+        if results["limb_data"].synthetic:
+            note = " · synthetic limb, without noise"
+        else:
+            note = " · dotted: noise" if found.noise.any() else " · noise not known"
+        self.place.say(f"From place {place}, {input_words(place).name}{note}")
+        self.show_found(_usable_words(found, outputs))
+
+    def _show_coherence(self, wanted: bool) -> None:
+        settings = replace(self._settings, coherence=wanted)
+        self.view_changed.emit(with_settings(self._view, self.name, settings))
+
+
+def _usable_words(found: Transfer, outputs: tuple[int, ...]) -> str:
+    """Where the response is more than noise, output by output."""
+    said = [
+        f"{output}: {low:.0f}–{high:.0f} Hz" if np.isfinite(low) else f"{output}: nowhere"
+        for output, (low, high) in zip(outputs, found.usable_hz, strict=True)
+    ]
+    return f"Coherence ≥ {LEAST_COHERENCE:g} from 25 to 600 Hz: {' · '.join(said)}"

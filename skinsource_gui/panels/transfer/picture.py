@@ -1,0 +1,127 @@
+"""Transfer functions over frequency: magnitude, noise floor, and the band that can be used."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
+from PySide6.QtWidgets import QWidget
+
+from skinsource.analysis.transfer import Transfer
+from skinsource.decibels import decibels
+from skinsource.signals import BAND_HZ
+from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.widgets.fields.level_text import minus
+from skinsource_gui.widgets.figure.axes import Axes, Axis, fitted_axes
+from skinsource_gui.widgets.figure.figure import Figure
+from skinsource_gui.widgets.plot.ranges import LEVEL_SPAN_DB, HeldRange
+
+_BAR_PX, _MOST_BARS = 3.0, 12
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Shown:
+    """What is drawn: transfer functions, the outputs they lead to, their unit, and which part.
+
+    ``coherence`` says whether it is drawn in place of magnitudes.
+    """
+
+    found: Transfer
+    outputs: tuple[int, ...]
+    unit: str
+    coherence: bool
+
+
+class TransferPicture(Figure):
+    """One curve of each output; below, where it is more than noise."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__("transfer_picture", "Transfer functions", parent)
+        self.shown: Shown | None = None
+        self.axes: Axes | None = None
+        self._held = HeldRange()
+        self._top_db = 0.0
+
+    def begin_anew(self) -> None:
+        """Decide the range of the next picture without a look at the one before."""
+        self._held.let_go()
+
+    def show_transfer(self, shown: Shown) -> None:
+        """Take over what to show."""
+        self.shown = shown
+        highest = float(decibels(shown.found.magnitude).max())
+        self._top_db = self._held.follow(highest, highest, "level")[1]
+        self.set_stale(False)
+        self.say("")
+        self.read_again()
+
+    def draw(self, painter: QPainter, room: QRectF) -> None:
+        shown = self.shown
+        if shown is None:
+            return
+        frequency_hz = shown.found.frequency_hz
+        x = Axis(shown=(0.0, float(frequency_hz[-1])), title="Frequency (Hz)")
+        if shown.coherence:
+            y = Axis(shown=(0.0, 1.0), title="Coherence")
+        else:
+            y = Axis(
+                shown=(self._top_db - LEVEL_SPAN_DB, self._top_db), title=f"dB re {shown.unit}"
+            )
+        self.axes = axes = fitted_axes(room, x, y, QFontMetricsF(painter.font()))
+        self._shade(painter, axes)
+        axes.paint(painter, self.theme)
+        painter.save()
+        painter.setClipRect(axes.frame)
+        for rank in range(len(shown.outputs)):
+            self._draw_curve(painter, axes, shown, rank)
+        self._draw_bars(painter, axes, shown)
+        if self.cursor_at is not None:
+            painter.setPen(QPen(QColor(self.theme.dim), 1, Qt.PenStyle.DashLine))
+            at = self.cursor_at.x()
+            painter.drawLine(QLineF(at, axes.frame.top(), at, axes.frame.bottom()))
+        painter.restore()
+
+    def read(self, at: QPointF) -> str:
+        place = None if self.axes is None else self.axes.value_at(at)
+        if place is None or self.shown is None:
+            return ""
+        found = self.shown.found
+        k = int(np.argmin(np.abs(found.frequency_hz - place[0])))
+        said = [f"{found.frequency_hz[k]:.1f} Hz"]
+        for rank, output in enumerate(self.shown.outputs):
+            level = float(decibels(found.magnitude[rank, k]))
+            said.append(f"{output}: {level:.1f} dB, coherence {found.coherence[rank, k]:.2f}")
+        return minus(" · ".join(said))
+
+    def keys_area(self) -> QRectF:
+        return QRectF() if self.axes is None or self.message else self.axes.frame
+
+    def _shade(self, painter: QPainter, axes: Axes) -> None:
+        """What was not measured."""
+        colour = QColor(self.theme.grid)
+        colour.setAlpha(140)
+        frame = axes.frame
+        low, high = (float(p[0]) for p in axes.to_screen(np.array(BAND_HZ), np.zeros(1)))
+        painter.fillRect(QRectF(frame.topLeft(), QPointF(low, frame.bottom())), colour)
+        if high < frame.right():
+            painter.fillRect(QRectF(QPointF(high, frame.top()), frame.bottomRight()), colour)
+
+    def _draw_curve(self, painter: QPainter, axes: Axes, shown: Shown, rank: int) -> None:
+        found = shown.found
+        values = found.coherence[rank] if shown.coherence else decibels(found.magnitude[rank])
+        painter.setPen(self.theme.output_pen(rank, 1.4))
+        painter.drawPolyline(axes.polygon(found.frequency_hz, values))
+        if not shown.coherence and found.noise[rank].any():
+            pen = QPen(self.theme.output_colour(rank), 1.0, Qt.PenStyle.DotLine)
+            painter.setPen(pen)
+            painter.drawPolyline(axes.polygon(found.frequency_hz, decibels(found.noise[rank])))
+
+    def _draw_bars(self, painter: QPainter, axes: Axes, shown: Shown) -> None:
+        """Bands that can be used, as bars at the foot."""
+        foot = axes.frame.bottom() - UNIT_PX / 2
+        for rank, (low, high) in enumerate(shown.found.usable_hz[:_MOST_BARS]):
+            y = foot - rank * (_BAR_PX + 1.0)
+            painter.setPen(QPen(self.theme.output_colour(rank), _BAR_PX))
+            if np.isfinite(low):
+                left, right = axes.to_screen(np.array([low, high]), np.zeros(1))[:, 0]
+                painter.drawLine(QLineF(left, y, right, y))

@@ -1,0 +1,18 @@
+"""What only the transfer functions look at."""
+
+from dataclasses import dataclass
+
+from skinsource import fields
+from skinsource.fields import SwitchSpec
+
+COHERENCE = SwitchSpec(label="Coherence", hint="In place of the magnitude")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TransferSettings:
+    """Whether ``coherence`` is drawn in place of the magnitude."""
+
+    coherence: bool = fields.switch(False, COHERENCE)
+
+    def __post_init__(self) -> None:
+        fields.check(self)

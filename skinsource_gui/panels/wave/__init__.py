@@ -1,0 +1,1 @@
+"""The wave along a line of outputs."""

@@ -1,0 +1,125 @@
+"""How fast a wave travels along the selected outputs, and what it loses."""
+
+from collections.abc import Mapping
+from typing import Any, ClassVar
+
+import numpy as np
+from PySide6.QtWidgets import QWidget
+
+from skinsource.analysis.travelling import TravellingWave
+from skinsource.analysis_rules.wave_rules import LineWave
+from skinsource.design import Design
+from skinsource.view import View
+from skinsource_gui.figure_panel import SILENT, FigurePanel
+from skinsource_gui.panels.wave.picture import WavePicture
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.figure.elided_label import ElidedLabel
+from skinsource_gui.widgets.first_steps import SKIN
+
+_LINE = "The line goes through the selected outputs, in the order in which they were selected"
+_ABOUT = "Along z; distances on the map, delays of the group"
+
+
+class WavePanel(FigurePanel):
+    """Delay and level over the way, and speed and attenuation from them."""
+
+    title: ClassVar[str] = "Wave"
+    name: ClassVar[str] = "wave"
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        self.picture = WavePicture()
+        super().__init__(self.picture, parent)
+        self.about = ElidedLabel("wave_about")
+        self.about.say(_ABOUT)
+        self.about.setToolTip(
+            f"{_LINE}. Delays are where the envelope of the cross-correlation with the first "
+            "output is highest; outputs that are mostly noise are left out."
+        )
+        self.choices.addWidget(self.about, 1)
+        self.copy = self.add_copy(self.table)
+        self._say(self._few())
+
+    @property
+    def needs(self) -> frozenset[str]:
+        return frozenset({"line_wave", "shown_outputs", "limb_data"})
+
+    def show_state(self, design: Design, view: View) -> None:
+        if len(view.outputs) < 2:
+            self._say(self._few())
+        elif self.figure.message == self._few():
+            self.await_results()
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        found: LineWave | None = results["line_wave"]
+        if found is None:
+            self._say(self._few())
+            return
+        if not found.wave.alike.any():
+            self._say(SILENT)
+            return
+        outputs = results["shown_outputs"]
+        self.copy.setEnabled(True)
+        self.picture.show_wave(found, tuple(outputs.index(one) for one in found.outputs))
+        left_out = len(outputs) - len(found.outputs)
+        note = f" · {left_out} not on the map" if left_out else ""
+        synthetic = " · synthetic limb" if results["limb_data"].synthetic else ""
+        self.show_found(f"{wave_words(found.wave)}{note}{synthetic}")
+
+    def show_problem(self, reason: str) -> None:
+        self._say(reason)
+
+    def show_in_sight(self, names: frozenset[str]) -> None:
+        said = self.figure.message == self._few()
+        super().show_in_sight(names)
+        if said:
+            self.figure.say(self._few())
+
+    def show_theme(self, theme: Theme) -> None:
+        super().show_theme(theme)
+        self.about.show_theme(theme)
+
+    def table(self) -> str:
+        """The numbers, with tabs between the columns."""
+        shown = self.picture.shown
+        if shown is None or self.picture.message:
+            return ""
+        wave = shown.wave
+        lines = [
+            "\t".join(("output", "way_mm", "delay_ms", "level_z_db", "alike", "counted", "timed"))
+        ]
+        columns = (wave.distance_m * 1e3, wave.delay_s * 1e3, wave.level_db, wave.alike)
+        for k, output in enumerate(shown.outputs):
+            numbers = (repr(float(column[k])) for column in columns)
+            used = ("yes" if one[k] else "no" for one in (wave.counted, wave.timed))
+            lines.append("\t".join((str(output), *numbers, *used)))
+        return "\n".join(lines) + "\n"
+
+    def _few(self) -> str:
+        if SKIN in self.in_sight:
+            return (
+                "Select two or more outputs on the skin map, one after the other along a line: "
+                "Shift+click adds one"
+            )
+        return "Show the skin map (View > Panels) to select outputs along a line"
+
+    def _say(self, message: str) -> None:
+        self.figure.say(message)
+        self.show_found("")
+        self.copy.setEnabled(False)
+
+
+def wave_words(wave: TravellingWave) -> str:
+    """Speed and attenuation, with what is known of their error."""
+    speed = "none: it does not arrive later with the way"
+    if wave.counted.sum() < 2:
+        return "fewer than two outputs are more than noise"
+    if wave.timed.sum() < 2:
+        speed = "none: the shapes are too unlike"
+    if np.isfinite(wave.speed_m_per_s):
+        speed = f"{wave.speed_m_per_s:.1f}{_spread(wave.speed_deviation_m_per_s, 1)} m/s"
+    loss = f"{wave.attenuation_db_per_cm:.2f}{_spread(wave.attenuation_deviation_db_per_cm, 2)}"
+    return f"Speed {speed} · attenuation {loss} dB/cm, spreading included".replace("-", "−")
+
+
+def _spread(deviation: float, decimals: int) -> str:
+    return f" ± {deviation:.{decimals}f}" if np.isfinite(deviation) else ""

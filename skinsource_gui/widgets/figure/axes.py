@@ -1,0 +1,129 @@
+"""A frame with two axes, and where values lie in it."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
+
+from skinsource.arrays import Floats
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.plot.ranges import Range
+from skinsource_gui.widgets.plot.ticks import Tick, readable_ticks
+
+_GAP_PX = 4.0
+_TICK_X_PX, _TICK_Y_PX = 60.0, 34.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Axis:
+    """One axis.
+
+    Attributes
+    ----------
+    shown
+        Values at its ends.
+    title
+        With its unit.
+    factor
+        What values are multiplied with on its labels.
+    """
+
+    shown: Range
+    title: str
+    factor: float = 1.0
+
+    def ticks(self, length_px: float, each_px: float) -> tuple[Tick, ...]:
+        """Round numbers along it."""
+        low, high = self.shown
+        airy = max(length_px / each_px, 2.0)
+        return readable_ticks(low, high, airy, 2.0 * airy, self.factor)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Axes:
+    """A frame inside a room, with its labels around it.
+
+    Attributes
+    ----------
+    frame
+        Where values are drawn.
+    x, y
+        The axes; y points up.
+    """
+
+    frame: QRectF
+    x: Axis
+    y: Axis
+
+    def to_screen(self, x: Floats, y: Floats) -> Floats:
+        """Places on the screen, (n, 2)."""
+        (x0, x1), (y0, y1) = self.x.shown, self.y.shown
+        across = self.frame.left() + (np.asarray(x) - x0) / (x1 - x0) * self.frame.width()
+        up = self.frame.bottom() - (np.asarray(y) - y0) / (y1 - y0) * self.frame.height()
+        return np.stack(np.broadcast_arrays(across, up), axis=-1)
+
+    def value_at(self, point: QPointF) -> tuple[float, float] | None:
+        """Values at a place of the screen; None outside of the frame."""
+        if not self.frame.adjusted(-1, -1, 1, 1).contains(point):
+            return None
+        (x0, x1), (y0, y1) = self.x.shown, self.y.shown
+        across = (point.x() - self.frame.left()) / self.frame.width()
+        up = (self.frame.bottom() - point.y()) / self.frame.height()
+        return x0 + across * (x1 - x0), y0 + up * (y1 - y0)
+
+    def polygon(self, x: Floats, y: Floats) -> QPolygonF:
+        """A line through points."""
+        return QPolygonF([QPointF(*place) for place in self.to_screen(x, y)])
+
+    def paint(self, painter: QPainter, theme: Theme, *, grid: bool = True) -> None:
+        """Draw frame, grid, labels and titles."""
+        frame, metrics = self.frame, QFontMetricsF(painter.font())
+        line = metrics.height()
+        centre = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop
+        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        for tick in self.x.ticks(frame.width(), _TICK_X_PX):
+            x = float(self.to_screen(np.array([tick.value]), np.array([self.y.shown[0]]))[0, 0])
+            if grid:
+                painter.setPen(QPen(QColor(theme.grid), 1))
+                painter.drawLine(QLineF(x, frame.top(), x, frame.bottom()))
+            painter.setPen(QColor(theme.dim))
+            place = QRectF(x - _TICK_X_PX / 2, frame.bottom() + 2, _TICK_X_PX, line)
+            painter.drawText(place, centre, tick.label)
+        for tick in self.y.ticks(frame.height(), _TICK_Y_PX):
+            y = float(self.to_screen(np.array([self.x.shown[0]]), np.array([tick.value]))[0, 1])
+            if grid:
+                painter.setPen(QPen(QColor(theme.grid), 1))
+                painter.drawLine(QLineF(frame.left(), y, frame.right(), y))
+            painter.setPen(QColor(theme.dim))
+            place = QRectF(0.0, y - line / 2, frame.left() - _GAP_PX, line)
+            painter.drawText(place, right, tick.label)
+        painter.setPen(QPen(QColor(theme.border), 1))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawRect(frame)
+        painter.setPen(QColor(theme.dim))
+        below = QRectF(frame.left(), frame.bottom() + line + 2, frame.width(), line)
+        painter.drawText(below, centre, self.x.title)
+        painter.save()
+        painter.translate(line / 2 + 1, frame.center().y())
+        painter.rotate(-90.0)
+        side = QRectF(-frame.height() / 2, -line / 2, frame.height(), line)
+        painter.drawText(side, Qt.AlignmentFlag.AlignCenter, self.y.title)
+        painter.restore()
+
+
+def fitted_axes(room: QRectF, x: Axis, y: Axis, metrics: QFontMetricsF) -> Axes:
+    """Axes in ``room``, with as much around the frame as their labels need.
+
+    The left edge of the room is that of the widget: labels of y begin there.
+    """
+    line = metrics.height()
+    height = max(room.height() - 2.0 * line - 3.0 * _GAP_PX, 1.0)
+    labels = [tick.label for tick in y.ticks(height, _TICK_Y_PX)]
+    wide = max((metrics.horizontalAdvance(label) for label in labels), default=0.0)
+    left = room.left() + line + wide + 2.0 * _GAP_PX
+    top = room.top() + _GAP_PX + line / 2
+    frame = QRectF(
+        left, top, max(room.right() - left - 2.0 * _GAP_PX, 1.0), height - line / 2 - _GAP_PX
+    )
+    return Axes(frame=frame, x=x, y=y)

@@ -1,0 +1,140 @@
+"""A picture that follows the theme, says why it is empty, and reads what the pointer is over."""
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen
+from PySide6.QtWidgets import QWidget
+
+from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, scaled, tabular
+from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.lateness import Lateness
+
+_TEXT = 0.92
+_PALE = 0.5
+
+
+class Figure(QWidget):
+    """What panels paint into; what is drawn, and what a place reads, its heirs say.
+
+    Attributes
+    ----------
+    theme
+        Its colours.
+    cursor_at
+        Where the pointer, or the keys, have put the cursor; None: nowhere.
+    """
+
+    #: What the cursor reads; "" where it is nowhere.
+    reading = Signal(str)
+
+    def __init__(self, name: str, accessible_name: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.theme: Theme = LIGHT
+        self.cursor_at: QPointF | None = None
+        self.message = ""
+        self._lateness = Lateness(self)
+        self._lateness.changed.connect(self.update)
+        self.setObjectName(name)
+        self.setAccessibleName(accessible_name)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMouseTracking(True)
+        self.setMinimumSize(200, 120)
+
+    def draw(self, painter: QPainter, room: QRectF) -> None:
+        """Draw what there is, in ``room``."""
+        raise NotImplementedError
+
+    def read(self, at: QPointF) -> str:
+        """What is to be said of a place; "" for nothing."""
+        del at
+        return ""
+
+    def keys_area(self) -> QRectF:
+        """Where the cursor can be put with the keys; empty: nowhere."""
+        return QRectF()
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self.theme = theme
+        self.update()
+
+    def set_stale(self, stale: bool) -> None:
+        """Say whether what is drawn is older than the design; told to the eye after a while."""
+        self._lateness.set_stale(stale)
+
+    def say(self, message: str) -> None:
+        """Empty the picture and say ``message`` in its middle; "" for a picture."""
+        self.message = message
+        self.setAccessibleDescription(message)
+        if message:
+            self._lateness.set_stale(False)
+            self.move_cursor(None)
+        self.update()
+
+    def move_cursor(self, at: QPointF | None) -> None:
+        """Read another place, or none."""
+        words = "" if at is None or self.message else self.read(at)
+        self.cursor_at = at if words else None
+        self.reading.emit(words)
+        self.update()
+
+    def read_again(self) -> None:
+        """Tell what the cursor reads now that something else is drawn."""
+        self.move_cursor(self.cursor_at)
+
+    def paintEvent(self, event) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.fillRect(self.rect(), QColor(self.theme.base))
+        room = QRectF(self.rect())
+        if self.message:
+            painter.setPen(QColor(self.theme.dim))
+            inner = room.adjusted(2 * UNIT_PX, UNIT_PX, -2 * UNIT_PX, -UNIT_PX)
+            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+            painter.drawText(inner, flags, self.message)
+        else:
+            painter.setFont(scaled(tabular(self.font()), _TEXT))
+            painter.setOpacity(_PALE if self._lateness.late else 1.0)
+            self.draw(painter, room)
+        if self.hasFocus():
+            painter.setOpacity(1.0)
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(QPen(QColor(self.theme.accent), 1))
+            painter.drawRect(room.adjusted(0.5, 0.5, -0.5, -0.5))
+        painter.end()
+
+    def event(self, event: QEvent) -> bool:
+        is_shortcut = event.type() == QEvent.Type.ShortcutOverride
+        if is_shortcut and isinstance(event, QKeyEvent) and self._means(event):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        means, area = self._means(event), self.keys_area()
+        if not means:
+            super().keyPressEvent(event)
+            return
+        at = self.cursor_at or area.center()
+        if means == "give_up":
+            self.move_cursor(None)
+        elif means == "jump":
+            end = area.left() if event.key() == Qt.Key.Key_Home else area.right()
+            self.move_cursor(QPointF(end, at.y()))
+        else:
+            held = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+            step = 10.0 if held else 1.0
+            across = at.x() + (step if event.key() == Qt.Key.Key_Right else -step)
+            self.move_cursor(QPointF(min(max(across, area.left()), area.right()), at.y()))
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        self.move_cursor(event.position())
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self.move_cursor(None)
+
+    def _means(self, event: QKeyEvent) -> str:
+        means = meant("plot", event)
+        if means not in ("step", "jump", "give_up") or self.keys_area().isEmpty():
+            return ""
+        return means if means != "give_up" or self.cursor_at is not None else ""

@@ -1,0 +1,201 @@
+"""What the graph hands to the panels of analysis, against predictions and other ways to it."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.analysis.settings import SpectrogramSettings
+from skinsource.analysis.spectrogram import spectrogram
+from skinsource.panel_settings import with_settings
+from skinsource.quantities import new_graph, sources
+from skinsource.view import View
+
+TONE = ss.waveforms.Tone(frequency_hz=120.0, duration_s=0.1)
+DESIGN = ss.Design(
+    limb="synthetic-1",
+    inputs=(
+        ss.track(8, TONE, onset_s=0.02),
+        ss.track(13, TONE, amplitude=0.5, onset_s=0.05),
+    ),
+)
+VIEW = View(outputs=(20, 24, 69), method="mag")
+LINE = (20, 22, 24, 26)
+
+
+def test_statistics_are_those_of_the_traces():
+    found = ss.evaluate(DESIGN, "output_statistics", "selected_traces", view=VIEW)
+    figures, traces = found["output_statistics"], found["selected_traces"]
+    assert figures.rms == pytest.approx(np.sqrt(np.mean(traces**2, axis=1)), rel=1e-9)
+    assert figures.peak == pytest.approx(traces.max(axis=1), rel=1e-12)
+    assert figures.crest == pytest.approx(figures.peak / figures.rms)
+    # The tone, not the double of it that a rectified magnitude shows; far away noise-free too.
+    assert figures.dominant_hz[:2] == pytest.approx([120.0, 120.0], abs=5.0)
+    # From the first input's start, about the pre-trigger later, and later with distance.
+    assert 0.050 < figures.delay_s[0] < 0.070
+    assert figures.delay_s[0] < figures.delay_s[1] < figures.delay_s[2]
+
+
+def test_delays_follow_the_pre_trigger_and_the_first_input():
+    [plain, removed] = (
+        ss.evaluate(DESIGN, "output_statistics", view=view)["output_statistics"].delay_s
+        for view in (VIEW, replace(VIEW, delay_removed=True))
+    )
+    assert plain - removed == pytest.approx(np.full(3, 0.052))
+    later = replace(DESIGN, inputs=tuple(_later(one, 0.1) for one in DESIGN.inputs))
+    moved = ss.evaluate(later, "output_statistics", view=VIEW)["output_statistics"].delay_s
+    assert moved == pytest.approx(plain, abs=1e-6)
+
+
+def _later(one, by_s):
+    clips = tuple(replace(clip, onset_s=clip.onset_s + by_s) for clip in one.clips)
+    return replace(one, clips=clips)
+
+
+def test_muted_inputs_leave_figures_without_numbers_and_no_error():
+    muted = replace(DESIGN, inputs=tuple(replace(one, muted=True) for one in DESIGN.inputs))
+    names = ("output_statistics", "output_spectrogram", "output_main_axes", "line_wave", "transfer")
+    found = ss.evaluate(muted, *names, "above_noise_db", view=VIEW)
+    figures = found["output_statistics"]
+    assert np.isnan([*figures.crest, *figures.dominant_hz, *figures.delay_s]).all()
+    assert found["output_spectrogram"].amplitude.max() == 0.0
+    assert found["output_main_axes"].none.all()
+    assert np.isnan(found["line_wave"].wave.speed_m_per_s)
+    # What the limb does from that place does not depend on what plays.
+    assert found["transfer"].magnitude.max() > 0.0
+    assert found["above_noise_db"] is None
+
+
+def test_nothing_selected_gives_nothing_and_no_error():
+    view = replace(VIEW, outputs=())
+    names = ("output_statistics", "output_spectrogram", "output_main_axes", "line_wave", "transfer")
+    found = ss.evaluate(DESIGN, *names, view=view)
+    assert found["output_statistics"].rms.shape == (0,)
+    assert found["output_main_axes"].direction.shape == (0, 3)
+    assert [found[name] for name in ("output_spectrogram", "line_wave", "transfer")] == [None] * 3
+    assert ss.evaluate(ss.Design(limb="synthetic-1"), "transfer", view=VIEW)["transfer"] is None
+
+
+def test_the_spectrogram_is_of_the_chosen_output_or_the_last_one():
+    traces = ss.evaluate(DESIGN, "selected_traces", view=VIEW)["selected_traces"]
+    for wanted, row in ((0, 2), (24, 1), (7, 2)):
+        view = with_settings(
+            VIEW, "spectrogram", SpectrogramSettings(output=wanted, window_ms="100")
+        )
+        found = ss.evaluate(DESIGN, "output_spectrogram", view=view)["output_spectrogram"]
+        expected = spectrogram(traces[row], 1300.0, 0.1)
+        assert found.amplitude == pytest.approx(expected.amplitude, abs=1e-12)
+
+
+def test_other_choices_of_drawing_compute_nothing_anew():
+    graph = new_graph()
+    wanted = {"output_spectrogram"}
+    graph.evaluate(wanted, sources(DESIGN, VIEW))
+    ran = graph.runs["output_spectrogram"]
+    view = with_settings(VIEW, "spectrogram", SpectrogramSettings(ceiling_hz=300.0))
+    graph.evaluate(wanted, sources(DESIGN, view))
+    assert graph.runs["output_spectrogram"] == ran
+    view = with_settings(VIEW, "spectrogram", SpectrogramSettings(window_ms="200"))
+    graph.evaluate(wanted, sources(DESIGN, view))
+    assert graph.runs["output_spectrogram"] == ran + 1
+
+
+def test_main_axes_are_those_that_the_projection_takes():
+    view = replace(VIEW, method="pca")
+    found = ss.evaluate(DESIGN, "output_main_axes", "projection", view=view)
+    taken = found["projection"].directions[[19, 23, 68]]
+    along = np.abs(np.einsum("oa,oa->o", taken, found["output_main_axes"].direction))
+    assert along == pytest.approx(np.ones(3), abs=1e-9)
+    single = replace(VIEW, axes="z")
+    assert ss.evaluate(DESIGN, "output_main_axes", view=single)["output_main_axes"] is None
+
+
+def test_a_transfer_function_predicts_what_a_tone_does():
+    long = replace(DESIGN, inputs=(ss.track(8, ss.waveforms.Tone(duration_s=1.0)),))
+    view = replace(VIEW, axes="z", outputs=(20, 24))
+    found = ss.evaluate(long, "transfer", "selected_traces", view=view)
+    at = int(np.argmin(np.abs(found["transfer"].frequency_hz - 100.0)))
+    steady = np.abs(found["selected_traces"][:, 700:1200]).max(axis=1)
+    assert found["transfer"].magnitude[:, at] == pytest.approx(steady, rel=0.05)
+
+
+@pytest.mark.parametrize("scaling", ["probe", "relative", "upstream"])
+def test_noise_of_a_prediction_is_that_of_a_limb_that_is_noise(scaling, make_noisy_limb):
+    limb = make_noisy_limb()
+    # Of a tone there would be too few independent samples.
+    rough = ss.waveforms.Noise(duration_s=0.4)
+    inputs = (ss.track(8, rough), ss.track(8, rough, onset_s=0.1), ss.track(13, rough))
+    design = replace(DESIGN, scaling=scaling, inputs=inputs)
+    given = sources(design, replace(VIEW, method="mag")) | {"limb_data": limb}
+    found = new_graph().evaluate({"above_noise_db", "output_noise_rms", "record_rms"}, given)
+    told, is_there = (np.mean(found[name] ** 2) for name in ("output_noise_rms", "record_rms"))
+    assert told == pytest.approx(is_there, rel=0.03)
+    ratio_db = 20.0 * np.log10(found["record_rms"] / found["output_noise_rms"])
+    assert found["above_noise_db"] == pytest.approx(ratio_db)
+
+
+@pytest.fixture
+def make_noisy_limb():
+    """Give a limb whose responses are white noise from the first sample to the last."""
+    real = ss.load_limb("synthetic-1")
+
+    def read(place):
+        rng = np.random.default_rng(place)
+        return rng.normal(0.0, 0.0062, (72, 3, 522))
+
+    def make():
+        return ss.Limb(
+            name="noisy",
+            hand_length_mm=real.hand_length_mm,
+            synthetic=False,
+            map=real.map,
+            read_response=read,
+        )
+
+    return make
+
+
+def test_outputs_near_the_elbow_are_noise_on_the_measured_limbs(measured):
+    design = ss.Design(limb="measured-1", inputs=(ss.track(7, ss.waveforms.Tone()),))
+    design = design.with_clip(
+        design.clips[0].id, waveform=ss.waveforms.Tone(frequency_hz=200.0, duration_s=0.2)
+    )
+    found = ss.evaluate(design, "above_noise_db")["above_noise_db"]
+    assert (found[66:72] < 6.0).all()
+    assert (found[27:29] > 30.0).all()
+
+
+def test_a_wave_on_the_synthetic_finger_has_the_speed_of_its_model():
+    view = replace(VIEW, outputs=LINE)
+    tap = ss.Design(limb="synthetic-1", inputs=(ss.track(8, ss.waveforms.Tap()),))
+    found = ss.evaluate(tap, "line_wave", view=view)["line_wave"]
+    # 10 to 14 m/s between 30 and 300 Hz, after the model's own formula.
+    assert 7.0 < found.wave.speed_m_per_s < 18.0
+    assert found.wave.attenuation_db_per_cm > 0.2
+    assert found.outputs == LINE
+
+
+def test_a_line_leaves_out_what_is_not_on_the_map():
+    view = replace(VIEW, outputs=(20, 61, 24))
+    found = ss.evaluate(DESIGN, "line_wave", view=view)["line_wave"]
+    assert found.outputs == (20, 24)
+    limb = ss.load_limb("synthetic-1")
+    a, b = limb.map.output_positions[[19, 23]]
+    px_to_mm = limb.hand_length_mm / limb.map.hand_length_px
+    assert found.wave.distance_m[1] * 1e3 == pytest.approx(np.hypot(*(a - b)) * px_to_mm)
+    alone = replace(VIEW, outputs=(61, 24))
+    assert ss.evaluate(DESIGN, "line_wave", view=alone)["line_wave"] is None
+
+
+def test_a_long_design_has_them_all():
+    long = replace(
+        DESIGN,
+        inputs=(ss.track(8, ss.waveforms.Tone(duration_s=60.0)), ss.track(9, TONE, onset_s=200.0)),
+    )
+    names = ("output_statistics", "output_spectrogram", "output_main_axes", "line_wave")
+    found = ss.evaluate(long, *names, "n_fft", view=replace(VIEW, outputs=(20, 24)))
+    assert found["n_fft"] is None
+    assert found["output_statistics"].dominant_hz == pytest.approx([100.0, 100.0], abs=0.1)
+    assert found["output_spectrogram"].time_s[-1] > 200.0
+    assert found["line_wave"].wave.counted.all()

@@ -1,0 +1,161 @@
+"""Transfer functions, main axes and travelling waves against signals that were made so."""
+
+import numpy as np
+import pytest
+
+from skinsource.analysis.main_axes import ellipse, main_axes
+from skinsource.analysis.transfer import transfer_function
+from skinsource.analysis.travelling import line_distances_mm, travelling_wave
+from skinsource.errors import InvalidInputError
+
+RATE = 1300.0
+
+
+def test_a_transfer_function_is_the_sum_over_taps_at_each_frequency():
+    response = np.random.default_rng(2).normal(size=(2, 3, 50))
+    found = transfer_function(response, RATE, np.zeros((2, 3)))
+    for k in (0, 7, 25):
+        turn = np.exp(-2j * np.pi * found.frequency_hz[k] * np.arange(50) / RATE)
+        expected = np.sqrt(np.sum(np.abs(response @ turn) ** 2, axis=1))
+        assert found.magnitude[:, k] == pytest.approx(expected, rel=1e-10)
+    assert (found.noise == 0.0).all()
+    assert found.coherence == pytest.approx(np.ones((2, 26)))
+
+
+def test_noise_alone_lies_at_the_floor_and_has_no_usable_band():
+    rng = np.random.default_rng(4)
+    noise = rng.normal(0.0, 0.02, (300, 3, 522))
+    found = transfer_function(noise, RATE, np.full((300, 3), 0.02))
+    mean_power = np.mean(found.magnitude[:, 5:-5] ** 2)
+    assert found.noise[0, 9] ** 2 == pytest.approx(mean_power, rel=0.02)
+    assert found.coherence.mean() < 0.2
+    assert np.isnan(found.usable_hz).all()
+
+
+def test_a_tone_between_noises_is_usable_around_its_frequency_only():
+    rng = np.random.default_rng(6)
+    time = np.arange(522) / RATE
+    response = rng.normal(0.0, 0.01, (1, 1, 522))
+    response += np.exp(-time / 0.01) * np.sin(2 * np.pi * 200.0 * time)
+    found = transfer_function(response, RATE, [[0.01]])
+    low, high = found.usable_hz[0]
+    assert 25.0 <= low < 190.0
+    assert 210.0 < high <= 600.0
+    at = int(np.argmin(np.abs(found.frequency_hz - 200.0)))
+    assert found.coherence[0, at] > 0.99
+    doubled = transfer_function(response, RATE, [[0.01]], np.full(262, 2.0))
+    assert doubled.noise == pytest.approx(2.0 * found.noise)
+
+
+def test_coherence_is_the_share_of_power_that_is_not_noise():
+    rng = np.random.default_rng(8)
+    clean = np.zeros((200, 1, 522))
+    clean[..., 100] = 0.5
+    sigma = 0.5 / np.sqrt(522)
+    found = transfer_function(clean + rng.normal(0, sigma, clean.shape), RATE, [[sigma]] * 200)
+    # Signal and noise have the same power everywhere: a half is left.
+    assert np.mean(found.coherence[:, 20:-20]) == pytest.approx(0.5, abs=0.04)
+
+
+def test_motion_on_a_tilted_line_has_that_axis_and_an_ellipse_of_its_length():
+    time = np.arange(4000) / RATE
+    direction = np.array([0.6, 0.0, -0.8])
+    line = direction[:, None] * np.sin(2 * np.pi * 65.0 * time)
+    found = main_axes(line[None] + 7.0)
+    assert found.direction[0] == pytest.approx([-0.6, 0.0, 0.8], abs=1e-9)
+    assert found.deviation[0, 0] == pytest.approx(np.sqrt(0.5), rel=1e-6)
+    assert found.share[0] == pytest.approx(1.0)
+    assert not found.none[0]
+    points = ellipse(found.covariance[0], (0, 2))
+    assert np.hypot(*points.T).max() == pytest.approx(np.sqrt(0.5), rel=1e-6)
+
+
+def test_motion_on_a_circle_and_silence_have_no_main_axis():
+    turn = 2 * np.pi * np.arange(1300) * 50 / RATE
+    circle = np.stack([np.cos(turn), np.sin(turn)])
+    found = main_axes(np.stack([circle, 0.0 * circle]))
+    assert found.none.tolist() == [True, True]
+    assert found.share[0] == pytest.approx(0.5)
+    assert np.isnan(found.share[1])
+    squeezed = main_axes((circle * [[1.0], [0.998]])[None])
+    assert not squeezed.none[0]
+
+
+def test_points_of_an_ellipse_solve_its_equation():
+    rng = np.random.default_rng(9)
+    mixing = rng.normal(size=(3, 3))
+    covariance = mixing @ mixing.T
+    points = ellipse(covariance, (1, 2))
+    inverse = np.linalg.inv(covariance[1:, 1:])
+    assert np.einsum("ni,ij,nj->n", points, inverse, points) == pytest.approx(np.ones(len(points)))
+
+
+def travelling(speed_m_per_s, loss_db_per_cm, distance_mm, noise=0.0):
+    """Bursts of 150 Hz that arrive later and weaker with distance; delays between samples."""
+    rng = np.random.default_rng(10)
+    time = np.arange(1200) / RATE
+    rows = []
+    for d in distance_mm:
+        since = time - 0.2 - d * 1e-3 / speed_m_per_s
+        burst = np.exp(-((since / 0.02) ** 2)) * np.cos(2 * np.pi * 150.0 * since)
+        rows.append(burst * 10 ** (-loss_db_per_cm * d / 10.0 / 20.0))
+    return np.array(rows) + noise * rng.normal(size=(len(distance_mm), time.size))
+
+
+@pytest.mark.parametrize(("speed", "loss"), [(5.0, 1.5), (15.0, 0.4), (40.0, 0.0)])
+def test_speed_and_loss_of_a_made_wave_are_found(speed, loss):
+    distance_mm = [0.0, 11.0, 30.0, 65.0, 90.0]
+    found = travelling_wave(travelling(speed, loss, distance_mm), distance_mm, RATE)
+    assert found.speed_m_per_s == pytest.approx(speed, rel=0.01)
+    assert found.attenuation_db_per_cm == pytest.approx(loss, abs=1e-3)
+    assert found.delay_s == pytest.approx(np.array(distance_mm) * 1e-3 / speed, abs=2e-5)
+    assert found.alike == pytest.approx(np.ones(5), abs=1e-3)
+    assert found.speed_deviation_m_per_s < 0.02 * speed
+
+
+def test_silent_and_untrusted_points_do_not_bend_the_line():
+    distance_mm = [0.0, 20.0, 40.0, 60.0]
+    signals = travelling(10.0, 1.0, distance_mm)
+    signals[1] = 0.0
+    signals[3] = np.roll(signals[3], 300)
+    found = travelling_wave(signals, distance_mm, RATE, [True, True, True, False])
+    assert found.counted.tolist() == [True, False, True, False]
+    assert found.speed_m_per_s == pytest.approx(10.0, rel=0.01)
+    assert np.isnan(found.delay_s[1])
+
+
+def test_what_arrives_everywhere_at_once_or_backwards_has_no_speed():
+    distance_mm = [0.0, 20.0, 40.0]
+    standing = np.tile(travelling(10.0, 0.0, [0.0]), (3, 1))
+    assert np.isnan(travelling_wave(standing, distance_mm, RATE).speed_m_per_s)
+    backwards = travelling(10.0, 0.0, distance_mm)[::-1]
+    assert np.isnan(travelling_wave(backwards, distance_mm, RATE).speed_m_per_s)
+    silent = travelling_wave(np.zeros((3, 50)), distance_mm, RATE)
+    assert np.isnan([silent.speed_m_per_s, silent.attenuation_db_per_cm]).all()
+
+
+def test_the_spread_of_the_speed_is_that_of_repeated_measurements():
+    distance_mm = np.linspace(0.0, 60.0, 6)
+    clean = travelling(8.0, 0.0, distance_mm)
+    rng = np.random.default_rng(12)
+    runs = [
+        travelling_wave(clean + rng.normal(0, 0.05, clean.shape), distance_mm, RATE)
+        for _ in range(60)
+    ]
+    told = np.median([one.speed_deviation_m_per_s for one in runs])
+    seen = np.std([one.speed_m_per_s for one in runs])
+    assert told == pytest.approx(seen, rel=0.4)
+
+
+def test_distances_add_up_along_the_line():
+    found = line_distances_mm([[0.0, 0.0], [3.0, 4.0], [3.0, 10.0]], 2.0)
+    assert found.tolist() == [0.0, 10.0, 22.0]
+
+
+def test_what_does_not_fit_is_refused():
+    with pytest.raises(InvalidInputError, match="n_points"):
+        travelling_wave(np.ones((2, 5)), [0.0], RATE)
+    with pytest.raises(InvalidInputError, match="two axes or more"):
+        main_axes(np.ones((2, 1, 5)))
+    with pytest.raises(InvalidInputError, match="noise"):
+        transfer_function(np.ones((2, 3, 9)), RATE, np.ones((2, 2)))

@@ -1,0 +1,231 @@
+"""The panels of analysis: what they show, say, copy, and cost."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+
+from skinsource.analysis.settings import SpectrogramSettings
+from skinsource.design import Design, track
+from skinsource.edits import Edit
+from skinsource.evaluation import evaluate
+from skinsource.panel_settings import settings_of
+from skinsource.waveforms import Tap
+from skinsource_gui.state.engine import FIRST_SLOT
+
+#: Panels, and the rule that each has for itself.
+RULES_OF = {
+    "statistics": "output_statistics",
+    "spectrogram": "output_spectrogram",
+    "transfer": "transfer",
+    "main_axis": "output_main_axes",
+    "wave": "line_wave",
+}
+OUTPUTS = (20, 22, 24, 26)
+
+
+@pytest.fixture
+def show(window, settle):
+    """Bring a panel forward, with outputs along digit III selected."""
+
+    def bring(name, outputs=OUTPUTS, **changes):
+        window.document.look(replace(window.document.view, outputs=outputs, **changes))
+        window.docks[name].bring_forward()
+        settle()
+        return window.panel(name)
+
+    return bring
+
+
+def message_of(panel):
+    return panel._message.text() if panel.name == "statistics" else panel.figure.message
+
+
+def changed(label, design, view):
+    return Edit(label=label, design=design, view=view)
+
+
+def louder(window, amplitude):
+    document = window.document
+    design = document.design.with_input(0, amplitude=amplitude)
+    document.apply(changed("Louder", design, document.view))
+
+
+@pytest.mark.parametrize("name", RULES_OF)
+def test_a_hidden_panel_computes_nothing(window, show, settle, name):
+    rule = RULES_OF[name]
+    runs = window.engine._graphs[FIRST_SLOT].runs
+    window.document.look(replace(window.document.view, outputs=OUTPUTS))
+    settle()
+    assert runs[rule] == 0
+    show(name)
+    shown = runs[rule]
+    assert shown == 1
+    window.docks[name].toggleViewAction().trigger()
+    assert not window.panel(name).isVisible()
+    window.document.look(replace(window.document.view, axes="z", outputs=OUTPUTS[:2]))
+    louder(window, 2.5)
+    settle()
+    assert runs[rule] == shown
+
+
+@pytest.mark.parametrize("name", RULES_OF)
+def test_without_outputs_it_says_how_to_select_some_and_then_shows_them(show, window, settle, name):
+    panel = show(name, outputs=())
+    assert "elect" in message_of(panel)
+    assert "on the skin map" in message_of(panel)
+    window.document.look(replace(window.document.view, outputs=OUTPUTS))
+    settle()
+    if name == "statistics":
+        assert panel.model.rowCount() == 4
+    else:
+        assert panel.figure.message == ""
+        panel.grab()
+
+
+@pytest.mark.parametrize("name", RULES_OF)
+def test_silence_and_a_hundred_inputs_are_shown_without_a_fault(show, window, settle, name):
+    panel = show(name)
+    document = window.document
+    silent = replace(document.design, inputs=(replace(document.design.inputs[0], muted=True),))
+    document.apply(changed("Mute", silent, document.view))
+    settle()
+    panel.grab()
+    many = tuple(track(1 + k % 20, Tap(), onset_s=k * 0.01) for k in range(100))
+    document.apply(changed("Many", replace(silent, inputs=many), document.view))
+    settle()
+    panel.grab()
+    assert message_of(panel) == "" or name == "statistics"
+    document.apply(changed("None", Design(limb="synthetic-1"), document.view))
+    settle()
+    panel.grab()
+
+
+def test_the_table_is_copied_with_numbers_that_read_back(show, window):
+    panel = show("statistics")
+    panel.copy.click()
+    header, *lines = QGuiApplication.clipboard().text().splitlines()
+    columns = header.split("\t")
+    assert [line.split("\t")[0] for line in lines] == ["20", "22", "24", "26"]
+    document = window.document
+    found = evaluate(document.design, "output_statistics", view=document.view)["output_statistics"]
+    rms = [float(line.split("\t")[columns.index("rms_m_per_s2")]) for line in lines]
+    assert rms == found.rms.tolist()
+    delay = [float(line.split("\t")[columns.index("delay_ms")]) for line in lines]
+    assert delay == pytest.approx(found.delay_s * 1e3)
+    QGuiApplication.clipboard().clear()
+    panel.table.setFocus()
+    QTest.keyClick(panel.table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    assert QGuiApplication.clipboard().text().splitlines()[0] == header
+
+
+def test_the_spectrogram_reads_what_is_under_the_cursor(show, window):
+    panel = show("spectrogram")
+    picture = panel.picture
+    panel.grab()
+    found = picture.shown.found
+    row, column = np.unravel_index(np.argmax(found.amplitude), found.amplitude.shape)
+    time_s, frequency_hz = found.time_s[column], found.frequency_hz[row]
+    place = picture.axes.to_screen(np.array([time_s]), np.array([frequency_hz]))[0]
+    picture.move_cursor(QPointF(*place))
+    level = 20 * np.log10(found.amplitude.max())
+    assert panel.words.text.startswith(f"{time_s * 1e3:.1f} ms")
+    assert f"{abs(level):.1f} dB" in panel.words.text
+    # The tone of the start design.
+    assert abs(frequency_hz - 100.0) < 10.0 or abs(frequency_hz - 200.0) < 10.0
+    picture.move_cursor(QPointF(0, 0))
+    assert panel.words.text.startswith("Output 26")
+
+
+def test_floor_and_ceiling_zoom_without_computing(show, window, settle):
+    panel = show("spectrogram")
+    runs = window.engine._graphs[FIRST_SLOT].runs
+    before = runs["output_spectrogram"]
+    panel.floor.edited.emit(50.0, None)
+    panel.ceiling.edited.emit(300.0, None)
+    settle()
+    panel.grab()
+    assert panel.picture.shown.band_hz == (50.0, 300.0)
+    assert panel.picture.axes.y.shown == (50.0, 300.0)
+    assert runs["output_spectrogram"] == before
+    held = settings_of(window.document.view, "spectrogram", SpectrogramSettings)
+    assert (held.floor_hz, held.ceiling_hz) == (50.0, 300.0)
+    # One that is not above the floor counts as the top of the band.
+    panel.ceiling.edited.emit(20.0, None)
+    settle()
+    assert panel.picture.shown.band_hz == (50.0, 650.0)
+
+
+def test_another_output_and_window_are_computed(show, window, settle):
+    panel = show("spectrogram")
+    panel.output.choose("22")
+    settle()
+    assert panel.words.text.startswith("Output 22")
+    columns = panel.picture.shown.found.time_s.size
+    panel.window_length.choose("200")
+    settle()
+    assert panel.picture.shown.found.time_s.size < columns
+
+
+def test_the_cursor_of_a_figure_follows_the_keys(show):
+    panel = show("transfer")
+    panel.grab()
+    panel.figure.setFocus()
+    QTest.keyClick(panel.figure, Qt.Key.Key_Home)
+    assert panel.words.text.startswith("0.0 Hz")
+    QTest.keyClick(panel.figure, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
+    assert not panel.words.text.startswith("0.0 Hz")
+    assert "coherence" in panel.words.text
+    QTest.keyClick(panel.figure, Qt.Key.Key_Escape)
+    assert panel.words.text.startswith("Coherence ≥ 0.75")
+
+
+def test_transfer_functions_are_of_the_selected_input(show, window, settle):
+    panel = show("transfer")
+    assert panel.place.text.startswith("From place 7")
+    document = window.document
+    added = document.design.adding(track(13, Tap()))
+    selected = replace(document.view, selected_inputs=(added.inputs[-1].id,))
+    document.apply(changed("Add", added, selected))
+    settle()
+    assert panel.place.text.startswith("From place 13")
+    panel.coherence.click()
+    settle()
+    panel.grab()
+    assert panel.picture.axes.y.title == "Coherence"
+    rows = panel.table().splitlines()
+    assert len(rows) == 1 + 522 // 2 + 1
+
+
+def test_a_single_axis_has_no_main_axis_and_circles_say_so(show, window, settle):
+    panel = show("main_axis", axes="z")
+    assert panel.figure.message.startswith("A single axis has no main axis")
+    window.document.look(replace(window.document.view, axes="xyz"))
+    settle()
+    shown = panel.picture.shown
+    panel.grab()
+    panel.picture.move_cursor(QPointF(30, 30))
+    assert panel.words.text.startswith("20 III nail rad.: x ")
+    none = replace(shown.found, none=np.ones(4, bool))
+    panel.picture.show_axes(replace(shown, found=none))
+    assert panel.picture.shown.words_of(0) == "20 III nail rad.: no main axis"
+    header, first, *_ = panel.table().splitlines()
+    assert dict(zip(header.split("\t"), first.split("\t"), strict=True))["main_axis"] == "no"
+
+
+def test_the_wave_says_speed_and_attenuation_along_the_selection(show, window, settle):
+    panel = show("wave", outputs=(29, 31, 33, 35))
+    document = window.document
+    found = evaluate(document.design, "line_wave", view=document.view)["line_wave"].wave
+    assert f"attenuation {found.attenuation_db_per_cm:.2f}" in panel.words.text
+    panel.grab()
+    places = panel.picture._diagrams[1][1]
+    panel.picture.move_cursor(QPointF(*places[2]))
+    assert panel.words.text.startswith("33: ")
+    assert panel.table().splitlines()[3].startswith("33\t")
+    window.document.look(replace(document.view, outputs=(20,)))
+    settle()
+    assert "two or more outputs" in panel.figure.message
