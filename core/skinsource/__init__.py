@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING
 from skinsource import edits, effects, motions, waveforms
 from skinsource.analysis import Extent, extent, windowed_rms
 from skinsource.catalogue import available_limbs, load_limb
+from skinsource.chain import Actuation, ActuatorAt
 from skinsource.clips import Clip, Marker
 from skinsource.decibels import decibels
 from skinsource.design import Design, Input, track
@@ -56,6 +57,8 @@ if TYPE_CHECKING:
     from skinsource.sweeps import sweep
 
 __all__ = [
+    "Actuation",
+    "ActuatorAt",
     "Clip",
     "Design",
     "Extent",

@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from skinsource import choice_words, fields
+from skinsource.chain import Actuation, amplitude_meaning, amplitude_unit
 from skinsource.clips import Clip, Marker, numbered
 from skinsource.clips.clip import ID
 from skinsource.clips.marker import LATEST_S
@@ -13,6 +14,7 @@ from skinsource.fields import (
     CurveSpec,
     ListSpec,
     NumberSpec,
+    OptionalSpec,
     Range,
     RangeSpec,
     RecipeSpec,
@@ -67,6 +69,9 @@ MARKERS = ListSpec(
     label="Markers", of=RecipeSpec(label="Marker", kinds=lambda: (Marker,)), most=MAX_MARKERS
 )
 LOOP = RangeSpec(label="Loop", unit="s", minimum=0.0, maximum=LATEST_S)
+ACTUATION = OptionalSpec(
+    label="Actuators", of=RecipeSpec(label="Actuators", kinds=lambda: (Actuation,))
+)
 SCALING = ChoiceSpec(
     label="Scaling", options=tuple((word.name, word.title) for word in choice_words.SCALINGS)
 )
@@ -125,6 +130,9 @@ class Design:
     scaling
         ``"upstream"``, ``"relative"`` or ``"probe"``, see `skinsource.predict`.  Probe scaling is
         where designs start: a clip that is added changes nothing of what the others cause.
+    actuation
+        Actuators through which it is predicted, and what makes their volts; None: drives are what
+        the contactor does.
     markers
         Names for times.
     loop_s
@@ -136,6 +144,7 @@ class Design:
     limb: str = fields.field(LIMB)
     inputs: tuple[Input, ...] = fields.field(INPUTS, ())
     scaling: Scaling = fields.choice("probe", SCALING)
+    actuation: Actuation | None = fields.field(ACTUATION, None)
     markers: tuple[Marker, ...] = fields.field(MARKERS, ())
     loop_s: Range | None = fields.interval(None, LOOP)
     title: str = fields.text("", TITLE)
@@ -151,6 +160,11 @@ class Design:
     def ids(self) -> tuple[int, ...]:
         """Ids of the inputs, in their order."""
         return tuple(one.id for one in self.inputs)
+
+    @property
+    def actuated(self) -> Actuation | None:
+        """What it is predicted through; None where that is off."""
+        return self.actuation if self.actuation is not None and self.actuation.on else None
 
     def input(self, id: int) -> Input:
         """The input with this id."""
@@ -270,22 +284,10 @@ def audible_inputs(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
     return tuple(inputs[index] for index in audible_indices(inputs))
 
 
-def amplitude_unit(scaling: Scaling) -> str:
-    """Unit of an input's amplitude: m/s², or × for a plain factor."""
-    return "×" if scaling == "relative" else "m/s²"
-
-
-_MEANINGS: dict[Scaling, str] = {
-    "upstream": "The highest acceleration on any one axis that all clips together cause",
-    "relative": "A factor: 1 is the measuring pulse",
-    "probe": "Acceleration of the probe, within about 3 dB",
-}
-
-
-def amplitude_spec(scaling: Scaling) -> NumberSpec:
-    """Specification of amplitudes that says what they mean in a scaling, and in which unit."""
-    hint = f"{_MEANINGS[scaling]}. {AMPLITUDE.hint}"
-    return replace(AMPLITUDE, unit=amplitude_unit(scaling), hint=hint)
+def amplitude_spec(scaling: Scaling, actuated: Actuation | None = None) -> NumberSpec:
+    """Specification of amplitudes that says what they mean, and in which unit."""
+    unit, meaning = amplitude_unit(scaling, actuated), amplitude_meaning(scaling, actuated)
+    return replace(AMPLITUDE, unit=unit, hint=f"{meaning}. {AMPLITUDE.hint}")
 
 
 def start_design(limb: str) -> Design:

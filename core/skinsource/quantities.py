@@ -70,10 +70,11 @@ def surface_levels_db(surface: SurfaceOperator, output_levels_db: Floats) -> Flo
     return surface.interpolate(output_levels_db)
 
 
-def response_time_s(response_samples: int, limb_data: Limb, delay_removed: bool) -> Floats:
+def response_time_s(response_samples: int, driven_limb: Limb, delay_removed: bool) -> Floats:
     """Sampling instants of the response, (n_times,), in seconds."""
-    shift_s = limb_data.pre_trigger_delay_s if delay_removed else 0.0
-    return np.arange(response_samples) / limb_data.sample_rate_hz - shift_s
+    shift_s = driven_limb.pre_trigger_delay_s if delay_removed else 0.0
+    first = driven_limb.lead_samples
+    return np.arange(-first, response_samples - first) / driven_limb.sample_rate_hz - shift_s
 
 
 #: All rules but those of `skinsource.shared.Shared`.
@@ -99,6 +100,7 @@ def sources(design: Design, view: View) -> dict[str, Any]:
         "limb": design.limb,
         "inputs": design.inputs,
         "scaling": design.scaling,
+        "actuation": design.actuated,
         "axes": view.axes,
         "method": view.method,
         "span": view.span,

@@ -10,13 +10,14 @@ from numpy.typing import ArrayLike
 
 from skinsource.arguments import real_array
 from skinsource.arrays import Complexes, Floats
-from skinsource.chain import LARGEST, Drive, drive_of, first_unusable
+from skinsource.chain import LARGEST, Actuation, Drive, drive_of, first_unusable, refuse_unfollowed
 from skinsource.errors import InvalidInputError
 from skinsource.limb import Limb, check_input_location
 from skinsource.prediction.gains_of_drives import GainsOfDrives
 from skinsource.prediction.spectra_of_limbs import SpectraOfLimbs
 from skinsource.prediction.superposition import caused_by_one, superposed
 from skinsource.quoting import quoted
+from skinsource.rendering.actuated import actuated_limb
 from skinsource.rendering.drives import active_samples
 from skinsource.rendering.gains import exceeds_rounding, unit_gains
 from skinsource.rendering.response_spectra import Norms, ResponseSpectra, bounded_taps
@@ -33,6 +34,7 @@ def predict(
     locations: Sequence[int] | int,
     amplitudes: ArrayLike | None = None,
     scaling: Scaling = "upstream",
+    actuation: Actuation | None = None,
 ) -> Floats:
     """Skin acceleration at all outputs, for drives at some input places.
 
@@ -51,10 +53,13 @@ def predict(
         axes and times, so that an amplitude is that maximum in m/s².  ``"relative"``: no division;
         1 is the measuring pulse, sample by sample.  ``"probe"``: responses calibrated to probe
         acceleration (`skinsource.scaling.calibration`).
+    actuation
+        Actuators before the skin, under ``"probe"`` scaling: drives are `Actuation`'s.
 
     Returns
     -------
-    (n_outputs, n_axes, n_times + n_taps - 1), m/s², float64: the full linear convolution.
+    (n_outputs, n_axes, n_times + n_taps - 1), m/s², float64: the full linear convolution;
+    through actuators with what they ring after the end, from time 0 on.
 
     Raises
     ------
@@ -66,6 +71,8 @@ def predict(
     check_scaling(scaling)
     samples = _checked_drives(drives)
     places = _checked_locations(locations, len(samples), limb.n_inputs)
+    if actuation is not None:
+        return _through(actuation, limb, samples, places, amplitudes, scaling)
     factors = _checked_amplitudes(amplitudes, len(samples))
     response_samples = samples.shape[-1] + limb.n_taps - 1
     heard = [
@@ -77,11 +84,29 @@ def predict(
     n_fft = length_at_once(response_samples, n_places, limb.n_outputs * limb.n_axes)
     if n_fft is None:
         return _streamed(limb, heard, scaling, response_samples).everything()
-    # A transform of 27 times a power of two is as quick as its neighbours, 24 and 30 times.
+    return _at_once(limb, heard, scaling, response_samples, _shorter(n_fft, response_samples))
+
+
+def _shorter(n_fft: int, n_times: int) -> int:
+    """A transform of 27 times a power of two is as quick as its neighbours, 24 and 30 times."""
     shorter = n_fft * 9 // 10
-    if n_fft % 10 == 0 and shorter >= response_samples:
-        n_fft = shorter
-    return _at_once(limb, heard, scaling, response_samples, n_fft)
+    return shorter if n_fft % 10 == 0 and shorter >= n_times else n_fft
+
+
+def _through(
+    actuation: Actuation,
+    limb: Limb,
+    samples: Floats,
+    places: list[int],
+    amplitudes: ArrayLike | None,
+    scaling: Scaling,
+) -> Floats:
+    """The same through actuators, from time 0 on."""
+    through = actuated_limb(limb, actuation, scaling)
+    for one, place in zip(samples, places, strict=True):
+        refuse_unfollowed(actuation, drive_of(one), limb.sample_rate_hz, place)
+    vibration = predict(through, samples, places, amplitudes, scaling)
+    return vibration[..., through.lead_samples :]
 
 
 # Far more than anybody has drives for.

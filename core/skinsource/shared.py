@@ -10,13 +10,18 @@ from typing import Any
 from weakref import WeakValueDictionary, ref
 
 from skinsource.catalogue import load_limb
+from skinsource.chain import Actuation
 from skinsource.job import Stop
 from skinsource.limb import Limb
+from skinsource.rendering.actuated import actuated_limb
 from skinsource.rendering.budgets import SURFACES_BYTES
 from skinsource.rendering.memory import Memory
 from skinsource.rendering.remembered import Remembered
+from skinsource.scaling.response_scaling import Scaling
 from skinsource.surface import SurfaceOperator
 from skinsource.surface.kept import kept_surface_operator
+
+_Actuated = tuple[ref[Limb], Actuation, Scaling]
 
 
 class Shared:
@@ -28,11 +33,12 @@ class Shared:
     def __init__(self) -> None:
         self._remembered = Remembered()
         self._limbs: WeakValueDictionary[str, Limb] = WeakValueDictionary()
+        self._actuated: WeakValueDictionary[_Actuated, Limb] = WeakValueDictionary()
         self._surfaces = Memory[SurfaceOperator](SURFACES_BYTES, _bytes_of)
 
     def rules(self) -> tuple[Callable[..., Any], ...]:
         """The methods that are rules."""
-        return self.remembered, self.limb_data, self.surface
+        return self.remembered, self.limb_data, self.driven_limb, self.surface
 
     def remembered(self) -> Remembered:
         """What rendering remembers."""
@@ -44,6 +50,16 @@ class Shared:
         found = self._limbs.get(limb)
         if found is None:
             found = self._limbs[limb] = load_limb(limb)
+        return found
+
+    def driven_limb(self, limb_data: Limb, actuation: Actuation | None, scaling: Scaling) -> Limb:
+        """The limb as drives meet it: through the actuators, where there are any."""
+        if actuation is None:
+            return limb_data
+        key = ref(limb_data), actuation, scaling
+        found = self._actuated.get(key)
+        if found is None:
+            found = self._actuated[key] = actuated_limb(limb_data, actuation, scaling)
         return found
 
     def surface(self, limb_data: Limb, stop: Stop) -> SurfaceOperator:

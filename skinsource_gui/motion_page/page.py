@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource import edits
-from skinsource.design import amplitude_unit
+from skinsource.chain import amplitude_unit
 from skinsource.edits import Refusal
 from skinsource.edits.kinds import kind_spec
 from skinsource.errors import InvalidInputError
@@ -180,7 +180,8 @@ class MotionPage(QDialog):
         if name in ("path", "waveform"):
             return None
         if name == "amplitude" and isinstance(spec, NumberSpec):
-            return replace(spec, unit=amplitude_unit(self._document.design.scaling))
+            design = self._document.design
+            return replace(spec, unit=amplitude_unit(design.scaling, design.actuated))
         return spec
 
     def _show_theme(self) -> None:

@@ -28,7 +28,7 @@ from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Re
 
 _LEVELS = frozenset({"output_levels_db"})
 #: What levels depend on.
-_DEPENDS_ON = ("limb", "inputs", "scaling", "axes", "method", "span")
+_DEPENDS_ON = ("limb", "inputs", "scaling", "actuation", "axes", "method", "span")
 # Number under which the results of the window are remembered.
 _PRESENT = -1
 

@@ -1,5 +1,6 @@
 """What each field of the page of stimuli can be."""
 
+from skinsource.chain import amplitude_unit
 from skinsource.design import Design
 from skinsource.fields import ChoiceSpec, NumberSpec
 from skinsource.stimulus.stimulus import UNITS
@@ -99,10 +100,10 @@ def time_number(label: str, design: Design) -> NumberSpec:
 
 def scale_number(design: Design) -> NumberSpec:
     """A drive."""
-    unit = UNITS[design.scaling]
+    unit = amplitude_unit(design.scaling, design.actuated)
     return NumberSpec(
         label="Drive at full scale",
-        unit=unit if unit == "m/s²" else "",
+        unit=unit if unit == "V" or UNITS[design.scaling] == "m/s²" else "",
         minimum=0.001,
         maximum=1e6,
         step=0.1,

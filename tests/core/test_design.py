@@ -2,13 +2,13 @@ from dataclasses import FrozenInstanceError, replace
 
 import pytest
 
+from skinsource.chain import amplitude_unit
 from skinsource.clips import Clip, Marker
 from skinsource.design import (
     MAX_INPUTS,
     Design,
     Input,
     amplitude_spec,
-    amplitude_unit,
     audible_inputs,
     start_design,
     track,

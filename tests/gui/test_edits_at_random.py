@@ -1,9 +1,12 @@
 """Any sequence of edits: none raises, undo and redo lead to the same states, ids stay unique."""
 
+from dataclasses import replace
+
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from skinsource import edits
+from skinsource import actuators, edits
+from skinsource.chain import Actuation, ActuatorAt
 from skinsource.design import Design, track
 from skinsource.effects import EFFECTS
 from skinsource.limb import LIMB_NAMES
@@ -20,6 +23,8 @@ START = Design(
         track(location=2, waveform=Tap(), colour=2),
     ),
 )
+COIL = ActuatorAt(actuator="coil", model=actuators.load("example-voice-coil"))
+ACTUATION = Actuation(actuators=(COIL,))
 FRAGMENT = edits.fragment_of(START, (1, 3))
 fragments = st.just(FRAGMENT)
 ids = st.lists(st.integers(-1, 8), max_size=4).map(tuple)
@@ -124,6 +129,7 @@ ARGUMENTS = {
     "place_input": (places, switches),
     "place_waveform": (places, st.sampled_from([Tone(), Tap()]), st.sampled_from([0.0, 0.5, -1.0])),
     "play_slower": (anything,),
+    "predict_through": (st.none() | st.booleans().map(lambda on: replace(ACTUATION, on=on)),),
     "put_inputs_before": (ids, st.integers(-5, 9)),
     "remove_delay": (switches,),
     "remove_clips": (ids,),

@@ -1,17 +1,28 @@
 """From what is written down of a voice to the samples it plays: the one place drives come from."""
 
+from skinsource.chain.actuation import Actuation, ActuatorAt
+from skinsource.chain.amplitudes import amplitude_meaning, amplitude_unit
 from skinsource.chain.chain import Chain, Curve, Part
 from skinsource.chain.drive import LARGEST, Drive, drive_of, drive_played, first_unusable
+from skinsource.chain.followed import refuse_unfollowed
 from skinsource.chain.placing import placed_chain
+from skinsource.chain.transfer import Transfer, transfers_of
 
 __all__ = [
     "LARGEST",
+    "Actuation",
+    "ActuatorAt",
     "Chain",
     "Curve",
     "Drive",
     "Part",
+    "Transfer",
+    "amplitude_meaning",
+    "amplitude_unit",
     "drive_of",
     "drive_played",
     "first_unusable",
     "placed_chain",
+    "refuse_unfollowed",
+    "transfers_of",
 ]

@@ -6,9 +6,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from skinsource.chain import amplitude_unit
 from skinsource.choice_words import LIMBS, SCALINGS, level_words, signal_words, word_of
 from skinsource.clips import Clip
-from skinsource.design import Design, Input, amplitude_unit, audible_inputs
+from skinsource.design import Design, Input, audible_inputs
 from skinsource.design_file import open_design
 from skinsource.evaluation import evaluate
 from skinsource.export import export_levels, export_map, export_map_picture, export_traces
@@ -84,11 +85,12 @@ def _about_design(design: Design) -> list[str]:
         *(f"{'notes':9} {escaped(line)}" for line in design.notes.splitlines()),
         f"limb      {limb.both}{synthetic}",
         f"scaling   {word_of(SCALINGS, design.scaling).both}",
+        *([f"through   {design.actuated.words}"] if design.actuated is not None else []),
     ]
 
 
 def _about_inputs(design: Design) -> list[str]:
-    unit = amplitude_unit(design.scaling)
+    unit = amplitude_unit(design.scaling, design.actuated)
     heard = len(audible_inputs(design.inputs))
     return [
         f"inputs    {len(design.inputs)}, {heard} of them heard",

@@ -4,6 +4,7 @@ Whatever they are given, they raise nothing: what cannot be done is a `Refusal` 
 To add one, write a function in the module that it belongs to, and name it here.
 """
 
+from skinsource.edits.actuation import predict_through
 from skinsource.edits.clip_selection import (
     move_playhead,
     select_all_clips,
@@ -148,6 +149,7 @@ __all__ = [
     "place_input",
     "place_waveform",
     "play_slower",
+    "predict_through",
     "put_inputs_before",
     "remove_clips",
     "remove_delay",

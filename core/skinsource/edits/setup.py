@@ -22,6 +22,11 @@ def change_limb(design: Design, view: View, limb: str) -> Edit | Refusal:
 
 def change_scaling(design: Design, view: View, scaling: Any) -> Edit | Refusal:
     """Let amplitudes mean something else."""
+    if design.actuated is not None and scaling != "probe":
+        return Refusal(
+            sentence="Under another scaling drives are no accelerations, and nothing is predicted "
+            "through an actuator. Switch off Predict through the actuator first."
+        )
     try:
         after = replace(design, scaling=scaling)
     except InvalidInputError as error:

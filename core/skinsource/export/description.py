@@ -2,17 +2,27 @@
 
 from collections.abc import Iterable
 
+from skinsource.chain import Actuation, ActuatorAt
 from skinsource.choice_words import AXES, LIMBS, METHODS, SCALINGS, SPANS, word_of
 from skinsource.clips import Clip
 from skinsource.design import Input
 
 
-def describe_played(limb: str, note: str, scaling: str, inputs: Iterable[Input]) -> list[str]:
-    """Lines on the limb, by its name and what there is to note of it, scaling and inputs."""
+def describe_played(
+    limb: str,
+    note: str,
+    scaling: str,
+    inputs: Iterable[Input],
+    actuated: Actuation | None = None,
+) -> list[str]:
+    """Lines on the limb, by its name and what there is to note of it, and what it is driven by."""
     lines = [f"NOTE on the limb: {note}"] if note else []
     lines.append(
         f"limb: {word_of(LIMBS, limb).title}, {limb}; scaling: {word_of(SCALINGS, scaling).both}"
     )
+    if actuated is not None:
+        lines.append(f"predicted through: {actuated.words}")
+        lines += [f"  {_named(one)}: {one.model}" for one in actuated.actuators]
     for one in inputs:
         muted = ", muted" if one.muted else ""
         solo = ", solo" if one.solo else ""
@@ -23,6 +33,11 @@ def describe_played(limb: str, note: str, scaling: str, inputs: Iterable[Input])
         )
         lines += [f"  clip of the input at place {one.location}: {words_of(x)}" for x in one.clips]
     return lines
+
+
+def _named(one: ActuatorAt) -> str:
+    where = "all other places" if one.place is None else f"place {one.place}"
+    return f"{where}, {one.actuator}" if one.actuator else where
 
 
 def words_of(clip: Clip) -> str:

@@ -21,7 +21,9 @@ def about_design(exported: ExportedDesign) -> list[str]:
     lines = ["SkinSource studio"]
     if exported.limb.synthetic:
         lines.append("SYNTHETIC LIMB: computed responses, not measured ones")
-    lines += describe_played(design.limb, exported.limb.note, design.scaling, design.inputs)
+    lines += describe_played(
+        design.limb, exported.limb.note, design.scaling, design.inputs, design.actuated
+    )
     return lines
 
 

@@ -81,11 +81,17 @@ def _about(exported: ExportedDesign) -> list[str]:
         *about_design(exported),
         f"acceleration_m_per_s2: {exported.limb.n_outputs} outputs, {exported.limb.n_axes} axes "
         f"({', '.join(exported.limb.axes)}), {exported.n_times} times, in m/s²",
-        f"times: sample k at k / {exported.sample_rate_hz:g} s; pre-trigger delay of "
-        f"{exported.limb.pre_trigger_delay_s * 1e3:g} ms: contained in the times",
+        f"times: sample k at {_first(exported)}k / {exported.sample_rate_hz:g} s; pre-trigger "
+        f"delay of {exported.limb.pre_trigger_delay_s * 1e3:g} ms: contained in the times",
         about_levels(exported),
         *about_method(exported),
     ]
+
+
+def _first(exported: ExportedDesign) -> str:
+    """What stands before k: responses through actuators may begin before time 0."""
+    first_s = float(exported.value("response_time_s")[0]) if exported.design.actuated else 0.0
+    return f"{first_s:.9g} s + " if first_s else ""
 
 
 def _refuse_without_room(path: Path, n_bytes: int) -> None:

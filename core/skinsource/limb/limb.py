@@ -49,6 +49,8 @@ class Limb:
     note
         What the user should know of the data, such as that they are not the published ones; shown
         with the limb's name by every view and export.  Empty where there is nothing to say.
+    lead_samples
+        Samples of a response that lie before time 0: none, unless an actuator stands before it.
     bytes_read
         How many bytes of responses were read or computed so far.
     """
@@ -67,6 +69,7 @@ class Limb:
         per_unit_drive: bool = False,
         note: str = "",
         shape: tuple[int, int, int, int] = (N_INPUTS, N_OUTPUTS, N_AXES, N_TAPS),
+        lead_samples: int = 0,
     ) -> None:
         self.name = name
         self.hand_length_mm = hand_length_mm
@@ -83,6 +86,7 @@ class Limb:
         self.axes: Axes = axes
         self.pre_trigger_delay_s = pre_trigger_delay_s
         self.per_unit_drive = per_unit_drive
+        self.lead_samples = lead_samples
         self.bytes_read = 0
         self._read_response = read_response
         self._responses: dict[int, Floats] = {}

@@ -151,9 +151,9 @@ def record_rms(
     moments: Moments,
     projection: Projection,
     total_spectrum: TotalSpectrum | None,
-    response_samples: int,
+    record_samples: int,
 ) -> Floats:
-    """RMS over the whole response of the projected signals, (n_outputs,), in m/s².
+    """RMS over the whole record of the projected signals, (n_outputs,), in m/s².
 
     Where the axes of an output cancel in its projection, its energy is taken from the projected
     spectrum instead.
@@ -164,7 +164,7 @@ def record_rms(
         spectra = total_spectrum.rows(rows, projection.axis_numbers)
         projected = projection.at(rows).spectra(spectra)
         energy[cancelled] = energies_of(projected, total_spectrum.n_fft)
-    return np.sqrt(energy / response_samples)
+    return np.sqrt(energy / record_samples)
 
 
 def loudest_rms(

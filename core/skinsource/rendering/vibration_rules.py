@@ -26,10 +26,10 @@ from skinsource.voices import UnitVoice, Voice
 
 
 def responses(
-    remembered: Remembered, limb_data: Limb, scaling: Scaling, n_fft: int | None
+    remembered: Remembered, driven_limb: Limb, scaling: Scaling, n_fft: int | None
 ) -> Responses:
     """Responses of the limb at the length of the transforms; nothing is read yet."""
-    return Responses(remembered, limb_data, scaling, n_fft)
+    return Responses(remembered, driven_limb, scaling, n_fft)
 
 
 def others_spectrum(

@@ -7,7 +7,7 @@ that a change of it leaves them alone.  No number depends on which one it is.
 import numpy as np
 
 from skinsource.arrays import Booleans, Floats
-from skinsource.chain import Drive
+from skinsource.chain import Actuation, Drive, refuse_unfollowed
 from skinsource.job import Stop, stop_if
 from skinsource.limb import Limb
 from skinsource.rendering.drives import active_samples
@@ -59,18 +59,28 @@ def input_waveforms(unit_drives: tuple[Drive, ...]) -> tuple[Floats, ...]:
 
 
 def edited_drive(
-    remembered: Remembered, edited_unit: UnitVoice | None, sample_rate_hz: float, stop: Stop
+    remembered: Remembered,
+    edited_unit: UnitVoice | None,
+    sample_rate_hz: float,
+    actuation: Actuation | None,
+    stop: Stop,
 ) -> Drive | None:
-    """What the edited voice plays."""
-    return None if edited_unit is None else _drawn(remembered, edited_unit, sample_rate_hz, stop)
+    """What the edited voice plays; refused where no actuator could follow it."""
+    if edited_unit is None:
+        return None
+    return _followed(remembered, edited_unit, sample_rate_hz, actuation, stop)
 
 
 def others_placed(
-    remembered: Remembered, other_voices: tuple[Voice, ...], sample_rate_hz: float, stop: Stop
+    remembered: Remembered,
+    other_voices: tuple[Voice, ...],
+    sample_rate_hz: float,
+    actuation: Actuation | None,
+    stop: Stop,
 ) -> tuple[Placed, ...]:
     """The other voices with their drives."""
     return tuple(
-        Placed(one, _drawn(remembered, one.unit, sample_rate_hz, stop), one.start)
+        Placed(one, _followed(remembered, one.unit, sample_rate_hz, actuation, stop), one.start)
         for one in other_voices
     )
 
@@ -99,8 +109,13 @@ def stimulus_samples(
     return max([1, *ends])
 
 
-def response_samples(stimulus_samples: int, limb_data: Limb) -> int:
+def response_samples(stimulus_samples: int, driven_limb: Limb) -> int:
     """Samples of the response: the stimulus and one response more."""
+    return stimulus_samples + driven_limb.n_taps - 1
+
+
+def record_samples(stimulus_samples: int, limb_data: Limb) -> int:
+    """Samples that levels of the whole record are over: without what actuators ring."""
     return stimulus_samples + limb_data.n_taps - 1
 
 
@@ -108,13 +123,13 @@ def n_fft(
     response_samples: int,
     others_placed: tuple[Placed, ...],
     edited_unit: UnitVoice | None,
-    limb_data: Limb,
+    driven_limb: Limb,
 ) -> int | None:
     """Length of transforms; None where the response is too long to be transformed at once."""
     places = {one.voice.location for one in others_placed}
     if edited_unit is not None:
         places.add(edited_unit.location)
-    return length_at_once(response_samples, len(places), limb_data.n_outputs * limb_data.n_axes)
+    return length_at_once(response_samples, len(places), driven_limb.n_outputs * driven_limb.n_axes)
 
 
 def streamed(n_fft: int | None) -> bool:
@@ -123,23 +138,35 @@ def streamed(n_fft: int | None) -> bool:
 
 
 def others_active(
-    others_placed: tuple[Placed, ...], response_samples: int, n_fft: int | None, limb_data: Limb
+    others_placed: tuple[Placed, ...], response_samples: int, n_fft: int | None, driven_limb: Limb
 ) -> Booleans:
     """When any other voice can move the skin, (response_samples,); not for long responses."""
     played = np.zeros(0 if n_fft is None else response_samples, bool)
     for one in others_placed if played.size else ():
         played[one.start : one.end] |= one.drive.samples != 0.0
-    return active_samples(played, limb_data.n_taps)
+    return active_samples(played, driven_limb.n_taps)
 
 
 def edited_active(
-    edited_drive: Drive | None, response_samples: int, n_fft: int | None, limb_data: Limb
+    edited_drive: Drive | None, response_samples: int, n_fft: int | None, driven_limb: Limb
 ) -> Booleans:
     """When the edited voice could if it started at time 0, as `others_active`."""
     played = np.zeros(0 if n_fft is None else response_samples, bool)
     if edited_drive is not None and played.size:
         played[: edited_drive.samples.size] = edited_drive.samples != 0.0
-    return active_samples(played, limb_data.n_taps)
+    return active_samples(played, driven_limb.n_taps)
+
+
+def _followed(
+    remembered: Remembered,
+    unit: UnitVoice,
+    sample_rate_hz: float,
+    actuation: Actuation | None,
+    stop: Stop,
+) -> Drive:
+    drive = _drawn(remembered, unit, sample_rate_hz, stop)
+    refuse_unfollowed(actuation, drive, sample_rate_hz, unit.location)
+    return drive
 
 
 def _drawn(remembered: Remembered, unit: UnitVoice, sample_rate_hz: float, stop: Stop) -> Drive:
@@ -160,6 +187,7 @@ RULES = (
     placed,
     stimulus_samples,
     response_samples,
+    record_samples,
     n_fft,
     streamed,
     others_active,

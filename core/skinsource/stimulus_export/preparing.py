@@ -28,7 +28,13 @@ from skinsource.stimulus import (
     with_sync,
 )
 from skinsource.stimulus_export.options import StimulusOptions
-from skinsource.stimulus_export.rigged import about_rig, equalised_for, wired
+from skinsource.stimulus_export.rigged import (
+    FULL_SCALE_UNIT,
+    about_rig,
+    equalised_for,
+    volts_for,
+    wired,
+)
 from skinsource.stimulus_formats import Outgoing, StimulusFormat
 
 
@@ -126,7 +132,7 @@ def prepared(
             "Nothing is heard: there is no channel to export. Unmute an input, or choose others."
         )
     drives = _cut(_for_rig(made, rig, equaliser, options), options)
-    gain = 1.0 if equaliser is not None else _gain(drives, options)
+    gain = 1.0 if drives.unit == FULL_SCALE_UNIT else _gain(drives, options)
     files = tuple(
         (own_place, _outgoing(own, design, own_place.name, format, choices, options, gain, rig))
         for place, one in _files(drives, path, format, options)
@@ -147,7 +153,10 @@ def _for_rig(
 ) -> Stimulus:
     """The stimulus as the channels of ``rig`` want it."""
     if equaliser is None:
-        return made if rig is None else wired(made, rig)
+        if rig is None:
+            return made
+        own_scale = options.full_scale is not None
+        return volts_for(made, rig) if made.unit == "V" and not own_scale else wired(made, rig)
     if rig is None:
         raise InvalidInputError(
             "An equaliser needs a rig, which says what is at each place and how many volts full "

@@ -43,6 +43,11 @@ def equalised_for(stimulus: Stimulus, rig: Rig, equaliser: Equaliser) -> Stimulu
         Drives are no accelerations, one leaves a velocity, or the rig does not know the volts at
         full scale or how the actuator moves.
     """
+    if stimulus.unit == "V":
+        raise InvalidInputError(
+            "The drives of this design are volts already: it is predicted through an actuator "
+            "without an equaliser. Choose an equaliser there, or none here."
+        )
     if stimulus.unit != "m/s²":
         raise InvalidInputError(
             "An equaliser needs accelerations, and the drives of this design are none: its scaling "
@@ -55,6 +60,20 @@ def equalised_for(stimulus: Stimulus, rig: Rig, equaliser: Equaliser) -> Stimulu
             stimulus.samples[row], stimulus.sample_rate_hz, _actuator_of(channel), equaliser
         )
         samples[row] = volts / _full_scale_v(channel)
+    return stimulus.with_samples(samples, samples_unit=FULL_SCALE_UNIT)
+
+
+def volts_for(stimulus: Stimulus, rig: Rig) -> Stimulus:
+    """Return the samples that give the volts of ``stimulus``, in parts of full scale.
+
+    Raises
+    ------
+    InvalidInputError
+        A place is not wired, or the rig does not know its volts at full scale.
+    """
+    samples = np.array(stimulus.samples)
+    for row in stimulus.driving:
+        samples[row] /= _full_scale_v(channel_of(stimulus, row, rig))
     return stimulus.with_samples(samples, samples_unit=FULL_SCALE_UNIT)
 
 

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import scipy
 
+from skinsource.chain import Actuation
 from skinsource.choice_words import SCALINGS, word_of
 from skinsource.decibels import decibels
 from skinsource.design import Input
@@ -71,6 +72,7 @@ def sidecar_of(
         "gain": ready.gain,
         "meaning": _MEANING,
         "scaling_means": word_of(SCALINGS, stimulus.scaling).sentence,
+        "predicted_through": _about_prediction(outgoing.design.actuated),
         "clip_count": int(sum(counts)),
         "confirmed": list(confirmed),
         "errors": _errors(stimulus, facts),
@@ -95,6 +97,20 @@ def _about_rig(
         "rig": None if ready.rig is None else ready.rig.title,
         "actuator": [one.get("actuator") for one in wiring] or None,
         "equaliser": about_equaliser(ready.equaliser),
+    }
+
+
+def _about_prediction(actuated: Actuation | None) -> dict[str, Any] | None:
+    """Actuators and equaliser that the design is predicted through."""
+    if actuated is None:
+        return None
+    return {
+        "rig": actuated.rig or None,
+        "actuators": [
+            {"place": one.place, "actuator": one.actuator, "model": one.model.title}
+            for one in actuated.actuators
+        ],
+        "equaliser": about_equaliser(actuated.equaliser),
     }
 
 

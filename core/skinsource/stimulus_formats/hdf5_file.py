@@ -55,6 +55,7 @@ def _add_response(outgoing: Outgoing, file: Any) -> str:
     found.attrs["unit"] = "m/s²"
     found.attrs["axes"] = exported.limb.axes
     found.attrs["pre_trigger_delay_s"] = exported.limb.pre_trigger_delay_s
+    found.attrs["first_sample_s"] = float(exported.value("response_time_s")[0])
     found.attrs["synthetic"] = exported.limb.synthetic
     return "whole design from time 0 on, before fades and cuts"
 

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from skinsource.chain import refuse_unfollowed
 from skinsource.design import Design
 from skinsource.job import Stop, stop_if
 from skinsource.limb import Limb
@@ -25,11 +26,14 @@ class Prepared:
         What it moves.
     placed
         Inputs that are heard, with what they play, in their order.
+    n_taps
+        Samples of a response of the limb itself, without what actuators ring.
     """
 
     design: Design
     limb: Limb
     placed: tuple[Placed, ...]
+    n_taps: int
 
     @property
     def stimulus_samples(self) -> int:
@@ -40,6 +44,11 @@ class Prepared:
     def response_samples(self) -> int:
         """Samples of the response: the stimulus and one response more."""
         return self.stimulus_samples + self.limb.n_taps - 1
+
+    @property
+    def record_samples(self) -> int:
+        """Samples that levels are over: the stimulus and one response of the limb itself."""
+        return self.stimulus_samples + self.n_taps - 1
 
     @property
     def moving(self) -> tuple[Placed, ...]:
@@ -84,14 +93,17 @@ class Preparing:
         DatasetMissingError
             The limb is a measured one, and the dataset is not installed.
         """
-        limb = self._latest = self._shared.limb_data(design.limb)
+        limb = self._shared.limb_data(design.limb)
+        rate_hz, n_taps = limb.sample_rate_hz, limb.n_taps
+        limb = self._latest = self._shared.driven_limb(limb, design.actuated, design.scaling)
         found = []
-        for one in voices(self._remembered, design.inputs, limb.sample_rate_hz):
+        for one in voices(self._remembered, design.inputs, rate_hz):
             if one.heard:
                 stop_if(stop)
-                drive = self._remembered.drives.drawn(one.unit, limb.sample_rate_hz)
+                drive = self._remembered.drives.drawn(one.unit, rate_hz)
+                refuse_unfollowed(design.actuated, drive, rate_hz, one.location)
                 found.append(Placed(one, drive, one.start))
-        return Prepared(design, limb, tuple(found))
+        return Prepared(design, limb, tuple(found), n_taps)
 
     def responses(self, one: Prepared, n_fft: int | None) -> Responses:
         """Responses of its limb at the length ``n_fft``."""

@@ -76,7 +76,7 @@ def seen_alone(plan: Plan, field: Field, one: Prepared, extents: Extents, stop: 
     axes = axis_numbers(plan.axes, limb.axes)
     projection = Projection(axes, directions_of(field.moments, axes, plan.method, n_times))
     spectrum = field.spectrum
-    rms = record_rms(field.moments, projection, spectrum, n_times)
+    rms = record_rms(field.moments, projection, spectrum, one.record_samples)
     outputs = looked_at(rms, plan)
     rows = np.array(outputs) - 1
     spectra = spectrum.rows(rows, projection.axis_numbers)
@@ -103,7 +103,9 @@ def seen_together(
     n_stimuli, n_outputs = len(stimuli), limb.n_outputs
     lengths = np.repeat(np.array(n_times, np.float64), n_outputs)
     projection, energy = _projected(plan, vibrations, limb, lengths)
-    rms = np.sqrt(energy / lengths).reshape(n_stimuli, n_outputs)
+    records = [1 if one is None else one.record_samples for one in stimuli]
+    over = np.repeat(np.array(records, np.float64), n_outputs)
+    rms = np.sqrt(energy / over).reshape(n_stimuli, n_outputs)
     looked = [looked_at(one, plan) for one in rms]
     rows = np.repeat(np.arange(n_stimuli), [len(one) for one in looked])
     outputs = np.array([number - 1 for one in looked for number in one])

@@ -17,6 +17,7 @@ _OF_EQUALISER = {
     "pole_pair": ("new_quality", "strength_m_per_s2"),
     "none": ("volts",),
 }
+_OF_AMPLITUDES = ("strength_m_per_s2", "volts")
 _PARAMETER = "parameter "
 
 
@@ -31,13 +32,13 @@ class ActuatorChoices(QObject):
         The parameters of the model, and where they come from.
     """
 
-    #: The new `ActuatorSettings`.
-    changed = Signal(object)
+    #: The new `ActuatorSettings`, number of the gesture or None.
+    changed = Signal(object, object)
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._theme = LIGHT
-        self._settings = ActuatorSettings()
+        self._settings, self._predicted = ActuatorSettings(), False
         self._shown: tuple[object, ...] | None = None
         self._cells: tuple[FieldCell, ...] = ()
         self._kept: dict[str, FieldCell] = {}
@@ -62,11 +63,11 @@ class ActuatorChoices(QObject):
         """The cell of a setting, or of ``"parameter "`` and a field of the model."""
         return next(one for one in self._cells if one.name == name)
 
-    def show_settings(self, settings: ActuatorSettings) -> None:
-        """Show these settings."""
-        self._settings = settings
+    def show_settings(self, settings: ActuatorSettings, *, predicted: bool = False) -> None:
+        """Show these settings; ``predicted``: amplitudes have a unit of their own."""
+        self._settings, self._predicted = settings, predicted
         model = settings.model
-        shown = (type(model), settings.equaliser if model is not None else None)
+        shown = (type(model), settings.equaliser if model is not None else None, predicted)
         if shown != self._shown:
             self._shown = shown
             self._build()
@@ -92,7 +93,8 @@ class ActuatorChoices(QObject):
         if model is not None:
             own = specs_of(self._settings)
             names = ("equaliser", *_OF_EQUALISER[self._settings.equaliser])
-            wanted |= {name: own[name] for name in names}
+            hidden = _OF_AMPLITUDES if self._predicted else ()
+            wanted |= {name: own[name] for name in names if name not in hidden}
             wanted |= {
                 f"{_PARAMETER}{name}": spec
                 for name, spec in specs_of(model).items()
@@ -123,7 +125,7 @@ class ActuatorChoices(QObject):
             lines.append(f"Changed: {', '.join(changed)}.")
         return " ".join(lines)
 
-    def _edit(self, name: str, value: object, _: object) -> None:
+    def _edit(self, name: str, value: object, gesture: object) -> None:
         if name.startswith(_PARAMETER):
             settings = self._settings.with_parameter(name.removeprefix(_PARAMETER), value)
         elif name == "actuator":
@@ -131,7 +133,7 @@ class ActuatorChoices(QObject):
         else:
             settings = replace(self._settings, **{name: value})
         if settings != self._settings:
-            self.changed.emit(settings)
+            self.changed.emit(settings, gesture)
 
     def _reset(self) -> None:
-        self.changed.emit(replace(self._settings, parameters=()))
+        self.changed.emit(replace(self._settings, parameters=()), None)

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +26,11 @@ from skinsource_gui.panels.actuator.curves_of import (
 from skinsource_gui.panels.actuator.figures import Figures, figures_of
 from skinsource_gui.panels.actuator.figures_view import FiguresView
 from skinsource_gui.panels.actuator.settings import ActuatorSettings
+from skinsource_gui.panels.actuator.through import (
+    ThroughSwitch,
+    actuation_of,
+    settings_through,
+)
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.plot.signal_view import SignalView
 
@@ -47,9 +53,10 @@ class ActuatorPanel(Panel):
         self._design: Design | None = None
         self._view, self._settings = View(), ActuatorSettings()
         self._results: Mapping[str, Any] | None = None
-        self._drawn: ActuatorSettings | None = None
+        self._drawn: tuple[ActuatorSettings, bool] | None = None
         # What the figures that are shown were computed from.
         self._asked: tuple[object, ...] | None = None
+        self._unscaled: ActuatorSettings | None = None
         self.choices = ActuatorChoices(self)
         self.choices.changed.connect(self._choose)
         self.plot = SignalView("actuator-plot", "Response of the actuator")
@@ -57,11 +64,19 @@ class ActuatorPanel(Panel):
         self._step = self.plot.toolbar.add_switch(
             "actuator-step", "Step", "What 1 V that comes on does, over time", self._show_step
         )
+        self.through = ThroughSwitch()
+        self.through.wanted.connect(self._go_through)
         self.figures = FiguresView()
         self.figures.centred_wanted.connect(self._use_centred_tap)
-        self._lay_out()
-        self.plot.toolbar.layout_chosen.connect(self._stack)
-        self.plot.zoom_requested.connect(self._zoom)
+        outside = QVBoxLayout(self)
+        outside.setContentsMargins(0, 0, 0, 0)
+        outside.addWidget(
+            _scrolled(
+                self.choices.grid, self.through, self.plot, self.figures, self.choices.details
+            )
+        )
+        self.plot.toolbar.layout_chosen.connect(partial(self._put, "layout"))
+        self.plot.zoom_requested.connect(partial(self._put, "zoom"))
         self.plot.exports.failed.connect(self.failed)
         self.plot.exports.written.connect(self.written)
 
@@ -72,7 +87,9 @@ class ActuatorPanel(Panel):
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
-        settings = settings_of(view, self.name, ActuatorSettings)
+        # What the design is predicted through goes back with it; what is looked at does not.
+        kept = settings_of(view, self.name, ActuatorSettings)
+        settings = settings_through(kept, design.actuated)
         # Equal ones stay the same, so that nothing is computed twice.
         self._settings = self._settings if settings == self._settings else settings
         if self.isVisible():
@@ -86,7 +103,9 @@ class ActuatorPanel(Panel):
 
     def show_problem(self, reason: str) -> None:
         self._results = self._asked = None
-        self.figures.show_figures(Figures(place=None, refusal=reason), trusted=True, tap=False)
+        tap = self._follows and _plays_tap(self._design, self._view)
+        figures = Figures(place=None, refusal=reason, leaves_velocity=tap)
+        self.figures.show_figures(figures, trusted=True, tap=tap)
 
     def show_stale(self, stale: bool) -> None:
         self.figures.table.setEnabled(not stale)
@@ -96,32 +115,19 @@ class ActuatorPanel(Panel):
 
     def show_theme(self, theme: Theme) -> None:
         self.choices.show_theme(theme)
+        self.through.show_theme(theme)
         self.plot.set_theme(theme)
         self.figures.show_theme(theme)
 
-    def _lay_out(self) -> None:
-        inside = QWidget()
-        column = QVBoxLayout(inside)
-        column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX)
-        column.setSpacing(UNIT_PX)
-        for part in (self.choices.grid, self.plot, self.figures, self.choices.details):
-            column.addWidget(part)
-        column.addStretch(1)
-        scroll = QScrollArea()
-        scroll.setObjectName("actuator_scroll")
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QScrollArea.Shape.NoFrame)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll.setWidget(inside)
-        outside = QVBoxLayout(self)
-        outside.setContentsMargins(0, 0, 0, 0)
-        outside.addWidget(scroll)
-
     def _show_settings(self) -> None:
         settings = self._settings
-        if settings == self._drawn:
+        if self._design is not None:
+            self.through.show_state(self._design, settings)
+        drawn = settings, self._follows
+        if drawn == self._drawn:
             return
-        self.choices.show_settings(settings)
+        self._drawn = drawn
+        self.choices.show_settings(settings, predicted=self._follows)
         step = settings.picture == "step"
         self._step.setChecked(step)
         self.plot.toolbar.show_state(layout=settings.layout, zoomed=settings.zoom is not None)
@@ -132,13 +138,16 @@ class ActuatorPanel(Panel):
             self.plot.show_message(_NO_STEP)
         else:
             self.plot.show_curves(curves, synthetic=False)
-        self._drawn = settings
 
     def _predict(self) -> None:
         if self._results is None:
             return
         placed, rate_hz = self._results["placed"], self._results["sample_rate_hz"]
-        asked = (self._settings, placed, self._view.selected_input, rate_hz)
+        settings = self._settings
+        if self._follows:
+            # Amplitudes are what the contactor, or the coil, gets.
+            settings = self._unscaled = _unscaled(settings, self._unscaled)
+        asked = (settings, placed, self._view.selected_input, rate_hz)
         if self._asked is not None and all(a is b for a, b in zip(asked, self._asked, strict=True)):
             return
         self._asked = asked
@@ -153,18 +162,59 @@ class ActuatorPanel(Panel):
             outcome = edits.change_kind(self._design, self._view, ids, CentredTap.__name__)
             self.edited.emit(outcome, None)
 
-    def _choose(self, settings: ActuatorSettings) -> None:
-        if settings != self._settings:
-            self.view_changed.emit(with_settings(self._view, self.name, settings))
+    @property
+    def _follows(self) -> bool:
+        """Whether what is predicted goes through what the panel shows."""
+        actuated = None if self._design is None else self._design.actuated
+        return actuated is not None and actuated == actuation_of(self._settings)
 
-    def _stack(self, layout: str) -> None:
-        self._choose(replace(self._settings, layout=layout))
+    def _go_through(self, wanted: bool) -> None:
+        if self._design is not None:
+            through = actuation_of(self._settings) if wanted else None
+            outcome = edits.predict_through(self._design, self._view, through)
+            self.edited.emit(outcome, None)
+            # Where it was refused the box says what is.
+            self.through.show_state(self._design, self._settings)
+
+    def _choose(self, settings: ActuatorSettings, gesture: int | None = None) -> None:
+        if settings == self._settings:
+            return
+        view, through = with_settings(self._view, self.name, settings), actuation_of(settings)
+        if self._design is None or not self._follows or through == self._design.actuated:
+            self.view_changed.emit(view)
+        else:
+            # What is predicted goes with what is shown; a shape ends it.
+            self.edited.emit(edits.predict_through(self._design, view, through), gesture)
+
+    def _put(self, name: str, value: object) -> None:
+        self._choose(replace(self._settings, **{name: value}))
 
     def _show_step(self, step: bool) -> None:
         self._choose(replace(self._settings, picture="step" if step else "response", zoom=None))
 
-    def _zoom(self, shown: tuple[float, float] | None) -> None:
-        self._choose(replace(self._settings, zoom=shown))
+
+def _scrolled(*parts: QWidget) -> QScrollArea:
+    """Parts below each other."""
+    inside = QWidget()
+    column = QVBoxLayout(inside)
+    column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX)
+    column.setSpacing(UNIT_PX)
+    for part in parts:
+        column.addWidget(part)
+    column.addStretch(1)
+    scroll = QScrollArea()
+    scroll.setObjectName("actuator_scroll")
+    scroll.setWidgetResizable(True)
+    scroll.setFrameShape(QScrollArea.Shape.NoFrame)
+    scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    scroll.setWidget(inside)
+    return scroll
+
+
+def _unscaled(settings: ActuatorSettings, known: ActuatorSettings | None) -> ActuatorSettings:
+    """The settings where an amplitude of 1 is 1 m/s², or 1 V; ``known`` where it is that."""
+    found = replace(settings, strength_m_per_s2=1.0, volts=1.0)
+    return known if known == found and known is not None else found
 
 
 def _plays_tap(design: Design | None, view: View) -> bool:

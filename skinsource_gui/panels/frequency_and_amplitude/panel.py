@@ -64,7 +64,7 @@ class FrequencyAndAmplitudePanel(Panel):
         clip = clip_of(one, view)
         playing = EMPTY.capitalize() if clip is None else kind_name(clip.waveform)
         self._words.setText(f"{playing} at place {one.location}")
-        self._amplitude.set_spec(amplitude_spec(design.scaling))
+        self._amplitude.set_spec(amplitude_spec(design.scaling, design.actuated))
         self._amplitude.set_value(one.amplitude)
         self._show_frequency(clip)
 

@@ -6,7 +6,8 @@ from typing import ClassVar
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
-from skinsource.design import Design, amplitude_unit
+from skinsource.chain import amplitude_unit
+from skinsource.design import Design
 from skinsource.playing import Output
 from skinsource.view import View
 from skinsource_gui.panel import Panel
@@ -77,7 +78,7 @@ class PlaybackPanel(Panel):
         return QSize(440, 380)
 
     def show_state(self, design: Design, view: View) -> None:
-        self._unit = amplitude_unit(design.scaling)
+        self._unit = amplitude_unit(design.scaling, design.actuated)
 
     def show_played(self, played: Played) -> None:
         """Take over what is played, on what, and how loud; called while it is visible."""

@@ -8,7 +8,7 @@ from skinsource.choice_words import LIMBS, SCALINGS, signal_words, word_of
 from skinsource.export.description import describe_levels, describe_played, describe_projection
 
 #: What a panel has to ask for to be able to say it.
-NEEDS = frozenset({"axes", "inputs", "limb", "limb_data", "method", "scaling", "span"})
+NEEDS = frozenset({"actuation", "axes", "inputs", "limb", "limb_data", "method", "scaling", "span"})
 
 
 def lines_later(results: Mapping[str, Any], *first: str) -> Callable[[], tuple[str, ...]]:
@@ -20,7 +20,7 @@ def _lines(results: Mapping[str, Any], first: tuple[str, ...]) -> tuple[str, ...
     note, inputs = results["limb_data"].note, results["inputs"]
     return (
         *first,
-        *describe_played(results["limb"], note, results["scaling"], inputs),
+        *describe_played(results["limb"], note, results["scaling"], inputs, results["actuation"]),
         describe_projection(results["axes"], results["method"]),
         describe_levels(results["span"]),
     )
@@ -35,5 +35,7 @@ def heading_of(results: Mapping[str, Any]) -> tuple[str, ...]:
         f"scaling: {word_of(SCALINGS, results['scaling']).title.lower()}",
         f"{len(played)} {'input' if len(played) == 1 else 'inputs'}",
     )
+    if results["actuation"] is not None:
+        parts = (*parts, f"through {results['actuation'].words}")
     note = results["limb_data"].note
     return (*parts, note) if note else parts

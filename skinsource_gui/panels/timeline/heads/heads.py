@@ -5,7 +5,8 @@ from functools import partial
 from PySide6.QtCore import QObject, QPoint, Qt, Signal
 from PySide6.QtWidgets import QMenu
 
-from skinsource.design import Design, amplitude_unit, audible_inputs
+from skinsource.chain import amplitude_unit
+from skinsource.design import Design, audible_inputs
 from skinsource.edits.selection import clip_of
 from skinsource.view import View
 from skinsource_gui.panels.timeline.heads.input_list import InputList
@@ -40,7 +41,7 @@ class Heads(QObject):
             part.show_state(design, view)
         self._gain_shown = shown_gain_curves(view)
         audible = {id(one) for one in audible_inputs(design.inputs)}
-        unit = amplitude_unit(design.scaling)
+        unit = amplitude_unit(design.scaling, design.actuated)
         self.list.rows.show_rows(
             [
                 RowState(

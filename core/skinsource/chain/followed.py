@@ -1,0 +1,23 @@
+"""Drives that an actuator can follow."""
+
+from skinsource.chain.actuation import Actuation
+from skinsource.chain.drive import Drive
+from skinsource.equalising import net_velocity
+from skinsource.errors import InvalidInputError
+
+
+def refuse_unfollowed(
+    actuation: Actuation | None, drive: Drive, sample_rate_hz: float, place: int
+) -> None:
+    """Refuse a drive that the equaliser refuses: one that leaves what it moves in motion.
+
+    Raises
+    ------
+    InvalidInputError
+        It leaves a velocity; the message names the input place, and says what to do.
+    """
+    if actuation is None or actuation.equaliser is None:
+        return
+    found = net_velocity(drive.samples, sample_rate_hz)
+    if not found.returns:
+        raise InvalidInputError(f"Input at place {place}: {found.reason}")

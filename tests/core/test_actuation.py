@@ -1,0 +1,274 @@
+"""Predict through the actuator: drive, equaliser, actuator, skin."""
+
+import gc
+import weakref
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import scipy
+
+import skinsource as ss
+from skinsource import edits
+from skinsource.chain import transfers_of
+from skinsource.edits import Edit, Refusal
+from skinsource.errors import InvalidInputError
+from skinsource.quantities import new_graph, sources
+from skinsource.rendering.response_spectra import scaled_taps
+from skinsource.shared import Shared
+from skinsource.view import View
+
+RATE_HZ = 48_000
+COIL = ss.actuators.load("example-voice-coil")
+PIEZO = ss.actuators.load("example-piezo")
+INVERSE = ss.equalising.RegularisedInverse()
+POLES = ss.equalising.PolePairReplacement(*ss.equalising.resonance_of(COIL))
+SEEN = View(outputs=(5, 20), axes="xyz")
+
+
+def actuation(model=COIL, equaliser=None, **changes):
+    one = ss.ActuatorAt(actuator="a coil", model=model)
+    return ss.Actuation(actuators=(one,), equaliser=equaliser, **changes)
+
+
+def design_of(*inputs, **changes):
+    return ss.Design(limb="synthetic-1", inputs=inputs, **changes)
+
+
+def tone(place=7, frequency_hz=100.0, **changes):
+    wave = ss.waveforms.Tone(frequency_hz=frequency_hz, duration_s=0.3)
+    return ss.track(place, wave, onset_s=0.1, **changes)
+
+
+@pytest.mark.parametrize("equaliser", [None, INVERSE, POLES])
+@pytest.mark.parametrize("model", [COIL, PIEZO])
+def test_a_prediction_is_what_the_simulated_actuator_makes_of_the_exported_volts(model, equaliser):
+    # Volts as they are exported, motion at 48 kHz by exact steps, and a plain convolution.
+    design = design_of(tone())
+    (drive,) = ss.stimulus_of(design, RATE_HZ).samples
+    drive = np.pad(drive, (0, RATE_HZ // 2))
+    if equaliser is None:
+        volts = drive
+    else:
+        volts = ss.equalising.equalised(drive, RATE_HZ, model, equaliser)
+    moved = ss.resample(model.simulate(volts, RATE_HZ, "first").acceleration, RATE_HZ, 1300)
+    limb = ss.load_limb("synthetic-1")
+    taps = scaled_taps(limb, 7, "probe")[[4, 19]]
+    expected = scipy.signal.fftconvolve(taps, moved[np.newaxis, np.newaxis], axes=-1)
+    through = replace(design, actuation=actuation(model, equaliser))
+    found = ss.evaluate(through, "axis_traces", "response_time_s", view=SEEN)
+    first = int(np.flatnonzero(found["response_time_s"] >= 0.0)[0])
+    traces = found["axis_traces"][..., first:]
+    n = min(traces.shape[-1], expected.shape[-1])
+    error = np.abs(traces[..., :n] - expected[..., :n]).max() / np.abs(expected).max()
+    assert found["response_time_s"][first] == 0.0
+    # The actuator is simulated to 600 Hz, where straight lines between samples lose 0.005 dB.
+    assert error < 1e-3
+
+
+def test_without_an_actuator_nothing_changes_by_a_bit_and_no_work_is_added():
+    design = design_of(tone(), tone(3, 60.0))
+    off = replace(design, actuation=actuation(equaliser=INVERSE, on=False))
+    quantities = ("output_rms", "axis_traces", "trace_error")
+    one, other = new_graph(), new_graph()
+    before = one.evaluate(quantities, sources(design, SEEN))
+    after = other.evaluate(quantities, sources(off, SEEN))
+    for name in quantities[:2]:
+        np.testing.assert_array_equal(before[name], after[name])
+    assert one.work == other.work
+    assert one.runs == other.runs
+
+
+def test_an_amplitude_drag_through_an_actuator_transforms_nothing():
+    design = replace(design_of(tone(), tone(3, 60.0)), actuation=actuation(equaliser=INVERSE))
+    view, graph = View(outputs=(5,), selected_inputs=(1,)), new_graph()
+    graph.evaluate({"output_rms", "selected_traces"}, sources(design, view))
+    louder = design.with_input(0, amplitude=0.3)
+    graph.evaluate({"output_rms", "selected_traces"}, sources(louder, view))
+    work = graph.work
+    assert (work.forward_transforms, work.inverse_transforms, work.samples_drawn) == (0, 0, 0)
+
+
+def test_a_changed_drive_through_an_actuator_costs_the_transforms_of_one_without():
+    counted = []
+    for one in (None, actuation(equaliser=INVERSE)):
+        design = replace(design_of(tone(), tone(3, 60.0)), actuation=one)
+        view, graph = View(outputs=(5,), selected_inputs=(1,)), new_graph()
+        wanted = {"output_rms", "selected_traces", "selected_spectra"}
+        graph.evaluate(wanted, sources(design, view))
+        edited = design.with_clip(design.clips[0].id, waveform=ss.waveforms.Tone(frequency_hz=90.0))
+        graph.evaluate(wanted, sources(edited, view))
+        counted.append((graph.work.forward_transforms, graph.work.inverse_transforms))
+    assert counted[0] == counted[1]
+
+
+def test_levels_of_the_record_are_over_the_record_and_not_over_what_rings():
+    # In its flat band the inverse changes next to nothing, so levels stay.
+    design = design_of(tone(frequency_hz=200.0))
+    plain = ss.evaluate(design, "output_levels_db")["output_levels_db"]
+    through = replace(design, actuation=actuation(equaliser=INVERSE))
+    found = ss.evaluate(through, "output_levels_db")["output_levels_db"]
+    assert np.abs(found - plain).max() < 0.1
+
+
+def test_a_long_design_through_an_actuator_is_the_sum_of_its_parts():
+    # Block by block against at once.
+    late = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.3), onset_s=20.0)
+    through = actuation(equaliser=POLES)
+    long = replace(design_of(tone(), late), actuation=through)
+    short = replace(design_of(tone()), actuation=through)
+    found = ss.evaluate(long, "axis_traces", "streamed", view=SEEN)
+    alone = ss.evaluate(short, "axis_traces", "streamed", view=SEEN)
+    assert found["streamed"]
+    assert not alone["streamed"]
+    n = alone["axis_traces"].shape[-1]
+    peak = np.abs(alone["axis_traces"]).max()
+    assert np.abs(found["axis_traces"][..., :n] - alone["axis_traces"]).max() < 1e-12 * peak
+
+
+def test_predict_does_the_same_for_scripts():
+    design = replace(design_of(tone()), actuation=actuation(equaliser=INVERSE))
+    found = ss.evaluate(design, "axis_traces", "response_time_s", view=SEEN)
+    (drive,) = ss.stimulus_of(design).samples
+    limb = ss.load_limb("synthetic-1")
+    alone = ss.predict(limb, [drive], [7], scaling="probe", actuation=design.actuation)
+    from_0 = found["axis_traces"][..., found["response_time_s"] >= 0.0]
+    np.testing.assert_allclose(alone[[4, 19]], from_0, rtol=0.0, atol=1e-12 * np.abs(from_0).max())
+
+
+def test_each_place_answers_through_its_own_actuator():
+    own = (
+        ss.ActuatorAt(place=7, actuator="a piezo", model=PIEZO),
+        ss.ActuatorAt(actuator="a coil", model=COIL),
+    )
+    for place, model in ((7, PIEZO), (3, COIL)):
+        both = replace(design_of(tone(place)), actuation=ss.Actuation(actuators=own))
+        alone = replace(design_of(tone(place)), actuation=actuation(model))
+        found = ss.evaluate(both, "output_rms")["output_rms"]
+        # What is left out of a response is as little as says nothing; how much, both decide.
+        np.testing.assert_allclose(found, ss.evaluate(alone, "output_rms")["output_rms"], 1e-5)
+
+
+def test_a_place_without_an_actuator_is_refused_and_named():
+    one = ss.ActuatorAt(place=3, actuator="a coil", model=COIL)
+    design = replace(design_of(tone(7)), actuation=ss.Actuation(actuators=(one,), rig="bench"))
+    with pytest.raises(InvalidInputError, match=r"Place 7 has no actuator among the rig bench"):
+        ss.evaluate(design, "output_rms")
+
+
+@pytest.mark.parametrize("scaling", ["upstream", "relative"])
+def test_drives_without_a_unit_are_refused(scaling):
+    design = design_of(tone(), scaling=scaling, actuation=actuation())
+    with pytest.raises(InvalidInputError, match="Choose the scaling Probe acceleration"):
+        ss.evaluate(design, "output_rms")
+
+
+def test_a_drive_that_leaves_a_velocity_is_refused_through_an_equaliser_alone():
+    tap = ss.track(13, ss.waveforms.Tap())
+    refused = design_of(tap, actuation=actuation(equaliser=INVERSE))
+    with pytest.raises(InvalidInputError, match=r"Input at place 13: .*52 % .*Centred tap"):
+        ss.evaluate(refused, "output_rms")
+    limb, samples = ss.load_limb("synthetic-1"), ss.tap()
+    with pytest.raises(InvalidInputError, match="Centred tap"):
+        ss.predict(limb, [samples], [13], scaling="probe", actuation=refused.actuation)
+    for design in (
+        replace(refused, actuation=actuation()),
+        design_of(ss.track(13, ss.waveforms.CentredTap()), actuation=refused.actuation),
+    ):
+        assert ss.evaluate(design, "output_rms")["output_rms"].max() > 0.0
+
+
+def test_an_actuator_that_rings_for_ever_is_refused():
+    undamped = ss.actuators.VoiceCoil(8.0, 8e-4, 0.001, 1e-3, 0.0, 1200.0)
+    with pytest.raises(InvalidInputError, match=r"rings for longer than 0\.5 s"):
+        ss.evaluate(design_of(tone(), actuation=actuation(undamped)), "output_rms")
+
+
+@pytest.mark.parametrize("name", ss.actuators.names())
+@pytest.mark.parametrize("equaliser", [None, INVERSE, replace(INVERSE, phase="minimum")])
+def test_all_shipped_actuators_can_be_predicted_through(name, equaliser):
+    found = transfers_of(actuation(ss.actuators.load(name), equaliser), 1300.0)[None]
+    assert 0 < found.lead <= 650
+    assert found.samples.size <= 1300
+    assert np.isfinite(found.samples).all()
+
+
+def test_all_places_share_one_beginning():
+    own = tuple(
+        ss.ActuatorAt(place=place, actuator=name, model=ss.actuators.load(name))
+        for place, name in enumerate(ss.actuators.names(), 1)
+    )
+    found = transfers_of(ss.Actuation(actuators=own), 1300.0)
+    assert len({one.lead for one in found.values()}) == 1
+    assert len({one.samples.size for one in found.values()}) == 1
+
+
+def test_a_transfer_is_the_response_in_the_band():
+    found = transfers_of(actuation(COIL), 1300.0)[None]
+    frequency_hz = np.linspace(25.0, 600.0, 200)
+    times_s = (np.arange(found.samples.size) - found.lead) / 1300.0
+    shown = np.exp(-2j * np.pi * frequency_hz[:, np.newaxis] * times_s) @ found.samples
+    response = COIL.response(frequency_hz)
+    assert np.abs(shown - response).max() < 1e-4 * np.abs(response).max()
+
+
+def test_what_it_goes_through_is_saved_and_digests_tell_it_apart(tmp_path):
+    measured = ss.actuators.MeasuredResponse.of([20.0, 100.0, 700.0], [1.0, 2.0 + 1j, 3.0])
+    own = (
+        ss.ActuatorAt(place=7, actuator="measured here", model=measured),
+        ss.ActuatorAt(actuator="a coil", model=COIL),
+    )
+    design = design_of(
+        tone(), actuation=ss.Actuation(actuators=own, equaliser=POLES, rig="bench", on=False)
+    )
+    ss.save_design(tmp_path / "a.skinsource", design)
+    assert ss.open_design(tmp_path / "a.skinsource").design == design
+
+
+@pytest.mark.parametrize(
+    ("actuators", "words"),
+    [
+        ((), "empty"),
+        ((ss.ActuatorAt(model=COIL), ss.ActuatorAt(model=PIEZO)), "all other places twice"),
+        ((ss.ActuatorAt(place=3, model=COIL), ss.ActuatorAt(place=3, model=COIL)), "place 3 twice"),
+    ],
+)
+def test_actuators_that_cannot_be_are_refused(actuators, words):
+    with pytest.raises(InvalidInputError, match=words):
+        ss.Actuation(actuators=actuators)
+
+
+def test_switching_it_on_and_off_are_edits_that_remember():
+    design, view = design_of(tone()), View()
+    on = edits.predict_through(design, view, actuation())
+    assert isinstance(on, Edit)
+    assert (on.label, on.design.actuated) == ("Predict through the actuator", actuation())
+    off = edits.predict_through(on.design, view, None)
+    assert isinstance(off, Edit)
+    assert off.label == "Predict without the actuator"
+    assert off.design.actuated is None
+    assert off.design.actuation == actuation(on=False)
+
+
+def test_it_is_refused_under_other_scalings_and_so_are_they_through_it():
+    view = View()
+    outcome = edits.predict_through(design_of(tone(), scaling="upstream"), view, actuation())
+    assert isinstance(outcome, Refusal)
+    assert "Probe acceleration" in outcome.sentence
+    through = design_of(tone(), actuation=actuation())
+    assert isinstance(edits.change_scaling(through, view, "upstream"), Refusal)
+    assert isinstance(edits.change_scaling(through, view, "probe"), Edit)
+
+
+def test_a_limb_behind_actuators_goes_with_its_graph():
+    design, shared = design_of(tone(), actuation=actuation()), Shared()
+    graph = new_graph(shared)
+    found = graph.evaluate({"driven_limb", "limb_data", "output_rms"}, sources(design, View()))
+    assert found["limb_data"].lead_samples == 0 < found["driven_limb"].lead_samples
+    other = new_graph(shared)
+    again = other.evaluate({"driven_limb"}, sources(design, View()))
+    assert again["driven_limb"] is found["driven_limb"]
+    held = weakref.ref(found["driven_limb"])
+    del found, again, graph, other
+    gc.collect()
+    assert held() is None

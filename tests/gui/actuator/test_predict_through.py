@@ -1,0 +1,164 @@
+"""Predict through the actuator: the switch, what follows it, and what is said where it cannot."""
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.design import Design, track
+from skinsource.view import View
+from skinsource.waveforms import CentredTap, Tap, Tone
+from skinsource_gui.panels.actuator.through import actuation_of
+
+TONE = track(7, Tone(frequency_hz=40.0, duration_s=0.3), amplitude=2.0)
+TAP = track(3, Tap(), colour=1)
+
+
+@pytest.fixture
+def window(make_window):
+    design = Design(limb="synthetic-1", inputs=(TONE,))
+    return make_window(design, View(selected_inputs=(design.ids[0],)))
+
+
+@pytest.fixture
+def panel(window, qtbot):
+    window.docks["actuator"].bring_forward()
+    qtbot.waitUntil(lambda: window.panel("actuator").isVisible())
+    settle(window, qtbot)
+    return window.panel("actuator")
+
+
+def settle(window, qtbot):
+    window.catch_up()
+    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
+
+
+def choose(panel, name, value, gesture=None):
+    panel.choices.cell(name).edited.emit(name, value, gesture)
+
+
+def levels(window):
+    return window.panel("skin").results["output_levels_db"]
+
+
+def test_the_switch_predicts_through_what_the_panel_shows_and_back(window, panel, qtbot):
+    before = ss.evaluate(window.document.design, "output_levels_db")["output_levels_db"]
+    panel.through.box.click()
+    settle(window, qtbot)
+    design = window.document.design
+    assert design.actuated == actuation_of(panel._settings)
+    assert panel.through.box.isChecked()
+    assert "1 m/s²" in panel.through.words.text()
+    after = ss.evaluate(design, "output_levels_db")["output_levels_db"]
+    # A coil whose boost is limited moves less at 40 Hz than it is asked to.
+    assert (after < before - 0.1).all()
+    panel.through.box.click()
+    settle(window, qtbot)
+    assert window.document.design.actuated is None
+    assert not panel.through.box.isChecked()
+    window.document.undo_stack.undo()
+    settle(window, qtbot)
+    assert panel.through.box.isChecked()
+
+
+def test_while_it_is_on_predictions_follow_the_fields_as_edits(window, panel, qtbot):
+    panel.through.box.click()
+    settle(window, qtbot)
+    for resistance_ohm in (5.0, 6.0, 8.0):
+        choose(panel, "parameter resistance_ohm", resistance_ohm, gesture=1)
+        settle(window, qtbot)
+    assert window.document.design.actuated.actuators[0].model.resistance_ohm == 8.0
+    window.document.undo_stack.undo()
+    settle(window, qtbot)
+    # One drag is one step, and fields and predictions go back together.
+    assert window.document.design.actuated.actuators[0].model.resistance_ohm == 4.0
+    assert panel._settings.model.resistance_ohm == 4.0
+
+
+def test_while_it_is_off_fields_are_only_looked_at(window, panel, qtbot):
+    steps = window.document.design
+    choose(panel, "parameter resistance_ohm", 8.0)
+    settle(window, qtbot)
+    assert window.document.design is steps
+
+
+def test_without_an_equaliser_amplitudes_are_volts(window, panel, qtbot):
+    choose(panel, "equaliser", "none")
+    choose(panel, "volts", 3.0)
+    panel.through.box.click()
+    settle(window, qtbot)
+    assert "1 V" in panel.through.words.text()
+    with pytest.raises(StopIteration):
+        panel.choices.cell("volts")
+    found = {one.label: one.value for one in panel.figures.table.figures}
+    # Not three times as many: an amplitude has one unit now.
+    assert float(found["Peak voltage"].split()[0]) == pytest.approx(2.0, rel=0.02)
+
+
+def test_another_actuator_than_the_one_that_is_shown_is_named(window, panel, qtbot):
+    piezo = ss.ActuatorAt(actuator="Piezo of the lab", model=ss.actuators.load("example-piezo"))
+    through = ss.Actuation(actuators=(piezo,))
+    window.document.apply(
+        ss.edits.predict_through(window.document.design, window.document.view, through)
+    )
+    settle(window, qtbot)
+    assert "Piezo of the lab, no equaliser" in panel.through.words.text()
+    choose(panel, "parameter resistance_ohm", 8.0)
+    settle(window, qtbot)
+    assert window.document.design.actuated == through
+
+
+def test_a_shape_cannot_be_predicted_through(window, panel, qtbot):
+    choose(panel, "actuator", ss.actuators.shape_names()[0])
+    settle(window, qtbot)
+    assert not panel.through.box.isEnabled()
+
+
+def test_under_another_scaling_the_switch_stays_off_and_says_why(window, panel, qtbot):
+    window.document.apply(
+        ss.edits.change_scaling(window.document.design, window.document.view, "upstream")
+    )
+    settle(window, qtbot)
+    panel.through.box.click()
+    settle(window, qtbot)
+    assert not panel.through.box.isChecked()
+    assert window.document.design.actuated is None
+    assert "Probe acceleration" in window.notice.text
+
+
+def test_a_tap_that_leaves_a_velocity_is_refused_and_a_centred_one_offered(make_window, qtbot):
+    design = Design(limb="synthetic-1", inputs=(TAP,))
+    window = make_window(design, View(selected_inputs=(design.ids[0],)))
+    window.docks["actuator"].bring_forward()
+    qtbot.waitUntil(lambda: window.panel("actuator").isVisible())
+    settle(window, qtbot)
+    panel = window.panel("actuator")
+    panel.through.box.click()
+    settle(window, qtbot)
+    assert "leaves a velocity" in panel.figures.refusal.text()
+    assert panel.figures.centred.isVisibleTo(panel)
+    panel.figures.centred.click()
+    settle(window, qtbot)
+    assert isinstance(window.document.design.clips[0].waveform, CentredTap)
+    assert panel.figures.refusal.text() == ""
+    levels_db = ss.evaluate(window.document.design, "output_levels_db")["output_levels_db"]
+    assert np.isfinite(levels_db).all()
+
+
+def test_pictures_and_tables_say_what_they_went_through(window, panel, qtbot):
+    panel.through.box.click()
+    settle(window, qtbot)
+    from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_later
+
+    found = ss.evaluate(
+        window.document.design,
+        *(NEEDS - {"actuation", "axes", "inputs", "limb", "method", "scaling", "span"}),
+    )
+    results = {**found, **ss_sources(window)}
+    assert any("through" in part for part in heading_of(results))
+    assert any(line.startswith("predicted through: ") for line in lines_later(results)())
+
+
+def ss_sources(window):
+    from skinsource.quantities import sources
+
+    return sources(window.document.design, window.document.view)
