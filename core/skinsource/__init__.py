@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from skinsource import (
         actuators,
         equalising,
+        matching,
         measuring,
         perception,
         recordings,
@@ -85,6 +86,7 @@ __all__ = [
     "impulse",
     "load_limb",
     "magnitude_spectrum",
+    "matching",
     "measuring",
     "motions",
     "open_design",
@@ -118,6 +120,7 @@ __all__ = [
 _PACKAGES = (
     "actuators",
     "equalising",
+    "matching",
     "measuring",
     "perception",
     "recordings",

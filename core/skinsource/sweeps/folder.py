@@ -75,6 +75,7 @@ class Folder:
             "outputs": list(plan.outputs),
             "axes": plan.axes,
             "method": plan.method,
+            "level": plan.level,
             "level_db": plan.level_db,
             "skinsource": __version__,
         }

@@ -8,13 +8,14 @@ import numpy as np
 from skinsource.arrays import Floats
 from skinsource.decibels import decibels
 from skinsource.design import Design
-from skinsource.errors import SkinSourceError, Stopped
+from skinsource.errors import InvalidInputError, SkinSourceError, Stopped
 from skinsource.job import Stop, never
 from skinsource.limb import axis_numbers
 from skinsource.quantities import new_graph, sources
 from skinsource.rendering.moments import needs_products
 from skinsource.rendering.trace_rules import shown_outputs
 from skinsource.shared import Shared
+from skinsource.sweeps.actuator_metrics import ACTUATOR_METRICS, actuator_metrics
 from skinsource.sweeps.drive_metrics import DriveMetrics
 from skinsource.sweeps.extents import OF_EXTENT, Extents
 from skinsource.sweeps.field import Fields
@@ -36,15 +37,20 @@ METRICS = (
     "rms_100ms",
     "peak",
     "level_100ms_db",
+    "level_above_threshold_db",
     *OF_EXTENT,
 )
 _OF_OUTPUTS = ("rms", "rms_100ms", "peak")
 Metrics = dict[str, float]
 
 
-def columns_of(outputs: tuple[int, ...]) -> tuple[str, ...]:
-    """Names of the metrics where ``outputs`` are measured beside the loudest one."""
-    return (*METRICS, *(f"output_{one}_{name}" for one in outputs for name in _OF_OUTPUTS))
+def columns_of(plan: Plan) -> tuple[str, ...]:
+    """Names of the metrics of a plan."""
+    return (
+        *METRICS,
+        *(f"output_{one}_{name}" for one in plan.outputs for name in _OF_OUTPUTS),
+        *(ACTUATOR_METRICS if plan.drives_actuators else ()),
+    )
 
 
 class Measurer:
@@ -85,9 +91,12 @@ class Measurer:
         - ``loudest_output``: where the RMS of the whole record is highest; there ``rms``,
           ``rms_100ms`` (the loudest 100 ms) and ``peak``;
         - ``level_100ms_db``: the highest RMS of any 100 ms at whatever output, dB re 1 m/s²; only
-          where the plan has a level;
+          where the plan has that level;
+        - ``level_above_threshold_db``: of the more sensitive channel at the output where it is
+          highest, see `skinsource.perception.sensation_levels_db`; as well;
         - what `skinsource.extent` says of the RMS of the whole record;
-        - ``output_N_rms``, ``output_N_rms_100ms``, ``output_N_peak`` of each output asked for.
+        - ``output_N_rms``, ``output_N_rms_100ms``, ``output_N_peak`` of each output asked for;
+        - where an actuator is varied, `skinsource.sweeps.actuator_metrics`.
 
         What cannot be said, of silence for instance, is NaN.
 
@@ -107,11 +116,14 @@ class Measurer:
             **self._drives.of(prepared, factor),
             "loudest_output": loudest if rms[loudest - 1] > 0.0 else np.nan,
             **_of_output("", rms[loudest - 1], seen.windows[loudest], factor),
-            "level_100ms_db": _level_db(seen.level, factor),
+            **_levels_db(self.plan.level, seen.level, factor),
             **seen.extent,
         }
         for one in self.plan.outputs:
             metrics |= _of_output(f"output_{one}_", rms[one - 1], seen.windows[one], factor)
+        actuator = self.plan.actuator_of(number)
+        if actuator is not None:
+            metrics |= actuator_metrics(prepared, factor, actuator, self.plan.limits)
         return {name: float(value) for name, value in metrics.items()}
 
     def _looked_at(self, number: int, stop: Stop) -> tuple[Prepared, Seen]:
@@ -172,6 +184,12 @@ class Measurer:
         design, plan = one.design, self.plan
         rms = self._evaluate(design, self._view, "output_rms", stop)
         level = None
+        if plan.level == "above_threshold":
+            raise InvalidInputError(
+                f"the response lasts {one.response_samples / one.limb.sample_rate_hz:.4g} s, which "
+                "is too long to be brought to a level above threshold. Shorten the stimulus, or "
+                "choose the level loudest_100ms."
+            )
         if plan.level_db is not None:
             view = replace(self._view, span="loudest")
             level = float(self._evaluate(design, view, "output_rms", stop).max())
@@ -187,12 +205,16 @@ class Measurer:
         return found
 
 
-def _level_db(level: float | None, factor: float) -> float:
-    return np.nan if level is None else float(decibels(level * factor))
+def _levels_db(kind: str | None, level: float | None, factor: float) -> Metrics:
+    found = np.nan if level is None else float(decibels(level * factor))
+    return {
+        "level_100ms_db": found if kind == "loudest_100ms" else np.nan,
+        "level_above_threshold_db": found if kind == "above_threshold" else np.nan,
+    }
 
 
 def _factor(level_db: float | None, level: float) -> float:
-    """What brings ``level``, m/s², to ``level_db``; 1 for silence."""
+    """What brings ``level`` to ``level_db``; 1 for silence."""
     return 10.0 ** ((level_db or 0.0) / 20.0) / level if level > 0.0 else 1.0
 
 

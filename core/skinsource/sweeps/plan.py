@@ -2,24 +2,28 @@
 
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from hashlib import sha256
 from itertools import groupby
 
 from skinsource import codec
+from skinsource.actuators import Limits
+from skinsource.arguments import one_of
 from skinsource.codec.text import from_text, to_text
 from skinsource.design import Design
 from skinsource.errors import InvalidInputError
 from skinsource.fields import Address, Tree
+from skinsource.matching import Strengths
 from skinsource.projection import Axes, Method
 from skinsource.quoting import quoted
-from skinsource.sweeps.variables import Value, varied
+from skinsource.sweeps.levels import LEVELS, PREDICTED, Level, equally_strong
+from skinsource.sweeps.variables import ACTUATOR, Value, varied
 from skinsource.view import View
 
 MOST_STIMULI = 1_000_000
 #: Neighbours that are measured together: what they have in common is computed once for them.
 TOGETHER = 16
-#: The predicted level that a sweep can bring its stimuli to, in dB re 1 m/s².
+#: The predicted level that a sweep can bring its stimuli to, in dB.
 LOWEST_DB, HIGHEST_DB = -100.0, 100.0
 _FORMAT = "skinsource sweep"
 
@@ -38,9 +42,17 @@ class Plan:
         What is measured beside the loudest output.
     axes, method
         How the axes of an output become one signal, see `skinsource.View`.
+    level
+        How strong the stimuli are: ``"drive"``: as the designs say; ``"loudest_100ms"`` and
+        ``"above_threshold"``: brought to ``level_db``, see `skinsource.sweeps.Measurer.measure`;
+        ``"matched"``: as strong as people found them, by ``strengths``.  None: what ``level_db``
+        and ``strengths`` ask for: the loudest 100 ms, matched, or the drive.
     level_db
-        Loudest 100 ms of the loudest output that every stimulus is brought to, dB re 1 m/s²; None:
-        amplitudes stay as they are.
+        What predicted levels are brought to: dB re 1 m/s², or above threshold.
+    strengths
+        What people matched.
+    limits
+        What actuators must not pass, beside their own limits; where an actuator is varied.
     """
 
     designs: tuple[tuple[str, Design], ...]
@@ -48,7 +60,10 @@ class Plan:
     outputs: tuple[int, ...] = ()
     axes: Axes = "xyz"
     method: Method = "pca"
+    level: Level | None = None
     level_db: float | None = None
+    strengths: Strengths | None = None
+    limits: Limits = field(default_factory=Limits)
 
     def __post_init__(self) -> None:
         if not self.designs:
@@ -63,13 +78,42 @@ class Plan:
                 f"the sweep has {len(self)} stimuli, expected at most {MOST_STIMULI}. Leave some "
                 "values out, or make several sweeps."
             )
-        if self.level_db is not None and not LOWEST_DB <= self.level_db <= HIGHEST_DB:
-            raise InvalidInputError(
-                f"level_db is {quoted(self.level_db)}, expected {LOWEST_DB:g} to {HIGHEST_DB:g} dB "
-                "re 1 m/s²"
-            )
+        self._settle_level()
         # Whether axes, method and outputs are known is checked where they are put to use.
         View(axes=self.axes, method=self.method, outputs=self.outputs)
+
+    def _settle_level(self) -> None:
+        wanted: Level = "drive"
+        if self.strengths is not None:
+            wanted = "matched"
+        elif self.level_db is not None:
+            wanted = "loudest_100ms"
+        level = wanted if self.level is None else one_of("level", self.level, LEVELS)
+        object.__setattr__(self, "level", level)
+        if (level in PREDICTED) != (self.level_db is not None):
+            raise InvalidInputError(
+                f"level is {quoted(level)} and level_db is {quoted(self.level_db)}, expected a "
+                f"number with {' and '.join(PREDICTED)}, and with nothing else"
+            )
+        if (level == "matched") != (self.strengths is not None):
+            raise InvalidInputError(
+                f"level is {quoted(level)}, expected 'matched' with a table of matches, and with "
+                "nothing else"
+            )
+        if self.level_db is not None and not LOWEST_DB <= self.level_db <= HIGHEST_DB:
+            raise InvalidInputError(
+                f"level_db is {quoted(self.level_db)}, expected {LOWEST_DB:g} to {HIGHEST_DB:g} dB"
+            )
+
+    @property
+    def drives_actuators(self) -> bool:
+        """Whether it says what actuators have to do."""
+        return any(name == ACTUATOR for name, _ in self.variables)
+
+    def actuator_of(self, number: int) -> str | None:
+        """Name of the actuator in stimulus ``number``; None where none is varied."""
+        found = self.values_of(number).get(ACTUATOR)
+        return None if found is None else str(found)
 
     def __len__(self) -> int:
         """How many stimuli there are."""
@@ -88,7 +132,7 @@ class Plan:
         return {**of_designs, **dict(picked)}
 
     def design_of(self, number: int) -> Design:
-        """Design of stimulus ``number``, from 1; without `level_db`.
+        """Design of stimulus ``number``, from 1; as matched, but not brought to `level_db`.
 
         Raises
         ------
@@ -98,8 +142,9 @@ class Plan:
         which, picked = self._picked(number)
         design = self.designs[which][1]
         for name, value in picked:
-            design = varied(design, name, value)
-        return design
+            if name != ACTUATOR:
+                design = varied(design, name, value)
+        return design if self.strengths is None else equally_strong(design, self.strengths)
 
     def neighbours(self, number: int) -> range:
         """Numbers of the stimuli that are measured together with ``number``."""
@@ -139,7 +184,10 @@ class Plan:
             "outputs": list(self.outputs),
             "axes": self.axes,
             "method": self.method,
+            "level": self.level,
             "level_db": self.level_db,
+            "strengths": None if self.strengths is None else _tree_of(self.strengths),
+            "limits": codec.encode(self.limits),
         }
         return to_text(tree, _FORMAT)
 
@@ -173,7 +221,10 @@ def plan_of(text: str) -> Plan:
         outputs=tuple(tree["outputs"]),
         axes=tree["axes"],
         method=tree["method"],
+        level=tree["level"],
         level_db=tree["level_db"],
+        strengths=_strengths(tree["strengths"]),
+        limits=codec.decode(tree["limits"], (Limits,), Address(("limits",))),
     )
 
 
@@ -181,6 +232,21 @@ def chunks(numbers: Iterable[int]) -> Iterator[tuple[int, ...]]:
     """Numbers of stimuli in their order, those that are measured together in one piece."""
     for _, chunk in groupby(numbers, lambda number: (number - 1) // TOGETHER):
         yield tuple(chunk)
+
+
+def _tree_of(strengths: Strengths) -> Tree:
+    return {
+        "points": [list(point) for point in strengths.points],
+        "reference": list(strengths.reference),
+    }
+
+
+def _strengths(tree: Tree) -> Strengths | None:
+    if tree is None:
+        return None
+    points = tuple((place, hertz, level_db) for place, hertz, level_db in tree["points"])
+    place, hertz = tree["reference"]
+    return Strengths(points, (place, hertz))
 
 
 def _value(found: Tree) -> Value:

@@ -7,14 +7,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
+from skinsource.actuators import Limits
 from skinsource.arguments import whole_number
 from skinsource.design import Design
 from skinsource.design_file import open_design
 from skinsource.errors import InvalidInputError
 from skinsource.job import Progress, Stop, never, silent
+from skinsource.matching import Strengths, read_matches
 from skinsource.projection import Axes, Method
 from skinsource.quoting import quoted
 from skinsource.sweeps.folder import Folder
+from skinsource.sweeps.levels import LEVELS, Level
 from skinsource.sweeps.measuring import Metrics
 from skinsource.sweeps.one_by_one import measured_here
 from skinsource.sweeps.ordering import Order, trials
@@ -66,7 +69,9 @@ def sweep(
     outputs: Iterable[int] = (),
     axes: Axes = "xyz",
     method: Method = "pca",
+    level: Level | str | os.PathLike[str] | None = None,
     level_db: float | None = None,
+    limits: Limits | None = None,
     order: Order | None = None,
     files: StimulusFiles | None = None,
     parquet: bool = False,
@@ -85,8 +90,9 @@ def sweep(
         ``{"frequency_hz": [50, 100], "location": [1, 2]}``.  The last one varies first.
     out
         Folder for all that is written, where a sweep that was stopped or killed goes on; or None.
-    outputs, axes, method, level_db
-        What is measured, and the level that stimuli are brought to: see `skinsource.sweeps.Plan`.
+    outputs, axes, method, level, level_db, limits
+        What is measured, and how strong: see `skinsource.sweeps.Plan`.  A level may be the path of
+        a table of matches, too.
     order, files, parquet
         What is written beside ``stimuli.csv``: see `skinsource.sweeps.Sweep`.
     processes
@@ -108,14 +114,9 @@ def sweep(
     >>> ss.sweep(one, {"frequency_hz": [50.0, 200.0]}).column("frequency_hz")
     array([ 50., 200.])
     """
-    plan = Plan(
-        designs=named_designs(designs),
-        variables=tuple((name, values_of(name, values)) for name, values in (vary or {}).items()),
-        outputs=tuple(outputs),
-        axes=axes,
-        method=method,
-        level_db=level_db,
-    )
+    settings: dict[str, Any] = {"outputs": tuple(outputs), "axes": axes, "method": method}
+    settings |= {**level_of(level), "level_db": level_db, "limits": limits or Limits()}
+    plan = Plan(designs=named_designs(designs), variables=variables_of(vary), **settings)
     wanted = Sweep(plan=plan, order=order, files=files, parquet=parquet)
     return run(wanted, out, processes=processes, progress=progress, stop=stop)
 
@@ -193,6 +194,33 @@ def named_designs(
     return tuple(
         (name if names.count(name) == 1 else f"{name} ({number})", design)
         for number, (name, design) in enumerate(found, start=1)
+    )
+
+
+def variables_of(
+    vary: Mapping[str, Iterable[Any]] | None,
+) -> tuple[tuple[str, tuple[Value, ...]], ...]:
+    """Return variables and their values as a plan has them."""
+    return tuple((name, values_of(name, values)) for name, values in (vary or {}).items())
+
+
+def level_of(level: str | os.PathLike[str] | None) -> dict[str, Any]:
+    """Return what a plan has of a level: its name, or what a table of matches says.
+
+    Raises
+    ------
+    FileFormatError, StorageError
+        It is the path of a file that is no table of matches, or cannot be read.
+    """
+    if level is None or level in LEVELS:
+        return {"level": level}
+    if isinstance(level, str | os.PathLike):
+        path = Path(level)
+        if isinstance(level, os.PathLike) or path.suffix.lower() == ".csv":
+            return {"strengths": Strengths.of(read_matches(path))}
+    raise InvalidInputError(
+        f"level is {quoted(level)}, expected one of {', '.join(LEVELS[:-1])}, or the path of a "
+        "table of matches, *.csv"
     )
 
 

@@ -15,6 +15,7 @@ from skinsource.rendering.projecting import Projection
 from skinsource.rendering.transforms import inverse_here
 from skinsource.sweeps.extents import Extents
 from skinsource.sweeps.field import Field
+from skinsource.sweeps.levels import above_threshold
 from skinsource.sweeps.main_axes import main_axes
 from skinsource.sweeps.plan import Plan
 from skinsource.sweeps.prepared import Prepared
@@ -41,7 +42,8 @@ class Seen:
         RMS of the loudest 100 ms, and the largest sample, by number of the output: first of the
         loudest one, then of those asked for.
     level
-        The highest RMS of any 100 ms at whatever output; None: it was not asked for.
+        Where the plan asks for one: the highest RMS of any 100 ms at whatever output, or how far
+        the loudest output is above threshold, as a ratio.
     extent
         How far it reaches, by the names in `skinsource.sweeps.extents.OF_EXTENT`.
     """
@@ -84,7 +86,7 @@ def seen_alone(plan: Plan, field: Field, one: Prepared, extents: Extents, stop: 
     windows = windows_of(signals[..., :n_times], limb.sample_rate_hz)
     level = None
     if plan.level_db is not None:
-        level = _level(spectrum.rows, projection, rms, n_times, spectrum.n_fft, limb, stop)
+        level = _level(plan, one, spectrum.rows, projection, rms, spectrum.n_fft, stop)
     (extent,) = extents.of([rms], [one])
     return Seen(rms, dict(zip(outputs, windows, strict=True)), level, extent)
 
@@ -115,19 +117,12 @@ def seen_together(
     windows = iter(windows_of(signals, limb.sample_rate_hz))
     reach = extents.of(list(rms), stimuli)
     found = []
-    for which, numbers in enumerate(looked):
+    for which, (one, numbers) in enumerate(zip(stimuli, looked, strict=True)):
         level = None
-        if plan.level_db is not None:
+        if plan.level_db is not None and one is not None:
             here = projection.at(slice(which * n_outputs, (which + 1) * n_outputs))
-            level = _level(
-                _rows_of(vibrations, which),
-                here,
-                rms[which],
-                n_times[which],
-                vibrations.n_fft,
-                limb,
-                stop,
-            )
+            rows_of_one = _rows_of(vibrations, which)
+            level = _level(plan, one, rows_of_one, here, rms[which], vibrations.n_fft, stop)
         of_outputs = {number: next(windows) for number in numbers}
         found.append(Seen(rms[which], of_outputs, level, reach[which]))
     return found
@@ -161,21 +156,37 @@ def _rows_of(vibrations: Vibrations, which: int) -> _Rows:
 
 
 def _level(
+    plan: Plan,
+    one: Prepared,
     rows: _Rows,
     projection: Projection,
     rms: Floats,
-    n_times: int,
+    n_fft: int,
+    stop: Stop,
+) -> float:
+    """What is brought to the level of the plan: a ratio, or m/s²."""
+    limb, n_times = one.limb, one.response_samples
+    if plan.level == "above_threshold":
+        spectra = rows(np.arange(limb.n_outputs), tuple(range(limb.n_axes)))
+        acceleration = inverse_here(spectra, n_fft)[..., :n_times]
+        return above_threshold(acceleration, limb.sample_rate_hz, one.design.scaling)
+    return _loudest_window(rows, projection, np.square(rms) * n_times, n_fft, limb, stop)
+
+
+def _loudest_window(
+    rows: _Rows,
+    projection: Projection,
+    energy: Floats,
     n_fft: int,
     limb: Limb,
     stop: Stop,
 ) -> float:
     """Highest RMS of any 100 ms at whatever output, m/s².
 
-    Outputs are looked at in the order of their energies, until no window of the next one can hold
-    as much as was found.
+    Outputs are looked at in the order of their energies, (n_outputs,), until no window of the next
+    one can hold as much as was found.
     """
     n_window = window_samples(limb.sample_rate_hz)
-    energy = np.square(rms) * n_times
     order = np.argsort(-energy, kind="stable")
     highest = 0.0
     for first in range(0, len(order), _AT_ONCE):

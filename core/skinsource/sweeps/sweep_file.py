@@ -4,12 +4,16 @@ designs = ["train.skinsource"]     # beside this file
 outputs = [19, 21]                 # measured beside the loudest one
 axes = "xyz"                       # as in the studio, and so is:
 method = "pca"
-level_db = 0.0                     # loudest 100 ms, dB re 1 m/s²; without it drives stay
+level = "loudest_100ms"            # or "above_threshold", "drive", or a table: "matches.csv"
+level_db = 0.0                     # where that is predicted: dB re 1 m/s², or above threshold
 parquet = false
 
 [vary]                             # all combinations; the last one varies first
 frequency_hz = [50, 100, 200]
 location = [3, 7]
+
+[limits]                           # of actuators that are varied
+peak_voltage_v = 5.0
 
 [trials]                           # writes trials.csv
 order = "counterbalanced"          # or "random", "given"
@@ -26,16 +30,18 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
+from skinsource.actuators import Limits
 from skinsource.arguments import one_of, real_number, whole_number
 from skinsource.design_file import open_design
 from skinsource.errors import FileFormatError, InvalidInputError
+from skinsource.fields import specs_of
 from skinsource.files import named, read_bytes
 from skinsource.projection import AXES, METHODS
 from skinsource.quoting import printable, quoted, sentence
 from skinsource.resampling import MAX_RATE_HZ
 from skinsource.sweeps.ordering import KINDS, Order
 from skinsource.sweeps.plan import HIGHEST_DB, LOWEST_DB, Plan
-from skinsource.sweeps.running import Sweep, named_designs, values_of
+from skinsource.sweeps.running import Sweep, level_of, named_designs, variables_of
 from skinsource.sweeps.stimulus_files import StimulusFiles
 
 _MOST_BYTES = 16 * 2**20
@@ -46,12 +52,15 @@ _KNOWN = {
         "outputs",
         "axes",
         "method",
+        "level",
         "level_db",
         "parquet",
         "vary",
+        "limits",
         "trials",
         "stimuli",
     ),
+    "limits": tuple(specs_of(Limits)),
     "trials": ("order", "participants", "blocks", "seed"),
     "stimuli": ("format", "rate_hz"),
 }
@@ -96,17 +105,31 @@ def _sweep(found: dict[str, Any], folder: Path) -> Sweep:
         raise InvalidInputError(f"parquet is {quoted(parquet)}, expected true or false")
     plan = Plan(
         designs=named_designs(files),
-        variables=tuple(
-            (name, values_of(name, values)) for name, values in _table(found, "vary").items()
-        ),
+        variables=variables_of(_table(found, "vary")),
         outputs=tuple(whole_number("an output", one, 1, _MOST) for one in _list(found, "outputs")),
         axes=one_of("axes", found.get("axes", "xyz"), AXES),
         method=one_of("method", found.get("method", "pca"), METHODS),
+        **level_of(_level(found, folder)),
+        limits=_limits(found),
         level_db=None
         if level_db is None
         else real_number("level_db", level_db, least=LOWEST_DB, most=HIGHEST_DB),
     )
     return Sweep(plan=plan, order=_order(found), files=_files(found), parquet=parquet)
+
+
+def _level(found: dict[str, Any], folder: Path) -> str | Path | None:
+    """Name of a level, or where its table is: beside the sweep."""
+    level = found.get("level")
+    if level is not None and not isinstance(level, str):
+        raise InvalidInputError(f"level is {quoted(level)}, expected a text")
+    return folder / level if level is not None and level.lower().endswith(".csv") else level
+
+
+def _limits(found: dict[str, Any]) -> Limits:
+    table = _table(found, "limits")
+    _refuse_unknown("limits", table)
+    return Limits(**table)
 
 
 def _order(found: dict[str, Any]) -> Order | None:

@@ -65,7 +65,7 @@ class SweepTable:
 
 def table_of(plan: Plan, found: dict[int, Metrics | str]) -> SweepTable:
     """The table of the stimuli of ``plan`` that were ``found`` so far."""
-    metrics = columns_of(plan.outputs)
+    metrics = columns_of(plan)
     rows = [
         (
             number,

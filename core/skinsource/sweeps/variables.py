@@ -13,6 +13,8 @@ from skinsource.quoting import quoted
 #: What a variable can be set to.
 Value = bool | int | float | str | tuple[int, ...]
 
+#: No part of the design: what is asked of it is measured beside.
+ACTUATOR = "actuator"
 OF_DESIGN = ("limb", "scaling")
 OF_INPUT = ("location", "amplitude", "muted")
 OF_CLIP = ("onset_s", "gain")
@@ -53,7 +55,7 @@ def varied(design: Design, name: str, value: Value) -> Design:
     if not found:
         raise InvalidInputError(
             f"nothing in the design has {quoted(name)}; a sweep can vary "
-            f"{', '.join(names_in(design))}"
+            f"{', '.join((*names_in(design), ACTUATOR))}"
         )
     return replace(design, inputs=tuple(inputs))
 

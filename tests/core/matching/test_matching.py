@@ -1,0 +1,206 @@
+"""Matches: what is asked in which order, what is stored, and what follows from it."""
+
+import csv
+from collections import Counter
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.errors import FileFormatError, InvalidInputError, StorageError
+from skinsource.matching import MatchingRun, Procedure, Strengths, add_match, read_matches
+from skinsource.matching.procedure import HIGHEST_DB, LOWEST_DB
+
+ANNA = Procedure(person="Anna", frequencies_hz=(50.0, 250.0), places=(3, 7), seed=4)
+
+
+def store_all(procedure, path, level_db=3.0):
+    run = MatchingRun(procedure, path)
+    while run.trial is not None:
+        run.step(level_db - run.level_db)
+        run.store()
+    return run
+
+
+def rows_of(path):
+    with path.open(newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def test_each_test_is_met_once_from_below_and_once_from_above():
+    found = Counter((one.frequency_hz, one.place, one.direction) for one in ANNA.trials)
+    assert len(found) == len(ANNA) == 8
+    assert set(found.values()) == {1}
+    assert [one.number for one in ANNA.trials] == list(range(1, 9))
+    for one in ANNA.trials:
+        assert 6.0 <= abs(one.start_db) <= 12.0
+        assert (one.start_db < 0.0) == (one.direction == "ascending")
+
+
+def test_order_and_starts_follow_from_seed_and_name():
+    assert ANNA.trials == replace(ANNA).trials
+    assert ANNA.trials != replace(ANNA, seed=5).trials
+    assert ANNA.trials != replace(ANNA, person="Ben").trials
+    assert len({one.start_db for one in ANNA.trials}) > 4
+
+
+def test_reference_and_test_follow_each_other_and_come_again():
+    trial = next(one for one in ANNA.trials if one.place == 3 and one.frequency_hz == 250.0)
+    design = replace(ANNA, amplitude=2.0).design(trial, 6.0)
+    reference, test = design.inputs
+    assert (reference.location, test.location) == (7, 3)
+    assert reference.amplitude == 2.0
+    assert test.amplitude == pytest.approx(2.0 * 10 ** (6 / 20))
+    assert test.clips[0].onset_s == pytest.approx(1.2)
+    assert test.clips[0].waveform == ss.waveforms.Tone(frequency_hz=250.0, duration_s=0.8)
+    assert design.loop_s == pytest.approx((0.0, 2.4))
+    channels = {one.place: row for one, row in _rows(ss.stimulus_of(design))}
+    assert np.abs(channels[7]).max() == pytest.approx(2.0, rel=0.01)
+    assert not channels[3][: round(1.2 * 1300)].any()
+
+
+def _rows(stimulus):
+    return zip(stimulus.channels, stimulus.samples, strict=True)
+
+
+def test_arrows_go_by_a_decibel_and_stay_within_what_can_be():
+    run = MatchingRun(ANNA, None)
+    start_db = run.level_db
+    assert run.step(1.0)
+    assert run.level_db == pytest.approx(start_db + 1.0)
+    assert run.step(-1.0)
+    assert run.step(100.0)
+    assert run.level_db == HIGHEST_DB
+    assert not run.step(1.0)
+    assert run.step(-200.0)
+    assert run.level_db == LOWEST_DB
+
+
+def test_what_is_stored_is_a_row_and_is_not_asked_again(tmp_path):
+    path = tmp_path / "matches.csv"
+    run = MatchingRun(ANNA, path)
+    first = run.trial
+    run.step(2.0)
+    run.store()
+    (row,) = rows_of(path)
+    assert (row["person"], float(row["frequency_hz"])) == ("Anna", first.frequency_hz)
+    assert (int(row["place"]), row["direction"]) == (first.place, first.direction)
+    assert float(row["matched_db"]) == pytest.approx(first.start_db + 2.0)
+    assert float(row["start_db"]) == first.start_db
+    again = MatchingRun(ANNA, path)
+    assert again.done == 1
+    assert again.trial == run.trial == ANNA.trials[1]
+    assert again.level_db == again.trial.start_db
+    store_all(ANNA, path)
+    assert MatchingRun(ANNA, path).trial is None
+    with pytest.raises(InvalidInputError, match="all matches are made"):
+        MatchingRun(ANNA, path).store()
+    store_all(replace(ANNA, person="Ben"), path)
+    rows = rows_of(path)
+    assert len(rows) == 16
+    assert len({(r["person"], r["frequency_hz"], r["place"], r["direction"]) for r in rows}) == 16
+
+
+def test_a_match_is_never_stored_twice(tmp_path):
+    path = tmp_path / "matches.csv"
+    one, other = MatchingRun(ANNA, path), MatchingRun(ANNA, path)
+    one.store()
+    before = path.read_bytes()
+    with pytest.raises(InvalidInputError, match="already"):
+        other.store()
+    assert path.read_bytes() == before
+    assert other.trial == ANNA.trials[0]
+
+
+def test_of_a_rehearsal_nothing_is_kept(tmp_path):
+    run = store_all(ANNA, None)
+    assert run.done == 8
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_another_reference_needs_another_table(tmp_path):
+    path = tmp_path / "matches.csv"
+    run = MatchingRun(ANNA, path)
+    match = run.store()
+    with pytest.raises(InvalidInputError, match="another reference"):
+        MatchingRun(replace(ANNA, reference_hz=80.0), path)
+    with pytest.raises(InvalidInputError, match="another reference"):
+        add_match(path, replace(match, person="Ben", amplitude=0.5))
+
+
+def test_a_table_that_cannot_be_written_keeps_the_trial(tmp_path):
+    run = MatchingRun(ANNA, tmp_path / "nowhere" / "matches.csv")
+    with pytest.raises(StorageError):
+        run.store()
+    assert run.trial == ANNA.trials[0]
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda text: "", "no table of matches"),
+        (lambda text: "a,b\n1,2\n", "no table of matches"),
+        (lambda text: text + text.splitlines()[1] + "\n", "line 10: .*stands in line 2"),
+        (lambda text: text.replace("Anna", "=Anna", 1), "line 2: person"),
+        (lambda text: text.replace(",100.0,7,1.0,", ",100.0,7,2.0,", 1), "line 3: its reference"),
+        (lambda text: text.replace(",3.0,", ",nan,", 1), "matched_db"),
+        (lambda text: text.replace(",3.0,", ",1e9,", 1), "matched_db"),
+        (lambda text: text.replace("ending,", "ending,x", 1), "start_db"),
+        (lambda text: text.replace("scending", "scended", 1), "direction"),
+        (lambda text: text[:-4] + "\n", "it has 10 values"),
+        (lambda text: text + '"', "no CSV"),
+        (lambda text: "\0" + text, "no table|no CSV"),
+    ],
+)
+def test_a_damaged_table_is_one_error_that_says_where(tmp_path, change, words):
+    path = tmp_path / "matches.csv"
+    store_all(ANNA, path)
+    path.write_text(change(path.read_text()))
+    before = path.read_bytes()
+    with pytest.raises(FileFormatError, match=words) as refused:
+        MatchingRun(ANNA, path)
+    assert "matches.csv" in str(refused.value)
+    assert path.read_bytes() == before
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"person": ""}, "person"),
+        ({"person": "a\nb"}, "person"),
+        ({"person": "+1"}, "person"),
+        ({"frequencies_hz": ()}, "frequencies_hz"),
+        ({"frequencies_hz": (50.0, 50.0)}, "each once"),
+        ({"frequencies_hz": (0.0,)}, "a frequency"),
+        ({"places": (0,)}, "a place"),
+        ({"amplitude": 1e6}, "amplitude"),
+        ({"pause_s": 0.0}, "pause_s"),
+        ({"seed": -1}, "seed"),
+        ({"frequencies_hz": tuple(map(float, range(20, 120))), "places": tuple(range(1, 12))},
+         "at most 2000"),
+    ],
+)  # fmt: skip
+def test_a_procedure_that_cannot_be_is_refused(changes, words):
+    with pytest.raises(InvalidInputError, match=words):
+        replace(ANNA, **changes)
+
+
+def test_strengths_average_persons_and_lie_between_what_was_measured(tmp_path):
+    path = tmp_path / "matches.csv"
+    store_all(ANNA, path, level_db=2.0)
+    store_all(replace(ANNA, person="Ben", frequencies_hz=(50.0,)), path, level_db=8.0)
+    found = Strengths.of(read_matches(path))
+    assert found.level_db(50.0, 3) == pytest.approx(5.0)
+    assert found.level_db(250.0, 3) == pytest.approx(2.0)
+    middle_hz = np.sqrt(50.0 * 250.0)
+    assert found.level_db(middle_hz, 3) == pytest.approx(3.5)
+    # The reference is as strong as itself.
+    assert found.level_db(100.0, 7) == 0.0
+    assert 0.0 < found.level_db(99.0, 7) < 5.0
+    with pytest.raises(InvalidInputError, match="place 5"):
+        found.level_db(50.0, 5)
+    with pytest.raises(InvalidInputError, match="50 to 250 Hz"):
+        found.level_db(260.0, 3)
+    with pytest.raises(InvalidInputError, match="no matches"):
+        Strengths.of(())

@@ -1,0 +1,108 @@
+"""What is matched is played: on a made-up device, and in silence where there is none."""
+
+import threading
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.errors import NothingToPlayOnError
+from skinsource.matching import MatchingRun, Presenter, Procedure
+from skinsource.playing import Output
+from skinsource.playing import session as session_module
+from tests.core.playing.made_up_sound import MadeUpLibrary, use
+
+PROCEDURE = Procedure(
+    person="Anna",
+    frequencies_hz=(200.0,),
+    places=(3,),
+    amplitude=0.25,
+    duration_s=0.1,
+    pause_s=0.05,
+)
+#: Samples of a reference, a pause, a test and a pause.
+CYCLE = round(0.3 * 48_000)
+FADE = 240
+
+
+def wait_for(condition):
+    pause = threading.Event()
+    assert any(condition() or pause.wait(0.005) for _ in range(4000))
+
+
+@pytest.fixture
+def sound(monkeypatch):
+    return use(monkeypatch, MadeUpLibrary(Four=4))
+
+
+@pytest.fixture
+def presenter():
+    over = threading.Event()
+    found = Presenter(Output(outputs=((7, 1), (3, 2))), lambda stream: over.set())
+    found.over = over
+    yield found
+    found.close()
+
+
+def test_reference_and_test_alternate_on_their_actuators(sound, presenter):
+    run = MatchingRun(PROCEDURE, None)
+    presenter.present(run.design, 0.0)
+    wait_for(lambda: sound.streams[0].samples.shape[1] > 3 * CYCLE)
+    heard = sound.streams[0].samples
+    expected = ss.stimulus_of(run.design, 48_000)
+    for one, row in zip(expected.channels, expected.samples, strict=True):
+        output = {7: 0, 3: 1}[one.place]
+        for cycle in (1, 2):
+            begin = cycle * CYCLE + FADE
+            found = heard[output, begin : begin + CYCLE - 2 * FADE]
+            wanted = np.zeros(CYCLE)
+            wanted[: min(row.size, CYCLE)] = row[:CYCLE]
+            np.testing.assert_allclose(found, wanted[: -2 * FADE], atol=1e-6)
+    assert not heard[2:].any()
+
+
+def test_an_arrow_changes_the_test_alone_on_the_same_stream(sound, presenter):
+    run = MatchingRun(PROCEDURE, None)
+    playing = presenter.present(run.design, 0.0)
+    before_db = run.level_db
+    assert run.step(1.0)
+    assert presenter.present(run.design, 0.0) is playing
+    deck = playing.stream.deck
+    wait_for(lambda: deck.swap is None and deck.faded == deck.fade.size)
+    at = len(sound.streams[0].heard)
+    wait_for(lambda: len(sound.streams[0].heard) > at + 2 * CYCLE // 256)
+    heard = np.concatenate(sound.streams[0].heard[at + 2 :]).T
+    factor = 10 ** ((before_db + 1.0) / 20)
+    assert np.abs(heard[0]).max() == pytest.approx(0.25, rel=0.01)
+    assert np.abs(heard[1]).max() == pytest.approx(0.25 * factor, rel=0.01)
+
+
+def test_stopped_at_once_it_is_silent_and_can_be_played_again(sound, presenter):
+    run = MatchingRun(PROCEDURE, None)
+    presenter.present(run.design, 0.0)
+    presenter.stop_at_once()
+    assert presenter.over.wait(20)
+    presenter.present(run.design, 0.0)
+    assert len(sound.streams) == 2
+
+
+def test_the_limiter_ends_what_would_pass_full_scale(sound, presenter):
+    run = MatchingRun(PROCEDURE, None)
+    run.step(30.0)
+    playing = presenter.present(run.design, 0.0)
+    assert presenter.over.wait(20)
+    assert playing.stream.deck.ending.reason == "limit"
+    assert np.abs(sound.streams[0].samples).max() <= 1.0
+
+
+def test_without_a_device_it_is_a_rehearsal_that_says_why(monkeypatch, presenter):
+    def none():
+        raise NothingToPlayOnError("No device to play on was found.")
+
+    monkeypatch.setattr(session_module, "devices", none)
+    run = MatchingRun(PROCEDURE, None)
+    playing = presenter.present(run.design, 0.0)
+    assert playing.stream is None
+    assert "No device" in presenter.reason
+    run.step(1.0)
+    assert presenter.present(run.design, 0.0).silent is playing.silent

@@ -1,0 +1,229 @@
+"""How strong stimuli are: as drawn, as predicted, or as people matched them."""
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource import actuators
+from skinsource.actuators import Limits
+from skinsource.equalising import RegularisedInverse, equalised
+from skinsource.errors import FileFormatError, InvalidInputError
+from skinsource.matching import MatchingRun, Procedure
+from skinsource.perception import sensation_levels_db
+from skinsource.sweeps import Measurer, Plan, read_sweep
+from skinsource.sweeps.actuator_metrics import ACTUATOR_METRICS
+from skinsource.sweeps.plan import plan_of
+
+TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.3)
+DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE), ss.track(3, TONE, amplitude=0.5)))
+FREQUENCIES = (50.0, 80.0, 150.0, 250.0)
+
+
+def design_at(design, frequency_hz, factor=1.0):
+    inputs = tuple(
+        ss.track(
+            one.location,
+            ss.waveforms.Tone(frequency_hz=frequency_hz, duration_s=0.3),
+            amplitude=one.amplitude * factor,
+        )
+        for one in design.inputs
+    )
+    return ss.Design(limb="synthetic-1", inputs=inputs)
+
+
+def highest_above_threshold(design):
+    field = ss.predict(
+        ss.load_limb("synthetic-1"),
+        [one.clips[0].waveform.samples(1300.0) * one.amplitude for one in design.inputs],
+        [one.location for one in design.inputs],
+        [1.0] * len(design.inputs),
+        "probe",
+    )
+    return max(one.max() for one in sensation_levels_db(field, 1300.0).values())
+
+
+@pytest.mark.parametrize("values", [FREQUENCIES, FREQUENCIES[:2]])
+def test_a_level_above_threshold_is_reached(values):
+    # Four are measured together, two one by one.
+    table = ss.sweep(DESIGN, {"frequency_hz": values}, level="above_threshold", level_db=20.0)
+    assert not table.failed
+    np.testing.assert_allclose(table.column("level_above_threshold_db"), 20.0, atol=1e-9)
+    assert np.isnan(table.column("level_100ms_db")).all()
+    assert len(set(table.column("factor").round(6))) == len(values)
+    for frequency_hz, factor in zip(values, table.column("factor"), strict=True):
+        made = design_at(DESIGN, frequency_hz, factor)
+        assert highest_above_threshold(made) == pytest.approx(20.0, abs=1e-8)
+
+
+def test_of_silence_and_of_drives_without_a_unit_no_level_is_reached():
+    silent = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE, muted=True),))
+    table = ss.sweep(silent, level="above_threshold", level_db=20.0)
+    assert table.column("factor")[0] == 1.0
+    upstream = ss.Design(limb="synthetic-1", inputs=DESIGN.inputs, scaling="upstream")
+    table = ss.sweep(upstream, level="above_threshold", level_db=20.0)
+    assert "Probe acceleration" in table.failed[1]
+
+
+@pytest.fixture
+def matches(tmp_path):
+    """At place 7 tests were matched at -4 dB, at place 3 at 6 dB more for each of two people."""
+    path = tmp_path / "matches.csv"
+    for person, more_db in (("Anna", 1.0), ("Ben", -1.0)):
+        procedure = Procedure(
+            person=person, frequencies_hz=(50.0, 250.0), places=(3, 7), reference_hz=80.0
+        )
+        run = MatchingRun(procedure, path)
+        while run.trial is not None:
+            run.step((2.0 if run.trial.place == 3 else -4.0) + more_db - run.level_db)
+            run.store()
+    return path
+
+
+def test_drives_are_as_people_matched_them(matches):
+    for level in (matches, str(matches)):
+        table = ss.sweep(DESIGN, {"frequency_hz": (50.0, 250.0, 300.0)}, level=level)
+        assert list(table.failed) == [3]
+        assert "300 Hz was not matched at place 7" in table.failed[3]
+        assert (table.column("factor")[:2] == 1.0).all()
+    plan = Plan(
+        designs=(("one", DESIGN),),
+        variables=(("frequency_hz", (50.0,)),),
+        **ss.sweeps.running.level_of(matches),
+    )
+    first, second = plan.design_of(1).inputs
+    assert first.amplitude == pytest.approx(10 ** (-4 / 20))
+    assert second.amplitude == pytest.approx(0.5 * 10 ** (2 / 20))
+    assert plan_of(plan.text) == plan
+    assert Plan(designs=plan.designs, variables=plan.variables).digest != plan.digest
+    mixed = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Noise(duration_s=0.1)),))
+    assert "one frequency" in ss.sweep(mixed, level=matches).failed[1]
+
+
+def test_matched_drives_are_those_of_the_files_with_one_full_scale(matches, tmp_path):
+    table = ss.sweep(
+        DESIGN,
+        {"frequency_hz": (50.0, 250.0), "amplitude": (0.5, 1.0)},
+        out=tmp_path / "out",
+        level=matches,
+        files=ss.sweeps.StimulusFiles(format="npz", rate_hz=1300),
+    )
+    assert not table.failed
+    peaks = []
+    for k in range(1, 5):
+        with np.load(tmp_path / "out" / "stimuli" / f"{k}.npz") as archive:
+            peaks.append(np.abs(archive["drive"]).max(axis=0))
+    # Place 3 is 6 dB above place 7 in each file, and the louder two are full scale.
+    for one in peaks:
+        assert one.max() / one.min() == pytest.approx(10 ** (6 / 20), rel=0.02)
+    assert max(one.max() for one in peaks) == pytest.approx(1.0, abs=1e-6)
+    assert peaks[1].max() / peaks[0].max() == pytest.approx(2.0)
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"level": "loud"}, "one of drive"),
+        ({"level": "above_threshold"}, "level_db"),
+        ({"level": "drive", "level_db": 3.0}, "level_db"),
+        ({"level": "matched"}, "table of matches"),
+        ({"level": 3}, "level is 3"),
+        ({"level_db": 1000.0}, "-100 to 100 dB"),
+    ],
+)
+def test_a_level_that_cannot_be_is_refused(changes, words):
+    with pytest.raises(InvalidInputError, match=words):
+        ss.sweep(DESIGN, **changes)
+
+
+def test_actuators_are_varied_and_say_what_they_have_to_do():
+    names = ("example-voice-coil", "example-resonant")
+    table = ss.sweep(DESIGN, {"actuator": names}, outputs=(19,), limits=Limits(peak_voltage_v=1e-3))
+    assert not table.failed
+    assert table.columns[-9:-1] == ACTUATOR_METRICS
+    assert table.column("rms")[0] == table.column("rms")[1]
+    for row, name in enumerate(names):
+        model = actuators.load(name)
+        drives = np.array([one.amplitude * TONE.samples(1300.0) for one in DESIGN.inputs])
+        volts = equalised(drives, 1300.0, model, RegularisedInverse(), lead_s=0.1, tail_s=0.1)
+        told = actuators.predicted(volts, 1300, model)
+        for metric in ACTUATOR_METRICS[:-1]:
+            expected = max(getattr(one, metric) for one in told)
+            assert table.column(metric)[row] == pytest.approx(expected, rel=1e-9, nan_ok=True)
+    assert table.column("peak_voltage_v")[0] != table.column("peak_voltage_v")[1]
+    assert table.column("limits_passed").tolist() == [1.0, 1.0]
+    louder = ss.sweep(DESIGN, {"actuator": names[:1], "amplitude": (1.0, 2.0)})
+    ratio = louder.column("peak_voltage_v")[1] / louder.column("peak_voltage_v")[0]
+    # The second input has half the amplitude until both get the same.
+    assert ratio == pytest.approx(2.0, rel=1e-6)
+    assert np.isnan(louder.column("limits_passed")).all()
+
+
+def test_levels_reach_the_actuator():
+    changes = {"vary": {"actuator": ("example-voice-coil",)}, "level": "loudest_100ms"}
+    soft, loud = (ss.sweep(DESIGN, level_db=level_db, **changes) for level_db in (-20.0, 0.0))
+    for metric in ("peak_voltage_v", "peak_velocity_m_per_s"):
+        ratio = loud.column(metric)[0] / soft.column(metric)[0]
+        assert ratio == pytest.approx(10.0, rel=1e-6)
+
+
+def test_an_actuator_that_cannot_be_is_a_row_that_says_why():
+    tap = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tap()),))
+    names = ("no-such-one", "example-voice-coil")
+    table = ss.sweep(tap, {"actuator": names})
+    assert "no-such-one" in table.failed[1]
+    assert "velocity" in table.failed[2]
+    upstream = ss.Design(limb="synthetic-1", inputs=DESIGN.inputs, scaling="relative")
+    assert "Probe acceleration" in ss.sweep(upstream, {"actuator": names[1:]}).failed[1]
+
+
+def written(folder, text):
+    ss.save_design(folder / "two.skinsource", DESIGN)
+    (folder / "sweep.toml").write_text(f'designs = ["two.skinsource"]\n{text}')
+    return folder / "sweep.toml"
+
+
+def test_a_file_says_level_actuators_and_limits(matches):
+    path = written(
+        matches.parent,
+        'level = "matches.csv"\n[vary]\nactuator = ["example-piezo"]\n'
+        "[limits]\npeak_voltage_v = 5\n",
+    )
+    plan = read_sweep(path).plan
+    assert plan.level == "matched"
+    assert plan.strengths.reference == (7, 80.0)
+    assert plan.limits == Limits(peak_voltage_v=5.0)
+    assert plan.drives_actuators
+    path = written(matches.parent, 'level = "above_threshold"\nlevel_db = 20\n')
+    assert (read_sweep(path).plan.level, read_sweep(path).plan.level_db) == ("above_threshold", 20)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("level = 3", "expected a text"),
+        ('level = "loud"', "one of drive"),
+        ('level = "two.skinsource"', "one of drive"),
+        ('level = "above_threshold"', "level_db"),
+        ("[limits]\npeak = 1", "'peak' is not known in"),
+        ("[limits]\npeak_voltage_v = -1", "peak_voltage_v"),
+        ('[limits]\npeak_voltage_v = "high"', "peak_voltage_v"),
+        ("limits = 3", "expected a table"),
+    ],
+)
+def test_a_level_or_limit_of_a_file_that_cannot_be_is_one_error(tmp_path, text, words):
+    with pytest.raises(FileFormatError, match=words) as refused:
+        read_sweep(written(tmp_path, text))
+    assert "sweep.toml" in str(refused.value)
+
+
+def test_a_damaged_table_is_named(tmp_path):
+    (tmp_path / "matches.csv").write_text("a,b\n")
+    with pytest.raises(FileFormatError, match=r"matches\.csv"):
+        read_sweep(written(tmp_path, 'level = "matches.csv"'))
+
+
+def test_long_stimuli_have_no_level_above_threshold():
+    long = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tone(duration_s=30.0)),))
+    plan = Plan(designs=(("one", long),), level="above_threshold", level_db=0.0)
+    with pytest.raises(InvalidInputError, match="too long"):
+        Measurer(plan).measure(1)
