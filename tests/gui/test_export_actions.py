@@ -1,6 +1,7 @@
 import os
 import threading
 from dataclasses import replace
+from time import monotonic
 
 import numpy as np
 import pytest
@@ -21,6 +22,7 @@ from skinsource.job import Job
 from skinsource.rendering import trace_rules
 from skinsource.rendering.check import TraceError
 from skinsource.waveforms import Noise, Tone
+from skinsource_gui.files import export_actions
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
 from skinsource_gui.status.job_bar import JobBar
 
@@ -77,6 +79,27 @@ def gate(write_with):
 
     write_with("field", write)
     return gate
+
+
+@pytest.fixture
+def held_until_cancelled(write_with):
+    """Have an export go on from its first progress only once it is asked to stop."""
+
+    def hold(name):
+        real = next(one.write for one in export_actions.EXPORTS if one.name == name)
+
+        def write(path, design, view, *, progress, stop, largest_error):
+            def tell(done, total, text):
+                progress(done, total, text)
+                end_s = monotonic() + 60.0
+                while done and not stop() and monotonic() < end_s:
+                    threading.Event().wait(0.001)
+
+            real(path, design, view, progress=tell, stop=stop, largest_error=largest_error)
+
+        write_with(name, write)
+
+    return hold
 
 
 def part(window, kind, name):
@@ -185,8 +208,9 @@ def test_an_export_is_cancelled_from_the_keyboard(
 
 @pytest.mark.parametrize("name", ["field.npz", "traces.csv"])
 def test_a_long_export_stops_at_once_and_leaves_nothing(
-    qtbot, window, wait, answers, tmp_path, name
+    qtbot, window, wait, answers, tmp_path, name, held_until_cancelled
 ):
+    held_until_cancelled(name.split(".")[0])
     window.document.start_over(LONG, window.document.view, None)
     answers["save"] = str(tmp_path / name)
     window.actions_by_name[f"export_{name.split('.')[0]}"].trigger()

@@ -5,7 +5,7 @@ import threading
 from collections import Counter
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer
+from PySide6.QtCore import QAbstractAnimation, QCoreApplication, QEvent, QObject, Qt, QTimer
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QDialog, QMenu, QWidget
 
@@ -17,10 +17,16 @@ PAGES = ("find_action", "show_keys", "show_dataset", "show_about", "show_accurac
 
 
 @pytest.fixture
-def alive(window):
+def alive(window, qtbot):
     """Give a function that counts what the window, and all other windows, own."""
 
+    def moving() -> bool:
+        running = QAbstractAnimation.State.Running
+        return any(one.state() == running for one in window.findChildren(QAbstractAnimation))
+
     def count() -> Counter:
+        # Docks move to their new places for a fifth of a second, and longer on a busy machine.
+        qtbot.waitUntil(lambda: not moving(), timeout=30_000)
         for _ in range(3):
             QApplication.processEvents()
             QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
@@ -80,6 +86,8 @@ def test_a_menu_that_was_opened_twenty_times_leaves_nothing(window, qtbot, alive
 )
 def test_edits_arrangements_and_themes_that_come_and_go_leave_nothing(window, settle, alive, names):
     window.do("duplicate_input")
+    # Half a minute later its thread would begin by itself.
+    assert window.keeping.autosave.keep_now()
 
     def there_and_back() -> None:
         for name in names:
