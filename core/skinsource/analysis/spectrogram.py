@@ -2,16 +2,19 @@
 
 from dataclasses import dataclass
 from math import ceil
+from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy
 from numpy.typing import ArrayLike
-from scipy.signal import ShortTimeFFT
 
 from skinsource.arguments import finite_array, positive_number
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
 from skinsource.job import Stop, never, stop_if
+
+if TYPE_CHECKING:
+    from scipy.signal import ShortTimeFFT
 
 #: More columns than a screen is wide tell nothing; where there are more, the loudest stays.
 MOST_COLUMNS = 2000
@@ -101,10 +104,10 @@ def spectrogram(
     return Spectrogram(time_s=time_s, frequency_hz=transform.f, amplitude=amplitude)
 
 
-def _transform(n_window: int, rate: float) -> ShortTimeFFT:
+def _transform(n_window: int, rate: float) -> "ShortTimeFFT":
     window = scipy.signal.windows.hann(n_window, sym=False)
     # Four times the bins that the window resolves: a sine between two of them reads 1 % low.
-    return ShortTimeFFT(
+    return scipy.signal.ShortTimeFFT(
         window,
         hop=n_window // _PER_WINDOW,
         fs=rate,
