@@ -2,11 +2,13 @@
 
 from pathlib import Path
 
+from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from skinsource_gui.panel import Panel
-from skinsource_gui.theme import Theme
+from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.first_steps import output_words
+from skinsource_gui.widgets.plot.signal_picture import draw_signals
 from skinsource_gui.widgets.plot.signal_view import SignalView
 
 
@@ -52,6 +54,11 @@ class SignalPanel(Panel):
 
     def show_folder(self, folder: Path) -> None:
         self._plot.exports.folder = folder
+
+    def draw_picture(
+        self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
+    ) -> None:
+        draw_signals(painter, width, height, plot=self._plot.plot, theme=theme)
 
     def show_theme(self, theme: Theme) -> None:
         self._plot.set_theme(theme)

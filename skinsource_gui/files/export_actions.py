@@ -9,11 +9,13 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMessageBox, QWidget
 
 from skinsource.design import Design
 from skinsource.errors import SkinSourceError, TooInaccurateError
 from skinsource.job import Job
+from skinsource.packing import citation
 from skinsource.view import View
 from skinsource_gui.files.exports import EXPORTS, ExportSpec
 from skinsource_gui.files.file_actions import FileActions
@@ -21,13 +23,14 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.status.error_label import VISIBLE
-from skinsource_gui.widgets.pictures.picture_file import Draw, save_drawing
+from skinsource_gui.widgets.pictures.picture_file import save_drawing
 from skinsource_gui.widgets.pictures.picture_options import PictureOptions, ask_picture_options
+from skinsource_gui.widgets.pictures.whole_picture import WholePicture
 
 _log = logging.getLogger(__name__)
 _Answer = QMessageBox.StandardButton
-#: Asked for the name of a panel: what draws its picture, with the present results.
-DrawerOf = Callable[[str], Draw]
+#: Asked for the name of a panel: its picture, with the present results.
+DrawerOf = Callable[[str], WholePicture]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -95,22 +98,28 @@ class ExportActions(QObject):
         if path is not None:
             self._add(_Order(spec=spec, path=path, design=design, view=view))
 
+    def copy_citation(self) -> None:
+        """Put what to cite for the open design on the clipboard."""
+        QGuiApplication.clipboard().setText(citation(self._document.design))
+        self._files.done.emit("Copied what to cite")
+
     def _ask_where(self, spec: ExportSpec) -> Path | None:
         title = f"Export {spec.title.removesuffix('…')}"
         start = self._preferences.folder / spec.file_name
         return self._files.ask_where(title, start, spec.filter, spec.endings)
 
     def _export_picture(self, spec: ExportSpec) -> None:
-        width, height = spec.size_px
+        picture = self._drawer_of(spec.panel)
+        width, height = picture.size_px or spec.size_px
         usual = PictureOptions(width_px=width, height_px=height)
         options = ask_picture_options(self._window, self._picture_options.get(spec.name, usual))
         path = None if options is None else self._ask_where(spec)
         if options is None or path is None:
             return
         self._picture_options[spec.name] = options
-        draw = partial(self._drawer_of(spec.panel), theme=options.theme)
+        draw = partial(picture.draw, theme=options.theme)
         try:
-            save_drawing(path, draw, options.width_px, options.height_px)
+            save_drawing(path, draw, options.width_px, options.height_px, dpi=options.dpi)
         except SkinSourceError as error:
             self.failed.emit(str(error))
         else:

@@ -8,7 +8,10 @@ from typing import Any, Protocol
 from skinsource.design import Design
 from skinsource.export import export_field, export_levels, export_map, export_traces
 from skinsource.job import Progress, Stop
+from skinsource.packing import pack
 from skinsource.view import View
+from skinsource_gui.panels.skin.time.animation import export_animation
+from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT, IN_USE
 
 
 class Write(Protocol):
@@ -77,8 +80,24 @@ class ExportSpec:
         return tuple(ending for _, ending in self.kinds)
 
 
+_PICTURES = (("PNG", ".png"), ("SVG", ".svg"), ("PDF", ".pdf"))
+
+
 def _has_outputs(design: Design, view: View) -> bool:
     return bool(view.outputs)
+
+
+def _pack(
+    path: Path,
+    design: Design,
+    view: View,
+    *,
+    progress: Progress,
+    stop: Stop,
+    largest_error: float,
+) -> None:
+    del largest_error  # each table says its own
+    pack(path, design, view, progress=progress, stop=stop)
 
 
 EXPORTS: tuple[ExportSpec, ...] = (
@@ -86,11 +105,38 @@ EXPORTS: tuple[ExportSpec, ...] = (
         name="picture",
         title="picture of the skin map…",
         file_name="skin-map.png",
-        kinds=(("PNG", ".png"), ("SVG", ".svg"), ("PDF", ".pdf")),
+        kinds=_PICTURES,
         hint="Save the skin map as PNG, SVG or PDF, with its colour bar",
         panel="skin",
         keys=("Ctrl+Shift+E",),
         keywords="image figure screenshot heatmap vector pdf svg png",
+    ),
+    ExportSpec(
+        name="panel_picture",
+        title="picture of the panel in use…",
+        file_name="panel.png",
+        kinds=_PICTURES,
+        hint="Save the panel that has the keyboard as PNG, SVG or PDF, for a paper or a slide",
+        panel=IN_USE,
+        keywords="image figure screenshot vector pdf svg png plot paper",
+    ),
+    ExportSpec(
+        name="window_picture",
+        title="picture of all panels…",
+        file_name="studio.png",
+        kinds=_PICTURES,
+        hint="Save all panels that are in sight, arranged as they are, as PNG, SVG or PDF",
+        panel=ALL_IN_SIGHT,
+        keywords="image figure screenshot vector pdf svg png arrangement window slide",
+    ),
+    ExportSpec(
+        name="animation",
+        title="animation of the skin map…",
+        file_name="skin-map.mp4",
+        kinds=(("MP4", ".mp4"), ("WebM", ".webm"), ("GIF", ".gif")),
+        hint="Save the skin map in time, in slow motion, as MP4, WebM or GIF",
+        write=export_animation,
+        keywords="video film movie wave gif mp4 webm slow motion time",
     ),
     ExportSpec(
         name="traces",
@@ -129,5 +175,14 @@ EXPORTS: tuple[ExportSpec, ...] = (
         hint="Save the acceleration of all outputs on three axes, for NumPy",
         write=export_field,
         keywords="python numpy matlab data array",
+    ),
+    ExportSpec(
+        name="pack",
+        title="all of it as ZIP…",
+        file_name="design.zip",
+        kinds=(("ZIP", ".zip"),),
+        hint="Save design, stimulus, map, tables, versions and what to cite as one file",
+        write=_pack,
+        keywords="zip archive pack share publish supplement reproduce citation",
     ),
 )

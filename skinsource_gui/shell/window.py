@@ -30,6 +30,7 @@ from skinsource_gui.shell.notice import Notice
 from skinsource_gui.shell.pages import Pages, late
 from skinsource_gui.shell.panel_focus import PanelFocus
 from skinsource_gui.shell.panels import PANELS
+from skinsource_gui.shell.pictures import picture_of
 from skinsource_gui.shell.playing.playback import Playback
 from skinsource_gui.shell.recent_menu import RecentMenu
 from skinsource_gui.shell.reports import Reports
@@ -52,7 +53,7 @@ from skinsource_gui.status.limb_note import LimbNote
 from skinsource_gui.status.status_line import StatusLine
 from skinsource_gui.stimulus_page.stimulus_actions import StimulusActions
 from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.pictures.picture_file import Draw
+from skinsource_gui.widgets.pictures.whole_picture import WholePicture
 
 _LARGEST_AT_FIRST = (1600, 940)
 _PREPARING = "Preparing…"
@@ -264,9 +265,8 @@ class MainWindow(QMainWindow):
         panels = docks.toggles(self.docks.values())
         return [*others, *panels, *self.setup_bar.choices(None), *kind_choices(self.document)]
 
-    def _drawer_of(self, panel: str) -> Draw:
-        self.catch_up()
-        return self.panel(panel).draw_picture
+    def _drawer_of(self, panel: str) -> WholePicture:
+        return picture_of(self, panel)
 
     def _show_state(self) -> None:
         design, view = self.document.design, self.document.view

@@ -34,6 +34,7 @@ def moving(signals, first=0, n_times=None):
         sample_rate_hz=RATE,
         response_samples=n_times or first + signals.shape[-1],
         largest=1.0,
+        delay_s=0.052,
     )
 
 
@@ -111,7 +112,7 @@ def test_the_sliding_rms_is_that_of_the_samples_in_the_window():
     samples = rng.standard_normal((3, 200))
     sums = np.concatenate([np.zeros((3, 1)), np.cumsum(samples**2, axis=1)], axis=1)
     kept = SlidingEnergy(
-        sums=sums, first=40, sample_rate_hz=RATE, response_samples=240, largest=3.0
+        sums=sums, first=40, sample_rate_hz=RATE, response_samples=240, largest=3.0, delay_s=0.0
     )
     # An odd window lies around a sample.
     found = kept.rms((40 + 100) / RATE, 21 / RATE)
@@ -207,7 +208,9 @@ def test_silence_is_silent():
 
 def test_a_limb_without_z_says_what_can_be_seen_of_it():
     class Flat:
-        name, n_axes = "flat", 2
+        name, axes = "flat", "xy"
 
-    with pytest.raises(InvalidInputError, match=r"flat has 2 of the axes.*magnitude"):
+    with pytest.raises(
+        InvalidInputError, match=r"flat was measured along x and y, and not along z.*magnitude"
+    ):
         z_axis(Flat())

@@ -7,7 +7,13 @@ from typing import Any
 
 from skinsource.catalogue import available_limbs, load_limb
 from skinsource.choice_words import LIMBS, word_of
-from skinsource.commands import design_commands, export_command, scene_commands, sweep_commands
+from skinsource.commands import (
+    design_commands,
+    export_command,
+    pack_command,
+    scene_commands,
+    sweep_commands,
+)
 from skinsource.dataset import commands as dataset_commands
 from skinsource.errors import SkinSourceError, Stopped
 from skinsource.method_comparison import commands as bench_commands
@@ -19,6 +25,7 @@ COMMAND_MODULES = (
     design_commands,
     export_command,
     scene_commands,
+    pack_command,
     sweep_commands,
     dataset_commands,
     bench_commands,

@@ -3,14 +3,16 @@
 from dataclasses import dataclass, fields
 
 from skinsource.arrays import Floats
-from skinsource.limb import LimbMap
+from skinsource.limb import Limb, LimbMap
+from skinsource.quoting import sentence
+from skinsource.surface import SurfaceOperator
 from skinsource_gui.panels.skin.level_range import SILENT_RANGE, Range
 from skinsource_gui.panels.skin.map_quantity import MapQuantity
 from skinsource_gui.widgets.map.colour_maps import VIRIDIS
 from skinsource_gui.widgets.map.field_image import FieldImage
 
 _LEVELS = MapQuantity()
-_COMPARED = (tuple, bool, str, MapQuantity)
+_COMPARED = (tuple, bool, str, float, MapQuantity)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -33,6 +35,8 @@ class MapContent:
         Name of the colour map.
     outputs
         Selected outputs.
+    px_per_mm
+        Outline pixels in a millimetre of the limb; 0 before that is known.
     sensors_shown
         Whether sensors are marked on the interpolated map.
     synthetic
@@ -54,6 +58,7 @@ class MapContent:
     fixed: bool = False
     colours: str = VIRIDIS
     outputs: tuple[int, ...] = ()
+    px_per_mm: float = 0.0
     sensors_shown: bool = True
     synthetic: bool = False
     message: str = ""
@@ -83,3 +88,15 @@ class MapContent:
     def shown_field(self) -> FieldImage | None:
         """The interpolated map, where it may be shown."""
         return None if self.message or self.field_values is None else self.field
+
+
+def px_per_mm_of(limb: Limb) -> float:
+    """Outline pixels in a millimetre."""
+    return limb.map.hand_length_px / limb.hand_length_mm
+
+
+def note_of(surface: SurfaceOperator | None, limb: Limb) -> str:
+    """What one should know about the map and about where its numbers come from."""
+    warnings = () if surface is None else surface.warnings
+    about = limb.note
+    return " ".join([*warnings, *([sentence(about[:1].upper() + about[1:])] if about else [])])

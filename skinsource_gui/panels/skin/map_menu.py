@@ -4,9 +4,10 @@ from collections.abc import Callable
 from functools import partial
 
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QGuiApplication, QImage
+from PySide6.QtGui import QActionGroup, QGuiApplication, QImage
 from PySide6.QtWidgets import QMenu
 
+from skinsource_gui.panels.skin.settings import COLOURS
 from skinsource_gui.panels.skin.skin_map import HAND, SkinMap
 from skinsource_gui.widgets.key_table import key_text
 from skinsource_gui.widgets.pan_zoom import WHOLE
@@ -18,6 +19,7 @@ def open_map_menu(
     picture: Callable[[], QImage],
     save: Callable[[], None],
     export: Callable[[], None],
+    colours: tuple[str, Callable[[str], None]],
 ) -> None:
     """Offer fits and pictures of a map at a point of the screen.
 
@@ -29,6 +31,8 @@ def open_map_menu(
         Where on the screen.
     picture, save, export
         Make a picture of it; ask where to, and save one; ask where to, and save its numbers.
+    colours
+        Name of the colour map of levels, and who is told of another one.
     """
     menu = QMenu(shown)
     menu.setObjectName("skin_menu")
@@ -36,10 +40,21 @@ def open_map_menu(
     for words, fit, key in (("Fit hand", HAND, "hand"), ("Fit hand and arm", WHOLE, "whole")):
         menu.addAction(f"{words}\t{key_text('skin', key)}", partial(shown.pan_zoom.show, fit))
     menu.addSeparator()
+    _add_colours(menu.addMenu("Colours"), *colours)
+    menu.addSeparator()
     menu.addAction("Copy picture", partial(_copy, picture))
     menu.addAction("Save picture as…", save)
     menu.addAction("Export data…", export)
     menu.popup(at)
+
+
+def _add_colours(menu: QMenu, chosen: str, choose: Callable[[str], None]) -> None:
+    group = QActionGroup(menu)
+    for name, title in COLOURS.options:
+        action = menu.addAction(title, partial(choose, name))
+        action.setCheckable(True)
+        action.setChecked(name == chosen)
+        group.addAction(action)
 
 
 def _copy(picture: Callable[[], QImage]) -> None:

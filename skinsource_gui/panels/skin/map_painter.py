@@ -16,6 +16,7 @@ from PySide6.QtGui import (
 
 from skinsource.choice_words import PALM_SIDE
 from skinsource.limb import VOLAR_OUTPUTS, LimbMap
+from skinsource_gui.panels.skin.length_bar import paint_length_bar
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import MapLayout
 from skinsource_gui.panels.skin.output_labels import output_labels, square
@@ -69,6 +70,7 @@ class MapPainter:
             _paint_cards(painter, layout, theme)
         self._paint_palmar(painter, content, layout, theme)
         self._paint_selection(painter, content, layout, theme)
+        paint_length_bar(painter, layout, content.px_per_mm, theme)
 
     def _paint_ground(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme

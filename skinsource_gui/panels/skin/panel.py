@@ -12,14 +12,12 @@ from PySide6.QtWidgets import QGridLayout, QWidget
 
 from skinsource.decibels import FLOOR_DB
 from skinsource.design import Design
-from skinsource.limb import Limb
-from skinsource.quoting import sentence
 from skinsource.surface import SurfaceOperator
 from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.skin.colour_bar import ColourBar
 from skinsource_gui.panels.skin.map_choices import MapChoices
-from skinsource_gui.panels.skin.map_content import MapContent
+from skinsource_gui.panels.skin.map_content import MapContent, note_of, px_per_mm_of
 from skinsource_gui.panels.skin.map_menu import open_map_menu
 from skinsource_gui.panels.skin.map_picture import heading_of, paint_picture
 from skinsource_gui.panels.skin.map_quantity import LEVELS, MapQuantity, Z
@@ -89,10 +87,10 @@ class SkinPanel(Panel):
     @property
     def needs(self) -> frozenset[str]:
         moving = self.time.needs(self._choices.settings)
-        always = frozenset({"limb_map"}) | (moving or {"output_levels_db"})
+        always = frozenset({"limb_map", "limb_data"}) | (moving or {"output_levels_db"})
         if self._choices.settings.map_style == "sensors":
             return always
-        over_skin = always | {"limb_data", "surface"}
+        over_skin = always | {"surface"}
         return over_skin if moving else over_skin | {"surface_levels_db"}
 
     def sizeHint(self) -> QSize:
@@ -132,7 +130,8 @@ class SkinPanel(Panel):
             self._change(field=field_image(surface, results["limb_data"]))
         self._change(
             limb_map=results["limb_map"],
-            note=_note(surface, results.get("limb_data")),
+            px_per_mm=px_per_mm_of(results["limb_data"]),
+            note=note_of(surface, results["limb_data"]),
             outdated=False,
         )
         self.time.take(results, self._choices.settings, self._view)
@@ -286,11 +285,5 @@ class SkinPanel(Panel):
     def _open_menu(self, at: QPoint) -> None:
         save = partial(self.action_wanted.emit, "export_picture")
         export = partial(self.action_wanted.emit, "export_levels")
-        open_map_menu(self.map, at, partial(self.picture, *PICTURE_PX), save, export)
-
-
-def _note(surface: SurfaceOperator | None, limb: Limb | None) -> str:
-    """What one should know about the map and about where its numbers come from."""
-    warnings = () if surface is None else surface.warnings
-    about = limb.note if limb is not None else ""
-    return " ".join([*warnings, *([sentence(about[:1].upper() + about[1:])] if about else [])])
+        colours = self._choices.settings.colours, self._choices.choose_colours
+        open_map_menu(self.map, at, partial(self.picture, *PICTURE_PX), save, export, colours)

@@ -40,6 +40,14 @@ HELP: tuple[ActionSpec, ...] = (
         keywords="dataset download install limb data matlab zenodo",
     ),
     action(
+        "copy_citation",
+        "Help",
+        "Copy citation",
+        "Copy what to cite: the paper, the dataset, this version, and the limb of the design",
+        command="exports.copy_citation",
+        keywords="cite reference bibliography doi paper clipboard",
+    ),
+    action(
         "show_about",
         "Help",
         "About SkinSource studio",

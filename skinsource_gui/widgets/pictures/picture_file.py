@@ -7,14 +7,15 @@ from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QRect, QSize, QSizeF
 from PySide6.QtGui import QImage, QPageSize, QPainter, QPdfWriter, QPixmap
 from PySide6.QtSvg import QSvgGenerator
 
+from skinsource.errors import StorageError
 from skinsource.files import write_bytes
+from skinsource_gui.widgets.pictures.layouts import PER_INCH
 
 #: Draws a picture with a painter, so wide and so high, px; may take a ``theme`` too.
 Draw = Callable[..., None]
 
-# Pixels in an inch of a page or a drawing, as in CSS.
-_PER_INCH = 96
 _POINTS = 72
+_INCHES_IN_METRE = 1 / 0.0254
 
 
 def save_picture(path: Path, picture: QImage | QPixmap) -> None:
@@ -32,7 +33,13 @@ def save_picture(path: Path, picture: QImage | QPixmap) -> None:
 
 
 def save_drawing(
-    path: Path, draw: Draw, width: int, height: int, *, title: str = "SkinSource"
+    path: Path,
+    draw: Draw,
+    width: int,
+    height: int,
+    *,
+    title: str = "SkinSource",
+    dpi: int = PER_INCH,
 ) -> None:
     """Write what ``draw`` draws to ``path``, as its ending says: PNG, or lines as SVG or PDF.
 
@@ -46,6 +53,8 @@ def save_drawing(
         Of the picture, px; 96 of them are an inch of a page.
     title
         What readers of drawings and pages are told.
+    dpi
+        Dots in an inch of a PNG.
 
     Raises
     ------
@@ -55,7 +64,7 @@ def save_drawing(
     writers = {".svg": _svg, ".pdf": _pdf}
     write = writers.get(path.suffix.lower())
     if write is None:
-        save_picture(path, drawn_image(draw, width, height))
+        save_picture(path, drawn_image(draw, width, height, dpi))
         return
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
@@ -63,10 +72,21 @@ def save_drawing(
     write_bytes(path, bytes(buffer.data().data()))
 
 
-def drawn_image(draw: Draw, width: int, height: int) -> QImage:
-    """What ``draw`` draws, as pixels."""
-    image = QImage(width, height, QImage.Format.Format_RGB32)
+def drawn_image(draw: Draw, width: int, height: int, dpi: int = PER_INCH) -> QImage:
+    """What ``draw`` draws, as pixels: of so many in an inch, of which it has 96."""
+    scale = dpi / PER_INCH
+    size = QSize(max(round(width * scale), 1), max(round(height * scale), 1))
+    image = QImage(size, QImage.Format.Format_RGB32)
+    if image.isNull():
+        raise StorageError(
+            f"A picture of {size.width()} x {size.height()} pixels does not fit into memory. "
+            "Choose a smaller size or resolution, or save it as SVG or PDF."
+        )
+    dots = round(dpi * _INCHES_IN_METRE)
+    image.setDotsPerMeterX(dots)
+    image.setDotsPerMeterY(dots)
     painter = QPainter(image)
+    painter.scale(size.width() / width, size.height() / height)
     draw(painter, width, height)
     painter.end()
     return image
@@ -75,7 +95,7 @@ def drawn_image(draw: Draw, width: int, height: int) -> QImage:
 def _svg(device: QIODevice, draw: Draw, width: int, height: int, title: str) -> None:
     drawing = QSvgGenerator()
     drawing.setOutputDevice(device)
-    drawing.setResolution(_PER_INCH)
+    drawing.setResolution(PER_INCH)
     drawing.setSize(QSize(width, height))
     drawing.setViewBox(QRect(0, 0, width, height))
     drawing.setTitle(title)
@@ -87,8 +107,8 @@ def _svg(device: QIODevice, draw: Draw, width: int, height: int, title: str) -> 
 def _pdf(device: QIODevice, draw: Draw, width: int, height: int, title: str) -> None:
     page = QPdfWriter(device)
     page.setTitle(title)
-    page.setResolution(_PER_INCH)
-    points = QSizeF(width, height) * _POINTS / _PER_INCH
+    page.setResolution(PER_INCH)
+    points = QSizeF(width, height) * _POINTS / PER_INCH
     page.setPageSize(QPageSize(points, QPageSize.Unit.Point))
     page.setPageMargins(QMarginsF())
     painter = QPainter(page)

@@ -12,11 +12,27 @@ from skinsource_gui.theme import LIGHT, THEMES, Theme, theme_of
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.fields.number_typing import FINISHERS
+from skinsource_gui.widgets.pictures.layouts import LAYOUTS, OWN, PER_INCH, layout_of
 
+LAYOUT = ChoiceSpec(
+    label="For",
+    options=((OWN, "A size of its own"), *((one.name, one.title) for one in LAYOUTS)),
+    hint="Width and height for a column of a paper, a slide, or a poster",
+)
 _SIDE = {"unit": "px", "minimum": 100, "maximum": 20000, "step": 100.0, "whole": True}
 _HINT = "Of pixels; in SVG and PDF 96 of them are an inch"
 WIDTH = NumberSpec(label="Width", hint=_HINT, **_SIDE)
 HEIGHT = NumberSpec(label="Height", hint=_HINT, **_SIDE)
+DPI = NumberSpec(
+    label="Resolution",
+    unit="dpi",
+    minimum=24,
+    maximum=2400,
+    step=10.0,
+    whole=True,
+    hint="Dots in an inch of a PNG; at 96 dpi it has as many pixels as width and height say. SVG "
+    "and PDF are lines, and have none",
+)
 COLOURS = ChoiceSpec(
     label="Colours",
     options=tuple((name, name.capitalize()) for name in THEMES),
@@ -30,14 +46,20 @@ class PictureOptions:
 
     Attributes
     ----------
+    layout
+        Name of a layout, or `OWN`.
     width_px, height_px
         Its size.
+    dpi
+        Dots in an inch of a PNG.
     colours
         Name of a theme.
     """
 
+    layout: str = fields.choice(OWN, LAYOUT)
     width_px: int = fields.number(1200, WIDTH)
     height_px: int = fields.number(1800, HEIGHT)
+    dpi: int = fields.number(PER_INCH, DPI)
     colours: str = fields.choice(LIGHT.name, COLOURS)
 
     def __post_init__(self) -> None:
@@ -61,6 +83,8 @@ class PictureDialog(QDialog):
     def __init__(self, options: PictureOptions, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.options = options
+        self._usual = options.width_px, options.height_px
+        self._cells: dict[str, FieldCell] = {}
         self.setWindowTitle("Picture")
         form = QFormLayout(self)
         for name, spec in specs_of(options).items():
@@ -70,6 +94,7 @@ class PictureDialog(QDialog):
             cell.show_theme(theme_of(self.palette()))
             cell.field.installEventFilter(self)
             form.addRow(cell.label, cell)
+            self._cells[name] = cell
         form.addRow(QLabel("The next step asks where to, and whether as PNG, SVG or PDF."))
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         save = buttons.addButton("Save as…", QDialogButtonBox.ButtonRole.AcceptRole)
@@ -97,7 +122,16 @@ class PictureDialog(QDialog):
 
     def _take(self, name: str, value: object, _gesture: int | None) -> None:
         whole = int(value) if isinstance(value, float) else value
-        self.options = replace(self.options, **{name: whole})
+        changes: dict[str, object] = {name: whole}
+        layout = layout_of(str(value)) if name == "layout" else None
+        if layout is not None:
+            width, height = layout.size_px(self._usual)
+            changes |= {"width_px": width, "height_px": height, "dpi": layout.dpi}
+        elif name in ("width_px", "height_px"):
+            changes["layout"] = OWN
+        self.options = replace(self.options, **changes)
+        for other in changes.keys() - {name}:
+            self._cells[other].set_value(getattr(self.options, other))
 
 
 def ask_picture_options(parent: QWidget, options: PictureOptions) -> PictureOptions | None:

@@ -112,7 +112,7 @@ def test_what_is_needed_is_what_is_shown_and_no_more(make_window, look):
     look(window, quantity=Z)
     assert panel.needs == {"limb_map", "moving_z", "limb_data", "surface"}
     look(window, quantity=RMS, map_style="sensors")
-    assert panel.needs == {"limb_map", "moving_energy"}
+    assert panel.needs == {"limb_map", "limb_data", "moving_energy"}
     assert panel.map.content.field_values is None
 
 

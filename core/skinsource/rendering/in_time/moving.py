@@ -26,6 +26,8 @@ class Moving:
         Samples of the whole response.
     largest
         The largest length of the vector at any output and any sample of the whole response, m/s².
+    delay_s
+        The pre-trigger delay that the response contains.
     """
 
     signals: Floats
@@ -33,6 +35,7 @@ class Moving:
     sample_rate_hz: float
     response_samples: int
     largest: float
+    delay_s: float
 
     @property
     def end(self) -> int:
@@ -61,7 +64,7 @@ class SlidingEnergy:
     ----------
     sums : (n_outputs, n_times + 1)
         Sums of the squares of all samples before one, (m/s²)².
-    first, sample_rate_hz, response_samples, largest
+    first, sample_rate_hz, response_samples, largest, delay_s
         As those of `Moving`.
     """
 
@@ -70,6 +73,7 @@ class SlidingEnergy:
     sample_rate_hz: float
     response_samples: int
     largest: float
+    delay_s: float
 
     @property
     def end(self) -> int:

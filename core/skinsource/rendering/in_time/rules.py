@@ -11,7 +11,8 @@ import numpy as np
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
 from skinsource.job import Stop, stop_if
-from skinsource.limb import Limb
+from skinsource.limb import Limb, axis_numbers
+from skinsource.limb.axes import words
 from skinsource.projection import magnitude
 from skinsource.rendering.in_time.moving import Moving, SlidingEnergy
 from skinsource.rendering.in_time.window import Window, window_of
@@ -22,7 +23,6 @@ from skinsource.rendering.transforms import inverse
 
 # Outputs that are held in time and as spectra together.
 _OUTPUTS_AT_ONCE = 18
-_Z = 2
 
 
 def moving_window(
@@ -82,6 +82,7 @@ def moving_energy(
         sample_rate_hz=moving_vector.sample_rate_hz,
         response_samples=moving_vector.response_samples,
         largest=moving_vector.largest,
+        delay_s=moving_vector.delay_s,
     )
 
 
@@ -107,12 +108,12 @@ def z_axis(limb: Limb) -> tuple[int, ...]:
     InvalidInputError
         It was measured without.
     """
-    if limb.n_axes <= _Z:
+    if "z" not in limb.axes:
         raise InvalidInputError(
-            f"{limb.name} has {limb.n_axes} of the axes x, y and z, and z is not among them: look "
-            "at its magnitude or its sliding RMS."
+            f"{limb.name} was measured along {words(limb.axes)}, and not along z: look at its "
+            "magnitude or its sliding RMS."
         )
-    return (_Z,)
+    return axis_numbers("z", limb.axes)
 
 
 def _all_axes(limb: Limb) -> tuple[int, ...]:
@@ -130,6 +131,7 @@ def _moving(
         sample_rate_hz=limb.sample_rate_hz,
         response_samples=response_samples,
         largest=largest,
+        delay_s=limb.pre_trigger_delay_s,
     )
 
 

@@ -9,7 +9,6 @@ import numpy as np
 from skinsource.arrays import Floats
 from skinsource.choice_words import signal_words
 from skinsource.decibels import decibels
-from skinsource.limb import PRE_TRIGGER_DELAY_S
 from skinsource.rendering.in_time import Moving, SlidingEnergy, block_of
 from skinsource.view import View
 from skinsource_gui.panels.skin.level_range import Range, automatic_range
@@ -78,14 +77,14 @@ class Frames:
         kept = self._kept
         if kept is None:
             return 0.0
-        return max((kept.response_samples - 1) / kept.sample_rate_hz - _delay_s(view), 0.0)
+        return max((kept.response_samples - 1) / kept.sample_rate_hz - _removed_s(view, kept), 0.0)
 
     def has(self, view: View) -> bool:
         """Whether the signals around the playhead of ``view`` are kept."""
         kept = self._kept
         if kept is None:
             return False
-        at = response_time_s(view) * kept.sample_rate_hz
+        at = response_time_s(view, kept.delay_s) * kept.sample_rate_hz
         return at >= kept.response_samples or kept.first <= at <= max(kept.end, 1)
 
     def runs_out(self, view: View) -> bool:
@@ -97,7 +96,8 @@ class Frames:
 
     def frame(self, view: View, settings: SkinSettings) -> Frame:
         """The skin at the playhead of ``view``."""
-        kept, at_s = self._kept, response_time_s(view)
+        kept = self._kept
+        at_s = response_time_s(view, kept.delay_s)
         self.made += 1
         quantity = MapQuantity(
             name=self._name,
@@ -128,13 +128,13 @@ class Frames:
         return automatic_range(decibels(np.array([self.largest])))
 
 
-def response_time_s(view: View) -> float:
-    """Where the playhead is in the response, the pre-trigger delay contained."""
-    return view.playhead_s + _delay_s(view)
+def response_time_s(view: View, delay_s: float) -> float:
+    """Where the playhead is in the response, which contains the pre-trigger delay."""
+    return view.playhead_s + (delay_s if view.delay_removed else 0.0)
 
 
-def _delay_s(view: View) -> float:
-    return PRE_TRIGGER_DELAY_S if view.delay_removed else 0.0
+def _removed_s(view: View, kept: Moving | SlidingEnergy) -> float:
+    return kept.delay_s if view.delay_removed else 0.0
 
 
 def _round_up(value: float) -> float:

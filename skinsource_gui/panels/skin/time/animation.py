@@ -1,0 +1,196 @@
+"""The skin map in time as a file: MP4, WebM or GIF."""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QSizeF
+from PySide6.QtGui import QGuiApplication, QImage, QPainter
+
+from skinsource.choice_words import LIMBS, word_of
+from skinsource.design import Design
+from skinsource.errors import InvalidInputError
+from skinsource.export.exported_design import ExportedDesign
+from skinsource.export.video import frames_per_s, video_file
+from skinsource.job import Progress, Stop, never, silent
+from skinsource.panel_settings import settings_of
+from skinsource.rendering.in_time import block_of
+from skinsource.view import View
+from skinsource_gui.panels.skin.map_content import MapContent
+from skinsource_gui.panels.skin.map_picture import heading_of, paint_picture
+from skinsource_gui.panels.skin.map_quantity import DIVERGING, LEVELS, MAGNITUDE, RMS, Z
+from skinsource_gui.panels.skin.settings import SkinSettings
+from skinsource_gui.panels.skin.time.frames import NEEDS, Frames
+from skinsource_gui.theme import LIGHT
+from skinsource_gui.widgets.map.field_image import field_image
+
+#: Width and height of a frame, px.
+SIZE_PX = (900, 1200)
+PACES = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)
+#: Ten minutes of a film.
+MOST_FRAMES = 36_000
+# The measured band ends here; a length of a vector moves twice as fast.
+_HIGHEST_HZ = 600.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Film:
+    """Which instants are shown, and how fast.
+
+    Attributes
+    ----------
+    begin_s, count
+        The first instant, and how many there are.
+    frames_per_s, slow_motion
+        Of the film; how many times slower it runs than it happens.
+    """
+
+    begin_s: float
+    count: int
+    frames_per_s: int
+    slow_motion: float
+
+    def time_s(self, number: int) -> float:
+        """Instant of a frame, from 0 on."""
+        return self.begin_s + number / (self.frames_per_s * self.slow_motion)
+
+
+def pace_of(view: View, settings: SkinSettings, per_s: int) -> float:
+    """How many times slower it is shown: as the view says, or as slowly as it can be followed.
+
+    Fewer than two instants in a period of the fastest motion would show waves that there are not.
+    """
+    fastest_hz = {Z: _HIGHEST_HZ, MAGNITUDE: 2.0 * _HIGHEST_HZ, RMS: 1.0 / settings.rms_window_s}
+    needed = 2.0 * fastest_hz[settings.quantity] / per_s
+    if view.slow_motion >= needed:
+        return view.slow_motion
+    return next((pace for pace in PACES if pace >= needed), PACES[-1])
+
+
+def film_of(view: View, settings: SkinSettings, end_s: float, per_s: int) -> Film:
+    """The film of what the time axes show, of all of it where they are not zoomed.
+
+    Raises
+    ------
+    InvalidInputError
+        It would be longer than ten minutes.
+    """
+    first_s, last_s = view.time_range_s or (0.0, end_s)
+    first_s, last_s = min(max(first_s, 0.0), end_s), min(max(last_s, 0.0), end_s)
+    pace = pace_of(view, settings, per_s)
+    count = int((last_s - first_s) * per_s * pace) + 1
+    if count > MOST_FRAMES:
+        raise InvalidInputError(
+            f"The animation from {first_s:g} s to {last_s:g} s at 1/{pace:g} has {count} frames, "
+            f"expected at most {MOST_FRAMES}: {MOST_FRAMES / per_s / 60:g} minutes. Zoom the time "
+            "axes to a shorter piece, or choose another speed."
+        )
+    return Film(begin_s=first_s, count=count, frames_per_s=per_s, slow_motion=pace)
+
+
+def export_animation(
+    path: Path,
+    design: Design,
+    view: View,
+    *,
+    progress: Progress = silent,
+    stop: Stop = never,
+    largest_error: float = np.inf,
+) -> None:
+    """Write the skin map in time, each frame computed at its instant.
+
+    What is shown, over which colours and how slowly is as the skin panel has it; where that shows
+    levels, the acceleration along z.  The piece is that of the time axes.
+
+    Raises
+    ------
+    MissingExtraError
+        The extra ``video`` is not installed.
+    InvalidInputError
+        It would be too long, or the ending of the name is that of no animation.
+    StorageError, Stopped
+        As `skinsource.export.video.video_file`.
+    """
+    # Frames are no numbers that anyone computes with.
+    del largest_error
+    settings = settings_of(view, "skin", SkinSettings)
+    if settings.quantity == LEVELS:
+        settings = replace(settings, quantity=Z)
+    per_s = frames_per_s(path)
+    camera = _Camera(ExportedDesign(design, view, progress, stop), settings)
+    film = film_of(view, settings, camera.end_s, per_s)
+    about = f"SkinSource studio, {camera.words(film)}"
+    with video_file(path, SIZE_PX, about, stop) as add:
+        for number in range(film.count):
+            add(camera.frame(film, number))
+            progress(number + 1, film.count, "Drawing frames")
+
+
+class _Camera:
+    """Draws one frame after another."""
+
+    def __init__(self, exported: ExportedDesign, settings: SkinSettings) -> None:
+        self._exported, self._settings = exported, settings
+        self._frames = Frames()
+        self._family = QGuiApplication.font().family()
+        interpolated = settings.map_style == "interpolated"
+        found = exported.values({"limb_map", *({"surface"} if interpolated else ())})
+        self._surface = found.get("surface")
+        limb = exported.limb
+        self._content = MapContent(
+            limb_map=found["limb_map"],
+            field=None if self._surface is None else field_image(self._surface, limb),
+            outputs=exported.view.outputs,
+            sensors_shown=settings.sensors_shown,
+            px_per_mm=limb.map.hand_length_px / limb.hand_length_mm,
+            synthetic=limb.synthetic,
+        )
+        width, height = SIZE_PX
+        self._image = QImage(width, height, QImage.Format.Format_RGB888)
+        self._look(exported.view)
+
+    @property
+    def end_s(self) -> float:
+        """When the response ends, on the time axis."""
+        return self._frames.end_s(self._exported.view)
+
+    def words(self, film: Film) -> str:
+        """How fast time runs, and of whom this is."""
+        limb = word_of(LIMBS, self._exported.design.limb).title
+        return f"{limb} · 1/{film.slow_motion:g} of real time"
+
+    def frame(self, film: Film, number: int) -> NDArray[np.uint8]:
+        """One frame, (rows, columns, 3)."""
+        view = replace(self._exported.view, playhead_s=film.time_s(number))
+        if self._frames.runs_out(view) or not self._frames.has(view):
+            self._look(view)
+        shown = self._frames.frame(view, self._settings)
+        signed = shown.quantity.signed
+        content = replace(
+            self._content,
+            values=shown.values,
+            field_values=None if self._surface is None else self._surface.interpolate(shown.values),
+            quantity=shown.quantity,
+            value_range=self._frames.value_range(self._settings),
+            colours=DIVERGING if signed else self._settings.colours,
+        )
+        heading = heading_of(self._exported.design, view, shown.quantity)
+        pace = f"1/{film.slow_motion:g} of real time"
+        note = self._exported.limb.note
+        heading = replace(heading, details=f"{heading.details} · {pace}", note=note)
+        painter = QPainter(self._image)
+        size = QSizeF(self._image.size())
+        paint_picture(painter, size, content, heading, LIGHT, self._family)
+        painter.end()
+        rows, columns = self._image.height(), self._image.width()
+        lines = np.frombuffer(self._image.constBits(), np.uint8)
+        return lines.reshape(rows, self._image.bytesPerLine())[:, : 3 * columns].reshape(
+            rows, columns, 3
+        )
+
+    def _look(self, view: View) -> None:
+        name = self._settings.quantity
+        block = block_of(view.playhead_s)
+        found = self._exported.values({NEEDS[name]}, moving_block=block)
+        self._frames.take(found, name, view)

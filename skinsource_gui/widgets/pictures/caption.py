@@ -1,0 +1,89 @@
+"""What stands below a picture: the stimulus that it belongs to."""
+
+from collections.abc import Callable
+from functools import partial
+
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
+
+from skinsource.choice_words import LIMBS, SCALINGS, word_of
+from skinsource.clips import Clip
+from skinsource.design import Design, Input, amplitude_unit, audible_inputs
+from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.widgets.fields.level_text import minus
+from skinsource_gui.widgets.inputs.input_words import duration_text, figure_text
+from skinsource_gui.widgets.pictures.picture_file import Draw
+
+# Clips of one input, and inputs, that are told apart; more are counted.
+_MOST_CLIPS, _MOST_INPUTS = 3, 6
+# Height of its letters, as a part of the smaller side of the picture, and their limits, px.
+_PART, _SMALLEST_PX, _LARGEST_PX = 1 / 60, 8, 40
+# It takes at most this part of the height: where it needs more, its letters are smaller.
+_MOST_HEIGHT = 0.16
+_FLAGS = int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap)
+
+
+def caption_of(design: Design) -> str:
+    """The stimulus in words, and the limb: what is heard, where, how strong."""
+    heard = audible_inputs(design.inputs)
+    unit = amplitude_unit(design.scaling)
+    said = [_input_words(one, unit) for one in heard[:_MOST_INPUTS]]
+    if len(heard) > _MOST_INPUTS:
+        said.append(f"and {len(heard) - _MOST_INPUTS} more inputs")
+    stimulus = "; ".join(said) or "Silent: nothing is driven"
+    title = f"{design.title}. " if design.title else ""
+    scaling = word_of(SCALINGS, design.scaling).title.lower()
+    limb = word_of(LIMBS, design.limb).title
+    return minus(f"{title}{stimulus}. Limb: {limb}; scaling: {scaling}.")
+
+
+def with_caption(draw: Draw, words: str) -> Draw:
+    """Return what draws a picture with ``words`` below."""
+    return partial(_draw, draw, words)
+
+
+def _draw(
+    draw: Callable[..., None],
+    words: str,
+    painter: QPainter,
+    width: int,
+    height: int,
+    theme: Theme = LIGHT,
+) -> None:
+    font = QFont(painter.font())
+    edge = 0.02 * min(width, height)
+    room = QRectF(edge, 0.0, width - 2 * edge, _MOST_HEIGHT * height)
+    pixels = min(max(round(min(width, height) * _PART), _SMALLEST_PX), _LARGEST_PX)
+    font.setPixelSize(pixels)
+    needed = QFontMetricsF(font).boundingRect(room, _FLAGS, words)
+    while needed.height() > room.height() and font.pixelSize() > 4:
+        font.setPixelSize(font.pixelSize() - 1)
+        needed = QFontMetricsF(font).boundingRect(room, _FLAGS, words)
+    while needed.height() > room.height() and len(words) > 1:
+        words = f"{words[: int(0.9 * len(words)) - 1].rstrip('…')}…"
+        needed = QFontMetricsF(font).boundingRect(room, _FLAGS, words)
+    left = max(int(height - needed.height() - 1.5 * edge), 1)
+    painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
+    painter.save()
+    draw(painter, width, left, theme)
+    painter.restore()
+    painter.setFont(font)
+    painter.setPen(QColor(theme.dim))
+    painter.drawText(QRectF(edge, left + edge / 2, room.width(), height - left), _FLAGS, words)
+
+
+def _input_words(one: Input, unit: str) -> str:
+    clips = [clip for clip in one.clips if not clip.muted]
+    said = [_clip_words(clip) for clip in clips[:_MOST_CLIPS]]
+    if len(clips) > _MOST_CLIPS:
+        said.append(f"{len(clips) - _MOST_CLIPS} more clips")
+    amplitude = f"{one.amplitude:g} {unit}".strip()
+    return f"Place {one.location}, {amplitude}: {', '.join(said) or 'no clips'}"
+
+
+def _clip_words(clip: Clip) -> str:
+    waveform = clip.waveform
+    parts = figure_text(waveform), duration_text(waveform)
+    onset = f"at {clip.onset_s * 1e3:g} ms" if clip.onset_s else ""
+    gain = f"gain {clip.gain:g}" if clip.gain != 1.0 else ""
+    return " ".join(part for part in (", ".join(parts), onset, gain) if part)

@@ -1,0 +1,50 @@
+"""Sizes of pictures for print and for the screen."""
+
+from dataclasses import dataclass
+
+#: Pixels in an inch of a page or a drawing, as in CSS.
+PER_INCH = 96
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Layout:
+    """A size for a purpose.
+
+    Attributes
+    ----------
+    name, title
+        Short name; what the page says.
+    width_in, height_in
+        Inches; a height of 0 follows from the picture.
+    dpi
+        Dots in an inch of a PNG.
+    """
+
+    name: str
+    title: str
+    width_in: float
+    height_in: float = 0.0
+    dpi: int = 300
+
+    def size_px(self, usual: tuple[int, int]) -> tuple[int, int]:
+        """Width and height, px, of a picture that usually has the size ``usual``."""
+        width = round(self.width_in * PER_INCH)
+        if self.height_in:
+            return width, round(self.height_in * PER_INCH)
+        return width, max(round(width * usual[1] / usual[0]), 100)
+
+
+#: Columns are those of IEEE's journals; a poster's figure is as wide as a sheet of A3.
+LAYOUTS = (
+    Layout(name="column", title="One column (89 mm)", width_in=3.5),
+    Layout(name="two_columns", title="Two columns (182 mm)", width_in=7.16),
+    Layout(name="slide", title="Slide (16 : 9)", width_in=13.333, height_in=7.5, dpi=144),
+    Layout(name="poster", title="Poster (420 mm)", width_in=16.54),
+)
+#: What has none of these sizes.
+OWN = "own"
+
+
+def layout_of(name: str) -> Layout | None:
+    """The layout of that name; None for a size of one's own."""
+    return next((one for one in LAYOUTS if one.name == name), None)

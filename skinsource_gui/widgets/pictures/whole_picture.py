@@ -1,0 +1,24 @@
+"""A picture that can be drawn, and how large it usually is."""
+
+from dataclasses import dataclass
+
+from skinsource_gui.widgets.pictures.picture_file import Draw
+
+#: In place of the name of a panel: the one in use, and all that are in sight.
+IN_USE, ALL_IN_SIGHT = "panel in use", "all panels in sight"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WholePicture:
+    """A picture that can be drawn.
+
+    Attributes
+    ----------
+    draw
+        Draws it, with a ``theme`` for its colours.
+    size_px
+        Width and height that it usually has; None: whoever wants it knows.
+    """
+
+    draw: Draw
+    size_px: tuple[int, int] | None = None

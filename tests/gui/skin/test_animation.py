@@ -1,0 +1,134 @@
+"""The skin map in time as a file."""
+
+import subprocess
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.errors import InvalidInputError, Stopped, StorageError
+from skinsource.export.video import video_file
+from skinsource.job import never
+from skinsource.panel_settings import with_settings
+from skinsource.view import View
+from skinsource_gui.panels.skin.map_quantity import MAGNITUDE, RMS, Z
+from skinsource_gui.panels.skin.settings import SkinSettings
+from skinsource_gui.panels.skin.time import animation
+from skinsource_gui.panels.skin.time.animation import export_animation, film_of, pace_of
+
+imageio_ffmpeg = pytest.importorskip("imageio_ffmpeg")
+DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tap()),))
+VIEW = View(time_range_s=(0.06, 0.066))
+
+
+def frames_of(path, n_pixels):
+    """Mean grey of each frame, as the decoder has it."""
+    decode = [imageio_ffmpeg.get_ffmpeg_exe(), "-v", "error", "-i", str(path)]
+    raw = [*decode, "-fps_mode", "passthrough", "-f", "rawvideo", "-pix_fmt", "gray", "-"]
+    pixels = subprocess.run(raw, capture_output=True, check=True).stdout
+    return np.frombuffer(pixels, np.uint8).reshape(-1, n_pixels).mean(axis=1)
+
+
+@pytest.fixture
+def small(monkeypatch):
+    monkeypatch.setattr(animation, "SIZE_PX", (180, 240))
+
+
+@pytest.mark.parametrize("ending", [".mp4", ".webm", ".gif"])
+def test_a_file_holds_every_frame_in_its_order(tmp_path, ending):
+    path = tmp_path / f"a{ending}"
+    greys = [0, 80, 160, 240]
+    with video_file(path, (64, 48), "words\nand more", never) as add:
+        for grey in greys:
+            add(np.full((48, 64, 3), grey, np.uint8))
+    assert frames_of(path, 64 * 48) == pytest.approx(greys, abs=6)
+
+
+def test_what_is_no_animation_is_refused_and_nothing_is_left(tmp_path):
+    with pytest.raises(InvalidInputError, match=r"a\.avi.*\.mp4, \.webm, \.gif"):
+        export_animation(tmp_path / "a.avi", DESIGN, VIEW)
+    with (
+        pytest.raises(InvalidInputError, match="even numbers"),
+        video_file(tmp_path / "a.mp4", (63, 48), "", never),
+    ):
+        pass
+    with pytest.raises(StorageError):
+        export_animation(tmp_path / "no" / "a.mp4", DESIGN, VIEW)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_stopped_animation_leaves_what_stood_there(tmp_path, small):
+    path = tmp_path / "a.mp4"
+    path.write_bytes(b"before")
+    told = []
+    with pytest.raises(Stopped):
+        export_animation(
+            path, DESIGN, VIEW, progress=lambda *now: told.append(now), stop=lambda: len(told) > 3
+        )
+    assert path.read_bytes() == b"before"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_frames_are_taken_at_their_instants_and_told_as_progress(tmp_path, small, monkeypatch):
+    seen, told = [], []
+    frame = animation.Frames.frame
+
+    def note(self, view, settings):
+        seen.append((view.playhead_s, settings.quantity))
+        return frame(self, view, settings)
+
+    monkeypatch.setattr(animation.Frames, "frame", note)
+    path = tmp_path / "a.mp4"
+    export_animation(path, DESIGN, VIEW, progress=lambda *now: told.append(now))
+    times = np.array([time_s for time_s, _ in seen])
+    # 1/20 at 60 frames in a second: 1200 instants of a second, twice what the band holds.
+    assert times == pytest.approx(0.06 + np.arange(8) / 1200)
+    assert {name for _, name in seen} == {Z}
+    assert told[-1][:2] == (8, 8)
+    assert frames_of(path, 180 * 240).size == 8
+
+
+def test_it_is_as_slow_as_its_waves_need_and_never_faster_than_wanted():
+    per_s = 60
+    for name, least in ((Z, 20.0), (MAGNITUDE, 50.0), (RMS, 2.0)):
+        settings = SkinSettings(quantity=name, rms_window_s=0.02)
+        assert pace_of(View(), settings, per_s) == least
+        assert pace_of(View(slow_motion=100.0), settings, per_s) == 100.0
+    assert pace_of(View(slow_motion=30.0), SkinSettings(quantity=MAGNITUDE), per_s) == 50.0
+
+
+def test_a_film_is_that_of_the_time_axes_and_not_endless():
+    settings = SkinSettings(quantity=Z)
+    film = film_of(View(), settings, 0.5, 60)
+    assert (film.begin_s, film.slow_motion) == (0.0, 20.0)
+    assert film.time_s(film.count - 1) <= 0.5 < film.time_s(film.count)
+    with pytest.raises(InvalidInputError, match="Zoom the time axes"):
+        film_of(View(slow_motion=200.0), settings, 600.0, 60)
+
+
+def test_the_picture_says_when_how_slowly_and_of_whom(small):
+    exported = animation.ExportedDesign(DESIGN, VIEW, lambda *now: None, never)
+    settings = SkinSettings(quantity=Z)
+    camera = animation._Camera(exported, settings)
+    film = film_of(VIEW, settings, camera.end_s, 60)
+    assert camera.words(film) == "Synthetic 1 (175 mm) · 1/20 of real time"
+    first, later = (camera.frame(film, number).copy() for number in (0, 7))
+    assert first.shape == (240, 180, 3)
+    assert (first != later).any()
+
+
+def test_the_settings_of_the_panel_are_those_of_the_film(tmp_path, small, monkeypatch):
+    seen = []
+    monkeypatch.setattr(
+        animation,
+        "paint_picture",
+        lambda painter, size, content, heading, theme, family: seen.append((content, heading)),
+    )
+    settings = SkinSettings(quantity=RMS, rms_window_s=0.05, moving_range_db=(-60.0, -10.0))
+    view = with_settings(replace(VIEW, slow_motion=10.0), "skin", settings)
+    export_animation(tmp_path / "a.gif", DESIGN, view)
+    content, heading = seen[0]
+    assert content.value_range == (-60.0, -10.0)
+    assert heading.title == "Skin acceleration, RMS over 50 ms, at 60.0 ms"
+    assert heading.details.endswith("1/10 of real time")

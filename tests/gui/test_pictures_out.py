@@ -1,0 +1,134 @@
+"""Pictures of panels and of all of them, for paper, slides and posters."""
+
+import re
+from dataclasses import replace
+
+import pytest
+from PySide6.QtGui import QColor, QImage
+
+import skinsource as ss
+from skinsource_gui.panels.skin.length_bar import bar_length_mm
+from skinsource_gui.theme import DARK, LIGHT
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.pictures.caption import caption_of, with_caption
+from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
+from skinsource_gui.widgets.pictures.picture_options import PictureDialog, PictureOptions
+from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT, IN_USE
+
+DESIGN = ss.Design(
+    limb="synthetic-1",
+    inputs=(
+        ss.track(7, ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2)),
+        ss.track(13, ss.waveforms.Tap(), onset_s=0.05, amplitude=-2.0),
+    ),
+)
+
+
+def texts_of(path):
+    return re.sub(r"<[^>]+>", "\n", path.read_text("utf-8"))
+
+
+def test_a_caption_says_what_is_played_where_how_strong_and_on_which_limb():
+    assert caption_of(DESIGN) == (
+        "Place 7, 1 m/s²: Tone 100 Hz, 200 ms; Place 13, −2 m/s²: Tap, 16.2 ms at 50 ms. "
+        "Limb: Synthetic 1 (175 mm); scaling: probe acceleration."
+    )
+    muted = DESIGN.with_input(0, muted=True)
+    assert "Place 7" not in caption_of(muted)
+    assert caption_of(replace(DESIGN, inputs=(), title="A")).startswith("A. Silent")
+    many = replace(DESIGN, inputs=tuple(ss.track(place) for place in range(1, 10)))
+    assert "and 3 more inputs" in caption_of(many)
+
+
+def test_a_caption_takes_room_from_the_picture_and_covers_none_of_it():
+    heights = []
+
+    def draw(painter, width, height, theme):
+        heights.append(height)
+        painter.fillRect(0, 0, width, height, QColor("red"))
+
+    picture = drawn_image(with_caption(draw, "words " * 300), 300, 200)
+    assert 150 < heights[0] < 200
+    assert QColor(picture.pixel(150, heights[0] - 1)).name() == "#ff0000"
+    assert QColor(picture.pixel(299, 199)).name() == LIGHT.base
+
+
+@pytest.mark.parametrize(("dpi", "pixels"), [(96, 300), (192, 600), (48, 150)])
+def test_dots_in_an_inch_are_as_chosen(tmp_path, dpi, pixels):
+    def draw(painter, width, height):
+        assert (width, height) == (300, 200)
+        painter.fillRect(0, 0, width, height, QColor("blue"))
+
+    save_drawing(tmp_path / "a.png", draw, 300, 200, dpi=dpi)
+    picture = QImage(str(tmp_path / "a.png"))
+    assert picture.width() == pixels
+    assert picture.dotsPerMeterX() == pytest.approx(dpi / 0.0254, abs=1)
+    assert QColor(picture.pixel(pixels - 1, picture.height() - 1)).name() == "#0000ff"
+
+
+def test_a_layout_gives_size_and_resolution_and_another_size_leaves_it(qtbot):
+    dialog = PictureDialog(PictureOptions(width_px=1200, height_px=1800))
+    qtbot.addWidget(dialog)
+    layout = dialog.findChild(ChoiceField, "layout_field")
+    layout.choose("column")
+    assert (dialog.options.width_px, dialog.options.height_px) == (336, 504)
+    assert dialog.options.dpi == 300
+    layout.choose("slide")
+    assert (dialog.options.width_px, dialog.options.height_px) == (1280, 720)
+    dialog._take("width_px", 640.0, None)
+    assert dialog.options.layout == "own"
+    assert layout.value == "own"
+
+
+@pytest.mark.parametrize("name", ["skin", "traces", "hand", ALL_IN_SIGHT, IN_USE])
+def test_each_picture_has_real_words_and_the_stimulus(make_window, tmp_path, name):
+    window = make_window(DESIGN)
+    picture = window._drawer_of(name)
+    path = tmp_path / "a.svg"
+    save_drawing(path, picture.draw, *(picture.size_px or (600, 900)))
+    words = texts_of(path)
+    assert "Tone 100 Hz" in words
+    if name in ("skin", ALL_IN_SIGHT):
+        assert " mm" in words
+        assert "dB re 1 m/s²" in words
+        assert "SYNTHETIC" in words
+    if name == ALL_IN_SIGHT:
+        assert all(title in words for title in ("Hand", "Skin", "Timeline", "Traces"))
+
+
+def test_pictures_are_on_light_ground_and_the_studio_stays_dark(make_window):
+    window = make_window(DESIGN)
+    window.do("use_dark_theme")
+    before = window.grab().toImage()
+    draw = window._drawer_of(ALL_IN_SIGHT).draw
+    picture = drawn_image(draw, 900, 600)
+    assert QColor(picture.pixel(899, 599)).name() == LIGHT.base
+    assert window.theme == DARK
+    assert window.grab().toImage() == before
+
+
+def test_what_is_in_use_is_the_panel_with_the_keyboard(make_window, qtbot):
+    window = make_window(DESIGN)
+    window.activateWindow()
+    panel = window.panel("traces")
+    panel.setFocus()
+    qtbot.waitUntil(lambda: panel.isAncestorOf(window.focusWidget()))
+    size = window._drawer_of(IN_USE).size_px
+    assert size == (2 * panel.width(), 2 * panel.height())
+
+
+def test_the_bar_is_the_longest_round_length_in_a_quarter_of_the_room():
+    assert bar_length_mm(1.0, 250.0) == 50
+    assert bar_length_mm(1.0, 400.0) == 100
+    assert bar_length_mm(100.0, 10.0) == 1
+
+
+def test_the_map_knows_how_long_a_millimetre_is(window):
+    limb = ss.load_limb("synthetic-1")
+    content = window.panel("skin").map.content
+    assert content.px_per_mm == limb.map.hand_length_px / 175.0
+
+
+def test_what_to_cite_is_copied(window, qapp):
+    window.do("copy_citation")
+    assert "10.1109/HAPTICS59260.2024.10520852" in qapp.clipboard().text()
