@@ -28,11 +28,12 @@ from skinsource.quoting import sentence
 from skinsource.waveforms import kinds
 from skinsource_gui.motion_page.draft import Draft
 from skinsource_gui.motion_page.path_hand import PathHand
-from skinsource_gui.motion_page.path_row import PathRow, page_button
+from skinsource_gui.motion_page.path_row import PathRow
 from skinsource_gui.motion_page.recipe_fields import RecipeFields
 from skinsource_gui.state.document import Document
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.inputs.clip_strip import ClipStrip
+from skinsource_gui.widgets.page_button import page_button
 
 TITLE = "Motion"
 _MOTION_KINDS = ChoiceSpec(

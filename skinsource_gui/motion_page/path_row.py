@@ -1,11 +1,12 @@
 """A path of places as a text, and what can be done to it."""
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
 
 from skinsource.errors import InvalidInputError
 from skinsource.motions.changes import path_of
 from skinsource.quoting import sentence
+from skinsource_gui.widgets.page_button import page_button
 
 
 class PathRow(QWidget):
@@ -82,15 +83,6 @@ class PathRow(QWidget):
     def _finish(self) -> None:
         self.field.setText(_words(self._path))
         self.finished.emit()
-
-
-def page_button(name: str, words: str, hint: str) -> QPushButton:
-    """A button that Enter elsewhere on the page does not press."""
-    button = QPushButton(words)
-    button.setObjectName(name)
-    button.setToolTip(hint)
-    button.setAutoDefault(False)
-    return button
 
 
 def _words(path: tuple[int, ...]) -> str:

@@ -294,7 +294,7 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         first = (self.keeping.end, self.layout_of_docks.close, self.engine.close)
-        rest = (self.playback.player, self.running_jobs, self.pages, self.imports, self.stimuli)
+        rest = (self.playback, self.running_jobs, self.pages, self.imports, self.stimuli)
         for end in (*first, *(one.end for one in rest)):
             end()
         super().closeEvent(event)

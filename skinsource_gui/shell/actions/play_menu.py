@@ -88,4 +88,12 @@ PLAY: tuple[ActionSpec, ...] = (
         keywords="audio sound card output channel map sonify headphones latency meter device",
         separated=True,
     ),
+    action(
+        "match_strength",
+        "Play",
+        "Matching…",
+        "Make vibrations equally strong by feel: reference and test in turn, stored in a table",
+        command="matching.show",
+        keywords="equal strength loudness adjustment method person table psychophysics",
+    ),
 )

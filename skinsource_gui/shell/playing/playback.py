@@ -3,6 +3,7 @@
 from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QWidget
 
+from skinsource_gui.matching_page.matching_actions import MatchingActions
 from skinsource_gui.panels.playback.panel import PlaybackPanel
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.playing.escape_twice import EscapeTwice
@@ -32,8 +33,8 @@ class Playback(QObject):
 
     Attributes
     ----------
-    player, pace, bar
-        Who plays; how fast; what asks for it above the panels.
+    player, pace, bar, matching
+        Who plays; how fast; what asks for it above the panels; who opens the matching page.
     """
 
     def __init__(self, document: Document, preferences: Preferences, window: QWidget) -> None:
@@ -42,6 +43,7 @@ class Playback(QObject):
         self.player = Player(document, preferences, self)
         self.pace = Pace(document, self.player, self)
         self.bar = Transport(window)
+        self.matching = MatchingActions(document, preferences, self.player, window)
         self._panel: PlaybackPanel | None = None
         self._timer = QTimer(self, interval=_STEP_MS)
         self._timer.timeout.connect(self._show)
@@ -50,12 +52,23 @@ class Playback(QObject):
 
     def capabilities(self) -> dict[str, QObject]:
         """Who carries out its actions, by the names that their table has for them."""
-        return {"player": self.player, "gain": self.player.gain, "pace": self.pace}
+        return {
+            "player": self.player,
+            "gain": self.player.gain,
+            "pace": self.pace,
+            "matching": self.matching,
+        }
+
+    def end(self) -> None:
+        """Stop for good, and let go of the device."""
+        self.matching.end()
+        self.player.end()
 
     def connect_to(self, panel: PlaybackPanel, appearance: Appearance, reports: Reports) -> None:
         """Show it in ``panel``, while that is visible, and say in ``reports`` what goes wrong."""
         player, bar = self.player, self.bar
         self._panel = panel
+        self.matching.theme = lambda: appearance.theme
         appearance.changed.connect(bar.show_theme)
         bar.play_wanted.connect(player.play_or_stop)
         bar.repeat_wanted.connect(player.toggle_loop)

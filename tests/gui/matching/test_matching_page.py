@@ -1,0 +1,212 @@
+"""The matching page: keys, what is heard, what is stored, and what is said where nothing is."""
+
+import csv
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QPushButton
+
+from skinsource.design import start_design
+from tests.core.playing.made_up_sound import MadeUpLibrary, use
+
+
+@pytest.fixture
+def sound(monkeypatch):
+    return use(monkeypatch, MadeUpLibrary(Eight=8))
+
+
+@pytest.fixture
+def no_sound(monkeypatch):
+    return use(monkeypatch, MadeUpLibrary())
+
+
+@pytest.fixture
+def studio(make_window):
+    return make_window(start_design("synthetic-1"))
+
+
+@pytest.fixture
+def page(studio, qtbot, tmp_path):
+    studio.do("match_strength")
+    found = studio.playback.matching.page
+    qtbot.waitExposed(found)
+    found.form.field("person").setText("Anna")
+    found.form.field("frequencies").setText("60")
+    found.form.field("places").setText("3; 12")
+    found.form.table.setText(str(tmp_path / "matches.csv"))
+    yield found
+    studio.playback.matching.end()
+
+
+def press(page, name):
+    page.findChild(QPushButton, f"matching_{name}").click()
+
+
+def begin(page, qtbot, name="begin"):
+    press(page, name)
+    qtbot.waitUntil(lambda: page.sounding.now is not None, timeout=20_000)
+
+
+def key(page, which):
+    QTest.keyClick(page, which)
+
+
+def rows_in(path):
+    with path.open(newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def test_arrow_keys_and_enter_make_a_row(sound, page, qtbot, tmp_path):
+    begin(page, qtbot)
+    first, start_db = page.run.trial, page.run.level_db
+    key(page, Qt.Key.Key_Up)
+    key(page, Qt.Key.Key_Up)
+    key(page, Qt.Key.Key_Down)
+    assert page.run.level_db == pytest.approx(start_db + 1.0)
+    key(page, Qt.Key.Key_Return)
+    (row,) = rows_in(tmp_path / "matches.csv")
+    assert (row["person"], float(row["frequency_hz"])) == ("Anna", first.frequency_hz)
+    assert float(row["matched_db"]) == pytest.approx(start_db + 1.0)
+    assert page.run.done == 1
+    assert "Match 2 of 4" in page.view.progress.text()
+    assert page.sounding.playing
+
+
+def test_all_matches_are_made_and_the_sound_ends(sound, page, qtbot, tmp_path):
+    begin(page, qtbot)
+    for _ in range(4):
+        key(page, Qt.Key.Key_Enter)
+    assert len(rows_in(tmp_path / "matches.csv")) == 4
+    assert "All 4" in page.view.progress.text()
+    assert not page.sounding.playing
+    key(page, Qt.Key.Key_Enter)
+    key(page, Qt.Key.Key_Space)
+    assert len(rows_in(tmp_path / "matches.csv")) == 4
+    assert not page.sounding.playing
+
+
+def test_it_goes_on_where_it_ended(sound, studio, page, qtbot, tmp_path):
+    begin(page, qtbot)
+    key(page, Qt.Key.Key_Return)
+    second = page.run.trial
+    page.reject()
+    studio.do("match_strength")
+    again = studio.playback.matching.page
+    again.form.field("person").setText("Anna")
+    again.form.field("frequencies").setText("60")
+    again.form.field("places").setText("3, 12")
+    again.form.table.setText(str(tmp_path / "matches.csv"))
+    begin(again, qtbot)
+    assert again.run.trial == second
+    assert again.run.done == 1
+
+
+def test_reference_and_test_are_heard_and_lit_in_turn(sound, page, qtbot):
+    begin(page, qtbot)
+    seen = set()
+
+    def both():
+        seen.add(page.view.lit)
+        return {"reference", "test"} <= seen
+
+    qtbot.waitUntil(both, timeout=20_000)
+    qtbot.waitUntil(
+        lambda: (np.abs(sound.streams[0].samples).max(axis=1, initial=0.0)[:2] > 0.0).all(),
+        timeout=20_000,
+    )
+    assert not sound.streams[0].samples[2:].any()
+
+
+def test_esc_stops_at_once_and_a_second_one_in_a_hurry_closes_nothing(sound, page, qtbot):
+    begin(page, qtbot)
+    stream = page.sounding.now.stream
+    key(page, Qt.Key.Key_Escape)
+    assert not page.sounding.playing
+    assert stream.deck.panic
+    key(page, Qt.Key.Key_Escape)
+    assert page.isVisible()
+    level_db, trial = page.run.level_db, page.run.trial
+    for which in (Qt.Key.Key_Up, Qt.Key.Key_Return):
+        key(page, which)
+    assert (page.run.level_db, page.run.trial) == (level_db, trial)
+    key(page, Qt.Key.Key_Space)
+    qtbot.waitUntil(lambda: page.sounding.now is not None, timeout=20_000)
+    key(page, Qt.Key.Key_Up)
+    assert page.run.level_db == pytest.approx(level_db + 1.0)
+
+
+def test_the_limiter_stops_and_says_so(sound, page, qtbot):
+    page.form.field("amplitude").set_value(1.0)
+    page.form.field("gain_db").set_value(20.0)
+    begin(page, qtbot)
+    qtbot.waitUntil(lambda: not page.sounding.playing, timeout=20_000)
+    assert "full scale" in page.view.note.text()
+    assert np.abs(sound.streams[0].samples).max() <= 1.0
+
+
+def test_a_device_that_is_pulled_out_is_said(sound, page, qtbot):
+    begin(page, qtbot)
+    sound.streams[0].pull_out()
+    qtbot.waitUntil(lambda: not page.sounding.playing, timeout=20_000)
+    assert "unplugged" in page.view.note.text()
+    assert not page.view.buttons["store"].isEnabled()
+
+
+def test_without_a_device_it_is_a_rehearsal_and_nothing_is_stored(no_sound, page, qtbot, tmp_path):
+    begin(page, qtbot)
+    assert "Nothing is heard" in page.view.note.text()
+    assert "nothing is stored" in page.view.note.text()
+    key(page, Qt.Key.Key_Return)
+    assert page.run.done == 1
+    assert not (tmp_path / "matches.csv").exists()
+
+
+def test_a_rehearsal_with_sound_stores_nothing(sound, page, qtbot, tmp_path):
+    begin(page, qtbot, "rehearse")
+    key(page, Qt.Key.Key_Return)
+    assert page.run.done == 1
+    assert not (tmp_path / "matches.csv").exists()
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "words"),
+    [
+        ("person", "", "person"),
+        ("frequencies", "fifty", "expected numbers"),
+        ("frequencies", "", "at least one"),
+        ("places", "7.5", "whole numbers"),
+        ("places", "7, 7", "each once"),
+        ("frequencies", "1e400", "a frequency"),
+    ],
+)
+def test_what_cannot_be_matched_is_said_and_nothing_begins(sound, page, name, text, words):
+    page.form.field(name).setText(text)
+    press(page, "begin")
+    assert words in page.findChild(type(page.view.note), "matching_problem").text()
+    assert page.run is None
+    assert not sound.streams
+
+
+def test_a_table_of_something_else_is_said(sound, page, tmp_path):
+    (tmp_path / "matches.csv").write_text("a,b\n")
+    press(page, "begin")
+    assert "no table of matches" in page.findChild(type(page.view.note), "matching_problem").text()
+
+
+def test_a_table_that_cannot_be_written_stops_and_keeps_the_trial(sound, page, qtbot, tmp_path):
+    page.form.table.setText(str(tmp_path / "nowhere" / "matches.csv"))
+    begin(page, qtbot)
+    trial = page.run.trial
+    key(page, Qt.Key.Key_Return)
+    assert page.run.trial == trial
+    assert "nowhere" in page.view.note.text()
+    assert not page.sounding.playing
+
+
+def test_a_studio_that_closes_lets_go_of_the_device(sound, studio, page, qtbot):
+    begin(page, qtbot)
+    studio.close_unasked()
+    assert studio.playback.matching.page is None
+    assert not sound.streams[0]._thread.is_alive()
