@@ -37,6 +37,7 @@ from skinsource_gui.shell.reports import Reports
 from skinsource_gui.shell.running_jobs import RunningJobs
 from skinsource_gui.shell.setup_bar import SetupBar
 from skinsource_gui.shell.shortcuts_in_fields import ShortcutsInFields
+from skinsource_gui.shell.validity import Validity
 from skinsource_gui.shell.window_frame import WindowFrame
 from skinsource_gui.state.comparison import Comparison
 from skinsource_gui.state.conductor import Conductor
@@ -95,8 +96,7 @@ class MainWindow(QMainWindow):
         self.actions_by_name = self.action_set.by_name
         ShortcutsInFields(self.actions_by_name.values(), self)
         self._build()
-        needs = self.status_line.needs
-        self.conductor = Conductor(self.document, self.engine, self.panels, needs)
+        self.conductor = Conductor(self.document, self.engine, self.panels, self.status_line.needs)
         self.comparison.begin()
         Historian(self.document, self.panels)
         self._connect()
@@ -214,6 +214,7 @@ class MainWindow(QMainWindow):
         setup_toolbar(self, (self.setup_bar, self.playback.bar), groups)
         self.statusBar().addWidget(self.status_line, 1)
         self.statusBar().addPermanentWidget(self.job_bar)
+        self.validity = Validity(self.document, self.engine, self.panels, self.statusBar())
         self.statusBar().addPermanentWidget(self._limb_note)
 
     def _connect(self) -> None:
@@ -255,10 +256,9 @@ class MainWindow(QMainWindow):
         self.accuracy.checked.connect(self.status_line.show_error)
         self.engine.finished.connect(reports.log_fault)
         Installations(self.runner, self.limbs, reports)
-        self.limbs.changed.connect(self._show_limbs)
         # What could not be computed before is tried again.
-        self.limbs.changed.connect(self.comparison.forget_problems)
-        self.limbs.changed.connect(document.changed)
+        for follow in (self._show_limbs, self.comparison.forget_problems, document.changed):
+            self.limbs.changed.connect(follow)
 
     def _findable(self) -> list[QAction]:
         others = [one for name, one in self.actions_by_name.items() if name != "find_action"]
@@ -275,7 +275,7 @@ class MainWindow(QMainWindow):
         self._limb_note.show_limb(design.limb)
 
     def _show_theme(self, theme: Theme) -> None:
-        for part in (self.notice, self._limb_note, self.status_line, *self.panels):
+        for part in (self.notice, self._limb_note, self.status_line, self.validity, *self.panels):
             part.show_theme(theme)
         name = self.preferences.theme_name
         known = f"use_{name}_theme" in self.actions_by_name

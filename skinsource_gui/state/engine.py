@@ -24,7 +24,8 @@ class Purpose(IntEnum):
 
     SHOW = 0
     CHECK = 1
-    EXPORT = 2
+    JUDGE = 2
+    EXPORT = 3
 
 
 @dataclass(frozen=True, slots=True)

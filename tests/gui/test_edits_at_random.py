@@ -11,6 +11,7 @@ from skinsource.design import Design, track
 from skinsource.effects import EFFECTS
 from skinsource.limb import LIMB_NAMES
 from skinsource.motions import MOTIONS, Alternation
+from skinsource.validity import Finding
 from skinsource.view import View
 from skinsource.waveforms import Noise, Tap, Tone
 from skinsource_gui.state.document import Document
@@ -59,8 +60,18 @@ curves = st.lists(st.tuples(st.floats(0, 2), st.floats(0, 2)), max_size=3).map(t
 switches = st.booleans()
 numbers = st.integers(-1, 5)
 motions = st.sampled_from([*(kind() for kind in MOTIONS), Alternation(rounds=200), None])
+findings = st.builds(
+    Finding,
+    name=st.just("band"),
+    state=st.just("left"),
+    sentence=st.just(""),
+    mend=st.sampled_from(["", "probe_scaling", "quieter", "band_limit", "deselect", "?"]),
+    factor=st.floats(0.1, 1.0),
+    outputs=st.just((1, 2, 72)),
+)
 #: What is handed to each edit, after design and view.
 ARGUMENTS = {
+    "mend": (findings,),
     "add_effect": (ids, st.sampled_from([*(kind.__name__ for kind in EFFECTS), "Echo"])),
     "change_effect_field": (
         one_id,

@@ -3,11 +3,11 @@
 from typing import Any
 
 from skinsource.analysis.settings import SpectrogramSettings
-from skinsource.analysis_rules import noise_rules, output_rules, wave_rules
+from skinsource.analysis_rules import noise_rules, output_rules, validity_rules, wave_rules
 from skinsource.panel_settings import settings_of
 from skinsource.view import View
 
-RULES = (*noise_rules.RULES, *output_rules.RULES, *wave_rules.RULES)
+RULES = (*noise_rules.RULES, *output_rules.RULES, *wave_rules.RULES, *validity_rules.RULES)
 
 
 def choices_of(view: View) -> dict[str, Any]:

@@ -55,6 +55,7 @@ from skinsource.edits.inputs import (
     toggle_mute,
     toggle_solo,
 )
+from skinsource.edits.mending import mend
 from skinsource.edits.motions import add_motion
 from skinsource.edits.order import put_inputs_before, shift_inputs
 from skinsource.edits.outputs import select_outputs
@@ -137,6 +138,7 @@ __all__ = [
     "look_along",
     "look_by_method",
     "match_levels",
+    "mend",
     "move_clips",
     "move_clips_to_place",
     "move_effect",

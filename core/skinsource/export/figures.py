@@ -12,6 +12,7 @@ from skinsource.export.description import describe_levels, describe_played, desc
 from skinsource.export.exported_design import ExportedDesign
 from skinsource.limb import axes_of
 from skinsource.rendering.check import ESTIMATE_FACTOR, N_SAMPLES, TraceError
+from skinsource.validity.finding import words_of
 from skinsource.version import __version__
 
 
@@ -24,7 +25,7 @@ def about_design(exported: ExportedDesign) -> list[str]:
     lines += describe_played(
         design.limb, exported.limb.note, design.scaling, design.inputs, design.actuated
     )
-    return lines
+    return [*lines, *words_of(exported.value("validity"))]
 
 
 def about_axes(exported: ExportedDesign) -> str:

@@ -14,6 +14,7 @@ from skinsource.design import Input
 from skinsource.stimulus import Stimulus
 from skinsource.stimulus_export.preparing import Prepared, clipped_samples
 from skinsource.stimulus_export.rigged import about_channels, about_equaliser
+from skinsource.stimulus_export.validity import about_validity
 from skinsource.stimulus_formats import Outgoing
 from skinsource.stimulus_formats.about import about
 from skinsource.stimulus_formats.stimulus_format import Facts
@@ -73,6 +74,7 @@ def sidecar_of(
         "meaning": _MEANING,
         "scaling_means": word_of(SCALINGS, stimulus.scaling).sentence,
         "predicted_through": _about_prediction(outgoing.design.actuated),
+        "validity": about_validity(outgoing.design),
         "clip_count": int(sum(counts)),
         "confirmed": list(confirmed),
         "errors": _errors(stimulus, facts),

@@ -39,6 +39,8 @@ class MapContent:
         Outline pixels in a millimetre of the limb; 0 before that is known.
     sensors_shown
         Whether sensors are marked on the interpolated map.
+    noisy
+        Outputs that are mostly noise; they are hatched.
     synthetic
         Whether the responses are computed, not measured.
     message
@@ -60,6 +62,7 @@ class MapContent:
     outputs: tuple[int, ...] = ()
     px_per_mm: float = 0.0
     sensors_shown: bool = True
+    noisy: tuple[int, ...] = ()
     synthetic: bool = False
     message: str = ""
     note: str = ""

@@ -19,6 +19,7 @@ from skinsource.limb import VOLAR_OUTPUTS, LimbMap
 from skinsource_gui.panels.skin.length_bar import paint_length_bar
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import MapLayout
+from skinsource_gui.panels.skin.noise_hatch import paint_hatch
 from skinsource_gui.panels.skin.output_labels import output_labels, square
 from skinsource_gui.panels.skin.output_picking import dorsal_outputs
 from skinsource_gui.panels.skin.triad import paint_triad
@@ -52,7 +53,7 @@ class MapPainter:
         self._kept = kept
         self._layout: MapLayout | None = None
         self._screen_outline = QPainterPath()
-        self._still, self._selection = self._kept(), self._kept()
+        self._still, self._selection, self._hatch = self._kept(), self._kept(), self._kept()
 
     def paint(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
@@ -61,7 +62,7 @@ class MapPainter:
         if layout is not self._layout:
             self._layout = layout
             self._screen_outline = layout.frame.transform().map(self._outline)
-            self._still, self._selection = self._kept(), self._kept()
+            self._still, self._selection, self._hatch = self._kept(), self._kept(), self._kept()
         painter.setRenderHints(_HINTS)
         self._paint_ground(painter, content, layout, theme)
         self._paint_still(painter, content, layout, theme)
@@ -69,6 +70,8 @@ class MapPainter:
             self._paint_discs(painter, content, layout, theme)
             _paint_cards(painter, layout, theme)
         self._paint_palmar(painter, content, layout, theme)
+        if content.noisy and not content.message:
+            self._paint_hatch(painter, content, layout)
         self._paint_selection(painter, content, layout, theme)
         paint_length_bar(painter, layout, content.px_per_mm, theme)
 
@@ -106,6 +109,14 @@ class MapPainter:
                 _paint_cards(on_image, layout, theme)
 
         self._still.paint(painter, layout.room, (theme.name, dots, on_field), paint)
+
+    def _paint_hatch(self, painter: QPainter, content: MapContent, layout: MapLayout) -> None:
+        """Strokes where there is mostly noise."""
+
+        def paint(on_image: QPainter) -> None:
+            paint_hatch(on_image, content.noisy, layout, self._screen_outline)
+
+        self._hatch.paint(painter, layout.room, (content.noisy,), paint)
 
     def _paint_selection(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme

@@ -159,16 +159,15 @@ class SkinPanel(Panel):
         self._change(values=None, field_values=None, message=reason, note="", outdated=False)
         self._show_choice()
 
+    def show_noisy(self, outputs: tuple[int, ...]) -> None:
+        """Hatch outputs that are mostly noise."""
+        self._change(noisy=outputs)
+        self.map.show_content(self._content)
+
     def show_theme(self, theme: Theme) -> None:
         self._theme = theme
-        for part in (
-            self.toolbar,
-            self.time,
-            self.map,
-            self.colour_bar,
-            self.note,
-            self.readout,
-        ):
+        parts = (self.toolbar, self.time, self.map, self.colour_bar, self.note, self.readout)
+        for part in parts:
             part.show_theme(theme)
         self._show_choice()
 

@@ -1,0 +1,22 @@
+"""What a prediction is not good for: conditions of the measurement that a design leaves."""
+
+from skinsource.validity.finding import Finding, Findings
+from skinsource.validity.judging import (
+    LARGEST_VELOCITY_M_PER_S,
+    SPATIAL_LIMIT_HZ,
+    found_in_drives,
+    found_in_outputs,
+    found_in_setup,
+    probe_velocity,
+)
+
+__all__ = [
+    "LARGEST_VELOCITY_M_PER_S",
+    "SPATIAL_LIMIT_HZ",
+    "Finding",
+    "Findings",
+    "found_in_drives",
+    "found_in_outputs",
+    "found_in_setup",
+    "probe_velocity",
+]

@@ -1,0 +1,247 @@
+"""Conditions of the measurement (SkinSource, 2024), and whether a design keeps them."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import scipy
+from numpy.typing import ArrayLike
+
+from skinsource.analysis.noise import LEAST_ABOVE_NOISE_DB
+from skinsource.arguments import finite_array, positive_number
+from skinsource.arrays import Floats
+from skinsource.scaling.response_scaling import Scaling
+from skinsource.signals import BAND_HZ
+from skinsource.spectra import share_outside_band
+from skinsource.validity.finding import Finding, Findings
+
+#: Up to here the skin was found to answer in proportion: third harmonics show at twice of it.
+LARGEST_VELOCITY_M_PER_S = 0.04
+#: Above it wavelengths are too short for the spacing of the outputs.
+SPATIAL_LIMIT_HZ = 300.0
+#: So much of the energy may lie where it should not.
+MOST_SHARE = 0.05
+_MM_PER_M = 1e3
+# Below it a velocity is not told: accelerations were not measured there.
+_SLOWEST_HZ = BAND_HZ[0]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Drive:
+    """What is played at one place, and its energy."""
+
+    place: int
+    samples: Floats
+    energy: float
+
+
+def probe_velocity(acceleration: ArrayLike, sample_rate_hz: float) -> float:
+    """Return the largest velocity of a probe, m/s, from its acceleration.
+
+    By division of the spectrum; what is slower than the measured band is faded out over the octave
+    below it (a raised cosine from 12.5 to 25 Hz), because it would drift.
+
+    Parameters
+    ----------
+    acceleration : (n_times,)
+        m/s², silent before and after.
+    sample_rate_hz
+        Its rate.
+    """
+    data = finite_array("acceleration", acceleration, "(n_times,)")
+    rate = positive_number("sample_rate_hz", sample_rate_hz)
+    if data.ndim != 1 or not data.any():
+        return 0.0
+    # Room for what the fade rings over: a fifth of a second at either end.
+    n_fft = scipy.fft.next_fast_len(data.size + round(0.4 * rate), real=True)
+    frequency_hz = np.arange(n_fft // 2 + 1) * (rate / n_fft)
+    part = np.clip(2.0 * frequency_hz / _SLOWEST_HZ - 1.0, 0.0, 1.0)
+    weight = 0.5 - 0.5 * np.cos(np.pi * part)
+    divisor = np.where(weight > 0.0, 2.0 * np.pi * frequency_hz, 1.0)
+    spectrum = scipy.fft.rfft(data, n_fft) * (weight / (1j * divisor))
+    return float(np.abs(scipy.fft.irfft(spectrum, n_fft)).max())
+
+
+def found_in_drives(
+    drives: Sequence[tuple[int, Floats]], sample_rate_hz: float, scaling: Scaling
+) -> Findings:
+    """Return what is found in what is played: band, drive, and spacing.
+
+    Parameters
+    ----------
+    drives
+        Input place and samples, (n_times,); in probe scaling m/s².
+    sample_rate_hz
+        Their rate.
+    scaling
+        What their unit is.
+    """
+    played = [
+        _Drive(place=place, samples=samples, energy=float(np.vdot(samples, samples)))
+        for place, samples in drives
+    ]
+    return (
+        _band(played, sample_rate_hz),
+        _velocity(played, sample_rate_hz, scaling),
+        _spacing(played, sample_rate_hz),
+    )
+
+
+def found_in_outputs(above_noise_db: Floats | None, *, synthetic: bool, silent: bool) -> Finding:
+    """Return what is found of the noise in the outputs.
+
+    Parameters
+    ----------
+    above_noise_db : (n_outputs,) or None
+        Level above that of the noise; None: nothing is known of it.
+    synthetic, silent
+        Why nothing may be known.
+    """
+    if silent:
+        return Finding(name="noise", state="kept", sentence="Nothing is driven.")
+    if above_noise_db is None:
+        if synthetic:
+            sentence = "A synthetic limb has no noise; the sensors of a measurement have."
+        else:
+            sentence = "The responses do not tell their noise: too little comes before the pulse."
+        return Finding(name="noise", state="unknown", sentence=sentence)
+    noisy = tuple(int(k) + 1 for k in np.flatnonzero(above_noise_db < LEAST_ABOVE_NOISE_DB))
+    least = f"{LEAST_ABOVE_NOISE_DB:g} dB"
+    if not noisy:
+        sentence = f"All outputs are {least} or more above the noise of their sensors."
+        return Finding(name="noise", state="kept", sentence=sentence)
+    return Finding(
+        name="noise",
+        state="left",
+        sentence=(
+            f"{len(noisy)} of {above_noise_db.size} outputs are less than {least} above the noise "
+            f"of the measurement: {listed(noisy)}. Their levels are mostly noise; they are hatched "
+            "on the map."
+        ),
+        mend="deselect",
+        outputs=noisy,
+    )
+
+
+def found_in_setup(*, synthetic: bool, scaling: Scaling, places: Sequence[int]) -> Findings:
+    """Return what is found in the choice of limb and scaling.
+
+    Parameters
+    ----------
+    synthetic
+        Whether the limb is computed.
+    scaling
+        What an amplitude of 1 means.
+    places
+        Input places that are heard.
+    """
+    hides = scaling == "upstream" and bool(places)
+    several = "" if len(set(places)) < 2 else " between the places that play"
+    return (
+        Finding(
+            name="limb",
+            state="left" if synthetic else "kept",
+            sentence=(
+                "Responses of this limb are computed from a model of waves, not measured."
+                if synthetic
+                else "Responses of this limb were measured."
+            ),
+        ),
+        Finding(
+            name="scaling",
+            state="left" if hides else "kept",
+            sentence=(
+                "This scaling gives each input the same peak on the skin: that some places carry "
+                f"less than others is hidden{several}."
+                if hides
+                else "Places keep their differences in level."
+            ),
+            mend="probe_scaling" if hides else "",
+        ),
+    )
+
+
+def listed(outputs: Sequence[int]) -> str:
+    """Numbers in a sentence, runs of three or more as ranges: "1, 4 to 7 and 9".
+
+    >>> listed((1, 4, 5, 6, 7, 9, 10))
+    '1, 4 to 7, 9 and 10'
+    """
+    runs: list[list[int]] = []
+    for number in sorted(outputs):
+        if runs and number == runs[-1][-1] + 1:
+            runs[-1].append(number)
+        else:
+            runs.append([number])
+    parts: list[str] = []
+    for run in runs:
+        parts += [f"{run[0]} to {run[-1]}"] if len(run) > 2 else [str(number) for number in run]
+    return parts[0] if len(parts) == 1 else f"{', '.join(parts[:-1])} and {parts[-1]}"
+
+
+def _share(played: Sequence[_Drive], rate: float, band: tuple[float, float]) -> float:
+    """Share of the energy of all drives outside a band; 0 in silence."""
+    energy = sum(one.energy for one in played)
+    if energy == 0.0:
+        return 0.0
+    outside = sum(share_outside_band(one.samples, rate, band) * one.energy for one in played)
+    return outside / energy
+
+
+def _band(played: Sequence[_Drive], rate: float) -> Finding:
+    share = _share(played, rate, BAND_HZ)
+    band = f"{BAND_HZ[0]:g} to {BAND_HZ[1]:g} Hz"
+    left = share > MOST_SHARE
+    return Finding(
+        name="band",
+        state="left" if left else "kept",
+        sentence=f"{share:.0%} of the energy of what plays lies outside of the measured {band}"
+        + ("; what the skin does there is not known." if left else "."),
+        mend="band_limit" if left else "",
+    )
+
+
+def _velocity(played: Sequence[_Drive], rate: float, scaling: Scaling) -> Finding:
+    limit = f"{LARGEST_VELOCITY_M_PER_S * _MM_PER_M:g} mm/s"
+    if scaling != "probe":
+        return Finding(
+            name="drive",
+            state="unknown",
+            sentence=(
+                "How fast the probe moves is not known in this scaling, so neither is whether the "
+                f"skin answers in proportion, as it does up to {limit}."
+            ),
+            mend="probe_scaling",
+        )
+    fastest = max((probe_velocity(one.samples, rate) for one in played), default=0.0)
+    left = fastest > LARGEST_VELOCITY_M_PER_S
+    return Finding(
+        name="drive",
+        state="left" if left else "kept",
+        sentence=(
+            f"The probe moves at up to {fastest * _MM_PER_M:.3g} mm/s, from {_SLOWEST_HZ:g} Hz on; "
+            + (
+                f"above {limit} the skin no longer answers in proportion."
+                if left
+                else f"up to {limit} the skin answers in proportion."
+            )
+        ),
+        mend="quieter" if left else "",
+        factor=LARGEST_VELOCITY_M_PER_S / fastest if left else 1.0,
+    )
+
+
+def _spacing(played: Sequence[_Drive], rate: float) -> Finding:
+    share = _share(played, rate, (0.0, SPATIAL_LIMIT_HZ))
+    left = share > MOST_SHARE
+    return Finding(
+        name="spacing",
+        state="left" if left else "kept",
+        sentence=f"{share:.0%} of the energy of what plays lies above {SPATIAL_LIMIT_HZ:g} Hz"
+        + (
+            ", where waves are too short for the spacing of the outputs: between them the map is a "
+            "guess."
+            if left
+            else "; up to there the outputs stand close enough."
+        ),
+    )

@@ -1,0 +1,100 @@
+"""Has it judged, when there is time for it, what the present prediction is not good for."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, QPoint, QTimer
+from PySide6.QtWidgets import QStatusBar
+
+from skinsource import edits
+from skinsource.validity import Finding
+from skinsource_gui.panel import Panel
+from skinsource_gui.panels.skin.panel import SkinPanel
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request
+from skinsource_gui.status.validity_card import ValidityCard
+from skinsource_gui.status.validity_lamps import ValidityLamps
+from skinsource_gui.theme import LIGHT, Theme
+
+_IDLE_MS = 400
+_WANTED = frozenset({"validity"})
+
+
+class Validity(QObject):
+    """Lights the lamps once edits pause; while they are hidden nothing is computed for them.
+
+    Parameters
+    ----------
+    document, engine
+        Whose design, and who evaluates.
+    panels
+        Of these the skin map hatches what is mostly noise.
+    status_bar
+        Where the lamps stand.
+
+    Attributes
+    ----------
+    lamps
+        The lamps.
+    """
+
+    def __init__(
+        self,
+        document: Document,
+        engine: Engine,
+        panels: Sequence[Panel],
+        status_bar: QStatusBar,
+    ) -> None:
+        super().__init__(document)
+        self._document, self._engine = document, engine
+        self._maps = [panel for panel in panels if isinstance(panel, SkinPanel)]
+        self._theme: Theme = LIGHT
+        self._shown: Request | None = None
+        self.lamps = ValidityLamps()
+        status_bar.addPermanentWidget(self.lamps)
+        self._idle = QTimer(self, singleShot=True, interval=_IDLE_MS)
+        self._idle.timeout.connect(self._judge)
+        engine.finished.connect(self._note)
+        document.changed.connect(self._follow)
+        self.lamps.chosen.connect(self._explain)
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self._theme = theme
+        self.lamps.show_theme(theme)
+
+    def _follow(self) -> None:
+        self.lamps.set_stale(True)
+
+    def _note(self, outcome: Outcome) -> None:
+        request = outcome.request
+        if request.place == (FIRST_SLOT, Purpose.SHOW):
+            self._shown = request if outcome.values is not None else None
+            if self._shown is None:
+                self._tell(None)
+            else:
+                self._idle.start()
+        elif request.place == (FIRST_SLOT, Purpose.JUDGE) and self._is_shown(request):
+            self._tell(outcome)
+
+    def _is_shown(self, request: Request) -> bool:
+        return self._shown is not None and request.given == self._shown.given
+
+    def _judge(self) -> None:
+        if self._shown is not None and self.lamps.isVisible():
+            self._engine.request(replace(self._shown, wanted=_WANTED, purpose=Purpose.JUDGE))
+
+    def _tell(self, outcome: Outcome | None) -> None:
+        found = () if outcome is None or outcome.values is None else outcome.values["validity"]
+        self.lamps.show_findings(found)
+        noisy = next((one.outputs for one in found if one.name == "noise"), ())
+        for panel in self._maps:
+            panel.show_noisy(noisy)
+
+    def _explain(self, name: str, place: QPoint) -> None:
+        card = ValidityCard(self.lamps.findings, name, self._theme, self.lamps)
+        card.mend_wanted.connect(self._mend)
+        card.open_above(place)
+
+    def _mend(self, finding: Finding) -> None:
+        self._document.apply(edits.mend(self._document.design, self._document.view, finding))

@@ -1,0 +1,162 @@
+"""Lamps in the status bar: conditions of the measurement, and whether the design keeps them."""
+
+from typing import ClassVar
+
+from PySide6.QtCore import QEvent, QPoint, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPen
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+
+from skinsource.validity import Finding, Findings
+from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, scaled
+from skinsource_gui.widgets.lateness import Lateness
+
+#: What lamps are called; the limb has words of its own beside them.
+NAMES = {
+    "band": "band",
+    "drive": "40 mm/s",
+    "spacing": "300 Hz",
+    "noise": "SNR",
+    "scaling": "scaling",
+}
+STATES = {"kept": "kept", "left": "caution", "unknown": "unknown"}
+_DOT_PX, _TEXT, _PALE = 8.0, 0.92, 0.45
+
+
+class ValidityLamps(QWidget):
+    """A dot for each condition; those that are not kept also say which one it is.
+
+    Amber: left; a ring: nothing is known; a dim dot: kept.
+    """
+
+    #: The name of a lamp was chosen, and where its explanation shall stand, on the screen.
+    chosen = Signal(str, QPoint)
+    margin_px: ClassVar[int] = UNIT_PX // 2
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("validity_lamps")
+        self.setAccessibleName("Validity of the prediction")
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+        self.setFont(scaled(self.font(), _TEXT))
+        self.setCursor(Qt.CursorShape.PointingHandCursor)
+        self._theme: Theme = LIGHT
+        self.findings: Findings = ()
+        self._lateness = Lateness(self)
+        self._lateness.changed.connect(self.update)
+
+    @property
+    def lamps(self) -> tuple[Finding, ...]:
+        """What has a lamp, in their order."""
+        return tuple(one for one in self.findings if one.name in NAMES)
+
+    def show_findings(self, findings: Findings) -> None:
+        """Take over what was found."""
+        self._lateness.set_stale(False)
+        if findings != self.findings:
+            self.findings = findings
+            said = "; ".join(f"{NAMES[one.name]}: {STATES[one.state]}" for one in self.lamps)
+            self.setAccessibleDescription(said)
+            self.updateGeometry()
+        self.update()
+
+    def set_stale(self, stale: bool) -> None:
+        """Say whether what was found belongs to an older design; told after a while."""
+        self._lateness.set_stale(stale)
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self._theme = theme
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        return QSize(self._width(words=True), self.fontMetrics().height() + 2)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(self._width(words=False), self.fontMetrics().height() + 2)
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
+            found = self._lamp_at(event.pos().x())
+            words = "" if found is None else f"{found.sentence}\nClick to see what can be done."
+            QToolTip.showText(event.globalPos(), words, self)
+            return True
+        return super().event(event)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        found = self._lamp_at(round(event.position().x()))
+        if event.button() == Qt.MouseButton.LeftButton and found is not None:
+            self._choose(found)
+        else:
+            super().mousePressEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        keys = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space)
+        if event.key() in keys and self.lamps:
+            lit = (one for one in self.lamps if one.state == "left")
+            self._choose(next(lit, self.lamps[0]))
+        else:
+            super().keyPressEvent(event)
+
+    def paintEvent(self, event) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setOpacity(_PALE if self._lateness.late else 1.0)
+        for finding, place in self._places():
+            self._paint_lamp(painter, finding, place)
+        if self.hasFocus():
+            painter.setPen(QPen(QColor(self._theme.accent), 1))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.drawRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5))
+        painter.end()
+
+    def _paint_lamp(self, painter: QPainter, finding: Finding, place: QRectF) -> None:
+        theme = self._theme
+        dot = QRectF(place.left(), place.center().y() - _DOT_PX / 2, _DOT_PX, _DOT_PX)
+        if finding.state == "left":
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor(theme.warning))
+        elif finding.state == "unknown":
+            painter.setPen(QPen(QColor(theme.dim), 1.2))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+        else:
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor(theme.border))
+        painter.drawEllipse(dot.adjusted(0.5, 0.5, -0.5, -0.5))
+        if place.width() > _DOT_PX + 1:
+            painter.setPen(QColor(theme.warning if finding.state == "left" else theme.dim))
+            words = place.adjusted(_DOT_PX + 3, 0, 0, 0)
+            painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, NAMES[finding.name])
+
+    def _places(self) -> list[tuple[Finding, QRectF]]:
+        """Where each lamp stands, with its words if there is room for them."""
+        words = self.width() >= self._width(words=True)
+        found, x = [], float(self.margin_px)
+        for one in self.lamps:
+            wide = self._lamp_width(one, words=words)
+            found.append((one, QRectF(x, 0, wide, self.height())))
+            x += wide + UNIT_PX
+        return found
+
+    def _lamp_at(self, x_px: int) -> Finding | None:
+        near = (
+            (abs(place.center().x() - x_px) - place.width() / 2, one.name, one)
+            for one, place in self._places()
+        )
+        best = min(near, default=None)
+        return None if best is None or best[0] > UNIT_PX else best[2]
+
+    def _lamp_width(self, one: Finding, *, words: bool) -> float:
+        if not words or one.state != "left":
+            return _DOT_PX
+        return _DOT_PX + 4 + self.fontMetrics().horizontalAdvance(NAMES[one.name])
+
+    def _width(self, *, words: bool) -> int:
+        lamps = self.lamps
+        if not lamps:
+            return 0
+        wide = sum(self._lamp_width(one, words=words) for one in lamps)
+        return round(wide + UNIT_PX * (len(lamps) - 1) + 2 * self.margin_px)
+
+    def _choose(self, finding: Finding) -> None:
+        self.chosen.emit(finding.name, self.mapToGlobal(QPoint(0, 0)))

@@ -1,0 +1,112 @@
+"""Lamps of validity: what they say, what they mend, what they cost."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel, QPushButton
+
+from skinsource.edits import Edit
+from skinsource.validity import Finding
+from skinsource_gui.state.engine import FIRST_SLOT
+from skinsource_gui.status.validity_card import ValidityCard
+from skinsource_gui.status.validity_lamps import ValidityLamps
+from skinsource_gui.theme import DARK
+
+FINDINGS = (
+    Finding(name="band", state="left", sentence="Outside.", mend="band_limit"),
+    Finding(name="drive", state="unknown", sentence="Unknown.", mend="probe_scaling"),
+    Finding(name="noise", state="kept", sentence="Fine."),
+    Finding(name="limb", state="left", sentence="Synthetic."),
+)
+
+
+def state_of(window, name):
+    found = {one.name: one.state for one in window.validity.lamps.findings}
+    return found.get(name)
+
+
+@pytest.fixture
+def lamps(qtbot):
+    found = ValidityLamps()
+    qtbot.addWidget(found)
+    found.show_findings(FINDINGS)
+    return found
+
+
+def test_lamps_are_explained_and_mended_with_one_click(window, qtbot):
+    validity = window.validity
+    qtbot.waitUntil(lambda: state_of(window, "drive") == "kept", timeout=30_000)
+    document = window.document
+    loud = document.design.with_input(0, amplitude=60.0)
+    document.apply(Edit(label="Louder", design=loud, view=document.view))
+    qtbot.waitUntil(lambda: state_of(window, "drive") == "left", timeout=30_000)
+    place = next(p for one, p in validity.lamps._places() if one.name == "drive")
+    QTest.mouseClick(validity.lamps, Qt.MouseButton.LeftButton, pos=place.center().toPoint())
+    card = window.findChild(ValidityCard)
+    assert "mm/s" in card.findChild(QLabel, "validity_drive").text()
+    card.findChild(QPushButton, "mend_drive").click()
+    qtbot.waitUntil(lambda: state_of(window, "drive") == "kept", timeout=30_000)
+    assert document.undo_stack.undoText() == "Play within 40 mm/s"
+    qtbot.waitUntil(lambda: window.findChild(ValidityCard) is None)
+
+
+def test_hidden_lamps_cost_nothing_and_the_map_hatches_noise(window, qtbot, settle):
+    qtbot.waitUntil(lambda: bool(window.validity.lamps.findings), timeout=30_000)
+    runs = window.engine._graphs[FIRST_SLOT].runs
+    before = runs["validity"]
+    window.statusBar().hide()
+    document = window.document
+    quieter = document.design.with_input(0, amplitude=0.3)
+    document.apply(Edit(label="Quieter", design=quieter, view=document.view))
+    settle()
+    window.validity._idle.timeout.emit()
+    settle()
+    assert runs["validity"] == before
+    skin = window.panel("skin")
+    plain = skin.map.grab().toImage()
+    skin.show_noisy((67, 68, 61))
+    hatched = skin.map.grab().toImage()
+    assert hatched != plain
+    skin.show_noisy(())
+    assert skin.map.grab().toImage() == plain
+    # What can be seen of it is in pictures too.
+    before = skin.picture(300, 500)
+    skin.show_noisy((67, 68, 61))
+    assert skin.picture(300, 500) != before
+
+
+def test_only_lamps_that_are_left_have_words_and_all_have_a_sentence(lamps):
+    assert [one.name for one in lamps.lamps] == ["band", "drive", "noise"]
+    assert lamps.accessibleDescription() == "band: caution; 40 mm/s: unknown; SNR: kept"
+    assert lamps.minimumSizeHint().width() < lamps.sizeHint().width()
+    lamps.show_findings(tuple(replace(one, state="kept") for one in FINDINGS))
+    assert lamps.minimumSizeHint() == lamps.sizeHint()
+    lamps.show_theme(DARK)
+    lamps.grab()
+
+
+def test_lamps_answer_the_keyboard_and_each_place(lamps, qtbot):
+    lamps.resize(lamps.sizeHint())
+    lamps.show()
+    chosen = []
+    lamps.chosen.connect(lambda name, place: chosen.append(name))
+    QTest.keyClick(lamps, Qt.Key.Key_Return)
+    for _, place in lamps._places():
+        QTest.mouseClick(lamps, Qt.MouseButton.LeftButton, pos=place.center().toPoint())
+    assert chosen == ["band", "band", "drive", "noise"]
+
+
+def test_the_card_offers_a_button_only_where_something_can_be_done(qtbot):
+    card = ValidityCard(FINDINGS, "band", DARK, None)
+    card.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
+    qtbot.addWidget(card)
+    names = {one.objectName() for one in card.findChildren(QPushButton)}
+    assert names == {"mend_band", "mend_drive"}
+    card.open_above(QPoint(50, 500))
+    card.grab()
+    wanted = []
+    card.mend_wanted.connect(wanted.append)
+    card.findChild(QPushButton, "mend_drive").click()
+    assert wanted == [FINDINGS[1]]
