@@ -27,6 +27,8 @@ class Played:
         Rates that its device takes; none while that is not known.
     wired
         Pairs of a place of the design and the output that drives it.
+    rig_title, calibration
+        The rig of this machine, "" without one; whether what is played is calibrated, in words.
     names
         Words for what each output plays now, "" where it is silent.
     levels, delay
@@ -44,6 +46,8 @@ class Played:
     output: Output = field(default_factory=Output)
     rates_hz: tuple[int, ...] = ()
     wired: tuple[tuple[int, int], ...] = ()
+    rig_title: str = ""
+    calibration: str = ""
     names: tuple[str, ...] = ()
     levels: Levels | None = None
     delay: Delay | None = None

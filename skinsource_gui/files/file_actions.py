@@ -120,11 +120,18 @@ class FileActions(QObject):
         return path is not None and self._save_to(path)
 
     def ask_where(
-        self, title: str, start: Path, kinds: str, endings: tuple[str, ...] = ()
+        self,
+        title: str,
+        start: Path,
+        kinds: str,
+        endings: tuple[str, ...] = (),
+        *,
+        ending: str = "",
     ) -> Path | None:
         """Ask for a file to write; None if there shall be none.
 
-        It has one of the ``endings``, or that of ``start``.
+        It has one of the ``endings``, or that of ``start``; a name without one gets ``ending``
+        where that is longer than a suffix: ``_stim.tsv.gz``.
         """
         name, _ = QFileDialog.getSaveFileName(self._window, title, str(start), kinds)
         if not name:
@@ -132,7 +139,9 @@ class FileActions(QObject):
         path = Path(name)
         if path.suffix.lower() not in (start.suffix.lower(), *endings):
             # The dialog asked about the name as it was typed.
-            path = Path(f"{name}{start.suffix}")
+            for part in Path(ending).suffixes:
+                name = name.removesuffix(part)
+            path = Path(f"{name}{ending or start.suffix}")
             question = f"{path.name} exists already. Replace it?"
             if is_there(path) and not self._agreed("Replace the file?", question):
                 return None

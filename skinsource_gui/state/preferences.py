@@ -147,6 +147,24 @@ class Preferences:
     def output_text(self, text: str) -> None:
         self._settings.setValue("output", text)
 
+    @property
+    def rig_path(self) -> str:
+        """Rig file of this machine; empty: none."""
+        return str(self._settings.value("rig", ""))
+
+    @rig_path.setter
+    def rig_path(self, path: str) -> None:
+        self._settings.setValue("rig", path)
+
+    @property
+    def export_text(self) -> str:
+        """How a stimulus was exported last, see the page of stimuli; empty at first."""
+        return str(self._settings.value("export", ""))
+
+    @export_text.setter
+    def export_text(self, text: str) -> None:
+        self._settings.setValue("export", text)
+
     def flush(self) -> None:
         """Write what is remembered to disk."""
         self._settings.sync()

@@ -53,11 +53,6 @@ SCALE = ChoiceSpec(
     hint="What the largest number that a device takes stands for; one value for a set of files "
     "keeps their ratio",
 )
-RIG = ChoiceSpec(
-    label="Rig",
-    options=(("none", "None"), ("file", "Choose a rig file…")),
-    hint="What is wired to what: polarity, volts, limits, calibration",
-)
 EQUALISER = ChoiceSpec(
     label="Equaliser",
     options=(

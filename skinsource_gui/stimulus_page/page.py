@@ -22,6 +22,7 @@ from skinsource.view import View
 from skinsource_gui.stimulus_page.channels_view import ChannelsView
 from skinsource_gui.stimulus_page.order import Order
 from skinsource_gui.stimulus_page.preparing_worker import PreparingWorker
+from skinsource_gui.stimulus_page.remembering import recall, remembered
 from skinsource_gui.stimulus_page.stimulus_form import StimulusForm
 from skinsource_gui.theme import UNIT_PX, Theme
 
@@ -37,13 +38,20 @@ class StimulusPage(QDialog):
         What is exported, and what is selected there.
     theme
         Gives the colours in use.
+    kept
+        How the last one was exported, as ``chosen`` told.
     """
 
-    #: The `Order`; whether what clips was confirmed.
-    chosen = Signal(object, bool)
+    #: The `Order`; whether what clips was confirmed; what is remembered for the next one.
+    chosen = Signal(object, bool, str)
 
     def __init__(
-        self, design: Design, view: View, theme: Callable[[], Theme], parent: QWidget | None = None
+        self,
+        design: Design,
+        view: View,
+        theme: Callable[[], Theme],
+        parent: QWidget | None = None,
+        kept: str = "",
     ) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -65,6 +73,7 @@ class StimulusPage(QDialog):
         self._lay_out()
         self._worker = PreparingWorker(design, self)
         self._connect()
+        recall(self.form, kept)
         self.form.want()
 
     @property
@@ -79,11 +88,11 @@ class StimulusPage(QDialog):
 
     def done(self, result: int) -> None:
         """Close it, with or without an export."""
-        order, confirmed = self._shown, self._confirm.isChecked()
+        order, confirmed, kept = self._shown, self._confirm.isChecked(), remembered(self.form)
         self._worker.close()
         super().done(result)
         if result == QDialog.DialogCode.Accepted and order is not None:
-            self.chosen.emit(order, confirmed)
+            self.chosen.emit(order, confirmed, kept)
 
     def _name_parts(self) -> None:
         self._export_button = self._buttons.button(QDialogButtonBox.StandardButton.Ok)

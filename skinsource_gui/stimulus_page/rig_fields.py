@@ -3,79 +3,75 @@
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
+from skinsource.design import Design
 from skinsource.equalising import Equaliser, RegularisedInverse
 from skinsource.errors import SkinSourceError
-from skinsource.rigs import SUFFIX, Rig, open_rig
+from skinsource.rigs import Rig, open_rig
 from skinsource_gui.stimulus_page import form_fields as specs
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.rig_field import RigField
 
-_KEPT = "kept"
+_PREDICTED = "predicted"
 
 
 class RigFields(QObject):
-    """A list to choose a rig file with, and one for the equaliser, which takes a rig.
+    """A list to choose a rig file with, and one for the equaliser.
+
+    An equaliser takes a rig, or actuators that the design is predicted through.
 
     Attributes
     ----------
     rig_field, equaliser_field
         The lists.
-    rig
-        What the file holds; None without one.
+    rig, path
+        What the file holds, and where it is; None without one.
     """
 
     changed = Signal()
     #: Why a file was not taken.
     refused = Signal(str)
 
-    def __init__(self, parent: QWidget) -> None:
+    def __init__(self, design: Design, parent: QWidget) -> None:
         super().__init__(parent)
-        self._owner = parent
+        self._actuated = design.actuated
         self.rig: Rig | None = None
-        self.rig_field = ChoiceField(specs.RIG)
+        self.path: Path | None = None
+        self.rig_field = RigField()
         self.equaliser_field = ChoiceField(specs.EQUALISER)
+        if self._actuated is not None and self._actuated.equaliser is not None:
+            self.equaliser_field.insertItem(1, "As predicted", _PREDICTED)
+            self.equaliser_field.set_value(_PREDICTED)
         self.rig_field.setObjectName("stimulus_rig")
         self.equaliser_field.setObjectName("stimulus_equaliser")
-        self.rig_field.chosen.connect(self._choose)
+        self.rig_field.wanted.connect(self.take)
         self.equaliser_field.chosen.connect(self.changed)
 
     @property
+    def can_equalise(self) -> bool:
+        """Whether it is known what an equaliser would be made for."""
+        volts = self._actuated is not None and self._actuated.equaliser is None
+        return not volts and (self.rig is not None or self._actuated is not None)
+
+    @property
     def equaliser(self) -> Equaliser | None:
-        """The equaliser that was chosen; none without a rig."""
-        phase = self.equaliser_field.value
-        if self.rig is None or phase == "none":
+        """The equaliser that was chosen."""
+        chosen = self.equaliser_field.value
+        if not self.can_equalise or chosen == "none":
             return None
-        return RegularisedInverse(phase=phase)
+        if chosen == _PREDICTED and self._actuated is not None:
+            return self._actuated.equaliser
+        return RegularisedInverse(phase=chosen)
 
-    def _choose(self, option: str) -> None:
-        if option == "file":
-            self._ask()
-        elif option == "none":
-            self.rig = None
-            self.changed.emit()
-
-    def _ask(self) -> None:
-        """Ask for a file; the rig that there was stays where there is no other."""
-        name, _ = QFileDialog.getOpenFileName(
-            self._owner, "Choose a rig", "", f"Rigs (*{SUFFIX});;All files (*)"
-        )
+    def take(self, path: Path | None) -> None:
+        """Export for the rig of a file; None: for none."""
         try:
-            found = open_rig(Path(name)) if name else None
+            found = None if path is None else open_rig(path)
         except SkinSourceError as error:
-            self._show()
             self.refused.emit(str(error))
             return
-        if found is not None:
-            self.rig = found
-            index = self.rig_field.findData(_KEPT)
-            title = found.title or Path(name).stem
-            if index < 0:
-                self.rig_field.insertItem(1, title, _KEPT)
-            else:
-                self.rig_field.setItemText(index, title)
-        self._show()
+        self.rig, self.path = found, path
+        title = None if found is None or path is None else found.title or path.stem
+        self.rig_field.show_rig(title)
         self.changed.emit()
-
-    def _show(self) -> None:
-        self.rig_field.set_value("none" if self.rig is None else _KEPT)

@@ -64,7 +64,8 @@ class StimulusActions(QObject):
         # Few export anything; the start of the studio shall not wait for it.
         page_module = importlib.import_module("skinsource_gui.stimulus_page.page")
         design, view = self._document.design, self._document.view
-        page = page_module.StimulusPage(design, view, self._theme, self._window)
+        kept = self._preferences.export_text
+        page = page_module.StimulusPage(design, view, self._theme, self._window, kept)
         page.chosen.connect(partial(self._export, design))
         page.finished.connect(self._forget_page)
         self.page = page
@@ -78,14 +79,16 @@ class StimulusActions(QObject):
     def _forget_page(self) -> None:
         self.page = None
 
-    def _export(self, design: Design, order: Any, confirmed: bool) -> None:
+    def _export(self, design: Design, order: Any, confirmed: bool, kept: str) -> None:
+        # What was right for this one mostly is for the next.
+        self._preferences.export_text = kept
         kind = order.format
         own = self._document.path
         name = "stimulus" if own is None else own.stem
         start = self._preferences.folder / f"{name}{kind.suffix}"
         words = "Folder" if kind.folder else kind.title
         offered = f"{words} (*{kind.suffix})" if kind.suffix else "All files (*)"
-        path = self._files.ask_where("Export stimulus", start, offered)
+        path = self._files.ask_where("Export stimulus", start, offered, ending=kind.suffix)
         if path is None:
             return
         export = importlib.import_module("skinsource.stimulus_export").export_stimulus

@@ -64,13 +64,13 @@ class StimulusForm(QWidget):
             "full_scale": NumberField(specs.scale_number(design)),
         }
         self._map = QLineEdit()
-        self.rigs = RigFields(self)
+        self.rigs = RigFields(design, self)
         self._sync = QCheckBox("Sync channel")
         self._dither = QCheckBox("Dither")
         self._name_parts()
         self._lay_out()
         self._connect()
-        self._take_format(self.format.name)
+        self.take_format()
 
     @property
     def format(self) -> StimulusFormat:
@@ -164,7 +164,7 @@ class StimulusForm(QWidget):
     def _connect(self) -> None:
         for name, field in self._fields.items():
             if name == "format":
-                field.chosen.connect(self._take_format)
+                field.chosen.connect(self.take_format)
             else:
                 field.chosen.connect(self.want)
         for number in self._numbers.values():
@@ -175,8 +175,8 @@ class StimulusForm(QWidget):
         for box in (self._sync, self._dither):
             box.toggled.connect(self.want)
 
-    def _take_format(self, name: str) -> None:
-        """Show the choices of a format, and its usual rate."""
+    def take_format(self) -> None:
+        """Show the choices of the format, and its usual rate."""
         format = self.format
         for field in self._choices.values():
             self._form.removeRow(field)
@@ -200,7 +200,7 @@ class StimulusForm(QWidget):
         self.want()
 
     def _show_rows(self) -> None:
-        format, chosen = self.format, self._chosen()
+        format, chosen = self.format, self.chosen
         shown: Mapping[QWidget, bool] = {
             self._fields["rate"]: not format.fixed_rate,
             self._numbers["other_rate"]: not format.fixed_rate
@@ -209,19 +209,21 @@ class StimulusForm(QWidget):
             self._map: self._fields["channels"].value != "files",
             self._numbers["from"]: self._fields["time"].value == "part",
             self._numbers["to"]: self._fields["time"].value == "part",
-            self.rigs.equaliser_field: self.rigs.rig is not None,
-            self._fields["scale"]: self.rigs.equaliser is None,
+            self.rigs.equaliser_field: self.rigs.can_equalise,
+            self._fields["scale"]: not self._scale_is_known,
             self._numbers["full_scale"]: self._own_scale,
             self._dither: format.rounds(chosen),
         }
         for widget, visible in shown.items():
             self._form.setRowVisible(widget, visible)
 
-    def _chosen(self) -> dict[str, str]:
+    @property
+    def chosen(self) -> dict[str, str]:
+        """What was chosen of what the format offers."""
         return {name: field.value for name, field in self._choices.items()}
 
     def _order(self) -> Order:
-        chosen, format = self._chosen(), self.format
+        chosen, format = self.chosen, self.format
         plays, channels = self._fields["plays"].value, self._fields["channels"].value
         from_s, to_s = self._part()
         rounds = format.rounds(chosen) and self._dither.isChecked()
@@ -252,7 +254,12 @@ class StimulusForm(QWidget):
 
     @property
     def _own_scale(self) -> bool:
-        return self.rigs.equaliser is None and self._fields["scale"].value == "own"
+        return not self._scale_is_known and self._fields["scale"].value == "own"
+
+    @property
+    def _scale_is_known(self) -> bool:
+        """Whether the rig says what full scale is."""
+        return self.rigs.equaliser is not None and self.rigs.rig is not None
 
     def _rate_hz(self) -> int:
         rate = self._fields["rate"].value

@@ -42,6 +42,10 @@ def _fill(deck: Deck, block: Floats, *, first: bool) -> None:
     deck.panic = False
     if deck.ending is None:
         _take_what_is_wanted(deck)
+        if _passes_the_rig(deck):
+            deck.fallen = 0
+            _fall(deck, block)
+            return
         if first:
             deck.began_at, deck.began_in = deck.position, deck.mix
         _render(deck, block)
@@ -59,6 +63,18 @@ def _fill(deck: Deck, block: Floats, *, first: bool) -> None:
         _end_where_all_is_played(deck)
     else:
         _fall(deck, block)
+
+
+def _passes_the_rig(deck: Deck) -> bool:
+    """Whether the gain is more than the rig allows; nothing of it is played then."""
+    mix = deck.mix
+    if mix is None or max(deck.gain.wanted, deck.gain.now) <= mix.most_gain:
+        return False
+    most = mix.most_gain
+    deck.ending = Ending(
+        reason="rig", name=mix.limit, highest_db=20.0 * log10(most) if most else -inf
+    )
+    return True
 
 
 def _take_what_is_wanted(deck: Deck) -> None:

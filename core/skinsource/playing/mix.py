@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,6 +42,8 @@ class Mix:
     seam : (n_outputs, n_seam)
         What the last samples of the loop play: they pass over into what stands before its first
         sample, so that the first is reached without a step.
+    most_gain, limit
+        The highest gain that the rig allows, and the limit that it would pass first.
     """
 
     samples: Frames
@@ -49,6 +52,8 @@ class Mix:
     names: tuple[str, ...]
     loop: tuple[int, int] | None = None
     seam: Frames
+    most_gain: float = inf
+    limit: str = ""
 
     @property
     def n_outputs(self) -> int:

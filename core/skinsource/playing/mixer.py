@@ -1,16 +1,22 @@
 """From a design to what a device gets."""
 
+from dataclasses import replace
+
 import numpy as np
 
+from skinsource.arrays import Floats
 from skinsource.catalogue import load_limb
 from skinsource.design import Design
+from skinsource.equalising import Equaliser
 from skinsource.errors import InvalidInputError
 from skinsource.limb import Limb
 from skinsource.playing.device_rows import DeviceRows
 from skinsource.playing.mix import SHORTEST_LOOP_S, Mix, mix_of
 from skinsource.playing.output import Output
 from skinsource.playing.stand_in import analytic, on_two_ears, turned_up
+from skinsource.rigs import Margin, Rig, RigChannel, highest_gain
 from skinsource.stimulus import Stimulus, stimulus_of
+from skinsource.stimulus.wiring import for_rig
 
 #: Samples of all outputs together: one gigabyte.
 MOST_SAMPLES = 2**28
@@ -27,6 +33,7 @@ class Mixer:
     def __init__(self) -> None:
         self.rows = DeviceRows()
         self._limb: tuple[str, Limb] | None = None
+        self._margins: dict[tuple[int, RigChannel | None, bool, bytes], Margin] = {}
 
     def stimulus(self, design: Design) -> Stimulus:
         """Channels of a design, at the rate of its limb."""
@@ -41,6 +48,7 @@ class Mixer:
         *,
         loops: bool = False,
         least_outputs: int = 1,
+        rig: Rig | None = None,
     ) -> Mix:
         """Return what ``output`` plays of ``design``, from time 0 on.
 
@@ -50,6 +58,10 @@ class Mixer:
             Whether all of it is played again and again, where the design has no loop.
         least_outputs
             The mix has silent outputs up to so many.
+        rig
+            What its outputs are wired to: it says which place has which, how many volts, which way
+            round, and how far it may be turned up.  Drives are equalised for it as the design is
+            predicted.
 
         Raises
         ------
@@ -69,24 +81,53 @@ class Mixer:
             rows = on_two_ears(turned_up(parts, rate_hz, output.shift_hz))
             outputs, titles = list(_EARS), list(_EARS.values())
         else:
-            rows = self.rows.at(stimulus.samples, own_hz, rate_hz)
-            wired = outputs_by_place(design, output)
+            sent = stimulus if rig is None else for_rig(stimulus, rig, _equaliser_of(design))
+            rows = self.rows.at(sent.samples, own_hz, rate_hz)
+            wired = outputs_by_place(design, output, rig)
             places = [one.place for one in stimulus.channels if one.place is not None]
             outputs = [wired[place] for place in places]
             titles = [f"place {place}" for place in places]
-        return mix_of(
+        loop_s = loop_of(design, stimulus.duration_s, loops=loops)
+        mix = mix_of(
             rows,
             rate_hz,
             outputs=outputs,
             titles=titles,
             n_outputs=max([1, least_outputs, *outputs]),
-            loop_s=loop_of(design, stimulus.duration_s, loops=loops),
+            loop_s=loop_s,
         )
+        if rig is None or output.stand_in:
+            return mix
+        margin = self._margin(rig, places, sent.samples, own_hz, repeated=loop_s is not None)
+        return replace(mix, most_gain=margin.factor, limit=margin.words)
+
+    def _margin(
+        self, rig: Rig, places: list[int], rows: Floats, rate_hz: int, *, repeated: bool
+    ) -> Margin:
+        """How far all may be turned up; what has not changed since the last time is known."""
+        known, self._margins = self._margins, {}
+        found = Margin()
+        for place, row in zip(places, rows, strict=True):
+            key = place, rig.channel_of(place), repeated, row.tobytes()
+            one = known.get(key)
+            if one is None:
+                one = highest_gain(rig, [place], row[np.newaxis], rate_hz, repeated=repeated)
+            self._margins[key] = one
+            found = min(found, one, key=lambda margin: margin.factor)
+        return found
 
 
-def outputs_by_place(design: Design, output: Output) -> dict[int, int]:
-    """Output of each place of a design, heard or not."""
-    return output.outputs_of(one.location for one in design.inputs)
+def outputs_by_place(design: Design, output: Output, rig: Rig | None = None) -> dict[int, int]:
+    """Output of each place of a design, heard or not; none where a rig does not wire it."""
+    places = tuple(dict.fromkeys(one.location for one in design.inputs))
+    if rig is None or output.stand_in:
+        return output.outputs_of(places)
+    channels = (rig.channel_of(place) for place in places)
+    return {one.place: one.output for one in channels if one is not None}
+
+
+def _equaliser_of(design: Design) -> Equaliser | None:
+    return None if design.actuated is None else design.actuated.equaliser
 
 
 def loop_of(design: Design, duration_s: float, *, loops: bool) -> tuple[float, float] | None:

@@ -4,9 +4,11 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 
+import numpy as np
+
 from skinsource.catalogue import load_limb
 from skinsource.design import Design
-from skinsource.errors import NothingToPlayOnError, SkinSourceError
+from skinsource.errors import NothingToPlayOnError, PlaybackError, SkinSourceError
 from skinsource.playing.deck import Deck
 from skinsource.playing.devices import Device, check_outputs, device_of, devices, look_again
 from skinsource.playing.mix import Mix
@@ -15,6 +17,8 @@ from skinsource.playing.output import Output
 from skinsource.playing.silent_run import SilentRun
 from skinsource.playing.stream import Stream
 from skinsource.playing.tones import tone_of
+from skinsource.quoting import quoted
+from skinsource.rigs import Rig, highest_gain
 
 #: A device of two outputs gets both: what is given one alone, it may play on both.
 _FEWEST = 2
@@ -97,6 +101,7 @@ class Session:
         at_s: float,
         gain_db: float,
         slow_motion: float = 1.0,
+        rig: Rig | None = None,
     ) -> Playing:
         """Begin to play a design; in slow motion, and with nothing to play on, in silence.
 
@@ -112,6 +117,8 @@ class Session:
             Gain.
         slow_motion
             How many times slower than it happens.
+        rig
+            What is wired to the device; None: not known.
 
         Raises
         ------
@@ -129,13 +136,20 @@ class Session:
             device = device_of(output, found)
         except NothingToPlayOnError as missing:
             return silently(reason=str(missing))
-        mix = self._mix(design, output, device, loops=loops)
+        _refuse_other_device(rig, device)
+        mix = self._mix(design, output, device, loops=loops, rig=rig)
         begin_s = _begin(at_s, mix.duration_s, loop_of(design, mix.duration_s, loops=loops))
         stream = self._open(mix, device, output, begin_s, gain_db)
         return Playing(stream=stream, seen_s=seen_until_s(design, mix.duration_s))
 
     def change(
-        self, playing: Playing, design: Design, output: Output, *, loops: bool
+        self,
+        playing: Playing,
+        design: Design,
+        output: Output,
+        *,
+        loops: bool,
+        rig: Rig | None = None,
     ) -> Playing | None:
         """Go over to an edited design, where it is; None: nothing is played any more."""
         if playing.silent is not None:
@@ -146,7 +160,7 @@ class Session:
         if stream is None or stream is not self._stream or stream.deck.ending is not None:
             return None
         deck = stream.deck
-        mix = self._mix(design, output, stream.device, loops=loops)
+        mix = self._mix(design, output, stream.device, loops=loops, rig=rig)
         seen_s = seen_until_s(design, mix.duration_s)
         if mix.n_outputs <= deck.n_outputs:
             deck.play(mix)
@@ -157,8 +171,8 @@ class Session:
         opened = self._open(mix, stream.device, output, at_s, gain_db)
         return Playing(stream=opened, seen_s=seen_s)
 
-    def tone(self, number: int, output: Output, gain_db: float) -> Playing:
-        """Play the test tone on one output.
+    def tone(self, number: int, output: Output, gain_db: float, rig: Rig | None = None) -> Playing:
+        """Play the test tone on one output; no louder than ``rig`` allows.
 
         Raises
         ------
@@ -169,7 +183,13 @@ class Session:
         device = device_of(output, devices())
         check_outputs(device, {0: number})
         n_outputs = max(number, min(_FEWEST, device.n_outputs))
+        _refuse_other_device(rig, device)
         tone = tone_of(number, n_outputs, output.sample_rate_hz)
+        places = [one.place for one in rig.channels if one.output == number] if rig else []
+        if rig is not None and places:
+            row = tone.samples[number - 1 : number].astype(np.float64)
+            margin = highest_gain(rig, places[:1], row, output.sample_rate_hz)
+            tone = replace(tone, most_gain=margin.factor, limit=margin.words)
         return Playing(stream=self._open(tone, device, output, 0.0, gain_db))
 
     def let_go(self, stream: Stream) -> None:
@@ -195,11 +215,13 @@ class Session:
         stream.start()
         return stream
 
-    def _mix(self, design: Design, output: Output, device: Device, *, loops: bool) -> Mix:
+    def _mix(
+        self, design: Design, output: Output, device: Device, *, loops: bool, rig: Rig | None
+    ) -> Mix:
         least = min(_FEWEST, device.n_outputs)
-        mix = self._mixer.mix(design, output, loops=loops, least_outputs=least)
+        mix = self._mixer.mix(design, output, loops=loops, least_outputs=least, rig=rig)
         if not output.stand_in:
-            wired = outputs_by_place(design, output)
+            wired = outputs_by_place(design, output, rig)
             heard = {place: number for place, number in wired.items() if mix.plays_on(number)}
             check_outputs(device, heard)
         return mix
@@ -224,6 +246,16 @@ def seen_until_s(design: Design, duration_s: float) -> float:
     except SkinSourceError:
         return duration_s
     return duration_s + limb.n_taps / limb.sample_rate_hz
+
+
+def _refuse_other_device(rig: Rig | None, device: Device) -> None:
+    """What a rig knows of volts is true of its own device alone."""
+    for one in rig.channels if rig is not None else ():
+        if one.device and one.device not in (device.name, device.title):
+            raise PlaybackError(
+                f"The rig is wired to {quoted(one.device)}, and {device.name} is chosen. Choose "
+                "that device, another rig, or none."
+            )
 
 
 def _begin(at_s: float, duration_s: float, loop_s: tuple[float, float] | None) -> float:

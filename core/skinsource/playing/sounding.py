@@ -1,9 +1,9 @@
 """The way to PortAudio: imported when somebody wants to hear something, and not before."""
 
-import importlib
 from types import ModuleType
 
-from skinsource.errors import NothingToPlayOnError
+from skinsource.errors import MissingExtraError, NothingToPlayOnError
+from skinsource.extras import package_of_extra
 from skinsource.quoting import printable
 
 #: What to type where it is missing.
@@ -24,11 +24,8 @@ def sound_library() -> ModuleType:
         It is not installed, or PortAudio is not, or does not start; the message says what to type.
     """
     try:
-        return importlib.import_module("sounddevice")
-    except ImportError as error:
-        raise NothingToPlayOnError(
-            f"To play needs the package sounddevice, which cannot be imported "
-            f"({printable(error)}). Install it with: {INSTALL}"
-        ) from error
+        return package_of_extra("sounddevice", "audio")
+    except MissingExtraError as error:
+        raise NothingToPlayOnError(f"To play, {error}") from error
     except OSError as error:
         raise NothingToPlayOnError(f"{_LIBRARY} ({printable(error)})") from error

@@ -6,16 +6,19 @@ nothing that a design holds: no design can loosen them.
 
 from skinsource.rigs.channel import RigChannel
 from skinsource.rigs.checking import RigBreach, rig_breaches, strictest
+from skinsource.rigs.margins import Margin, highest_gain
 from skinsource.rigs.rig import Rig
 from skinsource.rigs.rig_file import SUFFIX, open_rig, save_rig
 from skinsource.rigs.sending import calibration_words, samples_for, volts_of
 
 __all__ = [
     "SUFFIX",
+    "Margin",
     "Rig",
     "RigBreach",
     "RigChannel",
     "calibration_words",
+    "highest_gain",
     "open_rig",
     "rig_breaches",
     "samples_for",

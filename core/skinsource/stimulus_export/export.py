@@ -80,7 +80,7 @@ def export_stimulus(
     confirmed
         Whether it is written even though samples clip or limits are passed.
     rig, equaliser
-        What the channels are wired to (`skinsource.rigs`); then, what makes volts of m/s².
+        What is wired; what makes volts, for it or for what the design is predicted through.
     stages, limits, progress, stop
         What is done at the rate of the device; what the drives may not pass; as of a job.
 

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from skinsource import codec
+from skinsource.chain import Actuation
 from skinsource.codec.json_text import dumped
 from skinsource.codec.references import taken_out
 from skinsource.design import Design, audible_inputs
@@ -27,14 +28,9 @@ from skinsource.stimulus import (
     with_lead_in,
     with_sync,
 )
+from skinsource.stimulus.wiring import FULL_SCALE_UNIT, for_rig, through_actuators
 from skinsource.stimulus_export.options import StimulusOptions
-from skinsource.stimulus_export.rigged import (
-    FULL_SCALE_UNIT,
-    about_rig,
-    equalised_for,
-    volts_for,
-    wired,
-)
+from skinsource.stimulus_export.rigged import about_rig
 from skinsource.stimulus_formats import Outgoing, StimulusFormat
 
 
@@ -131,7 +127,7 @@ def prepared(
         raise InvalidInputError(
             "Nothing is heard: there is no channel to export. Unmute an input, or choose others."
         )
-    drives = _cut(_for_rig(made, rig, equaliser, options), options)
+    drives = _cut(_for_rig(made, rig, equaliser, options, design.actuated), options)
     gain = 1.0 if drives.unit == FULL_SCALE_UNIT else _gain(drives, options)
     files = tuple(
         (own_place, _outgoing(own, design, own_place.name, format, choices, options, gain, rig))
@@ -149,25 +145,29 @@ def _gain(drives: Stimulus, options: StimulusOptions) -> float:
 
 
 def _for_rig(
-    made: Stimulus, rig: Rig | None, equaliser: Equaliser | None, options: StimulusOptions
+    made: Stimulus,
+    rig: Rig | None,
+    equaliser: Equaliser | None,
+    options: StimulusOptions,
+    actuated: Actuation | None,
 ) -> Stimulus:
     """The stimulus as the channels of ``rig`` want it."""
+    own_scale = options.full_scale is not None
+    if rig is not None:
+        if equaliser is not None and options.full_scale is not None:
+            raise InvalidInputError(
+                f"full_scale is {options.full_scale:g}, and with an equaliser the rig says it. "
+                "Leave one of them out."
+            )
+        return for_rig(made, rig, equaliser, scaled=own_scale)
     if equaliser is None:
-        if rig is None:
-            return made
-        own_scale = options.full_scale is not None
-        return volts_for(made, rig) if made.unit == "V" and not own_scale else wired(made, rig)
-    if rig is None:
+        return made
+    if actuated is None:
         raise InvalidInputError(
-            "An equaliser needs a rig, which says what is at each place and how many volts full "
-            "scale is."
+            "An equaliser needs to know what is at each place: choose a rig, or let the design be "
+            "predicted through an actuator."
         )
-    if options.full_scale is not None:
-        raise InvalidInputError(
-            f"full_scale is {options.full_scale:g}, and with an equaliser the rig says it. Leave "
-            "one of them out."
-        )
-    return equalised_for(made, rig, equaliser)
+    return through_actuators(made, actuated, equaliser)
 
 
 def _cut(made: Stimulus, options: StimulusOptions) -> Stimulus:

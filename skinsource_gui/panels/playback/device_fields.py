@@ -17,6 +17,7 @@ from skinsource_gui.played import Played
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.rig_field import RigField
 
 _NUMBER_PX = 88
 _SYSTEM = "What the system plays on"
@@ -45,6 +46,8 @@ class DeviceFields(QObject):
     #: The `Output` that is wanted.
     output_wanted = Signal(object)
     devices_wanted = Signal()
+    #: The rig file that is wanted, `Path`, or None.
+    rig_wanted = Signal(object)
 
     def __init__(self, grid: QGridLayout) -> None:
         super().__init__()
@@ -74,8 +77,11 @@ class DeviceFields(QObject):
         self.shift = NumberField(_SHIFT)
         self.shift.setToolTip(_SHIFT.hint)
         self.shift.edited.connect(self._choose_shift)
+        self.rig = RigField()
+        self.rig.wanted.connect(self.rig_wanted)
         for widget, name in (
             (self.device, "device"),
+            (self.rig, "rig"),
             (self.rate, "sample_rate"),
             (self.latency, "latency"),
             (self.shift, "shift"),
@@ -91,13 +97,15 @@ class DeviceFields(QObject):
         grid.addWidget(QLabel("Delay asked for"), 2, 0)
         grid.addWidget(self.latency, 2, 1)
         grid.addWidget(self.look, 2, 3)
-        grid.addWidget(self.stand_in, 3, 0, 1, 2)
-        grid.addWidget(QLabel("shift"), 3, 2)
-        grid.addWidget(self.shift, 3, 3)
+        grid.addWidget(QLabel("Rig"), 3, 0)
+        grid.addWidget(self.rig, 3, 1, 1, 3)
+        grid.addWidget(self.stand_in, 4, 0, 1, 2)
+        grid.addWidget(QLabel("shift"), 4, 2)
+        grid.addWidget(self.shift, 4, 3)
 
     def show_played(self, played: Played) -> None:
         """Take over what is chosen, and what can be."""
-        shown = played.output, played.devices, played.rates_hz
+        shown = played.output, played.devices, played.rates_hz, played.rig_title
         if shown == self._shown:
             return
         self._shown, self._output = shown, played.output
@@ -107,6 +115,7 @@ class DeviceFields(QObject):
         rates = sorted({*played.rates_hz, played.output.sample_rate_hz})
         words = [(str(rate), f"{rate:,} Hz".replace(",", " ")) for rate in rates]
         _fill(self.rate, words, str(played.output.sample_rate_hz))
+        self.rig.show_rig(played.rig_title or None)
         self.latency.set_value(played.output.latency_s)
         self.shift.set_value(played.output.shift_hz)
         self.shift.setEnabled(played.output.stand_in)

@@ -18,6 +18,7 @@ from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 
 _NOT_LOOKED = "Press Space to play."
 _NO_INPUTS = "No place is in use: click one on the hand."
+_NOT_WIRED = "The rig wires no place that is in use."
 _METER_COLUMN = 2
 
 
@@ -29,6 +30,8 @@ class PlaybackPanel(Panel):
 
     #: The `Output` that shall be played on.
     output_wanted = Signal(object)
+    #: The rig file that shall be played for, `Path`, or None.
+    rig_wanted = Signal(object)
     #: Devices shall be looked for.
     devices_wanted = Signal()
     #: The output that shall play a tone.
@@ -37,6 +40,7 @@ class PlaybackPanel(Panel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._theme, self._played, self._unit = LIGHT, Played(), "m/s²"
+        self._in_volts = False
         content = QWidget()
         column = QVBoxLayout(content)
         column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX)
@@ -54,6 +58,7 @@ class PlaybackPanel(Panel):
         self.fields = DeviceFields(device)
         self.fields.output_wanted.connect(self.output_wanted)
         self.fields.devices_wanted.connect(self.devices_wanted)
+        self.fields.rig_wanted.connect(self.rig_wanted)
         self._rows: list[OutputRow] = []
         self._table = QGridLayout()
         self._table.setColumnStretch(_METER_COLUMN, 1)
@@ -79,6 +84,7 @@ class PlaybackPanel(Panel):
 
     def show_state(self, design: Design, view: View) -> None:
         self._unit = amplitude_unit(design.scaling, design.actuated)
+        self._in_volts = design.actuated is not None
 
     def show_played(self, played: Played) -> None:
         """Take over what is played, on what, and how loud; called while it is visible."""
@@ -92,7 +98,7 @@ class PlaybackPanel(Panel):
         for row in self._rows:
             row.show_output(wired[row.place])
             row.show_played(played)
-            row.output.setEnabled(not played.output.stand_in)
+            row.output.setEnabled(not played.output.stand_in and not played.rig_title)
         self._say(played)
 
     def show_theme(self, theme: Theme) -> None:
@@ -117,6 +123,18 @@ class PlaybackPanel(Panel):
             row.tone_wanted.connect(self.tone_wanted)
             row.show_theme(self._theme)
 
+    def _meaning(self, played: Played) -> str:
+        """What a gain of 0 dB is, and whether that is calibrated."""
+        if not played.rig_title or played.output.stand_in:
+            return (
+                f"At a gain of 0 dB an amplitude of 1{_gap(self._unit)} is full scale. "
+                "Uncalibrated: what reaches the skin depends on amplifier and actuator."
+            )
+        known = f"{played.calibration[:1].upper()}{played.calibration[1:]}."
+        if self._in_volts:
+            return f"At a gain of 0 dB the actuators get the volts of the design. {known}"
+        return f"At a gain of 0 dB an amplitude of 1{_gap(self._unit)} is full scale. {known}"
+
     def _wire(self, place: int, output: int) -> None:
         """Give a place an output; the place that had it takes the other's."""
         before = dict(self._played.wired)
@@ -130,15 +148,12 @@ class PlaybackPanel(Panel):
     def _say(self, played: Played) -> None:
         says = []
         if not played.wired:
-            says.append(_NO_INPUTS)
+            says.append(_NOT_WIRED if played.rig_title else _NO_INPUTS)
         if played.output.stand_in:
             says.append(
                 f"All frequencies sound {played.output.shift_hz:g} Hz higher than they are felt."
             )
-        says.append(
-            f"At a gain of 0 dB an amplitude of 1{_gap(self._unit)} is full scale. "
-            "Uncalibrated: what reaches the skin depends on amplifier and actuator."
-        )
+        says.append(self._meaning(played))
         if played.delay is not None:
             says.append(f"{played.delay.words}.")
         if played.levels is not None:

@@ -78,6 +78,7 @@ class Playback(QObject):
         player.told.connect(reports.report)
         panel.output_wanted.connect(player.settings.choose)
         panel.devices_wanted.connect(player.settings.look)
+        panel.rig_wanted.connect(player.settings.choose_rig)
         panel.tone_wanted.connect(player.play_tone)
         panel.visibility_changed.connect(self._look)
         self._document.changed.connect(self._show_places)
@@ -105,6 +106,7 @@ class Playback(QObject):
     def _look(self) -> None:
         """Find out what there is, when somebody first wants to know."""
         if self._panel is not None and self._panel.isVisible():
+            self.player.settings.look_for_rig()
             self._show()
             if not self.player.settings.looked and not self.player.playing:
                 self.player.settings.look()

@@ -9,6 +9,7 @@ from skinsource.design import Design
 from skinsource.errors import SkinSourceError
 from skinsource.playing import Output
 from skinsource.playing.session import Playing, Session
+from skinsource.rigs import Rig
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing.sound_thread import SoundThread
 
@@ -42,12 +43,15 @@ class LiveEdits(QObject):
         self._playing: Playing | None = None
         self._rendered: tuple[Design, bool] | None = None
         self._output, self._loops = Output(), False
+        self._rig: Rig | None = None
         self._busy = False
         self._edited_s = self.render_s = 0.0
 
-    def begin(self, playing: Playing, design: Design, output: Output, *, loops: bool) -> None:
+    def begin(
+        self, playing: Playing, design: Design, output: Output, rig: Rig | None, *, loops: bool
+    ) -> None:
         """Follow the document, of which ``design`` is what is played."""
-        self._playing, self._output, self._loops = playing, output, loops
+        self._playing, self._output, self._loops, self._rig = playing, output, loops, rig
         self._rendered, self.render_s = (design, loops), 0.0
         self._document.changed.connect(self._follow)
         self._follow()
@@ -70,7 +74,12 @@ class LiveEdits(QObject):
             return
         self._busy, self._rendered, self._edited_s = True, wanted, perf_counter()
         change = partial(
-            self._session.change, self._playing, wanted[0], self._output, loops=wanted[1]
+            self._session.change,
+            self._playing,
+            wanted[0],
+            self._output,
+            loops=wanted[1],
+            rig=self._rig,
         )
         self._thread.do(partial(_timed, change), self._take)
 

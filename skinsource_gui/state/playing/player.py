@@ -4,7 +4,7 @@ import sys
 from collections.abc import Callable
 from functools import partial
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from skinsource.errors import SkinSourceError
 from skinsource.playing.session import Playing, Session
@@ -23,6 +23,8 @@ _GONE = (
 )
 # How long a thread may keep the others waiting: the device asks every 5 ms.
 _SWITCH_S = 0.001
+# How often it is looked whether the device is still there.
+_WATCH_MS = 250
 
 
 class Player(QObject):
@@ -71,8 +73,11 @@ class Player(QObject):
         self._starting = False
         self._usual_switch_s = sys.getswitchinterval()
         self.gain, self.loops = GainSetting(self), False
+        self._watcher = QTimer(self, interval=_WATCH_MS)
+        self._watcher.timeout.connect(self._watch)
         self._finished.connect(self._end_of, Qt.ConnectionType.QueuedConnection)
         self.settings.changed.connect(self.changed)
+        self.settings.refused.connect(self.failed)
         self.settings.output_changed.connect(self.stop)
         # What is loud enough for one device may be too much for another.
         self.settings.device_changed.connect(self.gain.start_anew)
@@ -95,8 +100,10 @@ class Player(QObject):
 
     def play(self) -> None:
         """Play from the playhead on, in place of what is played; as slowly as the view says."""
+        if not self.settings.rig_is_read():
+            return
         design, view = self._document.design, self._document.view
-        output, loops = self.settings.output, self.loops
+        output, loops, rig = self.settings.output, self.loops, self.settings.rig
         play = partial(
             self._session.play,
             design,
@@ -105,21 +112,22 @@ class Player(QObject):
             at_s=view.playhead_s,
             gain_db=self.gain.gain_db,
             slow_motion=view.slow_motion,
+            rig=rig,
         )
 
         def follow() -> None:
             self.playhead.run(self._position)
             self.edits.end()
-            self.edits.begin(self.now, design, output, loops=loops)
+            self.edits.begin(self.now, design, output, rig, loops=loops)
 
         self._begin(play, follow)
 
     def play_tone(self, number: int) -> None:
         """Play the test tone on one output, instead of all else."""
-        if not self._starting:
+        if not self._starting and self.settings.rig_is_read():
             self._leave()
-            output, gain_db = self.settings.output, self.gain.gain_db
-            self._begin(partial(self._session.tone, number, output, gain_db), None)
+            output, gain_db, rig = self.settings.output, self.gain.gain_db, self.settings.rig
+            self._begin(partial(self._session.tone, number, output, gain_db, rig), None)
 
     def stop(self) -> None:
         """Fade out."""
@@ -170,6 +178,8 @@ class Player(QObject):
                     self.told.emit(f"In silence: {playing.reason}")
                 if follow is not None:
                     follow()
+                # A device that goes while a tone is played tells nobody.
+                self._watcher.start()
             self.changed.emit()
 
         self._thread.do(play, take)

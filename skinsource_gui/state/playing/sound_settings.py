@@ -1,6 +1,7 @@
 """What this machine plays on: chosen once, kept, and never part of a design."""
 
 from functools import partial
+from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
@@ -8,6 +9,7 @@ from skinsource.errors import InvalidInputError, SkinSourceError
 from skinsource.playing import Output, output_from_text
 from skinsource.playing.devices import Device, device_of, rates_of
 from skinsource.playing.session import Session
+from skinsource.rigs import Rig, open_rig
 from skinsource_gui.state.playing.sound_thread import SoundThread
 from skinsource_gui.state.preferences import Preferences
 
@@ -30,6 +32,8 @@ class SoundSettings(QObject):
         Whether devices were looked for; those that were found, and the rates of the chosen one.
     missing
         Why there are none, or not the chosen one.
+    rig, rig_problem
+        What is wired to the device, None: not known; why the rig of this machine cannot be read.
     """
 
     #: Something else is known, or chosen.
@@ -38,6 +42,8 @@ class SoundSettings(QObject):
     output_changed = Signal()
     #: Another device: what was loud enough for one may be too much for the other.
     device_changed = Signal()
+    #: Why a rig was not taken.
+    refused = Signal(str)
 
     def __init__(
         self, preferences: Preferences, session: Session, thread: SoundThread, parent: QObject
@@ -49,6 +55,46 @@ class SoundSettings(QObject):
         self.devices: tuple[Device, ...] = ()
         self.rates_hz: tuple[int, ...] = ()
         self.missing = ""
+        self.rig: Rig | None = None
+        self.rig_title, self.rig_problem = "", ""
+        self._rig_looked = False
+
+    def look_for_rig(self) -> None:
+        """Read the rig of this machine, when somebody first wants to know."""
+        if self._rig_looked:
+            return
+        self._rig_looked = True
+        if self._preferences.rig_path:
+            try:
+                self._take_rig(Path(self._preferences.rig_path))
+            except SkinSourceError as error:
+                self.rig_problem = f"The rig of this machine cannot be read: {error}"
+
+    def rig_is_read(self) -> bool:
+        """Whether what is wired is known, or nothing shall be; else it says why not."""
+        self.look_for_rig()
+        if self.rig_problem:
+            self.refused.emit(f"{self.rig_problem} Choose another rig, or none.")
+        return not self.rig_problem
+
+    def choose_rig(self, path: Path | None) -> None:
+        """Play for another rig from now on; None: nothing is known of what is wired."""
+        self._rig_looked = True
+        try:
+            self._take_rig(path)
+        except SkinSourceError as error:
+            self.refused.emit(str(error))
+            return
+        self._preferences.rig_path = "" if path is None else str(path)
+        self.output_changed.emit()
+        self.changed.emit()
+        # What is loud enough for one may be too much for another.
+        self.device_changed.emit()
+
+    def _take_rig(self, path: Path | None) -> None:
+        found = None if path is None else open_rig(path)
+        self.rig, self.rig_problem = found, ""
+        self.rig_title = "" if found is None or path is None else found.title or path.stem
 
     def choose(self, output: Output) -> None:
         """Play on something else from now on."""

@@ -2,8 +2,19 @@
 
 from skinsource.design import Design
 from skinsource.playing.mixer import outputs_by_place
+from skinsource.rigs import calibration_words
 from skinsource_gui.played import Played
 from skinsource_gui.state.playing.player import Player
+from skinsource_gui.state.playing.sound_settings import SoundSettings
+
+
+def _calibration(settings: SoundSettings, design: Design) -> str:
+    """Whether m/s² follow from what is played, in words."""
+    if settings.rig_problem:
+        return settings.rig_problem
+    if settings.rig is None:
+        return ""
+    return calibration_words(settings.rig, tuple(dict.fromkeys(x.location for x in design.inputs)))
 
 
 def played_by(player: Player, design: Design) -> Played:
@@ -18,7 +29,9 @@ def played_by(player: Player, design: Design) -> Played:
         missing=settings.missing,
         output=settings.output,
         rates_hz=settings.rates_hz,
-        wired=tuple(outputs_by_place(design, settings.output).items()),
+        wired=tuple(outputs_by_place(design, settings.output, settings.rig).items()),
+        rig_title=settings.rig_title,
+        calibration=_calibration(settings, design),
         names=() if mix is None else mix.names,
         levels=None if stream is None else stream.deck.levels(),
         delay=None if stream is None or not render_s else stream.delay(render_s),

@@ -140,7 +140,7 @@ def test_drives_that_are_no_accelerations_are_not_equalised(design, rig, tmp_pat
 def test_what_a_rig_does_not_know_is_asked_for(design, rig, tmp_path):
     path = tmp_path / "a.wav"
     equaliser = RegularisedInverse()
-    with pytest.raises(InvalidInputError, match="needs a rig"):
+    with pytest.raises(InvalidInputError, match="choose a rig, or let the design be predicted"):
         ss.export_stimulus(design, path, equaliser=equaliser)
     with pytest.raises(InvalidInputError, match="place 12 is not wired"):
         ss.export_stimulus(design, path, rig=replace(rig, channels=rig.channels[:1]))
@@ -172,3 +172,58 @@ def test_the_command_takes_a_rig_and_an_equaliser(design, rig, tmp_path, capsys)
     assert main(call) == 0
     assert sidecar(path)["equaliser"] is None
     capsys.readouterr()
+
+
+def test_channels_wait_for_the_one_with_the_longest_delay(design, rig, tmp_path):
+    late = replace(rig, channels=(replace(rig.channels[0], delay_s=0.00405), rig.channels[1]))
+    plain, aligned = tmp_path / "a.wav", tmp_path / "b.wav"
+    # The delayed samples have another peak: full scale is said, so that both are as strong.
+    known = {"rate_hz": RATE_HZ, "full_scale": 10.0}
+    ss.export_stimulus(design, plain, rig=rig, **known)
+    ss.export_stimulus(design, aligned, rig=late, **known)
+    before, after = read(plain), read(aligned)
+    n = before.shape[1]
+    assert after.shape[1] > n
+    np.testing.assert_allclose(after[0, :n], before[0], atol=1e-7)
+    # 32.4 samples later, as the transform of the whole says.
+    spectrum = np.fft.rfft(np.pad(before[1], (0, n)))
+    turned = spectrum * np.exp(-2j * np.pi * np.arange(spectrum.size) * 32.4 / (2 * n))
+    expected = np.fft.irfft(turned, 2 * n)[: after.shape[1]]
+    np.testing.assert_allclose(after[1], expected, atol=1e-5)
+    added = [one["delay_added_s"] for one in sidecar(aligned)["channels"]]
+    assert added == pytest.approx([0.0, 0.00405])
+
+
+def test_volts_need_no_equaliser_and_keep_their_value(design, rig, tmp_path):
+    coil = ss.actuators.load("example-voice-coil")
+    through = ss.Actuation(actuators=(ss.ActuatorAt(actuator="coil", model=coil),))
+    volts = replace(design.with_input(1, amplitude=-1.5), actuation=through)
+    path = tmp_path / "a.wav"
+    ss.export_stimulus(volts, path, rate_hz=RATE_HZ, rig=rig)
+    expected = ss.stimulus_of(volts, RATE_HZ)
+    assert expected.unit == "V"
+    # 2 V at full scale; and 4 V through an amplifier, turned round.
+    np.testing.assert_allclose(read(path)[0], expected.samples[0] / 2.0, atol=1e-7)
+    np.testing.assert_allclose(read(path)[1], expected.samples[1] / -4.0, atol=1e-7)
+    about = sidecar(path)
+    assert about["predicted_through"]["actuators"][0]["actuator"] == "coil"
+    assert about["unit"] == "full scale of the channel"
+    with pytest.raises(InvalidInputError, match="volts already"):
+        ss.export_stimulus(volts, path, rig=rig, equaliser=RegularisedInverse())
+
+
+def test_without_a_rig_volts_come_from_what_the_design_is_predicted_through(design, tmp_path):
+    coil, equaliser = ss.actuators.load("example-voice-coil"), RegularisedInverse()
+    through = ss.Actuation(
+        actuators=(ss.ActuatorAt(actuator="coil", model=coil),), equaliser=equaliser
+    )
+    path = tmp_path / "a.wav"
+    ss.export_stimulus(
+        replace(design, actuation=through), path, rate_hz=RATE_HZ, equaliser=equaliser
+    )
+    drives = ss.stimulus_of(design, RATE_HZ).samples
+    about = sidecar(path)
+    assert (about["unit"], about["calibration"][:12]) == ("V", "uncalibrated")
+    for row, drive in zip(read(path) * about["full_scale"], drives, strict=True):
+        volts = ss.equalising.equalised(drive, RATE_HZ, coil, equaliser)
+        np.testing.assert_allclose(row, volts, atol=1e-6 * np.abs(volts).max())

@@ -1,0 +1,109 @@
+"""The rig of this machine: chosen once, kept, and said."""
+
+from dataclasses import replace
+
+import pytest
+
+from skinsource.actuators import Limits, MeasuredResponse
+from skinsource.rigs import Rig, RigChannel, save_rig
+from skinsource_gui.panels.playback.panel import PlaybackPanel
+
+WAIT = {"timeout": 20_000}
+FLAT = MeasuredResponse(((1.0, 50.0, 0.0), (2000.0, 50.0, 0.0)))
+BENCH = Rig(
+    title="Bench 3",
+    channels=(
+        RigChannel(place=7, output=2, full_scale_v=2.0, measured=FLAT, measured_on="2026-03-04"),
+        RigChannel(place=12, output=1, full_scale_v=2.0, measured=FLAT),
+    ),
+)
+
+
+@pytest.fixture
+def path(tmp_path):
+    save_rig(tmp_path / "bench.skinrig", BENCH)
+    return tmp_path / "bench.skinrig"
+
+
+@pytest.fixture
+def panel(sound, studio, qtbot):
+    studio.docks["playback"].bring_forward()
+    found = studio.panel("playback")
+    assert isinstance(found, PlaybackPanel)
+    qtbot.waitUntil(found.isVisible)
+    qtbot.waitUntil(lambda: studio.playback.player.settings.looked, **WAIT)
+    return found
+
+
+def test_without_a_rig_it_says_uncalibrated(panel):
+    assert "Uncalibrated" in panel.words.text()
+    assert panel.fields.rig.currentText() == "None"
+
+
+def test_a_rig_wires_the_places_and_says_how_calibrated_it_is(panel, player, path):
+    player.settings.choose_rig(path)
+    assert panel.fields.rig.currentText() == "Bench 3"
+    assert "Calibrated, measured on 2026-03-04." in panel.words.text()
+    assert "Uncalibrated" not in panel.words.text()
+    assert [(row.place, row.output.value_si) for row in panel._rows] == [(7, 2.0), (12, 1.0)]
+    assert not panel._rows[0].output.isEnabled()
+    panel.fields.rig.wanted.emit(None)
+    assert panel.fields.rig.currentText() == "None"
+    assert panel._rows[0].output.isEnabled()
+
+
+def test_it_is_kept_for_the_next_studio(panel, player, path):
+    player.settings.choose_rig(path)
+    assert player.settings._preferences.rig_path == str(path)
+    player.settings.choose_rig(None)
+    assert player.settings._preferences.rig_path == ""
+
+
+def test_what_is_no_rig_is_refused_and_the_present_one_stays(panel, player, path, studio, tmp_path):
+    player.settings.choose_rig(path)
+    other = tmp_path / "other.skinrig"
+    other.write_text("no rig")
+    player.settings.choose_rig(other)
+    assert "other.skinrig" in studio.notice.text
+    assert player.settings.rig == BENCH
+
+
+def test_a_rig_that_is_gone_is_no_reason_to_play_without_its_limits(
+    sound, studio, player, path, tmp_path
+):
+    player.settings._preferences.rig_path = str(tmp_path / "gone.skinrig")
+    studio.do("play")
+    assert not player.playing
+    assert "The rig of this machine cannot be read" in studio.notice.text
+    assert not sound.streams
+
+
+def test_it_is_played_on_the_outputs_of_the_rig(sound, studio, player, path, listen, qtbot):
+    player.settings.choose_rig(path)
+    playing = listen()
+    qtbot.waitUntil(lambda: not player.playing, **WAIT)
+    assert playing.stream.deck.mix.names == (
+        "place 12",
+        "place 7",
+    )
+
+
+def test_a_limit_that_would_be_passed_is_said(sound, studio, player, tmp_path, listen, qtbot):
+    limits = Limits(peak_voltage_v=0.01)
+    limited = Rig(channels=tuple(replace(one, limits=limits) for one in BENCH.channels))
+    save_rig(tmp_path / "limited.skinrig", limited)
+    player.settings.choose_rig(tmp_path / "limited.skinrig")
+    studio.do("play")
+    qtbot.waitUntil(lambda: "Stopped" in studio.notice.text, **WAIT)
+    assert not player.playing
+    assert "a limit of the rig would have been passed (place" in studio.notice.text
+
+
+def test_a_device_that_goes_while_a_tone_is_played_is_told(
+    sound, studio, player, qtbot, monkeypatch
+):
+    player.play_tone(1)
+    qtbot.waitUntil(lambda: player.now is not None, **WAIT)
+    monkeypatch.setattr(type(player.now.stream), "gone", property(lambda stream: True))
+    qtbot.waitUntil(lambda: not player.playing, **WAIT)
+    assert "may have been unplugged" in studio.notice.text

@@ -1,0 +1,125 @@
+"""The page of stimuli remembers how the last one was exported."""
+
+import pytest
+from PySide6.QtWidgets import QFileDialog
+
+import skinsource as ss
+from skinsource.rigs import Rig, RigChannel, save_rig
+from skinsource.view import View
+from skinsource_gui.stimulus_page.page import StimulusPage
+from skinsource_gui.stimulus_page.remembering import recall, remembered
+from skinsource_gui.stimulus_page.stimulus_form import StimulusForm
+
+WAIT = {"timeout": 30_000}
+DESIGN = ss.Design(
+    limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Gabor(200.0), amplitude=0.5),)
+)
+COIL = ss.ActuatorAt(actuator="coil", model=ss.actuators.load("example-voice-coil"))
+
+
+@pytest.fixture
+def form(qtbot):
+    found = StimulusForm(DESIGN, View())
+    qtbot.addWidget(found)
+    return found
+
+
+@pytest.fixture
+def other(qtbot):
+    found = StimulusForm(DESIGN, View())
+    qtbot.addWidget(found)
+    return found
+
+
+def orders(form):
+    found = []
+    form.changed.connect(found.append)
+    form.want()
+    return found[-1]
+
+
+def test_the_next_page_exports_as_the_last_one_did(form, other, tmp_path):
+    rig = Rig(title="Bench", channels=(RigChannel(place=7, full_scale_v=1.0),))
+    save_rig(tmp_path / "bench.skinrig", rig)
+    form.field("format").choose("flac")
+    form.field("rate").choose("96000")
+    form.field("lead_in").set_value(0.25)
+    form.field("sync").setChecked(True)
+    form.rigs.take(tmp_path / "bench.skinrig")
+    form.field("equaliser").choose("minimum")
+    recall(other, remembered(form))
+    assert orders(other) == orders(form)
+    assert orders(other).rig == rig
+    assert orders(other).options.lead_in_s == 0.25
+
+
+def test_choices_of_a_format_are_kept_with_it(form, other):
+    form.field("format").choose("wav")
+    name = next(iter(form.chosen))
+    last = form.field(name).itemData(form.field(name).count() - 1)
+    form.field(name).choose(last)
+    recall(other, remembered(form))
+    assert other.chosen == form.chosen
+    assert other.chosen[name] == last
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["", "[]", "{", '{"format": 7, "rate": [], "lead_in": "x", "sync": 3, "choices": 2}',
+     '{"format": "of-a-newer-studio", "lead_in": 1e99}', "[" * 5000],
+)  # fmt: skip
+def test_what_is_not_known_is_left_as_it_is(form, other, text):
+    recall(other, text)
+    assert orders(other) == orders(form)
+
+
+def test_a_rig_that_is_gone_is_said_and_the_rest_is_kept(form, other, tmp_path):
+    save_rig(tmp_path / "bench.skinrig", Rig(channels=(RigChannel(place=7),)))
+    form.field("format").choose("flac")
+    form.rigs.take(tmp_path / "bench.skinrig")
+    text = remembered(form)
+    (tmp_path / "bench.skinrig").unlink()
+    said = []
+    other.refused.connect(said.append)
+    recall(other, text)
+    assert "bench.skinrig" in said[0]
+    assert orders(other).rig is None
+    assert orders(other).format.name == "flac"
+
+
+def test_a_design_that_is_predicted_through_an_equaliser_is_offered_as_predicted(qtbot):
+    equaliser = ss.equalising.RegularisedInverse(boost_db=12.0)
+    through = ss.Actuation(actuators=(COIL,), equaliser=equaliser)
+    design = ss.Design(limb="synthetic-1", inputs=DESIGN.inputs, actuation=through)
+    form = StimulusForm(design, View())
+    qtbot.addWidget(form)
+    assert form.field("equaliser").currentText() == "As predicted"
+    assert orders(form).equaliser == equaliser
+    # The rig that says full scale is missing, so the page asks for it.
+    assert not form.field("scale").isHidden()
+
+
+@pytest.fixture
+def window(make_window):
+    return make_window(DESIGN)
+
+
+@pytest.mark.parametrize(
+    ("typed", "written"), [("x", "x_stim.tsv.gz"), ("x.tsv", "x_stim.tsv.gz"),
+                           ("sub-1_stim.tsv.gz", "sub-1_stim.tsv.gz")],
+)  # fmt: skip
+def test_a_name_without_an_ending_gets_all_of_it(
+    window, qtbot, monkeypatch, tmp_path, typed, written
+):
+    name = str(tmp_path / typed)
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (name, ""))
+    window.do("export_stimulus")
+    page = window.findChild(StimulusPage)
+    page.form.field("format").choose("bids")
+    qtbot.waitUntil(lambda: page.ready and not page.busy, **WAIT)
+    page.accept()
+    qtbot.waitUntil(lambda: (tmp_path / written).exists(), **WAIT)
+    window.do("export_stimulus")
+    again = [one for one in window.findChildren(StimulusPage) if one is not page][-1]
+    assert again.form.field("format").value == "bids"
+    again.reject()
