@@ -1,33 +1,48 @@
 """Which limbs there are."""
 
 from skinsource.dataset.store import is_installed, load_measured_limb
-from skinsource.errors import UnknownLimbError
+from skinsource.errors import InvalidInputError, UnknownLimbError
 from skinsource.limb import LIMB_NAMES, Limb
+from skinsource.own_limbs import facts_of, load_own_limb, missing_limb, own_limb_names
 from skinsource.quoting import quoted
 from skinsource.synthetic import load_synthetic_limb
 
 
 def available_limbs() -> tuple[str, ...]:
-    """Names of the limbs that can be loaded now, measured ones first."""
+    """Names of the limbs that can be loaded now: measured, synthetic, and those of labs."""
     installed = is_installed()
-    return tuple(name for name in LIMB_NAMES if installed or not name.startswith("measured"))
+    built_in = (name for name in LIMB_NAMES if installed or not name.startswith("measured"))
+    return *built_in, *own_limb_names()
 
 
-def load_limb(name: str) -> Limb:
+def load_limb(name: str, digest: str = "") -> Limb:
     """Open a limb.  Its responses are read when touched.
 
     Parameters
     ----------
     name
-        ``"measured-1"`` to ``"measured-4"``, ``"synthetic-1"`` to ``"synthetic-4"``.
+        ``"measured-1"`` to ``"measured-4"``, ``"synthetic-1"`` to ``"synthetic-4"``, or that of a
+        limb that was imported.
+    digest
+        Of an imported limb, as a design knows it; empty: whichever has this name.
 
     Raises
     ------
     UnknownLimbError
         There is no such limb.
+    InvalidInputError
+        The imported limb of this name has other numbers than ``digest`` says.
+    FileFormatError, StorageError
+        Its file is damaged, or cannot be read.
     DatasetMissingError
         It is a measured one, and the measured dataset is not installed.
     """
+    if isinstance(name, str) and name in own_limb_names():
+        if digest and facts_of(name).known:
+            missing = missing_limb(name, digest)
+            if missing:
+                raise InvalidInputError(missing)
+        return load_own_limb(name)
     if not isinstance(name, str) or name not in LIMB_NAMES:
         raise UnknownLimbError(
             f"the limb {quoted(name)} is not available here; choose one of "

@@ -6,8 +6,9 @@ Scripts and design files use the short names (``upstream``, ``pca``, …), which
 
 from dataclasses import dataclass
 
-from skinsource.limb import HAND_LENGTHS_MM, LIMB_NAMES
+from skinsource.limb import PUBLISHED
 from skinsource.loudest_window import LOUDEST_WINDOW_S
+from skinsource.own_limbs import facts_of
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -137,18 +138,9 @@ SPANS = (
         "output by output: neither onset nor silence changes them.",
     ),
 )
-_KINDS = {
-    "measured": "Impulse responses measured on one person's hand and arm.",
-    "synthetic": "Impulse responses computed from a model of waves in the skin, not measured.",
-}
+#: Those that come with the studio, or are published; a lab's own are found by `limb_word`.
 LIMBS = tuple(
-    Word(
-        name=name,
-        title=f"{kind.capitalize()} {number} ({HAND_LENGTHS_MM[int(number) - 1]:g} mm)",
-        sentence=_KINDS[kind],
-    )
-    for name in LIMB_NAMES
-    for kind, _, number in [name.partition("-")]
+    Word(name=name, title=facts.title, sentence=facts.sentence) for name, facts in PUBLISHED.items()
 )
 
 #: Every choice that has a name of its own in files: field, what it chooses, its words.
@@ -172,6 +164,12 @@ def word_of(words: tuple[Word, ...], name: str) -> Word:
     """
     known = {word.name: word for word in words}
     return known.get(name) or Word(name=name, title=name, sentence="")
+
+
+def limb_word(name: str) -> Word:
+    """What a limb is called, a lab's own too; one that is not here stands for itself."""
+    facts = facts_of(name)
+    return Word(name=name, title=facts.title, sentence=facts.sentence)
 
 
 def signal_words(axes: str, method: str) -> str:

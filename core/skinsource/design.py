@@ -62,6 +62,7 @@ _MOST = 2**31 - 1
 COLOUR = NumberSpec(label="Colour", minimum=0, maximum=_MOST, whole=True)
 
 LIMB = TextSpec(label="Limb", longest=200, one_line=True)
+LIMB_DIGEST = TextSpec(label="Digest of the limb", longest=64, one_line=True)
 INPUTS = ListSpec(
     label="Inputs", of=RecipeSpec(label="Input", kinds=lambda: (Input,)), most=MAX_INPUTS
 )
@@ -125,6 +126,9 @@ class Design:
     ----------
     limb
         Name of the limb, see `skinsource.load_limb`; it need not be available here.
+    limb_digest
+        Of an imported limb: SHA-256 of all its numbers, as `skinsource.own_limbs.facts_of` says.
+        Empty: whatever has the name is meant.
     inputs
         In the order in which they are listed.  Those without an id get one, and so do their clips.
     scaling
@@ -151,6 +155,7 @@ class Design:
     author: str = fields.text("", AUTHOR)
     notes: str = fields.text("", NOTES)
     licence: str = fields.text("", LICENCE)
+    limb_digest: str = fields.text("", LIMB_DIGEST)
 
     def __post_init__(self) -> None:
         fields.check(self)

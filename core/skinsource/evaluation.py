@@ -67,14 +67,14 @@ class Evaluator:
                 raise InvalidInputError(f"{error.args[0]}. See skinsource.quantities.") from error
             except BaseException:
                 # A limb may have been replaced on disk: the next call opens it anew.
-                self._kept = [one for one in self._kept if one.design.limb != design.limb]
+                self._kept = [one for one in self._kept if not _same_limb(one.design, design)]
                 raise
             self.work = replace(kept.graph.work)
             return found
 
     def _closest(self, design: Design, view: View) -> _Kept:
         """The graph that has most of ``design`` already; a new one where none is close."""
-        same_limb = [one for one in self._kept if one.design.limb == design.limb]
+        same_limb = [one for one in self._kept if _same_limb(one.design, design)]
         closest = min(
             reversed(same_limb), key=lambda one: len(_changed(one.design, design)), default=None
         )
@@ -136,6 +136,10 @@ def evaluate(design: Design, *quantities: str, view: View | None = None) -> dict
 @cache
 def _evaluator() -> Evaluator:
     return Evaluator()
+
+
+def _same_limb(old: Design, new: Design) -> bool:
+    return (old.limb, old.limb_digest) == (new.limb, new.limb_digest)
 
 
 def _changed(old: Design, new: Design) -> list[int]:

@@ -1,4 +1,7 @@
-"""The 20 input places and the 72 output places of every limb: their names, sides and regions."""
+"""The 20 input places and the 72 output places of the published limbs: names, sides and regions.
+
+Limbs that a lab imported have places of their own, which `input_words` and `output_words` know.
+"""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -7,6 +10,7 @@ import numpy as np
 
 from skinsource.errors import InvalidInputError
 from skinsource.limb import N_OUTPUTS, check_input_location
+from skinsource.own_limbs import facts_of
 from skinsource.quoting import quoted
 
 Contact = Literal["in-axis", "perpendicular"]
@@ -239,13 +243,16 @@ def output_place(number: int) -> OutputPlace:
     return OUTPUTS[number - 1]
 
 
-def input_words(number: int) -> PlaceWords:
+def input_words(number: int, limb: str = "") -> PlaceWords:
     """What input place ``number`` is called; a limb may have places that are not named here.
 
     >>> input_words(25).name
     'Place 25, not on this hand'
     """
-    if not 1 <= number <= len(INPUTS):
+    facts = facts_of(limb)
+    if facts.own and 1 <= number <= facts.n_inputs:
+        return _own_words(number, facts.input_names, "Place", "place")
+    if facts.own or not 1 <= number <= len(INPUTS):
         return PlaceWords(
             number=number,
             name=f"Place {number}, not on this hand",
@@ -258,15 +265,29 @@ def input_words(number: int) -> PlaceWords:
     )
 
 
-def output_words(number: int) -> PlaceWords:
+def output_words(number: int, limb: str = "") -> PlaceWords:
     """What output place ``number`` is called; a limb may have places that are not named here.
 
     >>> output_words(80).name
     'Not on this limb'
     """
-    if not 1 <= number <= len(OUTPUTS):
+    facts = facts_of(limb)
+    if facts.own and 1 <= number <= facts.n_outputs:
+        return _own_words(number, facts.output_names, "Output", "output")
+    if facts.own or not 1 <= number <= len(OUTPUTS):
         return PlaceWords(
             number=number, name="Not on this limb", short_name="not on this limb", kind=""
         )
     place = OUTPUTS[number - 1]
     return PlaceWords(number=number, name=place.name, short_name=place.short_name, kind=place.side)
+
+
+def _own_words(number: int, names: tuple[str, ...], long: str, short: str) -> PlaceWords:
+    """What a place of an imported limb is called; by its number where the lab gave no name."""
+    given = names[number - 1] if names else ""
+    return PlaceWords(
+        number=number,
+        name=given or f"{long} {number}",
+        short_name=given or f"{short} {number}",
+        kind="",
+    )

@@ -16,6 +16,7 @@ from skinsource.design import Design, Input, audible_indices
 from skinsource.graph import Graph
 from skinsource.job import Stop
 from skinsource.limb import Limb, LimbMap
+from skinsource.own_limbs import facts_of
 from skinsource.rendering import level_rules, trace_rules, vibration_rules, voice_rules
 from skinsource.rendering.in_time import block_of
 from skinsource.rendering.in_time import rules as in_time_rules
@@ -98,6 +99,9 @@ def sources(design: Design, view: View) -> dict[str, Any]:
     """Return what evaluation starts from, by name: nothing that no quantity depends on."""
     return {
         "limb": design.limb,
+        # One that is imported anew under its name is another one.
+        "limb_digest": design.limb_digest or facts_of(design.limb).digest,
+        "limb_mirrored": facts_of(design.limb).mirrored,
         "inputs": design.inputs,
         "scaling": design.scaling,
         "actuation": design.actuated,

@@ -13,6 +13,7 @@ from skinsource.catalogue import load_limb
 from skinsource.chain import Actuation
 from skinsource.job import Stop
 from skinsource.limb import Limb
+from skinsource.own_limbs import facts_of
 from skinsource.rendering.actuated import actuated_limb
 from skinsource.rendering.budgets import SURFACES_BYTES
 from skinsource.rendering.memory import Memory
@@ -32,7 +33,7 @@ class Shared:
 
     def __init__(self) -> None:
         self._remembered = Remembered()
-        self._limbs: WeakValueDictionary[str, Limb] = WeakValueDictionary()
+        self._limbs: WeakValueDictionary[tuple[str, str, bool], Limb] = WeakValueDictionary()
         self._actuated: WeakValueDictionary[_Actuated, Limb] = WeakValueDictionary()
         self._surfaces = Memory[SurfaceOperator](SURFACES_BYTES, _bytes_of)
 
@@ -44,12 +45,13 @@ class Shared:
         """What rendering remembers."""
         return self._remembered
 
-    def limb_data(self, limb: str) -> Limb:
+    def limb_data(self, limb: str, limb_digest: str, limb_mirrored: bool) -> Limb:
         """The limb, with its responses read when touched."""
         # Once no graph holds it, it is opened anew: its name may mean other data by then.
-        found = self._limbs.get(limb)
+        key = limb, limb_digest, limb_mirrored
+        found = self._limbs.get(key)
         if found is None:
-            found = self._limbs[limb] = load_limb(limb)
+            found = self._limbs[key] = load_limb(limb, limb_digest)
         return found
 
     def driven_limb(self, limb_data: Limb, actuation: Actuation | None, scaling: Scaling) -> Limb:
@@ -61,6 +63,11 @@ class Shared:
         if found is None:
             found = self._actuated[key] = actuated_limb(limb_data, actuation, scaling)
         return found
+
+    def limb_of(self, name: str, digest: str = "") -> Limb:
+        """The limb that a design names."""
+        facts = facts_of(name)
+        return self.limb_data(name, digest or facts.digest, facts.mirrored)
 
     def surface(self, limb_data: Limb, stop: Stop) -> SurfaceOperator:
         """Operator from outputs to the pixels of the map."""

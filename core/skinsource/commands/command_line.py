@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from typing import Any
 
 from skinsource.catalogue import available_limbs, load_limb
-from skinsource.choice_words import LIMBS, word_of
+from skinsource.choice_words import limb_word
 from skinsource.commands import (
     design_commands,
     export_command,
+    limb_commands,
     pack_command,
     scene_commands,
     sweep_commands,
@@ -29,6 +30,7 @@ COMMAND_MODULES = (
     sweep_commands,
     dataset_commands,
     bench_commands,
+    limb_commands,
 )
 
 _FAILED, _STOPPED = 1, 130
@@ -75,7 +77,7 @@ def _add_limbs_to(subparsers: Any) -> None:
 def _limbs(_: argparse.Namespace) -> int:
     for name in available_limbs():
         limb = load_limb(name)
-        word = word_of(LIMBS, name)
+        word = limb_word(name)
         mark = "SYNTHETIC  " if limb.synthetic else ""
         note = f"  NOTE: {limb.note}" if limb.note else ""
         sys.stdout.write(f"{name:12}  {word.title:22}  {mark}{word.sentence}{note}\n")

@@ -7,14 +7,14 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.chain import amplitude_unit
-from skinsource.choice_words import LIMBS, SCALINGS, level_words, signal_words, word_of
+from skinsource.choice_words import SCALINGS, level_words, limb_word, signal_words, word_of
 from skinsource.clips import Clip
 from skinsource.design import Design, Input, audible_inputs
 from skinsource.design_file import open_design
 from skinsource.evaluation import evaluate
 from skinsource.export import export_levels, export_map, export_map_picture, export_traces
 from skinsource.files import make_folder
-from skinsource.locations import OUTPUTS, input_words, output_words
+from skinsource.locations import input_words, output_words
 from skinsource.quoting import escaped
 from skinsource.view import View
 
@@ -78,7 +78,7 @@ def _render(arguments: argparse.Namespace) -> int:
 
 def _about_design(design: Design) -> list[str]:
     texts = {"title": design.title, "author": design.author, "licence": design.licence}
-    limb = word_of(LIMBS, design.limb)
+    limb = limb_word(design.limb)
     synthetic = "  SYNTHETIC" if design.limb.startswith("synthetic") else ""
     return [
         *(f"{name:9} {escaped(text)}" for name, text in texts.items() if text),
@@ -94,17 +94,17 @@ def _about_inputs(design: Design) -> list[str]:
     heard = len(audible_inputs(design.inputs))
     return [
         f"inputs    {len(design.inputs)}, {heard} of them heard",
-        *(line for one in design.inputs for line in _about_input(one, unit)),
+        *(line for one in design.inputs for line in _about_input(one, unit, design.limb)),
     ]
 
 
-def _about_input(one: Input, unit: str) -> list[str]:
+def _about_input(one: Input, unit: str, limb: str) -> list[str]:
     marks = "".join(
         f", {word}" for word, is_so in (("muted", one.muted), ("solo", one.solo)) if is_so
     )
     curve = f", gain curve of {len(one.gain_curve)} points" if one.gain_curve else ""
     return [
-        f"  {one.id:3}  place {one.location}, {input_words(one.location).name}: "
+        f"  {one.id:3}  place {one.location}, {input_words(one.location, limb).name}: "
         f"amplitude {one.amplitude:g} {unit}{curve}{marks}",
         *(f"       from {clip.onset_s:g} s: {_about_clip(clip)}" for clip in one.clips),
     ]
@@ -123,6 +123,6 @@ def _levels(design: Design, view: View) -> list[str]:
         "  output  dB re 1 m/s²  place",
     ]
     for number, level_db in enumerate(levels_db.tolist(), start=1):
-        place = output_words(number).name if number <= len(OUTPUTS) else ""
+        place = output_words(number, design.limb).name
         lines.append(f"  {number:6}  {level_db:12.1f}  {place}".rstrip())
     return lines

@@ -173,7 +173,7 @@ def clips_words(design: Design, chosen: tuple[Clip, ...]) -> str:
     """What the history calls them: "clip at 7 (II pad)", or "3 clips"."""
     if len(chosen) != 1:
         return f"{len(chosen)} clips"
-    return f"clip at {place_words(design.track_of(chosen[0].id).location)}"
+    return f"clip at {place_words(design.track_of(chosen[0].id).location, design.limb)}"
 
 
 def short(time_s: float) -> float:

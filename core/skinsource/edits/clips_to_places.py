@@ -41,7 +41,7 @@ def move_clips_to_place(
             return refused(error)
         target = design.ids[-1]
     verb = "Copy" if copies else "Move"
-    label = f"{verb} {clips_words(design, chosen)} to {place_words(location)}"
+    label = f"{verb} {clips_words(design, chosen)} to {place_words(location, design.limb)}"
     if copies:
         return with_new_clips(design, view, label, [(target, clip) for clip in chosen])
     moved = {one.id for one in chosen}

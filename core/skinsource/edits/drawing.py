@@ -19,7 +19,7 @@ def draw_clip(
     try:
         waveform = Drawn(Samples(values=samples, sample_rate_hz=sample_rate_hz))
         after = design.with_clip(clip_id, waveform=waveform)
-        place = place_words(design.track_of(clip_id).location)
+        place = place_words(design.track_of(clip_id).location, design.limb)
     except InvalidInputError as error:
         return refused(error)
     return Edit(label=f"Draw at {place}", design=after, view=view)

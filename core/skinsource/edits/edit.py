@@ -49,18 +49,18 @@ def present(design: Design, ids: Iterable[int]) -> tuple[Input, ...]:
     return tuple(one for one in design.inputs if one.id in wanted)
 
 
-def inputs_words(chosen: tuple[Input, ...]) -> str:
+def inputs_words(chosen: tuple[Input, ...], limb: str) -> str:
     """What the history calls them: "input at 7 (II pad)", or "3 inputs"."""
     return (
-        f"input at {place_words(chosen[0].location)}"
+        f"input at {place_words(chosen[0].location, limb)}"
         if len(chosen) == 1
         else (f"{len(chosen)} inputs")
     )
 
 
-def place_words(location: int) -> str:
-    """Number and short name of an input place, "7 (II pad)"."""
-    return f"{location} ({input_words(location).short_name})"
+def place_words(location: int, limb: str = "") -> str:
+    """Number and short name of an input place of a limb, "7 (II pad)"."""
+    return f"{location} ({input_words(location, limb).short_name})"
 
 
 def changed(
@@ -82,7 +82,7 @@ def changed(
         after = replace(design, inputs=inputs)
     except InvalidInputError as error:
         return refused(error)
-    return Edit(label=f"{verb} {inputs_words(chosen)}", design=after, view=view)
+    return Edit(label=f"{verb} {inputs_words(chosen, design.limb)}", design=after, view=view)
 
 
 def with_clips(design: Design, changes: dict[int, dict[str, Any]]) -> Design:

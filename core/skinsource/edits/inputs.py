@@ -19,12 +19,18 @@ from skinsource.edits.edit import (
 from skinsource.edits.selection import clip_of, kept_selection
 from skinsource.errors import InvalidInputError
 from skinsource.fields import specs_of
-from skinsource.locations import INPUTS
+from skinsource.own_limbs import facts_of
 from skinsource.view import View
 from skinsource.waveforms import Waveform
 
 #: Where an input is added, and a recording goes, if nobody says where.
 USUAL_LOCATION = 7
+
+
+def usual_location(limb: str) -> int:
+    """Where an input goes on a limb if nobody says where: digit II's pad of the published ones."""
+    return min(USUAL_LOCATION, facts_of(limb).n_inputs)
+
 
 _TOO_MANY = Refusal(sentence=f"A design holds at most {MAX_INPUTS} inputs; remove one first.")
 
@@ -50,7 +56,7 @@ def place_input(design: Design, view: View, location: int, besides: bool = False
         new = replace(new, amplitude=model.amplitude)
     after = design.adding(new)
     return Edit(
-        label=f"Place input at {place_words(location)}",
+        label=f"Place input at {place_words(location, design.limb)}",
         design=after,
         view=replace(
             view,
@@ -61,10 +67,10 @@ def place_input(design: Design, view: View, location: int, besides: bool = False
 
 
 def add_input(design: Design, view: View) -> Edit | Refusal:
-    """Add an input at a place where there is none yet, digit II's pad first, and select it."""
-    taken = {one.location for one in design.inputs}
-    free = (k for k in (USUAL_LOCATION, *range(1, len(INPUTS) + 1)) if k not in taken)
-    return place_input(design, view, next(free, USUAL_LOCATION))
+    """Add an input at a place where there is none yet, the usual one first, and select it."""
+    taken, usual = {one.location for one in design.inputs}, usual_location(design.limb)
+    free = (k for k in (usual, *range(1, facts_of(design.limb).n_inputs + 1)) if k not in taken)
+    return place_input(design, view, next(free, usual))
 
 
 def move_inputs(design: Design, view: View, ids: Iterable[int], location: int) -> Edit | Refusal:
@@ -75,8 +81,8 @@ def move_inputs(design: Design, view: View, ids: Iterable[int], location: int) -
     if isinstance(outcome, Refusal):
         return outcome
     # Where it comes from is not said: during a drag that is the place before.
-    what = "input" if len(chosen) == 1 else inputs_words(chosen)
-    return replace(outcome, label=f"Move {what} to {place_words(location)}")
+    what = "input" if len(chosen) == 1 else inputs_words(chosen, design.limb)
+    return replace(outcome, label=f"Move {what} to {place_words(location, design.limb)}")
 
 
 def duplicate_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
@@ -90,7 +96,7 @@ def duplicate_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | R
     for one in chosen:
         after = after.adding(one)
     return Edit(
-        label=f"Duplicate {inputs_words(chosen)}",
+        label=f"Duplicate {inputs_words(chosen, design.limb)}",
         design=after,
         view=replace(view, selected_inputs=after.ids[len(design.inputs) :], selected_clips=()),
     )
@@ -103,7 +109,7 @@ def remove_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | Refu
         return NOTHING_CHOSEN
     after = replace(design, inputs=tuple(one for one in design.inputs if one not in chosen))
     return Edit(
-        label=f"Remove {inputs_words(chosen)}",
+        label=f"Remove {inputs_words(chosen, design.limb)}",
         design=after,
         view=kept_selection(view, design, after),
     )

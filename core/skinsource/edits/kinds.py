@@ -6,7 +6,6 @@ from typing import Any
 
 from skinsource.errors import InvalidInputError
 from skinsource.fields import ChoiceSpec, NumberSpec, SamplesSpec, Spec, specs_of
-from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.samples import Samples
 from skinsource.waveforms import Glide, Waveform, kinds
 
@@ -30,11 +29,11 @@ def kind_name(waveform: Waveform) -> str:
     return type(waveform).__name__
 
 
-def as_kind(waveform: Waveform, kind: type[Waveform]) -> Waveform:
+def as_kind(waveform: Waveform, kind: type[Waveform], rate_hz: float) -> Waveform:
     """A waveform of another kind that shares what it can with ``waveform``.
 
     A number that the other kind does not allow becomes the nearest one that it does.  A kind that
-    holds samples gets those that ``waveform`` plays.
+    holds samples gets those that ``waveform`` plays at ``rate_hz``, the rate of the limb.
     """
     if kind is type(waveform):
         return waveform
@@ -43,7 +42,7 @@ def as_kind(waveform: Waveform, kind: type[Waveform]) -> Waveform:
     for field, spec in specs_of(kind).items():
         change: dict[str, Any] = {}
         if isinstance(spec, SamplesSpec):
-            change = _played(waveform, field, spec)
+            change = _played(waveform, field, spec, rate_hz)
         elif type(present.get(field)) is type(spec):
             change = _shared(waveform, field, spec)
         # What does not go together with the rest stays as it is in a new one.
@@ -60,14 +59,16 @@ def _shared(waveform: Waveform, field: str, spec: Spec) -> dict[str, Any]:
     return {field: value} if isinstance(spec, ChoiceSpec) and value in dict(spec.options) else {}
 
 
-def _played(waveform: Waveform, field: str, spec: SamplesSpec) -> dict[str, Samples]:
+def _played(
+    waveform: Waveform, field: str, spec: SamplesSpec, rate_hz: float
+) -> dict[str, Samples]:
     """What a waveform plays, as the samples of ``field``; nothing where it cannot be."""
     own = getattr(waveform, field, None)
     try:
         if isinstance(own, Samples):
             played = own if spec.unit is None else replace(own, unit=spec.unit)
         else:
-            played = Samples(values=waveform.samples(SAMPLE_RATE_HZ), sample_rate_hz=SAMPLE_RATE_HZ)
+            played = Samples(values=waveform.samples(rate_hz), sample_rate_hz=rate_hz)
         return {field: spec.checked(played)}
     except InvalidInputError:
         return {}

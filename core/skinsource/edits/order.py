@@ -16,7 +16,7 @@ def put_inputs_before(design: Design, view: View, ids: Iterable[int], index: int
     before = [one for one in design.inputs[: max(index, 0)] if one not in chosen]
     after = [one for one in design.inputs[max(index, 0) :] if one not in chosen]
     return Edit(
-        label=f"Reorder {inputs_words(chosen)}",
+        label=f"Reorder {inputs_words(chosen, design.limb)}",
         design=replace(design, inputs=(*before, *chosen, *after)),
         view=view,
     )
@@ -32,7 +32,7 @@ def shift_inputs(design: Design, view: View, ids: Iterable[int], down: bool) -> 
         if order[place] in chosen and order[place - 1] not in chosen:
             order[place - 1], order[place] = order[place], order[place - 1]
     return Edit(
-        label=f"Reorder {inputs_words(chosen)}",
+        label=f"Reorder {inputs_words(chosen, design.limb)}",
         design=replace(design, inputs=tuple(order[::-1] if down else order)),
         view=view,
     )

@@ -20,7 +20,7 @@ def place_waveform(
     except InvalidInputError as error:
         return refused(error)
     return Edit(
-        label=f"Place {waveform.title.lower()} at {place_words(location)}",
+        label=f"Place {waveform.title.lower()} at {place_words(location, design.limb)}",
         design=after,
         view=replace(view, selected_inputs=after.ids[-1:], selected_clips=()),
     )

@@ -3,21 +3,24 @@
 from dataclasses import replace
 from typing import Any
 
-from skinsource.choice_words import LIMBS, SCALINGS, word_of
+from skinsource.choice_words import SCALINGS, word_of
 from skinsource.design import Design
 from skinsource.edits.edit import Edit, Refusal, refused
 from skinsource.errors import InvalidInputError
-from skinsource.limb import LIMB_NAMES, PRE_TRIGGER_DELAY_S
+from skinsource.limb import ALL_AXES, Axes, LimbFacts, axes_of
+from skinsource.own_limbs import facts_of
 from skinsource.quoting import quoted
 from skinsource.view import View
 
 
 def change_limb(design: Design, view: View, limb: str) -> Edit | Refusal:
-    """Take another limb."""
-    if limb not in LIMB_NAMES:
+    """Take another limb; of its axes, those that are looked at now, or all."""
+    facts = facts_of(limb) if isinstance(limb, str) else None
+    if facts is None or not facts.known:
         return Refusal(sentence=f"No limb is called {quoted(limb)}; choose one of the list.")
-    after = replace(design, limb=limb)
-    return Edit(label=f"Change limb to {word_of(LIMBS, limb).title}", design=after, view=view)
+    after = replace(design, limb=limb, limb_digest=facts.digest)
+    view = replace(view, axes=_fitting_axes(view.axes, facts_of(design.limb), facts))
+    return Edit(label=f"Change limb to {facts.title}", design=after, view=view)
 
 
 def change_scaling(design: Design, view: View, scaling: Any) -> Edit | Refusal:
@@ -56,7 +59,8 @@ def remove_delay(design: Design, view: View, removed: bool) -> Edit | Refusal:
         return Edit(label="Remove delay", design=design, view=view)
     shown = view.time_range_s
     if shown is not None:
-        shift_s = -PRE_TRIGGER_DELAY_S if removed else PRE_TRIGGER_DELAY_S
+        delay_s = facts_of(design.limb).pre_trigger_delay_s
+        shift_s = -delay_s if removed else delay_s
         shown = (shown[0] + shift_s, shown[1] + shift_s)
     label = "Remove delay" if removed else "Bring back delay"
     return _looked_at(design, view, label, delay_removed=removed, time_range_s=shown)
@@ -65,6 +69,16 @@ def remove_delay(design: Design, view: View, removed: bool) -> Edit | Refusal:
 def play_slower(design: Design, view: View, slow_motion: Any) -> Edit | Refusal:
     """Play so many times slower than it happens."""
     return _looked_at(design, view, "Change slow motion", slow_motion=slow_motion)
+
+
+def _fitting_axes(axes: Axes, before: LimbFacts, after: LimbFacts) -> Axes:
+    """All stay all; else those that the other limb measures along too, and all if there is none."""
+    if axes in (before.axes, ALL_AXES):
+        return after.axes
+    try:
+        return axes_of(after.axes, axes)
+    except InvalidInputError:
+        return after.axes
 
 
 def _looked_at(design: Design, view: View, label: str, **changes: Any) -> Edit | Refusal:

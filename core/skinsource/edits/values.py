@@ -12,6 +12,7 @@ from skinsource.edits.kinds import as_kind, nearest
 from skinsource.edits.selection import clip_of, clips_of
 from skinsource.errors import InvalidInputError
 from skinsource.fields import NumberSpec, Spec, specs_of
+from skinsource.own_limbs import facts_of
 from skinsource.quoting import quoted
 from skinsource.view import View
 from skinsource.waveforms import Waveform, kinds
@@ -26,7 +27,8 @@ def change_kind(design: Design, view: View, ids: Iterable[int], kind: str) -> Ed
     if wanted is None:
         known = ", ".join(one.__name__ for one in kinds())
         return Refusal(sentence=f"No waveform is called {quoted(kind)}; there are {known}.")
-    return _playing(design, view, ids, lambda clip: as_kind(clip.waveform, wanted))
+    rate_hz = facts_of(design.limb).sample_rate_hz
+    return _playing(design, view, ids, lambda clip: as_kind(clip.waveform, wanted, rate_hz))
 
 
 def change_waveform(

@@ -51,7 +51,7 @@ def equalise_on_skin(
         )
     # A hundredth of a dB is less than anything that can be felt or set; -0.0 would be odd.
     gains_db = tuple(round(softest_db - one, 2) + 0.0 for one in levels_db)
-    note = f"{NOTED}{measure}, {design.limb}, {place_words(track.location)}"
+    note = f"{NOTED}{measure}, {design.limb}, {place_words(track.location, design.limb)}"
     kept = [words for words in clip.label.split(_BETWEEN) if words and not words.startswith(NOTED)]
     label = _BETWEEN.join((*kept, note))
     change = {

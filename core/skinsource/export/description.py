@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from skinsource.chain import Actuation, ActuatorAt
-from skinsource.choice_words import AXES, LIMBS, METHODS, SCALINGS, SPANS, word_of
+from skinsource.choice_words import AXES, METHODS, SCALINGS, SPANS, limb_word, word_of
 from skinsource.clips import Clip
 from skinsource.design import Input
 
@@ -18,7 +18,7 @@ def describe_played(
     """Lines on the limb, by its name and what there is to note of it, and what it is driven by."""
     lines = [f"NOTE on the limb: {note}"] if note else []
     lines.append(
-        f"limb: {word_of(LIMBS, limb).title}, {limb}; scaling: {word_of(SCALINGS, scaling).both}"
+        f"limb: {limb_word(limb).title}, {limb}; scaling: {word_of(SCALINGS, scaling).both}"
     )
     if actuated is not None:
         lines.append(f"predicted through: {actuated.words}")

@@ -21,7 +21,7 @@ from skinsource.export.figures import (
 )
 from skinsource.export.output_file import output_file
 from skinsource.job import Progress, Stop, never, silent
-from skinsource.locations import OUTPUTS, output_place
+from skinsource.locations import output_words
 from skinsource.view import View
 
 
@@ -114,17 +114,15 @@ def export_levels(
         table = CsvTable(file, about, header, stop)
         table.add(
             np.vstack((exported.all_outputs, wanted["output_rms"], wanted["output_levels_db"])).T,
-            [_side_and_place(output) for output in exported.all_outputs],
+            [_side_and_place(output, exported.design.limb) for output in exported.all_outputs],
         )
         progress(1, 1, "Writing")
 
 
-def _side_and_place(output: int) -> tuple[str, str]:
-    """Side and place of an output; empty where a limb has outputs of its own."""
-    if output > len(OUTPUTS):
-        return "", ""
-    place = output_place(output)
-    return ("palm" if place.side == "volar" else "back"), place.name
+def _side_and_place(output: int, limb: str) -> tuple[str, str]:
+    """Side and place of an output; no side where a limb has outputs of its own."""
+    words = output_words(output, limb)
+    return {"volar": "palm", "dorsal": "back"}.get(words.kind, ""), words.name
 
 
 def _trace_blocks(exported: ExportedDesign) -> Iterator[Floats]:

@@ -1,6 +1,7 @@
 """One upper limb: its impulse responses, its map, and how large all of it is."""
 
-from skinsource.limb.axes import ALL_AXES, AXES, Axes, axes_of, axis_numbers
+from skinsource.limb.axes import ALL_AXES, AXES, Axes, axes_of, axis_numbers, words
+from skinsource.limb.facts import LIVE_INPUTS, LIVE_OUTPUTS, PUBLISHED, LimbFacts
 from skinsource.limb.limb import Limb
 from skinsource.limb.limb_map import LimbMap
 from skinsource.limb.places import check_input_location
@@ -22,18 +23,23 @@ __all__ = [
     "AXES",
     "HAND_LENGTHS_MM",
     "LIMB_NAMES",
+    "LIVE_INPUTS",
+    "LIVE_OUTPUTS",
     "MOST_PLACES",
     "N_AXES",
     "N_INPUTS",
     "N_OUTPUTS",
     "N_TAPS",
     "PRE_TRIGGER_DELAY_S",
+    "PUBLISHED",
     "SAMPLE_RATE_HZ",
     "VOLAR_OUTPUTS",
     "Axes",
     "Limb",
+    "LimbFacts",
     "LimbMap",
     "axes_of",
     "axis_numbers",
     "check_input_location",
+    "words",
 ]

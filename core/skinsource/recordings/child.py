@@ -10,6 +10,9 @@ It reads requests from its input, one JSON text a line:
 - ``{"do": "overview", "path": ..., "key": ..., "samples": ..., "columns": ...}``, answered by
   ``{"done": samples}`` while it is at work, one block of least and largest, and ``{"end": true}``.
 
+- ``{"do": "limb" or "points", "path": ...}`` and ``{"do": "responses", ...}``, answered by what
+  `skinsource.limb_import.in_child` finds, and blocks as above.
+
 Instead of any of them comes ``{"error": sentence, "kind": "format" or "storage"}``.  It ends when
 its input does.
 """
@@ -19,6 +22,7 @@ import json
 import os
 import sys
 import warnings
+from collections.abc import Iterator
 from pathlib import Path
 from typing import IO, Any
 
@@ -26,6 +30,7 @@ import numpy as np
 
 from skinsource.errors import FileFormatError, SkinSourceError
 from skinsource.files import named
+from skinsource.limb_import import in_child
 from skinsource.quoting import printable
 from skinsource.recordings import limits, readers
 from skinsource.recordings.found import to_tree
@@ -51,9 +56,11 @@ def main() -> None:
             kind = "format" if isinstance(error, FileFormatError) else "storage"
             _answer(answers, {"error": str(error), "kind": kind})
         except MemoryError:
-            _fail(answers, path, f"it needs more than {limits.MEMORY_BYTES} bytes of memory")
+            _fail(
+                answers, request, path, f"it needs more than {limits.MEMORY_BYTES} bytes of memory"
+            )
         except Exception as error:  # noqa: BLE001  on a damaged file a parser may fail in any way
-            _fail(answers, path, f"{printable(error) or type(error).__name__}")
+            _fail(answers, request, path, f"{printable(error) or type(error).__name__}")
 
 
 def _carry_out(answers: IO[bytes], request: dict[str, Any], path: Path) -> None:
@@ -63,12 +70,20 @@ def _carry_out(answers: IO[bytes], request: dict[str, Any], path: Path) -> None:
     if request["do"] == "overview":
         _give_overview(answers, request, path)
         return
-    keys, start, stop = request["keys"], int(request["start"]), int(request["stop"])
-    for block in readers.blocks(path, keys, start, stop):
+    if request["do"] in ("limb", "points"):
+        _answer(answers, in_child.look(request, path))
+        return
+    for block in _blocks(request, path):
         kind = "<f4" if block.dtype == np.float32 else "<f8"
         _answer(answers, {"block": [*block.shape, kind[1:]]}, np.ascontiguousarray(block, kind))
         _limit_time()
     _answer(answers, {"end": True})
+
+
+def _blocks(request: dict[str, Any], path: Path) -> Iterator[Any]:
+    if request["do"] == "responses":
+        return in_child.blocks(request, path)
+    return readers.blocks(path, request["keys"], int(request["start"]), int(request["stop"]))
 
 
 def _give_overview(answers: IO[bytes], request: dict[str, Any], path: Path) -> None:
@@ -83,11 +98,12 @@ def _give_overview(answers: IO[bytes], request: dict[str, Any], path: Path) -> N
     _answer(answers, {"end": True})
 
 
-def _fail(answers: IO[bytes], path: Path, reason: str) -> None:
+def _fail(answers: IO[bytes], request: dict[str, Any], path: Path, reason: str) -> None:
+    usual = "WAV, FLAC, AIFF, OGG, a table of numbers, NPY, NPZ, MATLAB or HDF5"
+    expected = in_child.EXPECTED.get(request["do"], usual)
     sentence = (
-        f"{named(Path(path.name))}: cannot be read ({reason.rstrip('.')}), expected WAV, FLAC, "
-        "AIFF, OGG, a table of numbers, NPY, NPZ, MATLAB or HDF5. It may be damaged; record or "
-        "export it again."
+        f"{named(Path(path.name))}: cannot be read ({reason.rstrip('.')}), expected "
+        f"{expected}. It may be damaged; record or export it again."
     )
     _answer(answers, {"error": sentence, "kind": "format"})
 

@@ -77,7 +77,7 @@ def _walk(group: Any, prefix: str, members: Members, walk: _Walk, depth: int) ->
 
 
 def _add(dataset: Any, name: str, members: Members, walk: _Walk) -> None:
-    reason = _reason_against(dataset, walk.file_bytes)
+    reason = reason_against(dataset, walk.file_bytes)
     if reason:
         members.leave_out(name, reason)
         return
@@ -87,7 +87,7 @@ def _add(dataset: Any, name: str, members: Members, walk: _Walk) -> None:
     members.members.append(Member(name=name, array=dataset, unit=unit, rate_hz=rate_hz))
 
 
-def _reason_against(dataset: Any, file_bytes: int) -> str:
+def reason_against(dataset: Any, file_bytes: int) -> str:
     """Why a dataset cannot be read; empty if it can."""
     if dataset.shape is None:
         return "it is empty"

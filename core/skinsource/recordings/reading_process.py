@@ -4,7 +4,7 @@ import json
 import os
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from pathlib import Path
 from queue import Empty, Queue
@@ -128,6 +128,28 @@ class ReadingProcess:
                     return found
                 if "block" in answer:
                     found = np.frombuffer(content, "<f8").reshape(2, -1)
+
+    def ask(self, path: Path, request: dict[str, Any], *, stop: Stop = never) -> dict[str, Any]:
+        """Return the one answer to a request of another kind; raises what `look` does."""
+        with self._lock:
+            self._ask(path, request, stop)
+            return self._next(path, stop)[0]
+
+    def stream(
+        self, path: Path, request: dict[str, Any], *, stop: Stop = never
+    ) -> Iterator[Floats]:
+        """Give the blocks that answer a request one by one; raises what `look` does."""
+        with self._lock:
+            self._ask(path, request, stop)
+            ended = False
+            try:
+                while not (ended := "end" in (found := self._next(path, stop))[0]):
+                    height, width, kind = found[0]["block"]
+                    flat = np.frombuffer(found[1], {"f4": "<f4", "f8": "<f8"}[kind])
+                    yield flat.reshape(height, width).astype(np.float64, copy=False)
+            finally:
+                if not ended:  # what else it says is no answer to the next request
+                    self._end()
 
     def _gathered(self, path: Path, rows: int, n: int, progress: Progress, stop: Stop) -> Block:
         found: Block = np.empty((rows, 0), np.float32)

@@ -106,7 +106,7 @@ def _made(
         check_input_location(one.location, limb.n_inputs)
     own_rate_hz = limb.sample_rate_hz
     rate_hz = own_rate_hz if sample_rate_hz is None else float(sample_rate_hz)
-    channels = _channels(heard, per)
+    channels = _channels(heard, per, design.limb)
     return Stimulus(
         channels=channels,
         samples=_sampled(heard, channels, own_rate_hz, rate_hz, stop),
@@ -135,7 +135,7 @@ def _taking_part(
     return tuple(one for one in left if one.clips)
 
 
-def _channels(heard: tuple[Input, ...], per: str) -> tuple[Channel, ...]:
+def _channels(heard: tuple[Input, ...], per: str, limb: str) -> tuple[Channel, ...]:
     together: dict[int, list[Input]] = {}
     for one in heard:
         together.setdefault(one.location if per == "place" else one.id, []).append(one)
@@ -143,7 +143,7 @@ def _channels(heard: tuple[Input, ...], per: str) -> tuple[Channel, ...]:
         Channel(
             number=number,
             place=group[0].location,
-            title=input_words(group[0].location).name,
+            title=input_words(group[0].location, limb).name,
             inputs=tuple(one.id for one in group),
         )
         for number, group in enumerate(together.values(), start=1)

@@ -93,7 +93,7 @@ class Preparing:
         DatasetMissingError
             The limb is a measured one, and the dataset is not installed.
         """
-        limb = self._shared.limb_data(design.limb)
+        limb = self._shared.limb_of(design.limb, design.limb_digest)
         rate_hz, n_taps = limb.sample_rate_hz, limb.n_taps
         limb = self._latest = self._shared.driven_limb(limb, design.actuated, design.scaling)
         found = []

@@ -40,6 +40,9 @@ def varied(design: Design, name: str, value: Value) -> Design:
     InvalidInputError
         Nothing in the design has such a field, or the value does not fit it.
     """
+    if name == "limb":
+        # Whichever has the name; the digest is that of the one before.
+        return replace(design, limb=value, limb_digest="")  # type: ignore[arg-type]
     if name in OF_DESIGN:
         return replace(design, **{name: value})  # type: ignore[arg-type]
     number, field = _read(name, len(design.inputs))

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
-from skinsource.choice_words import LIMBS, SCALINGS, signal_words, word_of
+from skinsource.choice_words import SCALINGS, limb_word, signal_words, word_of
 from skinsource.design import Design
 from skinsource.view import View
 from skinsource_gui.panels.skin.colour_scale import paint_colour_scale
@@ -48,7 +48,7 @@ def heading_of(design: Design | None, view: View, quantity: MapQuantity | None =
     parts = [quantity.details or signal_words(view.axes, view.method)]
     if design is not None:
         scaling = word_of(SCALINGS, design.scaling).title.lower()
-        parts = [word_of(LIMBS, design.limb).title, *parts, f"scaling: {scaling}"]
+        parts = [limb_word(design.limb).title, *parts, f"scaling: {scaling}"]
     return Heading(title=quantity.heading, details=" · ".join(parts))
 
 

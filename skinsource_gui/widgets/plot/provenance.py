@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
 
-from skinsource.choice_words import LIMBS, SCALINGS, signal_words, word_of
+from skinsource.choice_words import SCALINGS, limb_word, signal_words, word_of
 from skinsource.export.description import describe_levels, describe_played, describe_projection
 
 #: What a panel has to ask for to be able to say it.
@@ -30,7 +30,7 @@ def heading_of(results: Mapping[str, Any]) -> tuple[str, ...]:
     """Parts of the heading of a picture."""
     played = results["inputs"]
     parts = (
-        word_of(LIMBS, results["limb"]).title,
+        limb_word(results["limb"]).title,
         signal_words(results["axes"], results["method"]),
         f"scaling: {word_of(SCALINGS, results['scaling']).title.lower()}",
         f"{len(played)} {'input' if len(played) == 1 else 'inputs'}",

@@ -1,0 +1,34 @@
+"""Limbs that a lab has measured itself: what they hold, and where they are kept."""
+
+from skinsource.own_limbs.content import (
+    MOST_INPUTS,
+    MOST_OUTPUTS,
+    NAME_RULE,
+    OwnLimb,
+    is_free_name,
+)
+from skinsource.own_limbs.known import facts_of, missing_limb
+from skinsource.own_limbs.store import (
+    install_limb,
+    load_own_limb,
+    mirror_limb,
+    own_limb_names,
+    own_limb_path,
+    remove_limb,
+)
+
+__all__ = [
+    "MOST_INPUTS",
+    "MOST_OUTPUTS",
+    "NAME_RULE",
+    "OwnLimb",
+    "facts_of",
+    "install_limb",
+    "is_free_name",
+    "load_own_limb",
+    "mirror_limb",
+    "missing_limb",
+    "own_limb_names",
+    "own_limb_path",
+    "remove_limb",
+]

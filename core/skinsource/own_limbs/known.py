@@ -1,0 +1,78 @@
+"""What is known of each limb, by its name: without its responses, and again only if it changed."""
+
+from functools import lru_cache
+from pathlib import Path
+
+from skinsource.errors import SkinSourceError
+from skinsource.limb import PUBLISHED, LimbFacts, words
+from skinsource.own_limbs.content import is_free_name
+from skinsource.own_limbs.limb_file import LimbFile
+from skinsource.own_limbs.store import own_limb_path
+from skinsource.quoting import quoted
+
+
+def facts_of(name: str) -> LimbFacts:
+    """Names and sizes of a limb; of one that is not here, or damaged, those of the published ones.
+
+    Quick enough for each edit: a file is read again only after it has changed.
+    """
+    published = PUBLISHED.get(name)
+    if published is not None:
+        return published
+    if is_free_name(name):
+        path = own_limb_path(name)
+        try:
+            about = path.stat()
+            return _read(name, path, about.st_mtime_ns, about.st_size)
+        except (OSError, SkinSourceError):
+            pass
+    return LimbFacts(name=name, title=name, sentence="", known=False)
+
+
+def missing_limb(name: str, digest: str) -> str:
+    """Why a design of this limb cannot be computed here, in a sentence; empty if it can.
+
+    Parameters
+    ----------
+    name, digest
+        Of the limb, as of a design.  Where a measured limb is not installed is not said here.
+    """
+    facts = facts_of(name)
+    if not facts.known:
+        return (
+            f"The limb {quoted(name)} of this design is not here. Import it (Edit > Own limbs…), "
+            "or choose another limb."
+        )
+    if facts.own and digest and facts.digest != digest:
+        return (
+            f"The limb {quoted(name)} here is another one than that of this design: it has other "
+            "numbers. Import the right one, or choose this limb anew."
+        )
+    return ""
+
+
+@lru_cache(maxsize=64)
+def _read(name: str, path: Path, _changed_ns: int, _size: int) -> LimbFacts:
+    file = LimbFile(path)
+    held = file.limb
+    hand = f"{'Left' if held.left else 'Right'} hand{', shown mirrored' if held.mirrored else ''}"
+    return LimbFacts(
+        name=name,
+        title=held.title or name,
+        sentence=f"{hand}, imported: {held.n_inputs} places, {held.n_outputs} outputs along "
+        f"{words(held.axes)}, {held.sample_rate_hz:g} Hz.",
+        n_inputs=held.n_inputs,
+        n_outputs=held.n_outputs,
+        n_taps=held.n_taps,
+        axes=held.axes,
+        sample_rate_hz=held.sample_rate_hz,
+        pre_trigger_delay_s=held.pre_trigger_delay_s,
+        hand_length_mm=held.hand_length_mm,
+        synthetic=held.synthetic,
+        own=True,
+        input_names=held.input_names,
+        output_names=held.output_names,
+        digest=file.digest,
+        left=held.left,
+        mirrored=held.mirrored,
+    )

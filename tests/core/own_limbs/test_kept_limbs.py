@@ -1,0 +1,274 @@
+"""Limbs of a lab's own, kept here: what they give, and what becomes of damaged ones."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource import edits
+from skinsource.catalogue import available_limbs, load_limb
+from skinsource.choice_words import limb_word
+from skinsource.design import Design, track
+from skinsource.design_file import open_design, save_design
+from skinsource.errors import FileFormatError, InvalidInputError, UnknownLimbError
+from skinsource.evaluation import evaluate
+from skinsource.export import export_field, export_levels, export_map, export_traces
+from skinsource.levelling.wavelet_levels import wavelet_levels_db
+from skinsource.locations import input_words, output_words
+from skinsource.own_limbs import (
+    facts_of,
+    install_limb,
+    mirror_limb,
+    missing_limb,
+    own_limb_names,
+    own_limb_path,
+    remove_limb,
+)
+from skinsource.stimulus_export import export_stimulus
+from skinsource.sweeps import sweep
+from skinsource.view import View
+from skinsource.waveforms import Tone, WaveletTrain
+from tests.core.own_limbs.lab_bench import (
+    N_INPUTS,
+    N_OUTPUTS,
+    RATE_HZ,
+    installed,
+    own_limb,
+    response,
+)
+
+PLAYED = Design(
+    limb="lab-1", inputs=(track(7, Tone(frequency_hz=1500.0, duration_s=0.1)), track(2))
+)
+VIEW = View(axes="xz", method="mag", outputs=(31, 5))
+
+
+def test_it_gives_back_every_number(lab):
+    limb = load_limb("lab-1")
+    assert (limb.n_inputs, limb.n_outputs, limb.n_axes) == (N_INPUTS, N_OUTPUTS, 2)
+    assert (limb.axes, limb.sample_rate_hz, limb.pre_trigger_delay_s) == ("xz", RATE_HZ, 0.002)
+    for place in range(1, N_INPUTS + 1):
+        np.testing.assert_array_equal(limb.response_to(place), response(place))
+    for found, expected in (
+        (limb.map.outline, lab.outline),
+        (limb.map.input_positions, lab.input_positions),
+        (limb.map.output_positions, lab.output_positions),
+    ):
+        np.testing.assert_array_equal(found, expected)
+
+
+def test_it_is_named_beside_the_others_and_removed(lab):
+    assert available_limbs()[-1] == "lab-1"
+    assert limb_word("lab-1").title == "Lab 1"
+    assert "31 outputs along x and z, 4000 Hz" in limb_word("lab-1").sentence
+    assert input_words(3, "lab-1").name == "site 3"
+    assert output_words(3, "lab-1").name == "Output 3"
+    assert input_words(8, "lab-1").short_name == "not on this hand"
+    assert output_words(32, "lab-1").short_name == "not on this limb"
+    assert edits.place_input(PLAYED, VIEW, 3).label == "Place input at 3 (site 3)"
+    remove_limb("lab-1")
+    assert own_limb_names() == ()
+    with pytest.raises(UnknownLimbError, match="'lab-1' is not available here"):
+        load_limb("lab-1")
+
+
+def test_its_digest_says_which_numbers_it_holds(lab):
+    digest = facts_of("lab-1").digest
+    installed(title="Another name", note="A note", mirrored=True)
+    assert facts_of("lab-1").digest == digest
+    installed(hand_length_mm=181.0)
+    assert facts_of("lab-1").digest != digest
+    louder = (2 * response(place) for place in range(1, N_INPUTS + 1))
+    install_limb(lab, louder)
+    assert facts_of("lab-1").digest != digest
+
+
+def test_a_design_names_the_limb_and_its_digest(lab, tmp_path):
+    edit = edits.change_limb(replace(PLAYED, limb="synthetic-1"), View(), "lab-1")
+    assert edit.design.limb_digest == facts_of("lab-1").digest
+    assert edit.view.axes == "xz"
+    save_design(tmp_path / "a.skinsource", edit.design, edit.view)
+    content = open_design(tmp_path / "a.skinsource")
+    assert content.design == edit.design
+    assert missing_limb(content.design.limb, content.design.limb_digest) == ""
+    levels = evaluate(content.design, "output_levels_db", view=content.view)["output_levels_db"]
+    assert np.isfinite(levels).all()
+    installed(hand_length_mm=181.0)
+    assert "other numbers" in missing_limb("lab-1", content.design.limb_digest)
+    with pytest.raises(InvalidInputError, match="'lab-1' here is another one"):
+        load_limb("lab-1", content.design.limb_digest)
+    back = edits.change_limb(content.design, content.view, "synthetic-1")
+    assert (back.design.limb_digest, back.view.axes) == ("", "xyz")
+    assert edits.change_limb(content.design, content.view, "lab-2").sentence.startswith("No limb")
+
+
+@pytest.mark.parametrize(
+    ("axes", "found"), [("z", "z"), ("y", "xz"), ("xy", "xz"), ("xz", "xz"), ("xyz", "xz")]
+)
+def test_another_limb_keeps_the_axes_that_it_has(lab, axes, found):
+    edit = edits.change_limb(Design(limb="synthetic-1"), View(axes=axes), "lab-1")
+    assert edit.view.axes == found
+
+
+def test_a_limb_that_is_imported_anew_is_computed_anew(lab):
+    before = evaluate(PLAYED, "output_levels_db", view=VIEW)["output_levels_db"]
+    install_limb(lab, (2 * response(place) for place in range(1, N_INPUTS + 1)))
+    after = evaluate(PLAYED, "output_levels_db", view=VIEW)["output_levels_db"]
+    np.testing.assert_allclose(after - before, 20 * np.log10(2))
+
+
+def test_scripts_say_what_a_place_plays_there(lab):
+    levels = evaluate(PLAYED, "output_levels_db", view=VIEW)["output_levels_db"]
+    field = ss.predict(
+        load_limb("lab-1"),
+        [np.pad(one.waveform.samples(RATE_HZ), (0, 1200))[:1200] for one in PLAYED.clips],
+        [7, 2],
+        scaling="probe",
+    )
+    magnitude = ss.project_axes(field, "xz", "mag", "xz")
+    n_times = 800 + 90 - 1  # the longer one plays 0.2 s
+    expected = ss.decibels(ss.rms(magnitude[:, :n_times]))
+    np.testing.assert_allclose(levels, expected, atol=1e-9)
+
+
+def test_every_export_works_on_it_and_says_its_axes(lab, tmp_path):
+    export_levels(tmp_path / "levels.csv", PLAYED, VIEW)
+    text = (tmp_path / "levels.csv").read_text()
+    assert "axes: x, z (xz)" in text
+    assert text.count("\n") - text.count("\n#") >= N_OUTPUTS
+    export_traces(tmp_path / "traces.csv", PLAYED, VIEW)
+    assert "pre-trigger delay of 2 ms" in (tmp_path / "traces.csv").read_text()
+    export_map(tmp_path / "map.csv", PLAYED, VIEW)
+    export_field(tmp_path / "field.npz", PLAYED, VIEW)
+    with np.load(tmp_path / "field.npz") as held:
+        assert held["acceleration_m_per_s2"].shape[:2] == (N_OUTPUTS, 2)
+        assert held["sample_rate_hz"] == RATE_HZ
+        assert "2 axes (x, z)" in str(held["about"])
+    for name, suffix in (("wav", ".wav"), ("hdf5", ".h5"), ("csv", ".csv")):
+        export_stimulus(PLAYED, tmp_path / f"drive{suffix}", format=name, rate_hz=8000.0)
+    sidecar = json.loads((tmp_path / "drive.wav.json").read_text())
+    assert "site 7" in json.dumps(sidecar)
+
+
+def test_a_sweep_and_the_levels_of_a_train_work_on_it(lab, tmp_path):
+    found = sweep(PLAYED, {"location": [1, 4]}, out=tmp_path / "s", outputs=(31,), processes=1)
+    assert len(found.rows) == 2
+    other = edits.change_limb(PLAYED, VIEW, "lab-1").design
+    other = other.with_clip(1, waveform=Tone())
+    both = sweep(other, {"limb": ["lab-1", "synthetic-1"]}, out=tmp_path / "b")
+    assert both.column("error").tolist() == ["", ""]
+    train = Design(limb="lab-1", inputs=(track(3, WaveletTrain()),))
+    levels = wavelet_levels_db(train, train.clips[0].id)
+    assert np.isfinite(levels).all()
+
+
+def test_it_is_shown_mirrored_on_request_and_computes_the_same(lab):
+    before = evaluate(PLAYED, "output_levels_db", view=VIEW)["output_levels_db"]
+    mirror_limb("lab-1", True)
+    limb = load_limb("lab-1")
+    both = lab.outline[:, 0].min() + lab.outline[:, 0].max()
+    np.testing.assert_allclose(limb.map.output_positions[:, 0], both - lab.output_positions[:, 0])
+    np.testing.assert_array_equal(limb.map.output_positions[:, 1], lab.output_positions[:, 1])
+    np.testing.assert_allclose(limb.map.outline[:, 0], both - lab.outline[:, 0])
+    np.testing.assert_array_equal(limb.response_to(3), response(3))
+    assert "shown mirrored" in facts_of("lab-1").sentence
+    after = evaluate(PLAYED, "output_levels_db", view=VIEW)["output_levels_db"]
+    np.testing.assert_array_equal(after, before)
+    shown = evaluate(PLAYED, "limb_map")["limb_map"]
+    np.testing.assert_array_equal(shown.outline, limb.map.outline)
+    mirror_limb("lab-1", False)
+    np.testing.assert_array_equal(load_limb("lab-1").map.outline, lab.outline)
+
+
+def test_every_flipped_bit_of_a_kept_limb_is_noticed_or_changes_nothing(lab):
+    path = own_limb_path("lab-1")
+    whole = path.read_bytes()
+    random = np.random.default_rng(0)
+    places = [*range(0, 160), *random.integers(160, len(whole), 160)]
+    for place in places:
+        flipped = bytearray(whole)
+        flipped[place] ^= 1 << int(random.integers(8))
+        path.write_bytes(flipped)
+        try:
+            limb = load_limb("lab-1")
+            responses = [limb.response_to(k) for k in range(1, N_INPUTS + 1)]
+        except FileFormatError as error:
+            assert str(error).endswith("Import the limb again.")  # noqa: PT017
+            continue
+        for place_number, found in enumerate(responses, start=1):
+            np.testing.assert_array_equal(found, response(place_number))
+        np.testing.assert_array_equal(limb.map.outline, lab.outline)
+    for length in (0, 100, 600, len(whole) - 1):
+        path.write_bytes(whole[:length])
+        with pytest.raises(FileFormatError, match=r"cannot be used: .* Import the limb again"):
+            load_limb("lab-1")
+    path.write_bytes(whole + b"\0")
+    with pytest.raises(FileFormatError, match="bytes, expected"):
+        load_limb("lab-1")
+
+
+def test_a_damaged_limb_is_not_known_and_can_be_removed(lab):
+    own_limb_path("lab-1").write_bytes(b"nothing")
+    assert not facts_of("lab-1").known
+    assert "is not here" in missing_limb("lab-1", "")
+    remove_limb("lab-1")
+    assert not own_limb_path("lab-1").exists()
+
+
+def test_responses_replaced_while_the_limb_is_open_are_noticed(lab):
+    limb = load_limb("lab-1")
+    limb.response_to(1)
+    installed(note="changed")
+    with pytest.raises(FileFormatError, match=r"was replaced by other data .* Open the limb again"):
+        limb.response_to(2)
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"name": "Lab 1"}, "small letters, digits"),
+        ({"name": "measured-1"}, "none of measured-1"),
+        ({"name": "../a"}, "small letters"),
+        ({"axes": "zx"}, "axes 'zx' is not known"),
+        ({"sample_rate_hz": float("nan")}, "100 to 768000 Hz"),
+        ({"n_taps": 0}, "whole number from 1"),
+        ({"hand_length_mm": -1.0}, "20 to 2000 mm"),
+        ({"title": "two\nlines"}, "one line"),
+        ({"outline": np.zeros((5, 2))}, "encloses no area"),
+        ({"outline": [[0, 0], [1, float("nan")], [2, 2]]}, "row 2: y is nan"),
+        ({"input_positions": np.zeros((257, 2))}, "1 to 256 rows"),
+        ({"output_positions": np.zeros((513, 2))}, "1 to 512 rows"),
+        ({"input_positions": np.zeros((3, 3))}, r"expected \(n, 2\)"),
+        ({"output_names": ("a",)}, "output_names are 1, expected 31"),
+        ({"n_taps": 2**20}, "would take 3.6 GB"),
+    ],
+)
+def test_what_is_no_limb_is_refused_in_one_sentence(changes, words):
+    if "n_taps" in changes and changes["n_taps"] > 1:
+        changes = {**changes, "input_positions": np.zeros((60, 2)), "input_names": ()}
+        words = "would take 31.2 GB"
+    with pytest.raises(InvalidInputError, match=words):
+        own_limb(**changes)
+
+
+def test_responses_that_are_no_numbers_leave_nothing_behind(user_data):
+    limb = own_limb()
+    bad = response(2)
+    bad[3, 1, 7] = np.nan
+    with pytest.raises(InvalidInputError, match=r"input 2, output 4, axis z, tap 7 is nan"):
+        install_limb(limb, [response(1), bad])
+    with pytest.raises(InvalidInputError, match="to 1 inputs, expected 7"):
+        install_limb(limb, [response(1)])
+    with pytest.raises(InvalidInputError, match=r"shape \(31, 1, 90\), expected \(31, 2, 90\)"):
+        install_limb(limb, [response(1, "z")])
+    assert own_limb_names() == ()
+    assert list(own_limb_path("lab-1").parent.iterdir()) == []
+
+
+def test_the_usual_limbs_are_known_without_any_file():
+    facts = facts_of("measured-3")
+    assert (facts.n_inputs, facts.n_outputs, facts.axes, facts.own) == (20, 72, "xyz", False)
+    assert facts.title == "Measured 3 (185 mm)"
+    assert not facts_of("foot-1").known

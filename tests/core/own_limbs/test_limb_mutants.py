@@ -1,0 +1,151 @@
+"""Damaged and hostile files of limbs: one clear error each, nothing kept, nothing lost."""
+
+import h5py
+import numpy as np
+import pytest
+
+from skinsource.catalogue import load_limb
+from skinsource.errors import SkinSourceError
+from skinsource.limb_import import LimbSource, import_limb, prepared
+from skinsource.limb_import import importing as importing_module
+from skinsource.own_limbs import own_limb_names
+from skinsource.recordings.reading_process import ReadingProcess
+
+N_MUTANTS = 300
+
+
+@pytest.fixture(scope="module")
+def process():
+    with ReadingProcess(silence_s=5.0) as one:
+        yield one
+
+
+def whole_file(path):
+    with h5py.File(path, "w") as file:
+        file.attrs.update(
+            format="skinsource limb",
+            format_version=1,
+            name="ours",
+            axes="xz",
+            sample_rate_hz=4000.0,
+            hand_length_mm=180.0,
+        )
+        rng = np.random.default_rng(1)
+        file["responses"] = rng.standard_normal((2, 4, 2, 8))
+        file["map/outline"] = [[0.0, 0.0], [60.0, 0.0], [60.0, 100.0], [0.0, 100.0]]
+        file["map/inputs"] = rng.uniform(0, 50, (2, 2))
+        file["map/outputs"] = rng.uniform(0, 50, (4, 2))
+        file["names/inputs"] = ["a", "b"]
+    return path
+
+
+def outcome(path, process):
+    """The error, or None where a whole limb came of it."""
+    source = LimbSource(responses=path)
+    try:
+        found = prepared(source, process)
+        blocks = list(importing_module._responses(path, found, process, lambda: False))
+    except SkinSourceError as error:
+        return error
+    assert len(blocks) == found.limb.n_inputs
+    return None
+
+
+def test_hundreds_of_mutants_give_a_limb_or_one_clear_error(tmp_path, process):
+    whole = whole_file(tmp_path / "whole.h5").read_bytes()
+    random = np.random.default_rng(3)
+    path, failed = tmp_path / "mutant.h5", 0
+    for _ in range(N_MUTANTS):
+        mutant = bytearray(whole)
+        kind = random.integers(4)
+        if kind == 0:
+            mutant = mutant[: random.integers(len(mutant))]
+        else:
+            for place in random.integers(0, len(mutant), (1, 4, 24)[kind - 1]):
+                mutant[place] = random.integers(256)
+        path.write_bytes(mutant)
+        error = outcome(path, process)
+        if error is not None:
+            failed += 1
+            assert "mutant.h5" in str(error)
+            assert "\n" not in str(error)
+            assert len(str(error)) < 600
+    assert failed > N_MUTANTS // 4
+    assert outcome(whole_file(tmp_path / "whole.h5"), process) is None
+
+
+def hostile(change):
+    def make(path):
+        with h5py.File(whole_file(path), "r+") as file:
+            change(file)
+        return path
+
+    return make
+
+
+def put(name, value):
+    def change(file):
+        del file[name]
+        file[name] = value
+
+    return change
+
+
+def linked_elsewhere(file):
+    del file["responses"]
+    file["responses"] = h5py.ExternalLink("other.h5", "responses")
+
+
+def huge(file):
+    del file["responses"]
+    file.create_dataset("responses", (256, 512, 3, 100_000), "f8", chunks=(1, 1, 1, 1000))
+
+
+def huge_names(file):
+    del file["names/inputs"]
+    file["names/inputs"] = ["a" * 100_000, "b"]
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda file: file.attrs.__setitem__("format_version", 2), "format_version is 2"),
+        (lambda file: file.attrs.__delitem__("axes"), "no attribute 'axes'"),
+        (
+            lambda file: file.attrs.__setitem__("axes", 5),
+            "'axes' is 5, expected a short text",
+        ),
+        (lambda file: file.attrs.__setitem__("sample_rate_hz", "fast"), "expected one number"),
+        (lambda file: file.attrs.__setitem__("sample_rate_hz", [1.0, 2.0]), "expected one number"),
+        (lambda file: file.attrs.__setitem__("answers", "what"), "expected drive or pulse"),
+        (lambda file: file.attrs.__setitem__("name", "../../etc"), "expected small letters"),
+        (lambda file: file.attrs.__setitem__("note", "a" * 20_000), "expected a short text"),
+        (lambda file: file.__delitem__("map"), "no group 'map'"),
+        (lambda file: file.__delitem__("responses"), "no dataset 'responses'"),
+        (put("responses", np.zeros((2, 4, 8))), "'responses' has shape (2, 4, 8)"),
+        (put("responses", np.zeros((3, 4, 2, 8))), "the responses have 3"),
+        (put("map/outline", np.zeros((4, 2))), "encloses no area"),
+        (put("map/inputs", np.zeros((2, 3))), "shape (2, 3)"),
+        (put("map/outputs", np.array([b"a", b"b"])), "not real numbers"),
+        (linked_elsewhere, "no dataset 'responses'"),
+        (huge, "it declares"),
+        (huge_names, "one line"),
+    ],
+)
+def test_a_file_that_is_not_what_it_should_be_is_refused_by_name(tmp_path, process, change, words):
+    path = hostile(change)(tmp_path / "bad.h5")
+    error = outcome(path, process)
+    assert error is not None
+    assert words in str(error)
+    assert "bad.h5" in str(error)
+
+
+def test_a_failed_import_leaves_the_limb_of_that_name_as_it_was(user_data, tmp_path):
+    import_limb(LimbSource(responses=whole_file(tmp_path / "a.h5")))
+    before = load_limb("ours").impulse_responses
+    with h5py.File(tmp_path / "a.h5", "r+") as file:
+        file["responses"][1, 3, 1, 7] = np.nan
+    with pytest.raises(SkinSourceError, match="tap 7 is nan"):
+        import_limb(LimbSource(responses=tmp_path / "a.h5"))
+    assert own_limb_names() == ("ours",)
+    np.testing.assert_array_equal(load_limb("ours").impulse_responses, before)
