@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING
 from skinsource import edits, effects, motions, waveforms
 from skinsource.analysis import Extent, extent, windowed_rms
 from skinsource.catalogue import available_limbs, load_limb
-from skinsource.chain import Actuation, ActuatorAt
+from skinsource.chain import Actuation, ActuatorAt, actuation_of_rig
 from skinsource.clips import Clip, Marker
 from skinsource.decibels import decibels
 from skinsource.design import Design, Input, track
@@ -73,6 +73,7 @@ __all__ = [
     "SurfaceOperator",
     "View",
     "__version__",
+    "actuation_of_rig",
     "actuators",
     "available_limbs",
     "decibels",

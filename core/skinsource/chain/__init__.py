@@ -5,6 +5,7 @@ from skinsource.chain.amplitudes import amplitude_meaning, amplitude_unit
 from skinsource.chain.chain import Chain, Curve, Part
 from skinsource.chain.drive import LARGEST, Drive, drive_of, drive_played, first_unusable
 from skinsource.chain.followed import refuse_unfollowed
+from skinsource.chain.of_rig import actuation_of_rig
 from skinsource.chain.placing import placed_chain
 from skinsource.chain.transfer import Transfer, transfers_of
 
@@ -17,6 +18,7 @@ __all__ = [
     "Drive",
     "Part",
     "Transfer",
+    "actuation_of_rig",
     "amplitude_meaning",
     "amplitude_unit",
     "drive_of",

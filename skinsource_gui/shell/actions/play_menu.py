@@ -96,4 +96,12 @@ PLAY: tuple[ActionSpec, ...] = (
         command="matching.show",
         keywords="equal strength loudness adjustment method person table psychophysics",
     ),
+    action(
+        "edit_rig",
+        "Play",
+        "Rig…",
+        "What is wired to what: places, outputs, volts, measured responses, delays, limits",
+        command="rigs.show",
+        keywords="wiring calibration accelerometer volts amplifier polarity skinrig limits channel",
+    ),
 )

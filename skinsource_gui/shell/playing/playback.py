@@ -7,6 +7,7 @@ from skinsource_gui.matching_page.matching_actions import MatchingActions
 from skinsource_gui.panels.playback.panel import PlaybackPanel
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.playing.escape_twice import EscapeTwice
+from skinsource_gui.shell.playing.rig_pages import RigPages
 from skinsource_gui.shell.playing.transport import Transport
 from skinsource_gui.shell.reports import Reports
 from skinsource_gui.state.document import Document
@@ -44,6 +45,7 @@ class Playback(QObject):
         self.pace = Pace(document, self.player, self)
         self.bar = Transport(window)
         self.matching = MatchingActions(document, preferences, self.player, window)
+        self.rigs = RigPages(document, self.player.settings, window)
         self._panel: PlaybackPanel | None = None
         self._timer = QTimer(self, interval=_STEP_MS)
         self._timer.timeout.connect(self._show)
@@ -57,6 +59,7 @@ class Playback(QObject):
             "gain": self.player.gain,
             "pace": self.pace,
             "matching": self.matching,
+            "rigs": self.rigs,
         }
 
     def end(self) -> None:
@@ -69,6 +72,7 @@ class Playback(QObject):
         player, bar = self.player, self.bar
         self._panel = panel
         self.matching.theme = lambda: appearance.theme
+        self.rigs.use(appearance)
         appearance.changed.connect(bar.show_theme)
         bar.play_wanted.connect(player.play_or_stop)
         bar.repeat_wanted.connect(player.toggle_loop)

@@ -59,6 +59,12 @@ class SoundSettings(QObject):
         self.rig_title, self.rig_problem = "", ""
         self._rig_looked = False
 
+    @property
+    def rig_path(self) -> Path | None:
+        """Where the rig of this machine is; None: there is none."""
+        kept = self._preferences.rig_path
+        return Path(kept) if kept else None
+
     def look_for_rig(self) -> None:
         """Read the rig of this machine, when somebody first wants to know."""
         if self._rig_looked:

@@ -1,0 +1,187 @@
+"""Play > Rig…: a rig is described, saved, opened, played for, and predicted through."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QFileDialog, QMessageBox
+
+import skinsource as ss
+from skinsource.actuators import MeasuredResponse
+from skinsource.rigs import Rig, RigChannel, open_rig, save_rig
+from skinsource_gui.rig_page.page import RigPage
+
+WAIT = {"timeout": 30_000}
+FLAT = MeasuredResponse(((20.0, 50.0, 0.0), (1000.0, 50.0, 0.0)))
+
+
+@pytest.fixture
+def window(make_window):
+    return make_window(
+        ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Gabor(200.0)),))
+    )
+
+
+@pytest.fixture
+def page(window, qtbot):
+    window.do("edit_rig")
+    found = window.findChild(RigPage)
+    qtbot.waitExposed(found)
+    yield found
+    found.draft.give_up()
+    found.reject()
+
+
+@pytest.fixture
+def answer(monkeypatch, tmp_path):
+    """Have the next dialogs answer with a name."""
+
+    def with_name(name):
+        path = tmp_path / name
+        for asked in ("getSaveFileName", "getOpenFileName"):
+            monkeypatch.setattr(QFileDialog, asked, lambda *_: (str(path), ""))
+        return path
+
+    return with_name
+
+
+def put(page, name, value):
+    page.fields.cell(name).edited.emit(name, value, None)
+
+
+def press(page, name):
+    QTest.mouseClick(page.button(name), Qt.MouseButton.LeftButton)
+
+
+def test_a_rig_made_by_hand_is_the_one_in_its_file(page, window, answer):
+    QTest.keyClicks(page._title, "Bench 3")
+    press(page, "add")
+    put(page, "place", 7)
+    put(page, "full_scale_v", 2.5)
+    put(page, "polarity", "inverted")
+    put(page, "delay_s", 0.004)
+    put(page, "limit displacement_m", 1e-3)
+    press(page, "add")
+    put(page, "actuator", "example-voice-coil")
+    path = answer("bench.skinrig")
+    press(page, "save")
+    first, second = open_rig(path).channels
+    assert open_rig(path).title == "Bench 3"
+    assert (first.place, first.output, first.full_scale_v) == (7, 1, 2.5)
+    assert (first.polarity, first.delay_s, first.limits.displacement_m) == ("inverted", 0.004, 1e-3)
+    # The next one is like the one before, on the next place and output.
+    assert (second.place, second.output, second.full_scale_v) == (1, 2, 2.5)
+    assert second.actuator == "example-voice-coil"
+    assert "Saved bench.skinrig" in page.words.text()
+    assert window.playback.player.settings.rig == page.draft.rig
+
+
+def test_zero_volts_are_volts_that_are_not_known(page):
+    press(page, "add")
+    put(page, "full_scale_v", 2.0)
+    assert page.draft.rig.channels[0].full_scale_v == 2.0
+    put(page, "full_scale_v", 0.0)
+    assert page.draft.rig.channels[0].full_scale_v is None
+    put(page, "limit peak_voltage_v", 3.0)
+    put(page, "limit peak_voltage_v", 0.0)
+    assert page.draft.rig.channels[0].limits.peak_voltage_v is None
+
+
+def test_a_place_that_is_wired_twice_is_refused_and_said(page):
+    press(page, "add")
+    press(page, "add")
+    put(page, "place", page.draft.rig.channels[0].place)
+    assert "place 1 2 times" in page.words.text()
+    assert [one.place for one in page.draft.rig.channels] == [1, 2]
+    assert page.fields.cell("place").field.value_si == 2
+
+
+def test_channels_are_removed_and_an_empty_rig_says_what_to_do(page):
+    assert "No channel yet" in page.words.text()
+    press(page, "add")
+    press(page, "add")
+    press(page, "remove")
+    assert [one.place for one in page.draft.rig.channels] == [1]
+    press(page, "remove")
+    assert page.draft.rig.channels == ()
+    assert not page.fields.widget.isEnabled()
+
+
+def test_a_response_comes_from_a_table_and_is_forgotten_again(page, qtbot, answer):
+    press(page, "add")
+    path = answer("coil.csv")
+    rows = "\n".join(
+        f"{hz},{10.0 + hz / 100:.3f},{-0.1 * hz / 100:.3f}" for hz in range(20, 800, 10)
+    )
+    path.write_text(f"frequency_hz,gain,phase_rad\n{rows}\n", encoding="utf-8")
+    page.fields.from_file.click()
+    qtbot.waitUntil(lambda: page.draft.rig.channels[0].measured is not None, **WAIT)
+    measured = page.draft.rig.channels[0].measured
+    assert np.abs(measured.response(200.0)) == pytest.approx(12.0, rel=1e-3)
+    assert page.draft.rig.channels[0].measured_on
+    assert "78 points, 20 to 790 Hz" in page.fields.measured.text()
+    page.fields.forget.click()
+    assert page.draft.rig.channels[0].measured is None
+    assert page.draft.rig.channels[0].measured_on == ""
+
+
+def test_what_is_no_response_says_so_and_changes_nothing(page, qtbot, answer):
+    press(page, "add")
+    answer("coil.csv").write_text("a,b\n1,2\n3,4\n", encoding="utf-8")
+    page.fields.from_file.click()
+    qtbot.waitUntil(lambda: "coil.csv" in page.words.text(), **WAIT)
+    assert page.draft.rig.channels[0].measured is None
+
+
+def test_an_opened_rig_is_shown_and_what_is_none_is_refused(page, answer):
+    path = answer("bench.skinrig")
+    rig = Rig(title="Bench", channels=(RigChannel(place=12, output=4, full_scale_v=1.0),))
+    save_rig(path, rig)
+    press(page, "open")
+    assert page.draft.rig == rig
+    assert page.channels.item(0).text() == "12 · Digit II, base, output 4"
+    path.write_text("no rig", encoding="utf-8")
+    press(page, "open")
+    assert page.draft.rig == rig
+    assert "bench.skinrig" in page.words.text()
+
+
+def test_changes_are_not_lost_unasked(page, monkeypatch):
+    asked = []
+
+    def no(*words):
+        asked.append(words[-1])
+        return QMessageBox.StandardButton.No
+
+    monkeypatch.setattr(QMessageBox, "question", no)
+    press(page, "add")
+    press(page, "close")
+    assert page.isVisible()
+    assert "not saved" in asked[0]
+
+
+def test_a_design_is_predicted_through_the_rig(page, window):
+    press(page, "add")
+    press(page, "predict")
+    assert "does not say how any" in page.words.text()
+    put(page, "place", 7)
+    put(page, "actuator", "example-voice-coil")
+    press(page, "predict")
+    actuated = window.document.design.actuated
+    assert actuated.at(7).model == ss.actuators.load("example-voice-coil")
+    assert "regularised inverse" in page.words.text()
+    with pytest.raises(ss.SkinSourceError, match="Place 3 has no actuator"):
+        actuated.at(3)
+
+
+def test_what_was_measured_goes_before_what_is_listed():
+    channels = (
+        RigChannel(place=7, actuator="example-voice-coil", measured=FLAT),
+        RigChannel(place=12, output=2, actuator="of the lab"),
+        RigChannel(place=3, output=3, actuator="example-piezo"),
+    )
+    found = ss.actuation_of_rig(Rig(title="Bench", channels=channels))
+    assert [one.place for one in found.actuators] == [7, 3]
+    assert found.at(7).model == FLAT
+    assert found.at(3).model == ss.actuators.load("example-piezo")
+    assert found.rig == "Bench"
