@@ -1,12 +1,19 @@
-"""What the actuators of a stimulus would have to do, and which of their limits it passes."""
+"""What the actuators of a stimulus have to do, and which of their limits it passes."""
 
 import numpy as np
 
-from skinsource.actuators import Limits, breaches, load, predicted, profile
+from skinsource.actuators import (
+    Limits,
+    Prediction,
+    Thermal,
+    breaches,
+    names,
+    predicted,
+    profile,
+)
 from skinsource.arrays import Floats
-from skinsource.equalising import RegularisedInverse, equalised
-from skinsource.errors import InvalidInputError
-from skinsource.quoting import quoted
+from skinsource.chain import Actuation, ActuatorAt
+from skinsource.equalising import equalised
 from skinsource.rigs.checking import strictest
 from skinsource.sweeps.prepared import Prepared
 
@@ -21,60 +28,73 @@ ACTUATOR_METRICS = (
     "linear_share",
     "limits_passed",
 )
-_RATE_HZ = 48_000
+# What an equaliser rings for before and after belongs to what the actuator does.
+_RINGS_S = 0.1
 
 
-def actuator_metrics(
-    one: Prepared, factor: float, actuator: str, limits: Limits
-) -> dict[str, float]:
-    """Metrics of the voltages that make one kind of actuator follow all drives.
+def actuator_metrics(one: Prepared, factor: float, limits: Limits) -> dict[str, float]:
+    """Metrics of the voltages at the actuators that a design is predicted through.
 
-    The drive of each place is equalised by `skinsource.equalising.RegularisedInverse`.
-    ``limits_passed`` counts the limits that any channel passes, of ``limits`` and those of the
-    actuator; NaN where there are none.
+    ``limits_passed`` counts the limits that any channel passes, of ``limits`` and those that the
+    library knows of the actuator; NaN where there are none.  All are NaN where the design is not
+    predicted through actuators.
 
     Parameters
     ----------
     factor
         What all amplitudes are multiplied with.
-    actuator
-        A name of `skinsource.actuators.names`.
 
     Raises
     ------
     InvalidInputError
-        There is no such actuator, amplitudes are no accelerations, or a drive leaves a velocity, so
-        that nothing can follow it.
+        A place has no actuator, or drives at one place leave a velocity, so that nothing can follow
+        them.
     """
-    model, about = load(actuator), profile(actuator)
-    if one.design.scaling != "probe":
-        raise InvalidInputError(
-            f"the scaling is {quoted(one.design.scaling)}, and an actuator is to follow m/s². "
-            "Choose the scaling Probe acceleration."
-        )
-    drives = _drives_of(one, factor)
-    allowed = strictest(limits, about.limits)
-    known = allowed != Limits()
+    actuation = one.design.actuated
+    if actuation is None:
+        return dict.fromkeys(ACTUATOR_METRICS, np.nan)
     found = dict.fromkeys(ACTUATOR_METRICS, 0.0)
     passed: set[str] = set()
-    if drives.size and drives.any():
-        rate_hz = one.limb.sample_rate_hz
-        # What the filter rings for before and after belongs to what the actuator does.
-        voltages = equalised(drives, rate_hz, model, RegularisedInverse(), lead_s=0.1, tail_s=0.1)
-        told = predicted(voltages, round(rate_hz), model, thermal=about.thermal)
+    known = False
+    for place, drive in _drives_of(one, factor).items():
+        at = actuation.at(place)
+        own, thermal = _known_of(at)
+        allowed = strictest(limits, own)
+        known = known or allowed != Limits()
+        told = _told(drive, one.limb.sample_rate_hz, at, actuation, thermal)
+        passed |= {breach.name for breach in breaches(told, allowed)}
         for name in ACTUATOR_METRICS[:-1]:
-            found[name] = float(np.max([getattr(each, name) for each in told]))
-        passed = {breach.name for each in told for breach in breaches(each, allowed)}
+            found[name] = float(np.maximum(found[name], getattr(told, name)))
     found["limits_passed"] = float(len(passed)) if known else np.nan
     return found
 
 
-def _drives_of(one: Prepared, factor: float) -> Floats:
-    """The drive of each place, (n_places, n_times), m/s²."""
+def _told(
+    drive: Floats, rate_hz: float, at: ActuatorAt, actuation: Actuation, thermal: Thermal | None
+) -> Prediction:
+    voltage = drive
+    if actuation.equaliser is not None:
+        voltage = equalised(
+            drive, rate_hz, at.model, actuation.equaliser, lead_s=_RINGS_S, tail_s=_RINGS_S
+        )
+    (told,) = predicted(voltage, round(rate_hz), at.model, thermal=thermal)
+    return told
+
+
+def _known_of(at: ActuatorAt) -> tuple[Limits, Thermal | None]:
+    """What the library knows of an actuator by its name."""
+    if at.actuator not in names():
+        return Limits(), None
+    about = profile(at.actuator)
+    return about.limits, about.thermal
+
+
+def _drives_of(one: Prepared, factor: float) -> dict[int, Floats]:
+    """The drive of each place where anything moves, (n_times,), m/s² or V."""
     n_times = one.stimulus_samples
     channels: dict[int, Floats] = {}
-    for each in one.placed:
+    for each in one.moving:
         drive = channels.setdefault(each.voice.location, np.zeros(n_times))
         weight = each.voice.amplitude * each.drive.factor * factor
         drive[each.start : each.end] += weight * each.drive.samples
-    return np.array(list(channels.values()))
+    return channels

@@ -96,7 +96,7 @@ class Measurer:
           highest, see `skinsource.perception.sensation_levels_db`; as well;
         - what `skinsource.extent` says of the RMS of the whole record;
         - ``output_N_rms``, ``output_N_rms_100ms``, ``output_N_peak`` of each output asked for;
-        - where an actuator is varied, `skinsource.sweeps.actuator_metrics`.
+        - where predictions go through actuators, `skinsource.sweeps.actuator_metrics`.
 
         What cannot be said, of silence for instance, is NaN.
 
@@ -121,9 +121,8 @@ class Measurer:
         }
         for one in self.plan.outputs:
             metrics |= _of_output(f"output_{one}_", rms[one - 1], seen.windows[one], factor)
-        actuator = self.plan.actuator_of(number)
-        if actuator is not None:
-            metrics |= actuator_metrics(prepared, factor, actuator, self.plan.limits)
+        if self.plan.drives_actuators:
+            metrics |= actuator_metrics(prepared, factor, self.plan.limits)
         return {name: float(value) for name, value in metrics.items()}
 
     def _looked_at(self, number: int, stop: Stop) -> tuple[Prepared, Seen]:

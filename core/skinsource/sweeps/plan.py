@@ -52,7 +52,8 @@ class Plan:
     strengths
         What people matched.
     limits
-        What actuators must not pass, beside their own limits; where an actuator is varied.
+        What actuators must not pass, beside their own limits; where designs are predicted
+        through actuators.
     """
 
     designs: tuple[tuple[str, Design], ...]
@@ -108,12 +109,8 @@ class Plan:
     @property
     def drives_actuators(self) -> bool:
         """Whether it says what actuators have to do."""
-        return any(name == ACTUATOR for name, _ in self.variables)
-
-    def actuator_of(self, number: int) -> str | None:
-        """Name of the actuator in stimulus ``number``; None where none is varied."""
-        found = self.values_of(number).get(ACTUATOR)
-        return None if found is None else str(found)
+        varied_ones = any(name == ACTUATOR for name, _ in self.variables)
+        return varied_ones or any(design.actuated is not None for _, design in self.designs)
 
     def __len__(self) -> int:
         """How many stimuli there are."""
@@ -142,8 +139,7 @@ class Plan:
         which, picked = self._picked(number)
         design = self.designs[which][1]
         for name, value in picked:
-            if name != ACTUATOR:
-                design = varied(design, name, value)
+            design = varied(design, name, value)
         return design if self.strengths is None else equally_strong(design, self.strengths)
 
     def neighbours(self, number: int) -> range:

@@ -170,7 +170,8 @@ def _level(
         spectra = rows(np.arange(limb.n_outputs), tuple(range(limb.n_axes)))
         acceleration = inverse_here(spectra, n_fft)[..., :n_times]
         return above_threshold(acceleration, limb.sample_rate_hz, one.design.scaling)
-    return _loudest_window(rows, projection, np.square(rms) * n_times, n_fft, limb, stop)
+    energy = np.square(rms) * one.record_samples
+    return _loudest_window(rows, projection, energy, n_fft, limb, stop)
 
 
 def _loudest_window(

@@ -81,7 +81,7 @@ class Together:
             Whether moments of different axes are wanted.
         """
         there = [one for one in stimuli if one is not None]
-        if len(there) < _FEWEST or len({(one.limb.name, one.design.scaling) for one in there}) > 1:
+        if len(there) < _FEWEST or not all(_moves_as(one, there[0]) for one in there):
             return None
         split = _split(there)
         n_fft = there[0].n_fft(max(one.response_samples for one in there))
@@ -177,6 +177,11 @@ class _Source:
             raise ValueError("what is in common comes first")
         conjugates = other.drives.conj()
         return conjugates if self.drives is None else self.drives * conjugates
+
+
+def _moves_as(one: Prepared, other: Prepared) -> bool:
+    """Whether responses are the same; a limb behind other actuators is another one."""
+    return one.limb is other.limb and one.design.scaling == other.design.scaling
 
 
 def _split(stimuli: list[Prepared]) -> tuple[tuple[Placed, ...], dict[int, int]] | None:

@@ -4,8 +4,11 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import Any
 
+from skinsource.actuators import load
+from skinsource.chain import Actuation, ActuatorAt
 from skinsource.clips import Clip
 from skinsource.design import Design, Input
+from skinsource.equalising import RegularisedInverse
 from skinsource.errors import InvalidInputError
 from skinsource.fields import specs_of
 from skinsource.quoting import quoted
@@ -13,9 +16,9 @@ from skinsource.quoting import quoted
 #: What a variable can be set to.
 Value = bool | int | float | str | tuple[int, ...]
 
-#: No part of the design: what is asked of it is measured beside.
+#: At all places, with the equaliser of the design; predictions then go through it.
 ACTUATOR = "actuator"
-OF_DESIGN = ("limb", "scaling")
+OF_DESIGN = ("limb", "scaling", ACTUATOR)
 OF_INPUT = ("location", "amplitude", "muted")
 OF_CLIP = ("onset_s", "gain")
 #: Inputs are numbered as they are listed: "2.frequency_hz" is of the second one alone.
@@ -28,10 +31,10 @@ def varied(design: Design, name: str, value: Value) -> Design:
     Parameters
     ----------
     name
-        ``"limb"`` and ``"scaling"`` of the design; ``"location"``, ``"amplitude"``, ``"muted"`` of
-        inputs; ``"onset_s"`` and ``"gain"`` of clips; any field of waveforms: ``"frequency_hz"``.
-        Every input gets the value, clip by clip where they have the field; ``"2.frequency_hz"`` is
-        of the second input alone.
+        ``"limb"``, ``"scaling"`` and ``"actuator"`` (at all places) of the design; ``"location"``,
+        ``"amplitude"``, ``"muted"`` of inputs; ``"onset_s"`` and ``"gain"`` of clips; any field of
+        waveforms: ``"frequency_hz"``.  Every input gets the value, clip by clip where they have the
+        field; ``"2.frequency_hz"`` is of the second input alone.
     value
         A list of places for ``"location"`` goes to the inputs in their order.
 
@@ -43,6 +46,8 @@ def varied(design: Design, name: str, value: Value) -> Design:
     if name == "limb":
         # Whichever has the name; the digest is that of the one before.
         return replace(design, limb=value, limb_digest="")  # type: ignore[arg-type]
+    if name == ACTUATOR:
+        return replace(design, actuation=_actuation(design, value))
     if name in OF_DESIGN:
         return replace(design, **{name: value})  # type: ignore[arg-type]
     number, field = _read(name, len(design.inputs))
@@ -58,7 +63,7 @@ def varied(design: Design, name: str, value: Value) -> Design:
     if not found:
         raise InvalidInputError(
             f"nothing in the design has {quoted(name)}; a sweep can vary "
-            f"{', '.join((*names_in(design), ACTUATOR))}"
+            f"{', '.join(names_in(design))}"
         )
     return replace(design, inputs=tuple(inputs))
 
@@ -73,6 +78,16 @@ def names_in(design: Design) -> tuple[str, ...]:
         *(OF_INPUT if design.inputs else ()),
         *(OF_CLIP if design.clips else ()),
         *of_waveforms,
+    )
+
+
+def _actuation(design: Design, value: Value) -> Actuation:
+    """One kind of actuator at all places; it follows the drives unless the design says else."""
+    if not isinstance(value, str):
+        raise InvalidInputError(f"actuator is {quoted(value)}, expected a name")
+    equaliser = RegularisedInverse() if design.actuation is None else design.actuation.equaliser
+    return Actuation(
+        actuators=(ActuatorAt(actuator=value, model=load(value)),), equaliser=equaliser
     )
 
 

@@ -1,11 +1,14 @@
 """How strong stimuli are: as drawn, as predicted, or as people matched them."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 import skinsource as ss
 from skinsource import actuators
 from skinsource.actuators import Limits
+from skinsource.chain import Actuation, ActuatorAt
 from skinsource.equalising import RegularisedInverse, equalised
 from skinsource.errors import FileFormatError, InvalidInputError
 from skinsource.matching import MatchingRun, Procedure
@@ -140,7 +143,7 @@ def test_actuators_are_varied_and_say_what_they_have_to_do():
     table = ss.sweep(DESIGN, {"actuator": names}, outputs=(19,), limits=Limits(peak_voltage_v=1e-3))
     assert not table.failed
     assert table.columns[-9:-1] == ACTUATOR_METRICS
-    assert table.column("rms")[0] == table.column("rms")[1]
+    assert table.column("rms")[0] != table.column("rms")[1]
     for row, name in enumerate(names):
         model = actuators.load(name)
         drives = np.array([one.amplitude * TONE.samples(1300.0) for one in DESIGN.inputs])
@@ -158,6 +161,46 @@ def test_actuators_are_varied_and_say_what_they_have_to_do():
     assert np.isnan(louder.column("limits_passed")).all()
 
 
+def actuation(name):
+    at = ActuatorAt(actuator=name, model=actuators.load(name))
+    return Actuation(actuators=(at,), equaliser=RegularisedInverse())
+
+
+def test_predictions_go_through_the_actuator_that_is_varied():
+    names = ("example-voice-coil", "example-resonant", "example-piezo", "example-recoil")
+    # Four actuators are four limbs; one of them with four frequencies is measured together.
+    by_actuator = ss.sweep(DESIGN, {"actuator": names}).column("rms")
+    by_frequency = ss.sweep(DESIGN, {"actuator": names[:1], "frequency_hz": FREQUENCIES})
+    for name, rms in zip(names, by_actuator, strict=True):
+        design = replace(DESIGN, actuation=actuation(name))
+        found = ss.evaluate(design, "output_rms", view=ss.View(method="pca"))["output_rms"]
+        assert rms == pytest.approx(found.max(), rel=1e-9)
+    for frequency_hz, rms in zip(FREQUENCIES, by_frequency.column("rms"), strict=True):
+        design = replace(design_at(DESIGN, frequency_hz), actuation=actuation(names[0]))
+        found = ss.evaluate(design, "output_rms", view=ss.View(method="pca"))["output_rms"]
+        assert rms == pytest.approx(found.max(), rel=1e-9)
+
+
+def test_designs_with_and_without_actuators_do_not_mix():
+    through = replace(DESIGN, actuation=actuation("example-resonant"))
+    designs = [DESIGN, through, DESIGN, through]
+    table = ss.sweep(designs)
+    for row, design in enumerate(designs):
+        alone = ss.sweep(design)
+        assert table.column("rms")[row] == pytest.approx(alone.column("rms")[0], rel=1e-12)
+    assert np.isnan(table.column("peak_voltage_v")).tolist() == [True, False, True, False]
+    assert "peak_voltage_v" not in ss.sweep(DESIGN).columns
+
+
+def test_without_an_equaliser_drives_are_volts():
+    volts = replace(DESIGN, actuation=replace(actuation("example-voice-coil"), equaliser=None))
+    table = ss.sweep(volts, limits=Limits(peak_voltage_v=0.9))
+    assert table.column("peak_voltage_v")[0] == pytest.approx(1.0, rel=0.01)
+    assert table.column("limits_passed").tolist() == [1.0]
+    softer = ss.sweep(volts, {"actuator": ["example-resonant"], "amplitude": [0.5]})
+    assert softer.column("peak_voltage_v")[0] == pytest.approx(0.5, rel=0.01)
+
+
 def test_levels_reach_the_actuator():
     changes = {"vary": {"actuator": ("example-voice-coil",)}, "level": "loudest_100ms"}
     soft, loud = (ss.sweep(DESIGN, level_db=level_db, **changes) for level_db in (-20.0, 0.0))
@@ -172,6 +215,7 @@ def test_an_actuator_that_cannot_be_is_a_row_that_says_why():
     table = ss.sweep(tap, {"actuator": names})
     assert "no-such-one" in table.failed[1]
     assert "velocity" in table.failed[2]
+    assert "expected a name" in ss.sweep(tap, {"actuator": [3]}).failed[1]
     upstream = ss.Design(limb="synthetic-1", inputs=DESIGN.inputs, scaling="relative")
     assert "Probe acceleration" in ss.sweep(upstream, {"actuator": names[1:]}).failed[1]
 
