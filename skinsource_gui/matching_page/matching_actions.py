@@ -42,6 +42,9 @@ class MatchingActions(QObject):
 
     def show(self) -> None:
         """Open the page; what the window plays ends."""
+        settings = self._player.settings
+        if not settings.rig_is_read():
+            return
         # Few match anything; the start of the studio shall not wait for it.
         module = importlib.import_module("skinsource_gui.matching_page.page")
         gain_db = self._player.gain.gain_db
@@ -49,7 +52,8 @@ class MatchingActions(QObject):
         page = module.MatchingPage(
             self._document.design.limb,
             self._preferences.folder,
-            self._player.settings.output,
+            settings.output,
+            settings.rig,
             gain_db,
             self.theme(),
             self._window,

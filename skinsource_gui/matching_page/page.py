@@ -22,6 +22,7 @@ from skinsource.matching.run import STEP_DB
 from skinsource.playing import Output
 from skinsource.playing.session import Playing
 from skinsource.quoting import sentence
+from skinsource.rigs import Rig
 from skinsource_gui.matching_page.run_view import RunView
 from skinsource_gui.matching_page.setup_form import SetupForm
 from skinsource_gui.matching_page.sounding import Sounding
@@ -50,8 +51,8 @@ class MatchingPage(QDialog):
         Limb of the designs that are played.
     folder
         Where the table lies at first.
-    output, gain_db
-        What is played on, and how loud.
+    output, rig, gain_db
+        What is played on, what is wired to it (None: not known), and how loud.
     theme
         The colours.
     """
@@ -61,6 +62,7 @@ class MatchingPage(QDialog):
         limb: str,
         folder: Path,
         output: Output,
+        rig: Rig | None,
         gain_db: float,
         theme: Theme,
         parent: QWidget,
@@ -74,7 +76,7 @@ class MatchingPage(QDialog):
         self.run: MatchingRun | None = None
         self.form = SetupForm(folder / _TABLE, gain_db, theme)
         self.view = RunView(theme)
-        self.sounding = Sounding(output, self)
+        self.sounding = Sounding(output, rig, self)
         self._stopped_s = -_HURRY_S
         self._timer = QTimer(self, interval=_LOOK_MS)
         self._timer.timeout.connect(self._look)

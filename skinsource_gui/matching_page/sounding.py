@@ -10,6 +10,7 @@ from skinsource.matching import Presenter
 from skinsource.playing import Output
 from skinsource.playing.session import Playing
 from skinsource.playing.stream import Stream
+from skinsource.rigs import Rig
 from skinsource_gui.state.playing.sound_thread import SoundThread
 
 _GONE = (
@@ -24,8 +25,8 @@ class Sounding(QObject):
 
     Parameters
     ----------
-    output
-        What is played on.
+    output, rig
+        What is played on, and what is wired to it; None: not known.
 
     Attributes
     ----------
@@ -39,10 +40,10 @@ class Sounding(QObject):
     ended = Signal(str)
     _finished = Signal(object)  # from the thread of the device
 
-    def __init__(self, output: Output, parent: QObject) -> None:
+    def __init__(self, output: Output, rig: Rig | None, parent: QObject) -> None:
         super().__init__(parent)
         self._thread = SoundThread(self)
-        self._presenter = Presenter(output, self._finished.emit)
+        self._presenter = Presenter(output, self._finished.emit, rig)
         self._finished.connect(self._end_of, Qt.ConnectionType.QueuedConnection)
         self._waiting: tuple[Design, float] | None = None
         self._busy = self._wanted = self._closed = False

@@ -6,6 +6,7 @@ from skinsource.design import Design
 from skinsource.playing import START_DB, Output
 from skinsource.playing.session import Playing, Session
 from skinsource.playing.stream import Stream
+from skinsource.rigs import Rig
 
 
 class Presenter:
@@ -20,10 +21,14 @@ class Presenter:
         What is played on.
     finished
         Called from the thread of the device, with its stream, when nothing is played any more.
+    rig
+        What is wired to the device, whose limits then hold; None: not known.
     """
 
-    def __init__(self, output: Output, finished: Callable[[Stream], None]) -> None:
-        self._output = output
+    def __init__(
+        self, output: Output, finished: Callable[[Stream], None], rig: Rig | None = None
+    ) -> None:
+        self._output, self._rig = output, rig
         self._session = Session(finished)
         self._playing: Playing | None = None
         self._stopped = False
@@ -39,10 +44,12 @@ class Presenter:
         if self._stopped:
             self.close()
         if self._playing is not None:
-            self._playing = self._session.change(self._playing, design, self._output, loops=True)
+            self._playing = self._session.change(
+                self._playing, design, self._output, loops=True, rig=self._rig
+            )
         if self._playing is None:
             self._playing = self._session.play(
-                design, self._output, loops=True, at_s=0.0, gain_db=gain_db
+                design, self._output, loops=True, at_s=0.0, gain_db=gain_db, rig=self._rig
             )
         if self._playing.stream is not None:
             self._playing.stream.deck.set_gain(gain_db)

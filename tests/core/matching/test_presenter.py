@@ -6,10 +6,12 @@ import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource.actuators import Limits
 from skinsource.errors import NothingToPlayOnError
 from skinsource.matching import MatchingRun, Presenter, Procedure
 from skinsource.playing import Output
 from skinsource.playing import session as session_module
+from skinsource.rigs import Rig, RigChannel
 from tests.core.playing.made_up_sound import MadeUpLibrary, use
 
 PROCEDURE = Procedure(
@@ -97,6 +99,31 @@ def test_the_limiter_ends_what_would_pass_full_scale(sound, presenter):
     assert presenter.over.wait(20)
     assert playing.stream.deck.ending.reason == "limit"
     assert np.abs(sound.streams[0].samples).max() <= 1.0
+
+
+def test_the_rig_says_which_outputs_and_how_far(sound):
+    def rig(limit_v):
+        limits = Limits(peak_voltage_v=limit_v)
+        return Rig(
+            channels=tuple(
+                RigChannel(place=place, output=output, full_scale_v=2.0, limits=limits)
+                for place, output in ((7, 4), (3, 3))
+            )
+        )
+
+    run = MatchingRun(PROCEDURE, None)
+    over = threading.Event()
+    wide = Presenter(Output(), lambda stream: over.set(), rig(10.0))
+    wide.present(run.design, 0.0)
+    wait_for(lambda: (np.abs(sound.streams[0].samples).max(axis=1, initial=0.0)[2:] > 0.01).all())
+    assert not sound.streams[0].samples[:2].any()
+    wide.close()
+    over.clear()
+    narrow = Presenter(Output(), lambda stream: over.set(), rig(0.1))
+    playing = narrow.present(run.design, 0.0)
+    assert over.wait(20)
+    assert playing.stream.deck.ending.reason == "rig"
+    narrow.close()
 
 
 def test_without_a_device_it_is_a_rehearsal_that_says_why(monkeypatch, presenter):

@@ -8,7 +8,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 
+from skinsource.actuators import Limits
 from skinsource.design import start_design
+from skinsource.rigs import Rig, RigChannel, save_rig
 from tests.core.playing.made_up_sound import MadeUpLibrary, use
 
 
@@ -203,6 +205,21 @@ def test_a_table_that_cannot_be_written_stops_and_keeps_the_trial(sound, page, q
     assert page.run.trial == trial
     assert "nowhere" in page.view.note.text()
     assert not page.sounding.playing
+
+
+def test_the_rig_of_the_machine_holds_while_matching(sound, studio, qtbot, tmp_path):
+    limits = Limits(peak_voltage_v=1e-3)
+    channel = RigChannel(place=7, output=5, full_scale_v=1.0, limits=limits)
+    save_rig(tmp_path / "bench.rig", Rig(channels=(channel,)))
+    studio.playback.player.settings.choose_rig(tmp_path / "bench.rig")
+    studio.do("match_strength")
+    page = studio.playback.matching.page
+    page.form.field("person").setText("Anna")
+    page.form.field("places").setText("7")
+    press(page, "rehearse")
+    qtbot.waitUntil(lambda: "rig" in page.view.note.text(), timeout=20_000)
+    assert not page.sounding.playing
+    studio.playback.matching.end()
 
 
 def test_a_studio_that_closes_lets_go_of_the_device(sound, studio, page, qtbot):
