@@ -14,10 +14,10 @@ from skinsource_gui.history import History
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.drop_place import DropPlace
 from skinsource_gui.widgets.first_steps import USUALLY_IN_SIGHT
-from skinsource_gui.widgets.pictures.pictured import Pictured
+from skinsource_gui.widgets.inputs.pointing import PointsAtInputs
 
 
-class Panel(Pictured):
+class Panel(PointsAtInputs):
     """A view of the design and of computed quantities.
 
     A panel names what it ``needs`` and draws what it is given.  It starts no computation, and

@@ -1,6 +1,6 @@
 """Colours, fonts and spacings: the only place where they are decided."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from string import Template
 
 from PySide6.QtCore import Qt
@@ -138,7 +138,25 @@ DARK = Theme(
         "#c8ccd2",
     ),
 )
-THEMES = {theme.name: theme for theme in (LIGHT, DARK)}
+#: For poor projectors and tired eyes: every word at least 12 : 1 against its ground.
+CONTRAST = replace(
+    DARK,
+    name="contrast",
+    window="#000000",
+    base="#000000",
+    raised="#1a1a1a",
+    border="#9aa3ad",
+    grid="#565d66",
+    text="#ffffff",
+    dim="#dfe4ea",
+    accent="#ffd400",
+    on_accent="#000000",
+    warning="#ffc247",
+    error="#ff9d91",
+    skin="#2e2723",
+    skin_line="#f0d9c4",
+)
+THEMES = {theme.name: theme for theme in (LIGHT, DARK, CONTRAST)}
 
 
 def apply_theme(app: QApplication, theme: Theme, text_scale: float = 1.0) -> None:

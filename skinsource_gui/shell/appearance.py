@@ -8,7 +8,7 @@ from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.theme import THEMES, Theme, apply_theme
 
 #: One step of "Larger text", and how far it goes.
-TEXT_STEP, SMALLEST_TEXT, LARGEST_TEXT = 1.1, 0.8, 2.0
+TEXT_STEP, SMALLEST_TEXT, LARGEST_TEXT = 1.1, 0.8, 3.0
 
 
 class Appearance(QObject):

@@ -11,6 +11,7 @@ from skinsource_gui.panels.actuator.settings import ActuatorSettings
 from skinsource_gui.panels.clip_editor.panel import ClipEditorPanel
 from skinsource_gui.panels.compare.panel import ComparePanel
 from skinsource_gui.panels.frequency_and_amplitude.panel import FrequencyAndAmplitudePanel
+from skinsource_gui.panels.frequency_and_amplitude.settings import ControlSettings
 from skinsource_gui.panels.hand.panel import HandPanel
 from skinsource_gui.panels.history.panel import HistoryPanel
 from skinsource_gui.panels.inspector.panel import InspectorPanel
@@ -95,7 +96,11 @@ PANELS: tuple[PanelSpec, ...] = (
         ),
     ),
     PanelSpec(panel=InspectorPanel, places=_places(design=Place(2))),
-    PanelSpec(panel=FrequencyAndAmplitudePanel, places=_places(presentation=Place(0, 14))),
+    PanelSpec(
+        panel=FrequencyAndAmplitudePanel,
+        settings=ControlSettings,
+        places=_places(presentation=Place(0, 14)),
+    ),
     PanelSpec(
         panel=SkinPanel,
         settings=SkinSettings,

@@ -32,13 +32,13 @@ from skinsource_gui.shell.panel_focus import PanelFocus
 from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.shell.pictures import picture_of
 from skinsource_gui.shell.playing.playback import Playback
+from skinsource_gui.shell.presenting.frame import frame_capabilities
 from skinsource_gui.shell.recent_menu import RecentMenu
 from skinsource_gui.shell.reports import Reports
 from skinsource_gui.shell.running_jobs import RunningJobs
 from skinsource_gui.shell.setup_bar import SetupBar
 from skinsource_gui.shell.shortcuts_in_fields import ShortcutsInFields
 from skinsource_gui.shell.validity import Validity
-from skinsource_gui.shell.window_frame import WindowFrame
 from skinsource_gui.state.comparison import Comparison
 from skinsource_gui.state.conductor import Conductor
 from skinsource_gui.state.document import Document
@@ -201,7 +201,7 @@ class MainWindow(QMainWindow):
             "panel_focus": PanelFocus(self.panels, self.arrangements.bring, self),
             "appearance": self.appearance,
             "pages": self.pages,
-            "frame": WindowFrame(self, self.document),
+            **frame_capabilities(self),
         }
 
     def _build(self) -> None:

@@ -64,6 +64,7 @@ class Conductor(QObject):
             panel.edited.connect(self._apply)
             panel.view_changed.connect(self._look)
             panel.playhead_wanted.connect(self._put_playhead)
+            panel.input_pointed_at.connect(self._point_at)
             panel.show_state(document.design, document.view)
 
     def _follow(self) -> None:
@@ -88,6 +89,11 @@ class Conductor(QObject):
     def _put_playhead(self, time_s: float) -> None:
         outcome = edits.move_playhead(self._document.design, self._document.view, time_s)
         self._document.apply(outcome)
+
+    def _point_at(self, input_id: int | None) -> None:
+        for panel in self._panels:
+            if panel is not self.sender():
+                panel.show_pointed_input(input_id)
 
     def _with_playhead(self, view: View) -> View:
         # While it moves, most panels know where it was, not where it is.

@@ -1,21 +1,32 @@
 """Frequency and amplitude of the selected input, large, for presenting."""
 
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from skinsource import edits
 from skinsource.clips import Clip
+from skinsource.clips.clip import ONSET as ONSET_S
 from skinsource.design import AMPLITUDE, Design, amplitude_spec
 from skinsource.edits.kinds import kind_name
 from skinsource.edits.selection import clip_of
 from skinsource.fields import NumberSpec, specs_of
+from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.panel import Panel
+from skinsource_gui.panels.frequency_and_amplitude.settings import (
+    ALL,
+    CONTROL,
+    ControlSettings,
+)
+from skinsource_gui.panels.frequency_and_amplitude.settings import AMPLITUDE as TURNS_AMPLITUDE
+from skinsource_gui.panels.frequency_and_amplitude.settings import FREQUENCY as TURNS_FREQUENCY
+from skinsource_gui.panels.frequency_and_amplitude.settings import ONSET as TURNS_ONSET
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.first_steps import add_words, select_words
 from skinsource_gui.widgets.inputs.input_words import EMPTY
 
-_FREQUENCY = "frequency_hz"
+_FREQUENCY, _ONSET = "frequency_hz", "onset_s"
 
 
 class FrequencyAndAmplitudePanel(Panel):
@@ -34,27 +45,40 @@ class FrequencyAndAmplitudePanel(Panel):
         self._theme = LIGHT
         self._words = QLabel(add_words(self.in_sight))
         self._words.setObjectName("frequency_and_amplitude_words")
+        self._control = ChoiceField(CONTROL, self)
+        self._control.setObjectName("control_field")
+        self._control.chosen.connect(self._choose_control)
         self._amplitude = FieldCell("amplitude", AMPLITUDE)
+        self._onset = FieldCell(_ONSET, ONSET_S)
         self._frequency: FieldCell | None = None
         self._spec: NumberSpec | None = None
         self._row = QHBoxLayout()
         self._row.setSpacing(UNIT_PX)
-        for part in (self._amplitude.label, self._amplitude):
+        for part in (self._amplitude.label, self._amplitude, self._onset.label, self._onset):
             self._row.addWidget(part)
+        head = QHBoxLayout()
+        head.addWidget(self._words, 1)
+        head.addWidget(self._control)
+        self._control.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         column = QVBoxLayout(self)
         column.setContentsMargins(UNIT_PX, 0, UNIT_PX, UNIT_PX)
         column.setSpacing(UNIT_PX // 2)
-        column.addWidget(self._words)
+        column.addLayout(head)
         column.addLayout(self._row)
         column.addStretch(1)
         self._amplitude.edited.connect(self._change)
+        self._onset.edited.connect(self._change)
         self.setFocusProxy(self._amplitude)
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
+        control = settings_of(view, self.name, ControlSettings).control
+        self._control.set_value(control)
         known = view.selected_input in design.ids
         for part in (self._amplitude.label, self._amplitude):
-            part.setVisible(known)
+            part.setVisible(known and control in (ALL, TURNS_AMPLITUDE))
+        for part in (self._onset.label, self._onset):
+            part.setVisible(False)
         if not known:
             words = select_words if design.inputs else add_words
             self._words.setText(words(self.in_sight))
@@ -63,10 +87,15 @@ class FrequencyAndAmplitudePanel(Panel):
         one = design.input(view.selected_input)
         clip = clip_of(one, view)
         playing = EMPTY.capitalize() if clip is None else kind_name(clip.waveform)
-        self._words.setText(f"{playing} at place {one.location}")
+        title = f"{design.title} · " if design.title else ""
+        self._words.setText(f"{title}{playing} at place {one.location}")
+        if clip is not None:
+            self._onset.set_value(clip.onset_s)
+            for part in (self._onset.label, self._onset):
+                part.setVisible(control == TURNS_ONSET)
         self._amplitude.set_spec(amplitude_spec(design.scaling, design.actuated))
         self._amplitude.set_value(one.amplitude)
-        self._show_frequency(clip)
+        self._show_frequency(clip if control in (ALL, TURNS_FREQUENCY) else None)
 
     def show_in_sight(self, names: frozenset[str]) -> None:
         super().show_in_sight(names)
@@ -76,7 +105,7 @@ class FrequencyAndAmplitudePanel(Panel):
     def show_theme(self, theme: Theme) -> None:
         self._theme = theme
         self._words.setStyleSheet(f"color: {theme.dim};")
-        for cell in (self._amplitude, self._frequency):
+        for cell in (self._amplitude, self._onset, self._frequency):
             if cell is not None:
                 cell.show_theme(theme)
 
@@ -93,6 +122,10 @@ class FrequencyAndAmplitudePanel(Panel):
                 self._row.insertWidget(1, self._frequency)
         if self._frequency is not None and one is not None:
             self._frequency.set_value(one.waveform.frequency_hz)
+
+    def _choose_control(self, control: str, _gesture: int | None) -> None:
+        settings = ControlSettings(control=control)
+        self.view_changed.emit(with_settings(self._view, self.name, settings))
 
     def _drop_frequency(self) -> None:
         if self._frequency is not None:

@@ -16,6 +16,7 @@ from skinsource_gui.panel import Panel
 from skinsource_gui.panels.hand.hand_diagram import HandDiagram
 from skinsource_gui.panels.hand.hand_drawing import palmar_drawing
 from skinsource_gui.panels.hand.hand_picture import Mark
+from skinsource_gui.panels.hand.pointing import Pointing
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.drop_place import DropPlace
 from skinsource_gui.widgets.inputs.input_words import EMPTY
@@ -43,6 +44,8 @@ class HandPanel(Panel):
         self.diagram.all_requested.connect(partial(self._edit, edits.select_all_inputs))
         self.diagram.remove_requested.connect(self._remove)
         self.diagram.menu_requested.connect(self._open_menu)
+        self._pointing = Pointing(self.diagram.stage)
+        self._pointing.pointed_at.connect(self.input_pointed_at)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.diagram)
@@ -50,7 +53,11 @@ class HandPanel(Panel):
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
+        self._pointing.design = design
         self._show_inputs()
+
+    def show_pointed_input(self, input_id: int | None) -> None:
+        self._pointing.show(input_id)
 
     def show_theme(self, theme: Theme) -> None:
         self._theme = theme

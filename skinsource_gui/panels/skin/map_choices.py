@@ -48,6 +48,11 @@ class MapChoices(QObject):
         if self._design is not None:
             self.edited.emit(edits.select_outputs(self._design, self._view, outputs), None)
 
+    def choose_input(self, input_id: int) -> None:
+        """Select an input."""
+        if self._design is not None:
+            self.edited.emit(edits.select_inputs(self._design, self._view, (input_id,)), None)
+
     def choose_range(self, range_db: tuple[float, float] | None) -> None:
         """Let colours span these levels, or follow the loudest output."""
         if self.settings.quantity == LEVELS:

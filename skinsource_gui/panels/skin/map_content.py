@@ -1,18 +1,21 @@
 """What the map shows."""
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 from skinsource.arrays import Floats
 from skinsource.limb import Limb, LimbMap
 from skinsource.quoting import sentence
 from skinsource.surface import SurfaceOperator
+from skinsource_gui.panels.skin.inputs.marks import InputMark
 from skinsource_gui.panels.skin.level_range import SILENT_RANGE, Range
-from skinsource_gui.panels.skin.map_quantity import MapQuantity
+from skinsource_gui.panels.skin.map_quantity import LEVELS, MapQuantity
 from skinsource_gui.widgets.map.colour_maps import VIRIDIS
 from skinsource_gui.widgets.map.field_image import FieldImage
 
+#: What stands on a map that is covered.
+COVERED = "Covered"
 _LEVELS = MapQuantity()
-_COMPARED = (tuple, bool, str, float, MapQuantity)
+_COMPARED = (tuple, bool, str, int, float, MapQuantity)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -37,6 +40,8 @@ class MapContent:
         Selected outputs.
     px_per_mm
         Outline pixels in a millimetre of the limb; 0 before that is known.
+    inputs, pointed_at
+        Marks of the inputs, and the id of the one that is pointed at here or on the hand.
     sensors_shown
         Whether sensors are marked on the interpolated map.
     noisy
@@ -61,6 +66,8 @@ class MapContent:
     colours: str = VIRIDIS
     outputs: tuple[int, ...] = ()
     px_per_mm: float = 0.0
+    inputs: tuple[InputMark, ...] = ()
+    pointed_at: int | None = None
     sensors_shown: bool = True
     noisy: tuple[int, ...] = ()
     synthetic: bool = False
@@ -81,6 +88,12 @@ class MapContent:
                 (getattr(self, field.name), getattr(other, field.name)) for field in fields(self)
             )
         )
+
+    @property
+    def covered(self) -> "MapContent":
+        """The same without anything that was computed, for an audience that shall guess first."""
+        quantity = replace(self.quantity, name=LEVELS)
+        return replace(self, values=None, field_values=None, quantity=quantity, message=COVERED)
 
     @property
     def coloured_values(self) -> Floats | None:

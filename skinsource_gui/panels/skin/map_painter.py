@@ -16,6 +16,7 @@ from PySide6.QtGui import (
 
 from skinsource.choice_words import PALM_SIDE
 from skinsource.limb import VOLAR_OUTPUTS, LimbMap
+from skinsource_gui.panels.skin.inputs.marks import paint_marks
 from skinsource_gui.panels.skin.length_bar import paint_length_bar
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import MapLayout
@@ -72,6 +73,9 @@ class MapPainter:
         self._paint_palmar(painter, content, layout, theme)
         if content.noisy and not content.message:
             self._paint_hatch(painter, content, layout)
+        if content.limb_map is not None:
+            marks = content.inputs, content.limb_map
+            paint_marks(painter, *marks, layout, theme, content.pointed_at)
         self._paint_selection(painter, content, layout, theme)
         paint_length_bar(painter, layout, content.px_per_mm, theme)
 

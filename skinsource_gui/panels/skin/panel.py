@@ -16,6 +16,7 @@ from skinsource.surface import SurfaceOperator
 from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.skin.colour_bar import ColourBar
+from skinsource_gui.panels.skin.inputs.marks import marks_of
 from skinsource_gui.panels.skin.map_choices import MapChoices
 from skinsource_gui.panels.skin.map_content import MapContent, note_of, px_per_mm_of
 from skinsource_gui.panels.skin.map_menu import open_map_menu
@@ -46,9 +47,8 @@ class SkinPanel(Panel):
         self._design: Design | None = None
         self._view = View()
         self._choices = MapChoices(self.name, self)
-        self._theme = LIGHT
-        self._content = MapContent()
-        self._shown_limb = ""
+        self._theme, self._content = LIGHT, MapContent()
+        self._shown_limb, self._covered = "", False
         self._surface: SurfaceOperator | None = None
         self._lateness = Lateness(self)
         self._lateness.changed.connect(self._mark_outdated)
@@ -142,12 +142,19 @@ class SkinPanel(Panel):
             self._change_frame()
         else:
             levels = results["output_levels_db"]
-            self._change(
-                values=levels,
-                field_values=None if surface is None else results["surface_levels_db"],
-                message=SILENT if float(np.max(levels)) <= FLOOR_DB else "",
-            )
+            field = None if surface is None else results["surface_levels_db"]
+            message = SILENT if float(np.max(levels)) <= FLOOR_DB else ""
+            self._change(values=levels, field_values=field, message=message)
             self.colour_bar.follow(levels)
+        self._show_choice()
+
+    def show_pointed_input(self, input_id: int | None) -> None:
+        self._change(pointed_at=input_id)
+        self._show_map()
+
+    def cover(self, covered: bool) -> None:
+        """Hide what was computed, for an audience that shall guess first; or reveal it."""
+        self._covered = covered
         self._show_choice()
 
     def show_stale(self, stale: bool) -> None:
@@ -162,12 +169,12 @@ class SkinPanel(Panel):
     def show_noisy(self, outputs: tuple[int, ...]) -> None:
         """Hatch outputs that are mostly noise."""
         self._change(noisy=outputs)
-        self.map.show_content(self._content)
+        self._show_map()
 
     def show_theme(self, theme: Theme) -> None:
         self._theme = theme
-        parts = (self.toolbar, self.time, self.map, self.colour_bar, self.note, self.readout)
-        for part in parts:
+        beside = self.colour_bar, self.note, self.readout
+        for part in (self.toolbar, self.time, self.map, *beside):
             part.show_theme(theme)
         self._show_choice()
 
@@ -196,6 +203,8 @@ class SkinPanel(Panel):
         self.toolbar.style_chosen.connect(self._choices.choose_style)
         self.toolbar.sensors_switched.connect(self._choices.switch_sensors)
         self.toolbar.fit_chosen.connect(self.map.pan_zoom.show)
+        self.map.input_pointed_at.connect(self.input_pointed_at)
+        self.map.input_chosen.connect(self._choices.choose_input)
         self.map.outputs_chosen.connect(self._choices.choose_outputs)
         self.map.menu_requested.connect(self._open_menu)
         self.map.readout_changed.connect(self._show_readout)
@@ -223,8 +232,7 @@ class SkinPanel(Panel):
         signed = settings.quantity == Z
         self.time.bar.setVisible(signed)
         self.colour_bar.setVisible(not signed)
-        chosen = settings.moving_range_db if self._moves else settings.map_range_db
-        self.colour_bar.choose(chosen)
+        self.colour_bar.choose(settings.moving_range_db if self._moves else settings.map_range_db)
 
     def _change_frame(self) -> None:
         """Take the skin at the playhead; where it is not known yet, what was shown is late."""
@@ -241,6 +249,7 @@ class SkinPanel(Panel):
         limbs = (self._shown_limb, "" if self._design is None else self._design.limb)
         self._change(
             outputs=self._view.outputs,
+            inputs=() if self._design is None else marks_of(self._design, self._view),
             sensors_shown=self._choices.settings.sensors_shown,
             synthetic=any(limb.startswith("synthetic") for limb in limbs),
         )
@@ -252,7 +261,7 @@ class SkinPanel(Panel):
                 fixed=settings.map_range_db is not None,
                 colours=settings.colours,
             )
-        levels = self._content.coloured_values
+        levels = None if self._covered else self._content.coloured_values
         self.colour_bar.strip.show_quantity(self._content.quantity, self._content.colours)
         self.colour_bar.show_marks(
             ()
@@ -263,13 +272,16 @@ class SkinPanel(Panel):
                 if number <= levels.size
             )
         )
-        self.map.show_content(self._content)
+        self._show_map()
         self.note.show_text(self._content.note)
         self._show_readout(self.map.readout())
 
     def _mark_outdated(self, late: bool) -> None:
         self._change(outdated=late)
-        self.map.show_content(self._content)
+        self._show_map()
+
+    def _show_map(self) -> None:
+        self.map.show_content(self._content.covered if self._covered else self._content)
 
     def _show_readout(self, words: str) -> None:
         count = len(self._view.outputs)

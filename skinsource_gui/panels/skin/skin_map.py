@@ -15,6 +15,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from skinsource.choice_words import TRIAD_SENTENCE
+from skinsource_gui.panels.skin.inputs.marks import mark_at
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import (
     MapLayout,
@@ -55,6 +56,9 @@ class SkinMap(QWidget):
     outputs_chosen = Signal(object)
     #: What is under the pointer or the keyboard's cursor, in words; empty for nothing.
     readout_changed = Signal(str)
+    #: Id of the input that is pointed at, or None; of the one that shall be selected.
+    input_pointed_at = Signal(object)
+    input_chosen = Signal(int)
     #: Where on the screen a menu is wanted.
     menu_requested = Signal(QPoint)
 
@@ -64,6 +68,7 @@ class SkinMap(QWidget):
         self._theme = LIGHT
         self._painter: MapPainter | None = None
         self._layout: MapLayout | None = None
+        self._pointed_at: int | None = None
         self.pan_zoom = PanZoom(self)
         self.pan_zoom.changed.connect(self._lay_out)
         self.mouse, self.keys = OutputMouse(self), OutputKeys(self)
@@ -179,6 +184,7 @@ class SkinMap(QWidget):
         self.pan_zoom.move(event)
         if self._layout is not None:
             self.mouse.move(event.position(), self._layout.points)
+            self._point_at(self._input_at(event.position()))
             self.readout_changed.emit(self.readout())
             self.update()
 
@@ -187,6 +193,11 @@ class SkinMap(QWidget):
         if event.button() == Qt.MouseButton.LeftButton and self._layout is not None:
             adds = bool(event.modifiers() & ADDS)
             points, outputs = self._layout.points, self.content.outputs
+            meant_input = self._input_at(event.position())
+            on_output = output_at(points, event.position(), REACH_PX) is not None
+            if meant_input is not None and self.mouse.band is None and not on_output:
+                self.input_chosen.emit(meant_input)
+                self.mouse.give_up()
             self.mouse.release(event.position(), points, outputs, adds=adds)
             self.update()
 
@@ -200,6 +211,7 @@ class SkinMap(QWidget):
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
         self.mouse.leave()
+        self._point_at(None)
         self.readout_changed.emit(self.readout())
         self.update()
 
@@ -226,6 +238,15 @@ class SkinMap(QWidget):
             or self.keys.press(event, layout.points, self.content.outputs, middle)
         ):
             super().keyPressEvent(event)
+
+    def _input_at(self, at: QPointF) -> int | None:
+        found = mark_at(self.content.inputs, self.content.limb_map, self._layout, at)
+        return None if found is None else found.id
+
+    def _point_at(self, input_id: int | None) -> None:
+        if input_id != self._pointed_at:
+            self._pointed_at = input_id
+            self.input_pointed_at.emit(input_id)
 
     def _choose(self, outputs: tuple[int, ...]) -> None:
         if len(outputs) == 1:

@@ -95,7 +95,7 @@ VIEW: tuple[ActionSpec, ...] = (
         action(
             f"use_{name}_theme",
             "View",
-            f"{name.capitalize()} theme",
+            f"{'High contrast' if name == 'contrast' else name.capitalize()} theme",
             hint,
             command="appearance.use_theme",
             argument=name,
@@ -106,6 +106,10 @@ VIEW: tuple[ActionSpec, ...] = (
         for name, hint in (
             ("light", "Dark words on a light ground"),
             ("dark", "Light words on a dark ground"),
+            (
+                "contrast",
+                "White words on black, and strong lines, for poor projectors and tired eyes",
+            ),
             ("system", "As the desktop has it"),
         )
     ),
@@ -137,6 +141,52 @@ VIEW: tuple[ActionSpec, ...] = (
         "Ctrl+0",
         command="appearance.reset_text",
         keywords="font size zoom reset",
+    ),
+    action(
+        "present",
+        "View",
+        "Present, or end it",
+        "The panels alone over the whole screen, in large words; Page Up and Page Down, or a "
+        "clicker, step through the scenes, and B covers the map",
+        "F9",
+        command="presenter.toggle",
+        keywords="lecture slides show talk clicker beamer projector full screen scenes",
+        separated=True,
+    ),
+    action(
+        "next_scene",
+        "View",
+        "Next scene",
+        "Open the next design of this folder, or the next scene of the paper",
+        "Ctrl+Alt+PgDown",
+        command="presenter.next_scene",
+        keywords="present lecture step clicker page",
+    ),
+    action(
+        "previous_scene",
+        "View",
+        "Previous scene",
+        "Open the design before this one in its folder, or the scene before",
+        "Ctrl+Alt+PgUp",
+        command="presenter.previous_scene",
+        keywords="present lecture step clicker page back",
+    ),
+    action(
+        "cover_map",
+        "View",
+        "Cover the map, or reveal it",
+        "Hide what was computed, so that people guess first",
+        "Ctrl+Shift+B",
+        command="presenter.cover",
+        keywords="present lecture hide reveal guess quiz blank",
+    ),
+    action(
+        "show_notes",
+        "View",
+        "Notes of the scene",
+        "Notes and the next scene in a window of their own, for another screen",
+        command="presenter.show_notes",
+        keywords="present lecture speaker second screen",
     ),
     action(
         "toggle_full_screen",

@@ -1,0 +1,34 @@
+"""What is turned in front of an audience."""
+
+from dataclasses import dataclass
+
+from skinsource import fields
+from skinsource.fields import ChoiceSpec
+
+ALL, FREQUENCY, AMPLITUDE, ONSET = "all", "frequency", "amplitude", "onset"
+CONTROL = ChoiceSpec(
+    label="Turn",
+    options=(
+        (ALL, "All"),
+        (FREQUENCY, "Frequency"),
+        (AMPLITUDE, "Amplitude"),
+        (ONSET, "Onset"),
+    ),
+    hint="What this scene is about: the one number that is shown and turned; saved with the design",
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ControlSettings:
+    """What is turned.
+
+    Attributes
+    ----------
+    control
+        `ALL`, or the one number that is shown.
+    """
+
+    control: str = fields.choice(ALL, CONTROL)
+
+    def __post_init__(self) -> None:
+        fields.check(self)

@@ -1,0 +1,42 @@
+"""Which input the mouse points at on the hand."""
+
+from PySide6.QtCore import QObject, Signal
+
+from skinsource.design import Design
+from skinsource_gui.panels.hand.hand_stage import HandStage
+
+
+class Pointing(QObject):
+    """Follows the mouse over a hand.
+
+    Attributes
+    ----------
+    design
+        Whose inputs there are.
+    """
+
+    #: Id of the input that is pointed at, or None.
+    pointed_at = Signal(object)
+
+    def __init__(self, stage: HandStage) -> None:
+        super().__init__(stage)
+        self._stage = stage
+        self._pointed_at: int | None = None
+        self.design: Design | None = None
+        stage.changed.connect(self._follow)
+
+    def show(self, input_id: int | None) -> None:
+        """Mark the place of an input that is pointed at elsewhere."""
+        known = self.design is not None and input_id in self.design.ids
+        site = self.design.input(input_id).location if known else None
+        self._stage.change(target=site)
+
+    def _follow(self) -> None:
+        state = self._stage.state
+        index = None if state.hovered is None else state.front_at(state.hovered)
+        ids = () if self.design is None else self.design.ids
+        # What is held may have gone.
+        found = ids[index] if index is not None and index < len(ids) else None
+        if found != self._pointed_at:
+            self._pointed_at = found
+            self.pointed_at.emit(found)

@@ -1,0 +1,1 @@
+"""Presenting: one scene after another, in front of people."""

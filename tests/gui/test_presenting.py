@@ -1,0 +1,214 @@
+"""Presenting: bars away, scenes by one key, a map that can be covered, notes beside."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+import skinsource as ss
+from skinsource.design_file import save_design
+from skinsource.panel_settings import with_settings
+from skinsource.scenes import all_scenes
+from skinsource_gui.panels.frequency_and_amplitude.settings import ControlSettings
+from skinsource_gui.panels.skin.inputs.marks import mark_at
+from skinsource_gui.panels.skin.map_content import COVERED
+from skinsource_gui.shell.presenting.notes_window import NotesWindow
+from skinsource_gui.theme import CONTRAST
+
+TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2)
+DESIGN = ss.Design(
+    limb="synthetic-1",
+    inputs=(ss.track(7, TONE), ss.track(13, TONE, colour=1, onset_s=0.05)),
+)
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """Three designs, each with its name as its title."""
+    for name in ("1 tap", "2 tone", "3 both"):
+        design = replace(DESIGN, title=name, notes=f"Say {name}")
+        save_design(tmp_path / f"{name}.skinsource", design, ss.View())
+    return tmp_path
+
+
+@pytest.fixture
+def studio(make_window, folder):
+    window = make_window(DESIGN)
+    window.files.open(folder / "2 tone.skinsource")
+    return window
+
+
+def title(window):
+    return window.document.design.title
+
+
+def bars(window):
+    return window.menuBar(), window.statusBar(), window.setup_bar
+
+
+def test_presenting_takes_the_bars_away_and_gives_them_back(make_window):
+    window = make_window(DESIGN)
+    shown = {name for name, dock in window.docks.items() if not dock.isHidden()}
+    window.do("present")
+    assert not any(bar.isVisible() for bar in bars(window))
+    assert window.isFullScreen()
+    assert window.panel("skin").isVisible()
+    assert window.panel("hand").isVisible()
+    assert not window.panel("inspector").isVisible()
+    window.do("present")
+    assert all(bar.isVisible() for bar in bars(window))
+    assert not window.isFullScreen()
+    assert {name for name, dock in window.docks.items() if not dock.isHidden()} == shown
+
+
+def test_keys_work_while_the_menus_are_away(studio, qtbot):
+    studio.do("present")
+    studio.activateWindow()
+    skin = studio.panel("skin")
+    skin.setFocus()
+    QTest.keyClick(skin.map, Qt.Key.Key_PageDown)
+    qtbot.waitUntil(lambda: title(studio) == "3 both")
+    QTest.keyClick(studio.focusWidget() or studio, Qt.Key.Key_PageUp)
+    qtbot.waitUntil(lambda: title(studio) == "2 tone")
+    QTest.keyClick(studio.focusWidget() or studio, Qt.Key.Key_B)
+    qtbot.waitUntil(lambda: skin.map.content.message == COVERED)
+    QTest.keyClick(studio.focusWidget() or studio, Qt.Key.Key_F9)
+    qtbot.waitUntil(lambda: studio.menuBar().isVisible())
+    # Out of presenting nothing stays covered, and the keys mean what they did.
+    assert skin.map.content.message != COVERED
+    QTest.keyClick(skin.map, Qt.Key.Key_PageDown)
+    assert title(studio) == "2 tone"
+
+
+def test_scenes_are_the_designs_of_the_folder_in_their_order(studio):
+    seen = []
+    for name in ("next_scene", "next_scene", "previous_scene", "previous_scene", "previous_scene"):
+        studio.do(name)
+        seen.append(title(studio))
+    assert seen == ["3 both", "3 both", "2 tone", "1 tap", "1 tap"]
+    # A scene is no file any more: saving asks for a name.
+    assert studio.document.path is None
+
+
+def test_without_a_file_the_scenes_are_those_of_the_paper(make_window):
+    window = make_window(DESIGN)
+    window.do("next_scene")
+    assert all_scenes()[0].name in title(window)
+    window.do("next_scene")
+    assert all_scenes()[1].name in title(window)
+    # The panels that show it are in sight.
+    assert all(not window.docks[name].isHidden() for name in all_scenes()[1].panels)
+
+
+def test_what_is_turned_in_a_scene_is_not_asked_about_and_other_work_is(make_window, monkeypatch):
+    window, asked = make_window(DESIGN), []
+
+    def may_lose():
+        asked.append(1)
+        return len(asked) > 1
+
+    monkeypatch.setattr(window.files, "may_lose_changes", may_lose)
+    window.do("next_scene")
+    assert window.document.design == DESIGN
+    window.do("next_scene")
+    assert window.document.design != DESIGN
+    window.document.edit("Louder", window.document.design.with_input(0, amplitude=2.0))
+    window.do("next_scene")
+    assert len(asked) == 2
+    window.files.new()
+    before = len(asked)
+    window.do("next_scene")
+    assert len(asked) == before + 1
+
+
+def test_a_covered_map_shows_nothing_that_was_computed(window, settle):
+    skin = window.panel("skin")
+    window.do("cover_map")
+    content = skin.map.content
+    assert content.coloured_values is None
+    assert content.shown_field is None
+    assert skin.map.readout() == ""
+    window.document.edit("Louder", window.document.design.with_input(0, amplitude=2.0))
+    settle()
+    assert skin.map.content.message == COVERED
+    window.do("cover_map")
+    assert skin.map.content.coloured_values is not None
+
+
+def test_notes_follow_the_scenes(studio):
+    studio.do("show_notes")
+    (notes,) = [one for one in QApplication.topLevelWidgets() if isinstance(one, NotesWindow)]
+    assert notes.notes.toPlainText() == "Say 2 tone"
+    studio.do("next_scene")
+    assert notes.heading.text() == "3 both"
+    assert notes.notes.toPlainText() == "Say 3 both"
+    assert notes.next.text() == "This is the last one."
+    studio.do("previous_scene")
+    assert notes.next.text() == "Next: 3 both"
+    notes.close()
+
+
+def test_inputs_are_marked_on_the_map_where_they_are_behind(make_window):
+    window = make_window(DESIGN)
+    skin = window.panel("skin")
+    content, layout = skin.map.content, skin.map.map_layout()
+    assert [mark.location for mark in content.inputs] == [7, 13]
+    place = layout.frame.to_screen(content.limb_map.input_positions[[12]])[0]
+    found = mark_at(content.inputs, content.limb_map, layout, QPointF(*place))
+    assert found.location == 13
+    assert mark_at(content.inputs, content.limb_map, layout, QPointF(1.0, 1.0)) is None
+
+
+def test_hand_and_map_point_at_the_same_input(make_window):
+    window = make_window(DESIGN)
+    hand, skin = window.panel("hand"), window.panel("skin")
+    first, second = window.document.design.ids
+    hand.diagram.stage.change(hovered=13)
+    assert skin.map.content.pointed_at == second
+    hand.diagram.stage.change(hovered=20)
+    assert skin.map.content.pointed_at is None
+    content, layout = skin.map.content, skin.map.map_layout()
+    [x, y] = layout.frame.to_screen(content.limb_map.input_positions[[6]])[0]
+    QTest.mouseMove(skin.map, QPointF(float(x), float(y)).toPoint())
+    assert hand.diagram.state.target == 7
+    skin.map.input_chosen.emit(second)
+    assert window.document.view.selected_inputs == (second,)
+    assert first in window.document.design.ids
+
+
+@pytest.mark.parametrize(
+    ("control", "shown"),
+    [
+        ("all", {"frequency_hz", "amplitude"}),
+        ("frequency", {"frequency_hz"}),
+        ("amplitude", {"amplitude"}),
+        ("onset", {"onset_s"}),
+    ],
+)
+def test_a_scene_says_what_is_turned(make_window, control, shown):
+    window = make_window(DESIGN)
+    window.do("arrange_presentation")
+    view = window.document.view
+    window.document.look(
+        with_settings(view, "frequency_and_amplitude", ControlSettings(control=control))
+    )
+    panel = window.panel("frequency_and_amplitude")
+    cells = {"amplitude": panel._amplitude, "onset_s": panel._onset}
+    if panel._frequency is not None:
+        cells["frequency_hz"] = panel._frequency
+    assert {name for name, cell in cells.items() if cell.isVisible()} == shown
+
+
+def test_turning_the_onset_moves_the_clip(make_window):
+    window = make_window(DESIGN)
+    panel = window.panel("frequency_and_amplitude")
+    panel._change("onset_s", 0.1, None)
+    assert window.document.design.inputs[0].clips[0].onset_s == 0.1
+
+
+def test_the_theme_of_high_contrast_is_one_of_three(window):
+    window.do("use_contrast_theme")
+    assert window.theme == CONTRAST
+    window.do("use_light_theme")
