@@ -14,7 +14,7 @@ os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 from pictures import FOLDER, SIZES, import_page
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QListView
+from PySide6.QtWidgets import QApplication, QListView, QPushButton
 
 from skinsource.catalogue import available_limbs, default_limb
 from skinsource.clips import Clip, Marker
@@ -86,7 +86,21 @@ def photograph(theme: str, size: tuple[int, int]) -> None:
         rows.setCurrentIndex(rows.model().index(3, 0))
         keep(window, "library", theme, size)
         import_page(window).save(str(FOLDER / f"import-{theme}-{size[0]}.png"))
+        matching_page(window, theme, size)
         window.close_unasked()
+
+
+def matching_page(window: MainWindow, theme: str, size: tuple[int, int]) -> None:
+    """Save pictures of the matching page: what is asked first, and a rehearsal."""
+    window.do("match_strength")
+    page = window.playback.matching.page
+    page.form.field("person").setText("P 07")
+    page.grab().save(str(FOLDER / f"matching-{theme}-{size[0]}.png"))
+    page.findChild(QPushButton, "matching_rehearse").click()
+    while not page.view.lit:
+        settle(window)
+    page.grab().save(str(FOLDER / f"matching-run-{theme}-{size[0]}.png"))
+    page.reject()
 
 
 def keep(window: MainWindow, name: str, theme: str, size: tuple[int, int]) -> None:

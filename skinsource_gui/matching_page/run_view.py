@@ -110,7 +110,7 @@ class RunView(QWidget):
             )  # fmt: skip
             side.setStyleSheet(
                 f"background: {back}; color: {words}; border: 1px solid {theme.border}; "
-                "border-radius: 4px;"
+                "border-radius: 4px; padding: 8px;"
             )
 
     @property
