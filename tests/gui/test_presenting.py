@@ -51,6 +51,9 @@ def bars(window):
 def test_presenting_takes_the_bars_away_and_gives_them_back(make_window):
     window = make_window(DESIGN)
     shown = {name for name, dock in window.docks.items() if not dock.isHidden()}
+    window.activateWindow()
+    window.panel("traces").setFocus()
+    focused = window.focusWidget()
     window.do("present")
     assert not any(bar.isVisible() for bar in bars(window))
     assert window.isFullScreen()
@@ -61,6 +64,7 @@ def test_presenting_takes_the_bars_away_and_gives_them_back(make_window):
     assert all(bar.isVisible() for bar in bars(window))
     assert not window.isFullScreen()
     assert {name for name, dock in window.docks.items() if not dock.isHidden()} == shown
+    assert window.focusWidget() is focused
 
 
 def test_keys_work_while_the_menus_are_away(studio, qtbot):

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QByteArray, QEvent, QObject, Qt
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QToolBar, QWidget
+from shiboken6 import isValid
 
 from skinsource.errors import SkinSourceError
 from skinsource_gui.panels.skin.panel import SkinPanel
@@ -41,6 +42,7 @@ class Presenter(QObject):
         self._window = window
         self.presenting = self.covered = False
         self._before, self._size = QByteArray(), window.size()
+        self._focused: QWidget | None = None
         self._arranged = ""
         self._steps: tuple[Step, ...] = ()
         self._at = -1
@@ -59,7 +61,7 @@ class Presenter(QObject):
         window = self._window
         self.presenting = True
         self._before, self._arranged = window.saveState(), window.preferences.arrangement
-        self._size = window.size()
+        self._size, self._focused = window.size(), window.focusWidget()
         window.arrangements.show(_ARRANGEMENT)
         for bar in self._bars():
             bar.hide()
@@ -87,6 +89,8 @@ class Presenter(QObject):
         # Widths of columns are put back into a window as wide as it was, once it is.
         window.installEventFilter(self)
         self._put_back()
+        if self._focused is not None and isValid(self._focused):
+            self._focused.setFocus()
         if self.covered:
             self.cover()
         if self._notes is not None:

@@ -188,6 +188,8 @@ def test_what_is_chosen_in_the_row_is_what_is_shown(make_window, look):
     row.pace.setCurrentIndex(row.pace.findData("20"))
     row.pace.activated.emit(row.pace.currentIndex())
     assert window.document.view.slow_motion == 20.0
+    # Space plays then, and opens no list.
+    assert window.focusWidget() is window.panel("skin").map
     assert window.document.undo_stack.count() == 0
 
 

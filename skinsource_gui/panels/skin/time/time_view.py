@@ -5,7 +5,7 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QWidget
 
 from skinsource.decibels import decibels
@@ -39,6 +39,9 @@ class TimeView(QObject):
         self.frames = Frames()
         self.row, self.scrub, self.bar = QuantityRow(parent), ScrubBar(parent), SignedBar(parent)
         self._asked_block = -1
+        # Else Space, which plays, would open the list again.
+        self.row.quantity.chosen.connect(self._leave_lists)
+        self.row.pace.chosen.connect(self._leave_lists)
 
     def put_behind(self, widget: QWidget) -> None:
         """Let the keyboard come to what stands below the map after ``widget``."""
@@ -99,6 +102,9 @@ class TimeView(QObject):
             "fixed": chosen is not None,
             "colours": DIVERGING if signed else settings.colours,
         }
+
+    def _leave_lists(self) -> None:
+        self.parent().setFocus(Qt.FocusReason.OtherFocusReason)
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
