@@ -8,6 +8,7 @@ from skinsource.chain import Actuation, amplitude_meaning, amplitude_unit
 from skinsource.clips import Clip, Marker, numbered
 from skinsource.clips.clip import ID
 from skinsource.clips.marker import LATEST_S
+from skinsource.displaying import html_of
 from skinsource.errors import InvalidInputError
 from skinsource.fields import (
     ChoiceSpec,
@@ -161,6 +162,10 @@ class Design:
         fields.check(self)
         object.__setattr__(self, "inputs", _with_ids(self.inputs))
 
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        return html_of(self, audible_indices(self.inputs), amplitude_unit(self.scaling))
+
     @property
     def ids(self) -> tuple[int, ...]:
         """Ids of the inputs, in their order."""
@@ -243,13 +248,6 @@ def track(
         When it starts.
     changes
         Other fields of `Input`: ``amplitude=0.5``.
-
-    Examples
-    --------
-    >>> import skinsource as ss
-    >>> one = ss.track(7, ss.waveforms.Tone(frequency_hz=250.0), amplitude=0.5)
-    >>> one.clips[0].waveform.frequency_hz
-    250.0
     """
     clip = Clip(waveform=Tone() if waveform is None else waveform, onset_s=onset_s)
     return Input(location=location, clips=(clip,), **changes)

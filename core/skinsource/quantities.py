@@ -20,6 +20,7 @@ from skinsource.own_limbs import facts_of
 from skinsource.rendering import level_rules, trace_rules, vibration_rules, voice_rules
 from skinsource.rendering.in_time import block_of
 from skinsource.rendering.in_time import rules as in_time_rules
+from skinsource.rendering.in_windows import rules as in_windows_rules
 from skinsource.rendering.remembered import Remembered
 from skinsource.shared import Shared
 from skinsource.surface import SurfaceOperator
@@ -92,6 +93,7 @@ RULES: tuple[Callable[..., Any], ...] = (
     *trace_rules.RULES,
     *in_time_rules.RULES,
     *analysis_rules.RULES,
+    *in_windows_rules.RULES,
 )
 
 
@@ -113,6 +115,9 @@ def sources(design: Design, view: View) -> dict[str, Any]:
         "delay_removed": view.delay_removed,
         "moving_block": block_of(view.playhead_s),
         **analysis_rules.choices_of(view),
+        "windows_cut": view.windows_cut,
+        "window_count": view.window_count,
+        "window_s": view.window_s,
     }
 
 

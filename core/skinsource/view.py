@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from skinsource import choice_words, fields
+from skinsource.analysis import MOST_WINDOWS
 from skinsource.comparing import NUMBERS, Snapshot
 from skinsource.errors import InvalidInputError
 from skinsource.fields import (
@@ -61,6 +62,26 @@ SLOW_MOTION = NumberSpec(
 )
 DELAY_REMOVED = SwitchSpec(label="Remove pre-trigger delay")
 TIME_RANGE = RangeSpec(label="Zoom of time axes", unit="s")
+WINDOWS_CUT = ChoiceSpec(
+    label="Windows",
+    options=(("count", "By number"), ("length", "By length")),
+    hint="How the response is cut into windows that follow each other",
+)
+WINDOW_COUNT = NumberSpec(
+    label="Number",
+    minimum=1,
+    maximum=MOST_WINDOWS,
+    whole=True,
+    hint="Into how many windows the stimulus is cut",
+)
+WINDOW_LENGTH = NumberSpec(
+    label="Length",
+    unit="s",
+    minimum=0.005,
+    maximum=60.0,
+    step=0.005,
+    hint="How long each window is",
+)
 PANELS = PlainSpec(label="Settings of panels")
 
 
@@ -115,6 +136,9 @@ class View:
         Whether time axes are shifted by the pre-trigger delay of the responses.
     time_range_s
         Zoom of time axes; ``None``: everything.
+    windows_cut, window_count, window_s
+        Whether the response is cut into as many windows as ``window_count``, or into windows as
+        long as ``window_s``: see `skinsource.analysis.windows_over`.
     snapshots
         Designs to compare with, each under a number of its own; the one that was stored or shown
         last stands last.
@@ -134,6 +158,9 @@ class View:
     slow_motion: float = fields.number(1.0, SLOW_MOTION)
     delay_removed: bool = fields.switch(False, DELAY_REMOVED)
     time_range_s: Range | None = fields.interval(None, TIME_RANGE)
+    windows_cut: str = fields.choice("count", WINDOWS_CUT)
+    window_count: int = fields.number(5, WINDOW_COUNT)
+    window_s: float = fields.number(0.12, WINDOW_LENGTH)
     snapshots: tuple[Snapshot, ...] = fields.field(SNAPSHOTS, ())
     levels_matched: bool = fields.switch(True, LEVELS_MATCHED)
     panels: PanelFields = fields.field(PANELS, ())

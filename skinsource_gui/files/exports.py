@@ -6,7 +6,13 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from skinsource.design import Design
-from skinsource.export import export_field, export_levels, export_map, export_traces
+from skinsource.export import (
+    export_field,
+    export_levels,
+    export_map,
+    export_traces,
+    export_windows,
+)
 from skinsource.job import Progress, Stop
 from skinsource.packing import pack
 from skinsource.view import View
@@ -166,6 +172,25 @@ EXPORTS: tuple[ExportSpec, ...] = (
         hint="Save the map as numbers, in dB: a row for each y, a column for each x, in mm",
         write=export_map,
         keywords="table excel matlab decibels skin heatmap surface",
+    ),
+    ExportSpec(
+        name="windows",
+        title="windows as CSV…",
+        file_name="windows.csv",
+        kinds=(("CSV", ".csv"),),
+        hint="Save the RMS of all outputs in consecutive windows, and how far each window reaches",
+        write=export_windows,
+        keywords="table excel matlab windowed rms extent distance strip contraction",
+    ),
+    ExportSpec(
+        name="windows_picture",
+        title="picture of the windows…",
+        file_name="windows.png",
+        kinds=(("PNG", ".png"), ("SVG", ".svg"), ("PDF", ".pdf")),
+        hint="Save the strip of windows as PNG, SVG or PDF, with its colour scale and the extent",
+        panel="windowed",
+        size_px=(1600, 1100),
+        keywords="image figure screenshot vector pdf svg png windowed rms strip",
     ),
     ExportSpec(
         name="field",

@@ -31,6 +31,7 @@ from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.panels.transfer.panel import TransferPanel
 from skinsource_gui.panels.transfer.settings import TransferSettings
 from skinsource_gui.panels.wave.panel import WavePanel
+from skinsource_gui.panels.windowed.panel import WindowedPanel
 from skinsource_gui.shell.docks.arrangements import Behind, Place
 
 
@@ -131,4 +132,5 @@ PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(panel=TransferPanel, settings=TransferSettings, places=_places()),
     PanelSpec(panel=MainAxisPanel, places=_places()),
     PanelSpec(panel=WavePanel, places=_places()),
+    PanelSpec(panel=WindowedPanel, places=_places()),
 )

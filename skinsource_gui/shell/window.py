@@ -15,6 +15,7 @@ from skinsource_gui.import_page.file_drops import FileDrops
 from skinsource_gui.import_page.import_actions import ImportActions
 from skinsource_gui.library_page.library_actions import LibraryActions
 from skinsource_gui.panel import Panel
+from skinsource_gui.scenes_page.scene_actions import SceneActions
 from skinsource_gui.shell import docks
 from skinsource_gui.shell.action_set import ActionSet
 from skinsource_gui.shell.actions import ACTIONS
@@ -143,22 +144,14 @@ class MainWindow(QMainWindow):
         self.files = FileActions(
             self.document, self.preferences, self, self.layout_of_docks.content
         )
-        self.exports = ExportActions(
-            self.document, self.preferences, self.files, self.runner, self._drawer_of, self
-        )
-        self.stimuli = StimulusActions(
-            self.document, self.preferences, self.files, self.runner, lambda: self.theme, self
-        )
+        saving = self.document, self.preferences, self.files
+        self.exports = ExportActions(*saving, self.runner, self._drawer_of, self)
+        self.stimuli = StimulusActions(*saving, self.runner, lambda: self.theme, self)
+        arranged = self.arrangements.show, self.docks
+        self.scenes = SceneActions(*saving, self.limbs, *arranged, lambda: self.theme, self)
         self.comparison = Comparison(self.document, self.engine, self.panels)
-        self.keeping = Keeping(
-            self.document,
-            self.engine,
-            self.runner,
-            self.files,
-            self.layout_of_docks,
-            self.preferences.autosave_s,
-            self,
-        )
+        kept = self.document, self.engine, self.runner, self.files, self.layout_of_docks
+        self.keeping = Keeping(*kept, self.preferences.autosave_s, self)
         self.imports = ImportActions(self.document, self.preferences, lambda: self.theme, self)
         self.library = LibraryActions(self.document, lambda: self.theme, self)
         self.playback = Playback(self.document, self.preferences, self)
@@ -189,6 +182,7 @@ class MainWindow(QMainWindow):
             "exports": self.exports,
             "stimuli": self.stimuli,
             "imports": self.imports,
+            "scenes": self.scenes,
             "library": self.library,
             "keeping": self.keeping,
             "comparison": self.comparison,
@@ -227,9 +221,10 @@ class MainWindow(QMainWindow):
         self.arrangements.text_scaled.connect(self.appearance.fit_room)
         self.setup_bar.edited.connect(document.apply)
         self.files.opened.connect(self.layout_of_docks.show_panels)
-        for fails in (self.files, self.exports, self.stimuli, self.library, self.levelling):
+        saving = self.files, self.scenes, self.library
+        for fails in (*saving, self.exports, self.stimuli, self.levelling):
             fails.failed.connect(reports.complain)
-        for works in (self.files, self.imports, self.library, self.comparison, self.dock_tabs):
+        for works in (*saving, self.imports, self.comparison, self.dock_tabs):
             works.done.connect(reports.report)
         self.imports.risk_ahead.connect(self.keeping.autosave.keep_now)
         ClipDrops(self.panels, self)

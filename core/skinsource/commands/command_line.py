@@ -10,6 +10,7 @@ from skinsource.choice_words import limb_word
 from skinsource.commands import (
     design_commands,
     export_command,
+    figure_commands,
     limb_commands,
     pack_command,
     scene_commands,
@@ -27,6 +28,7 @@ COMMAND_MODULES = (
     export_command,
     scene_commands,
     pack_command,
+    figure_commands,
     sweep_commands,
     dataset_commands,
     bench_commands,

@@ -7,6 +7,7 @@ made, so that the same design gives the same bytes.  Nothing as long as a long r
 from skinsource.export.map_files import export_map, export_map_picture
 from skinsource.export.tables import export_levels, export_traces
 from skinsource.export.whole_field import export_field
+from skinsource.export.window_table import export_windows
 
 __all__ = [
     "export_field",
@@ -14,4 +15,5 @@ __all__ = [
     "export_map",
     "export_map_picture",
     "export_traces",
+    "export_windows",
 ]

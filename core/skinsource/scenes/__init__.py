@@ -9,8 +9,8 @@ skinsource.scenes.shipped``.
 >>> opened = ss.scenes.open_scene("2F", available=("synthetic-3",))
 >>> [condition.label for condition in opened.conditions]
 ['Input 8', 'Input 13', 'Both']
->>> opened.note
-'The measured limbs are not installed: this is computed on a SYNTHETIC limb.'
+>>> opened.synthetic
+True
 """
 
 from skinsource.scenes.scene import Condition, OpenedScene, Scene

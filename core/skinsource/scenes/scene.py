@@ -100,4 +100,7 @@ class OpenedScene:
         """What must be said beside it; empty where the limbs are those of the paper."""
         if not self.synthetic:
             return ""
-        return "The measured limbs are not installed: this is computed on a SYNTHETIC limb."
+        return (
+            "The measured limbs are not installed: this is computed on a SYNTHETIC limb, which "
+            "need not do what the sentence says."
+        )

@@ -30,6 +30,14 @@ FILE: tuple[ActionSpec, ...] = (
         keywords="load read import",
     ),
     action(
+        "show_scenes",
+        "File",
+        "Scenes…",
+        "Open a panel of the paper's figures: what it shows, its source and its design",
+        command="scenes.show",
+        keywords="paper figure gallery example examples demo template interference wavelet",
+    ),
+    action(
         "show_left_over",
         "File",
         "Unsaved work of earlier sessions…",

@@ -89,13 +89,13 @@ def _sweeps() -> tuple[Design, ...]:
     return tuple(played(1, *at([8], _SWEEP, level), scaling="probe") for level in _LEVELS)
 
 
-def _fit(name: str, title: str, sentence: str) -> MadeScene:
+def _fit(name: str, title: str, sentence: str, *inferred: str) -> MadeScene:
     return made(
         Scene(
             name=name,
             title=title,
             sentence=sentence,
-            inferred=(_BY_CONSTRUCTION, _LEVEL_WORDS, "which outputs are shown"),
+            inferred=(_BY_CONSTRUCTION, _LEVEL_WORDS, *inferred),
             labels=tuple(f"{level:g} m/s²" for level in _LEVELS),
             panels=("skin", "spectra"),
         ),
@@ -112,6 +112,7 @@ _LINE = _fit(
     "Output against input",
     "A sweep from 25 to 600 Hz at four levels: in each band of 2 Hz the output is a straight line "
     "of the input.",
+    "which outputs and bands are shown",
 )
 _FITS = _fit(
     "5E",

@@ -102,13 +102,13 @@ _INTERFERENCE = made(
         "up at output 21.",
         labels=("Input 8", "Input 13", "Both"),
         arrangement="design",
-        panels=("skin", "traces"),
+        panels=("skin", "traces", "compare"),
     ),
     *(played(3, *at(places, _TEN_CYCLES)) for places in ([8], [13], [8, 13])),
     shown=2,
     axes="x",
     outputs=(19, 21, 24, 32),
-    time_range_s=(0.04, 0.16),
+    time_range_s=(0.0, 0.16),
     panels={"traces": {"layout": "stacked"}},
 )
 
@@ -123,12 +123,13 @@ _CONTRACTION = made(
             "windows of 120 ms from the first arrival on",
         ),
         arrangement="analysis",
-        panels=("skin", "traces", "windowed"),
+        panels=("traces", "windowed"),
     ),
     played(4, *at([7], WaveletTrain())),
     method="mag",
     outputs=(30, 33, 52),
-    panels={"windowed": {"cut": "length", "window_s": 0.12}},
+    windows_cut="length",
+    window_s=0.12,
 )
 
 STIMULI: tuple[MadeScene, ...] = (

@@ -1,0 +1,72 @@
+"""A design as HTML: its words, a drawing of its tracks, and a table of its clips."""
+
+from collections.abc import Collection
+from html import escape
+from typing import TYPE_CHECKING
+
+from skinsource.choice_words import LIMBS, SCALINGS, word_of
+from skinsource.displaying.track_svg import tracks_svg
+from skinsource.locations import INPUTS, input_words
+
+if TYPE_CHECKING:
+    from skinsource.design import Design
+
+_MOST_TRACKS, _MOST_CLIPS = 20, 40
+
+
+def html_of(design: "Design", heard: Collection[int], unit: str) -> str:
+    """Return a piece of HTML that needs nothing else.
+
+    Parameters
+    ----------
+    design
+        What is shown.
+    heard
+        Which of its inputs are heard, counted from 0.
+    unit
+        Of amplitudes.
+    """
+    title = escape(design.title) or "Design"
+    limb = escape(_limb(design.limb))
+    scaling = escape(word_of(SCALINGS, design.scaling).title)
+    parts = [f"<p><b>{title}</b><br>{limb} · scaling: {scaling}</p>"]
+    inputs = design.inputs[:_MOST_TRACKS]
+    if not inputs:
+        return "".join([*parts, "<p>No inputs.</p>"])
+    end_s = max((clip.onset_s + clip.waveform.duration_s for clip in design.clips), default=0.0)
+    labels = [_place(one.location) for one in inputs]
+    shown = [index in heard for index in range(len(inputs))]
+    parts.append(tracks_svg(inputs, shown, labels, max(end_s, 0.02)))
+    parts.append(_table(design, unit))
+    return "".join(parts)
+
+
+def _table(design: "Design", unit: str) -> str:
+    rows = [
+        (one.location, one.amplitude, clip)
+        for one in design.inputs[:_MOST_TRACKS]
+        for clip in one.clips
+    ]
+    cells = [
+        f"<tr><td>{location}</td><td>{amplitude:g} {unit}</td><td>{1e3 * clip.onset_s:g} ms</td>"
+        f"<td>{escape(clip.waveform.title)}</td><td>{escape(str(clip.waveform))}</td></tr>"
+        for location, amplitude, clip in rows[:_MOST_CLIPS]
+    ]
+    left_out = len(design.clips) - len(cells)
+    more = f"<p>… and {left_out} more clips</p>" if left_out > 0 else ""
+    heads = ("Place", "Amplitude", "Onset", "Waveform", "")
+    head = "".join(f"<th>{one}</th>" for one in heads)
+    return f"<table><tr>{head}</tr>{''.join(cells)}</table>{more}"
+
+
+def _limb(name: str) -> str:
+    known = {one.name for one in LIMBS}
+    return f"{word_of(LIMBS, name).title} ({name})" if name in known else name
+
+
+def _place(location: int) -> str:
+    return (
+        f"{location} {input_words(location).short_name}"
+        if location <= len(INPUTS)
+        else (f"place {location}")
+    )

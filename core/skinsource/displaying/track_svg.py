@@ -1,0 +1,118 @@
+"""Tracks as a drawing (SVG): what each plays over time."""
+
+from collections.abc import Sequence
+from html import escape
+from typing import Protocol
+
+import numpy as np
+
+from skinsource.arrays import Floats
+from skinsource.chain import drive_played, placed_chain
+from skinsource.clips import Clip
+from skinsource.effects import played
+from skinsource.errors import InvalidInputError
+from skinsource.limb import SAMPLE_RATE_HZ
+from skinsource.quoting import sentence
+
+_LABEL_PX, _LANE_PX, _LANES_PX, _AXIS_PX, _EDGE_PX = 130, 460, 36, 18, 8
+_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+_INK, _DIM, _QUIET = "#222222", "#888888", "#BBBBBB"
+_TICKS_S = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 300.0, 3600.0)
+_MOST_TICKS = 8
+
+
+class Track(Protocol):
+    """What is drawn of an input."""
+
+    @property
+    def location(self) -> int:
+        """Where it is."""
+
+    @property
+    def clips(self) -> tuple[Clip, ...]:
+        """What it plays."""
+
+    @property
+    def gain_curve(self) -> tuple[tuple[float, float], ...]:
+        """What that is multiplied with."""
+
+
+def tracks_svg(
+    tracks: Sequence[Track], heard: Sequence[bool], labels: Sequence[str], end_s: float
+) -> str:
+    """Draw a lane for each track up to ``end_s``; those that are not heard are pale."""
+    width = _LABEL_PX + _LANE_PX + 2 * _EDGE_PX
+    height = _LANES_PX * len(tracks) + _AXIS_PX + _EDGE_PX
+    parts = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
+        f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="11" role="img">',
+        f'<rect width="{width}" height="{height}" fill="white"/>',
+    ]
+    for row, (one, is_heard, label) in enumerate(zip(tracks, heard, labels, strict=True)):
+        colour = _COLOURS[row % len(_COLOURS)] if is_heard else _QUIET
+        parts += _lane(one, label, _LANES_PX * (row + 0.5), colour, end_s)
+    parts += _axis(_LANES_PX * len(tracks), end_s)
+    return "".join([*parts, "</svg>"])
+
+
+def _lane(one: Track, label: str, middle: float, colour: str, end_s: float) -> list[str]:
+    left = _LABEL_PX + _EDGE_PX
+    found = [
+        f'<text x="{_EDGE_PX}" y="{middle + 4:.1f}" fill="{_INK}">{escape(label)}</text>',
+        f'<line x1="{left}" x2="{left + _LANE_PX}" y1="{middle}" y2="{middle}" stroke="#DDDDDD"/>',
+    ]
+    try:
+        first, samples = _played(one)
+    except InvalidInputError as error:
+        words = escape(sentence(str(error))[:90])
+        text = f'<text x="{left}" y="{middle - 3:.1f}" fill="{_DIM}" font-size="9">{words}</text>'
+        return [*found, text]
+    size = float(np.abs(samples).max(initial=0.0))
+    if size == 0.0:
+        return found
+    scale = _LANE_PX / (end_s * SAMPLE_RATE_HZ)
+    points = " ".join(
+        f"{left + x:.1f},{middle - 0.44 * _LANES_PX * y:.1f}"
+        for x, y in _outline(samples / size, first * scale, scale)
+    )
+    line = f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="1"/>'
+    return [*found, line]
+
+
+def _played(one: Track) -> tuple[int, Floats]:
+    """First sample, and what is played from there on."""
+    first, chain = placed_chain(one.clips, one.gain_curve, SAMPLE_RATE_HZ)
+    drive = drive_played(
+        chain,
+        SAMPLE_RATE_HZ,
+        one.location,
+        lambda part: played(part.waveform, part.effects, SAMPLE_RATE_HZ, part.shift_s),
+    )
+    return first, drive.samples
+
+
+def _outline(samples: Floats, start: float, scale: float) -> list[tuple[float, float]]:
+    """Points of a curve: where several samples share a pixel, the lowest and the highest."""
+    x = start + np.arange(samples.size) * scale
+    if scale >= 0.5:
+        return list(zip(x.tolist(), samples.tolist(), strict=True))
+    first = np.flatnonzero(np.diff(np.floor(x), prepend=-1.0))
+    low, high = np.minimum.reduceat(samples, first), np.maximum.reduceat(samples, first)
+    columns = np.floor(x[first]).tolist()
+    pairs = zip(columns, low.tolist(), high.tolist(), strict=True)
+    return [(at, value) for at, *values in pairs for value in values]
+
+
+def _axis(top: float, end_s: float) -> list[str]:
+    left = _LABEL_PX + _EDGE_PX
+    step = next((one for one in _TICKS_S if end_s / one <= _MOST_TICKS), _TICKS_S[-1])
+    found = []
+    for k in range(int(end_s / step + 1e-9) + 1):
+        x = left + k * step / end_s * _LANE_PX
+        words = f"{1e3 * k * step:g}" if step < 1.0 else f"{k * step:g}"
+        found.append(f'<line x1="{x:.1f}" x2="{x:.1f}" y1="0" y2="{top}" stroke="#EEEEEE"/>')
+        found.append(
+            f'<text x="{x:.1f}" y="{top + 13}" fill="{_DIM}" text-anchor="middle">{words}</text>'
+        )
+    unit = "ms" if step < 1.0 else "s"
+    return [*found, f'<text x="{_EDGE_PX}" y="{top + 13}" fill="{_DIM}">Time ({unit})</text>']

@@ -1,0 +1,72 @@
+"""Figures that are maps beside each other."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from skinsource.arrays import Floats
+from skinsource.decibels import MAP_RANGE_DB
+from skinsource.figures.sheet import WIDTH_MM, Drawn, Sheet, Table
+from skinsource.figures.values import relative
+from skinsource.plot.levels import Levels, Range, common_range, levels_of
+from skinsource.plot.maps import Bar, draw_map
+from skinsource.plot.paper import style
+from skinsource.projection import AXES
+from skinsource.scenes import OpenedScene
+
+_HEIGHT_MM, _BAR_ROOM_MM = 92.0, 20.0
+_UNIT = "dB re 1 m/s²"
+_RELATIVE = (-MAP_RANGE_DB, 0.0)
+
+
+def maps_in_one_scale(opened: OpenedScene) -> Drawn:
+    """A map for each design, all in one scale of levels."""
+    levels = [levels_of(one.design, None, opened.view) for one in opened.conditions]
+    colours = common_range(*(one.values for one in levels))
+    return maps_figure(opened, levels, _labels(opened), colours, _UNIT)
+
+
+def maps_each_relative(opened: OpenedScene) -> Drawn:
+    """A map for each design, each re its loudest output."""
+    levels = [levels_of(one.design, None, opened.view) for one in opened.conditions]
+    own = relative(levels, together=False)
+    return maps_figure(opened, own, _labels(opened), _RELATIVE, "dB re the loudest output of each")
+
+
+def maps_of_axes(opened: OpenedScene) -> Drawn:
+    """A map for each axis, all re the loudest output on any axis."""
+    single = [axis for axis in AXES if len(axis) == 1]
+    levels = [levels_of(opened.design, None, replace(opened.view, axes=axis)) for axis in single]
+    titles = [f"{axis} axis" for axis in single]
+    words = "dB re the loudest output on any axis"
+    return maps_figure(opened, relative(levels, together=True), titles, _RELATIVE, words)
+
+
+def maps_figure(
+    opened: OpenedScene, levels: Sequence[Levels], titles: Sequence[str], colours: Range, words: str
+) -> Drawn:
+    """Maps beside each other with one colour bar, and the level of each output as a table."""
+    sheet = Sheet(opened, _HEIGHT_MM)
+    room_mm = min(WIDTH_MM - _BAR_ROOM_MM - 6.0, 50.0 * len(levels))
+    left_mm = (WIDTH_MM - _BAR_ROOM_MM - room_mm) / 2.0
+    with style():
+        places = sheet.row_of_axes(len(levels), left_mm, 2.0, room_mm, _HEIGHT_MM - 8.0)
+        image = None
+        for k, (ax, one, title) in enumerate(zip(places, levels, titles, strict=True)):
+            bar: Bar = "drawn" if k == len(levels) - 1 else "room"
+            image = draw_map(ax, one, colours, title=title, bar=bar)
+        sheet.colour_bar(image, left_mm + room_mm + 2.0, 24.0, 50.0, words)
+    values = [one.values for one in levels]
+    return Drawn(sheet=sheet, tables={"": levels_table(titles, values, words)})
+
+
+def levels_table(titles: Sequence[str], values: Sequence[Floats], words: str) -> Table:
+    """A row for each output."""
+    header = ["output", *(f"{title.replace(',', '')} ({words})" for title in titles)]
+    numbers = np.arange(1.0, values[0].size + 1.0)
+    return Table(header=header, rows=np.column_stack((numbers, *values)))
+
+
+def _labels(opened: OpenedScene) -> list[str]:
+    return [one.label for one in opened.conditions]

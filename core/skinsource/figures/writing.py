@@ -1,0 +1,118 @@
+"""Figures as files: PNG, SVG, PDF, and their numbers as CSV."""
+
+from collections.abc import Sequence
+from io import BytesIO
+from pathlib import Path
+
+import numpy as np
+
+from skinsource.choice_words import LIMBS, SCALINGS, word_of
+from skinsource.errors import StorageError
+from skinsource.export.csv_table import CsvTable
+from skinsource.export.output_file import output_file
+from skinsource.figures.every_figure import FIGURES
+from skinsource.figures.sheet import Drawn
+from skinsource.files import named, write_bytes
+from skinsource.job import Progress, Stop, never, silent, stop_if
+from skinsource.plot.paper import SYNTHETIC, module
+from skinsource.scenes import OpenedScene, names, open_scene, scene
+from skinsource.version import __version__
+
+#: Of the PNG; what journals ask for.
+DOTS_PER_INCH = 300
+_METADATA = {
+    "png": {"Software": None},
+    "svg": {"Date": None, "Creator": "SkinSource studio"},
+    "pdf": {"CreationDate": None, "ModDate": None, "Creator": "SkinSource studio"},
+}
+
+
+def write_figures(
+    folder: Path,
+    only: Sequence[str] = (),
+    *,
+    progress: Progress = silent,
+    stop: Stop = never,
+) -> tuple[Path, ...]:
+    """Draw figures of scenes and write each as ``2F.png``, ``.svg``, ``.pdf`` and ``.csv``.
+
+    They show the limbs of the paper where the measured dataset is installed, else synthetic ones;
+    figure and table then say so.  The same data give the same files.
+
+    Parameters
+    ----------
+    folder
+        An existing folder.
+    only
+        Names of scenes; all where none is given.
+    progress
+        Called with (done, total, what is being done).
+    stop
+        Asked between files; once true, `Stopped` is raised.
+
+    Returns
+    -------
+    The files, in the order in which they were written.
+
+    Raises
+    ------
+    InvalidInputError
+        There is no such scene.
+    StorageError
+        There is no such folder, or it cannot be written.
+    MissingExtraError
+        matplotlib is not installed.
+    """
+    wanted = [scene(name).name for name in only] or list(names())
+    module("matplotlib")
+    if not folder.is_dir():
+        raise StorageError(f"{named(folder)} is no folder. Make it, or name another one.")
+    written: list[Path] = []
+    for k, name in enumerate(wanted):
+        stop_if(stop)
+        progress(k, len(wanted), name)
+        opened = open_scene(name)
+        written += _write(folder, opened, draw_figure(opened), stop)
+    progress(len(wanted), len(wanted), "")
+    return tuple(written)
+
+
+def draw_figure(opened: OpenedScene) -> Drawn:
+    """Draw the figure of a scene.
+
+    Raises
+    ------
+    MissingExtraError
+        matplotlib is not installed.
+    """
+    return FIGURES[opened.scene.name](opened)
+
+
+def about(opened: OpenedScene) -> list[str]:
+    """Comment lines of a table: what it is, where it is from, what it was computed on."""
+    known = opened.scene
+    limbs = list(dict.fromkeys(one.design.limb for one in opened.conditions))
+    lines = [f"SkinSource studio: {known.heading}", known.sentence, f"after {known.source}"]
+    lines += [f"inferred: {words}" for words in known.inferred]
+    if opened.synthetic:
+        lines += [SYNTHETIC, opened.note]
+    lines.append(f"limb: {', '.join(f'{word_of(LIMBS, one).title} ({one})' for one in limbs)}")
+    lines.append(f"scaling: {word_of(SCALINGS, opened.design.scaling).both}")
+    lines.append(f"computed by: skinsource {__version__}, numpy {np.__version__}")
+    return lines
+
+
+def _write(folder: Path, opened: OpenedScene, drawn: Drawn, stop: Stop) -> list[Path]:
+    name, written = opened.scene.name, []
+    for kind, metadata in _METADATA.items():
+        content = BytesIO()
+        drawn.figure.savefig(content, format=kind, dpi=DOTS_PER_INCH, metadata=metadata)
+        path = folder / f"{name}.{kind}"
+        write_bytes(path, content.getvalue())
+        written.append(path)
+    for suffix, table in drawn.tables.items():
+        path = folder / f"{name}{suffix}.csv"
+        with output_file(path, stop) as file:
+            CsvTable(file, about(opened), table.header, stop).add(table.rows)
+        written.append(path)
+    return written

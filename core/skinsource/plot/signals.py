@@ -1,0 +1,198 @@
+"""Traces and spectra of outputs."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from skinsource.arrays import Floats
+from skinsource.choice_words import signal_words
+from skinsource.design import Design
+from skinsource.errors import InvalidInputError
+from skinsource.evaluation import evaluate
+from skinsource.plot.paper import DIM, SYNTHETIC, axes_of, style
+from skinsource.plot.rows import Row, common_size, draw_rows, say_scale
+from skinsource.quoting import quoted
+from skinsource.signals import BAND_HZ
+from skinsource.view import View
+
+_WIDTH_MM, _ROW_MM, _AROUND_MM = 130.0, 13.0, 26.0
+
+
+def traces(
+    shown: Design | Sequence[Design],
+    *,
+    view: View | None = None,
+    outputs: Sequence[int] | None = None,
+    labels: Sequence[str] = (),
+    normalised: bool = False,
+    title: str = "",
+    ax: Any = None,
+) -> Any:
+    """Draw what outputs do over time, a row for each.
+
+    Parameters
+    ----------
+    shown
+        A design, or several that are drawn over each other.
+    view
+        Axes, method, range of times, and whether the pre-trigger delay is removed.
+    outputs
+        Which outputs; those of the view unless given.
+    labels
+        Of the designs, for a legend.
+    normalised
+        Whether each row is scaled to its own peak; all have one scale otherwise.
+    title
+        Stands above.
+    ax
+        Axes to draw into; a figure of its own where none is given.
+
+    Returns
+    -------
+    The figure.
+
+    Raises
+    ------
+    InvalidInputError
+        There is nothing to draw, or the limb does not have such outputs.
+    MissingExtraError
+        matplotlib is not installed.
+    """
+    designs, looked = _designs(shown, labels), _looked(view, outputs)
+    found = [evaluate(one, "response_time_s", "selected_traces", view=looked) for one in designs]
+    longest = max(found, key=lambda one: one["response_time_s"].size)["response_time_s"]
+    low, high = looked.time_range_s or (float(longest[0]), float(longest[-1]))
+    within = (longest >= low) & (longest <= high)
+    if not within.any():
+        raise InvalidInputError(
+            f"view.time_range_s is {quoted(looked.time_range_s)}, but the response lies between "
+            f"{longest[0]:g} and {longest[-1]:g} s"
+        )
+    curves = [_filled(one["selected_traces"], longest.size)[:, within] for one in found]
+    rows = _rows(1e3 * longest[within], curves, looked.outputs, normalised)
+    own_mm = _ROW_MM * len(rows) + _AROUND_MM
+    on, alone = axes_of(ax, _WIDTH_MM, own_mm)
+    with style():
+        draw_rows(on, rows, labels=labels, title=title)
+        on.set_xlabel(_time_words(looked))
+        say_scale(on, _scale_words(rows, normalised, looked))
+        _finish(on, designs, alone)
+    return on.figure
+
+
+def spectra(
+    shown: Design | Sequence[Design],
+    *,
+    view: View | None = None,
+    outputs: Sequence[int] | None = None,
+    labels: Sequence[str] = (),
+    normalised: bool = False,
+    mean_of_bins: int = 1,
+    title: str = "",
+    ax: Any = None,
+) -> Any:
+    """Draw magnitude spectra of outputs from 25 to 600 Hz, a row for each.
+
+    Parameters
+    ----------
+    mean_of_bins
+        How many bins of the spectrum are averaged, 1: none.
+    shown, view, outputs, labels, normalised, title, ax
+        As of `traces`.
+
+    Returns
+    -------
+    The figure.
+
+    Raises
+    ------
+    InvalidInputError
+        There is nothing to draw, or the limb does not have such outputs.
+    MissingExtraError
+        matplotlib is not installed.
+    """
+    designs, looked = _designs(shown, labels), _looked(view, outputs)
+    found = [evaluate(one, "selected_spectra", view=looked)["selected_spectra"] for one in designs]
+    if len({frequency.size for frequency, _ in found}) > 1:
+        raise InvalidInputError(
+            "the designs differ in length, so their spectra have other frequencies; draw each in "
+            "axes of its own"
+        )
+    frequency = found[0][0]
+    within = (frequency >= BAND_HZ[0]) & (frequency <= BAND_HZ[1])
+    curves = [averaged(magnitude, mean_of_bins)[:, within] for _, magnitude in found]
+    rows = _rows(frequency[within], curves, looked.outputs, normalised)
+    on, alone = axes_of(ax, _WIDTH_MM, _ROW_MM * len(rows) + _AROUND_MM)
+    with style():
+        draw_rows(on, rows, labels=labels, title=title, from_zero=True)
+        on.set_xlabel("Frequency (Hz)")
+        say_scale(on, _scale_words(rows, normalised, looked))
+        _finish(on, designs, alone)
+    return on.figure
+
+
+def averaged(values: Floats, n: int) -> Floats:
+    """Moving mean over ``n`` neighbours, along the last axis; fewer at the ends."""
+    if n <= 1:
+        return values
+    kernel = np.ones(n)
+    weight = np.convolve(np.ones(values.shape[-1]), kernel, "same")
+    return np.stack([np.convolve(one, kernel, "same") / weight for one in values])
+
+
+def _designs(shown: Design | Sequence[Design], labels: Sequence[str]) -> list[Design]:
+    designs = [shown] if isinstance(shown, Design) else list(shown)
+    if not designs or not all(isinstance(one, Design) for one in designs):
+        raise InvalidInputError(f"shown is {quoted(shown)}, expected a Design, or several")
+    if labels and len(labels) != len(designs):
+        raise InvalidInputError(f"{len(labels)} labels for {len(designs)} designs: one for each")
+    return designs
+
+
+def _looked(view: View | None, outputs: Sequence[int] | None) -> View:
+    looked = View() if view is None else view
+    looked = looked if outputs is None else replace(looked, outputs=tuple(outputs))
+    if not looked.outputs:
+        raise InvalidInputError("no output is selected; name some: outputs=(19, 21)")
+    return looked
+
+
+def _filled(traces: Floats, n_times: int) -> Floats:
+    """Shorter responses are silent at the end."""
+    return np.pad(traces, ((0, 0), (0, n_times - traces.shape[-1])))
+
+
+def _rows(
+    x: Floats, curves: Sequence[Floats], outputs: Sequence[int], normalised: bool
+) -> list[Row]:
+    size = None if normalised else common_size(curves)
+    return [
+        Row(
+            label=f"Output {number}",
+            x=x,
+            curves=np.stack([one[rank] for one in curves]),
+            unit_size=size,
+        )
+        for rank, number in enumerate(outputs)
+    ]
+
+
+def _time_words(view: View) -> str:
+    return "Time (ms), pre-trigger delay removed" if view.delay_removed else "Time (ms)"
+
+
+def _scale_words(rows: Sequence[Row], normalised: bool, view: View) -> str:
+    what = signal_words(view.axes, view.method)
+    if normalised:
+        return f"{what}; each row relative to its peak"
+    return f"{what}; a row is {rows[0].size:.3g} m/s² high"
+
+
+def _finish(ax: Any, designs: Sequence[Design], alone: bool) -> None:
+    if not alone:
+        return
+    if any(one.limb.startswith("synthetic") for one in designs):
+        ax.figure.text(0.99, 0.01, SYNTHETIC, ha="right", color=DIM, fontsize=6)
+    ax.figure.subplots_adjust(left=0.14, right=0.97, bottom=0.17, top=0.88)

@@ -1,0 +1,1 @@
+"""RMS of all outputs in windows that follow each other."""

@@ -1,0 +1,1 @@
+"""The panel of windows that follow each other."""

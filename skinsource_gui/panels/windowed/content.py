@@ -1,0 +1,85 @@
+"""What the strip of windows shows."""
+
+from dataclasses import dataclass, replace
+
+from skinsource.analysis import Extent, Windows
+from skinsource.arrays import Floats
+from skinsource.decibels import map_range_db
+from skinsource.design import Design
+from skinsource_gui.widgets.map.small_map import Range, SmallMap
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class WindowedContent:
+    """Maps of windows, and how far each of them reaches.
+
+    Attributes
+    ----------
+    design
+        Whose inputs are marked.
+    small
+        Outline, places and pixels that all maps share.
+    windows, sample_rate_hz
+        Where the windows lie.
+    levels_db : (n_windows, n_outputs)
+        Level of each output in each window.
+    field_levels_db : (n_windows, rows, columns)
+        The interpolated maps.
+    extents
+        Of each window; None where it is silent.
+    synthetic
+        Whether the responses are computed, not measured.
+    """
+
+    design: Design
+    small: SmallMap
+    windows: Windows
+    sample_rate_hz: float
+    levels_db: Floats
+    field_levels_db: Floats
+    extents: tuple[Extent | None, ...]
+    synthetic: bool
+
+    @property
+    def range_db(self) -> Range:
+        """Levels of the lowest and the highest colour of all maps."""
+        return map_range_db(self.levels_db)
+
+    @property
+    def bounds_s(self) -> list[tuple[float, float]]:
+        """Begin and end of each window, s from the begin of the stimulus."""
+        return self.windows.bounds_s(self.sample_rate_hz)
+
+    def map_of(self, window: int) -> SmallMap:
+        """The map of one window."""
+        return replace(
+            self.small,
+            levels_db=self.levels_db[window],
+            field_levels_db=self.field_levels_db[window],
+        )
+
+    def window_at(self, time_s: float) -> int | None:
+        """The window in which an instant of the stimulus lies."""
+        for window, (begin_s, end_s) in enumerate(self.bounds_s):
+            if begin_s <= time_s < end_s:
+                return window
+        return None
+
+
+def window_words(bounds_s: tuple[float, float]) -> str:
+    """``"0–120 ms"``."""
+    begin, end = (round(1e3 * one) for one in bounds_s)
+    return f"{begin}–{end} ms"
+
+
+def extent_words(extent: Extent | None) -> str:
+    """The measures of a window, for a tooltip."""
+    if extent is None:
+        return "Silent: nothing has an extent"
+    return (
+        f"Mean distance from the input {extent.mean_distance_mm:.1f} mm\n"
+        f"90 % of the energy within {extent.d90_mm:.1f} mm\n"
+        f"Outputs less than 12 dB below the loudest {100 * extent.share_above_12_db:.0f} %, "
+        f"20 dB {100 * extent.share_above_20_db:.0f} %\n"
+        f"Participation {extent.participation:.1f} outputs"
+    )

@@ -1,0 +1,164 @@
+"""Panel of windows that follow each other."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any, ClassVar
+
+import numpy as np
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QColor, QPainter
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
+
+from skinsource.choice_words import LIMBS, signal_words, word_of
+from skinsource.decibels import FLOOR_DB
+from skinsource.design import Design
+from skinsource.view import WINDOW_COUNT, WINDOW_LENGTH, WINDOWS_CUT, View
+from skinsource_gui.panel import Panel
+from skinsource_gui.panels.windowed.content import WindowedContent
+from skinsource_gui.panels.windowed.strip_layout import strip_layout
+from skinsource_gui.panels.windowed.strip_painter import paint_strip
+from skinsource_gui.panels.windowed.strip_view import StripView
+from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.widgets.fields.field_cell import FieldCell
+from skinsource_gui.widgets.lateness import Lateness
+from skinsource_gui.widgets.map.small_map import SmallMaps
+
+_SILENT = "Silent: nothing is driven"
+_TOO_SHORT = "No whole window fits into the response. Choose shorter ones."
+
+
+class WindowedPanel(Panel):
+    """A map of the RMS for each of consecutive windows, and how far each of them reaches."""
+
+    title: ClassVar[str] = "Windows"
+    name: ClassVar[str] = "windowed"
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._design: Design | None = None
+        self._view = View()
+        self._maps = SmallMaps()
+        self._lateness = Lateness(self)
+        self.strip = StripView(self)
+        self._lateness.changed.connect(self.strip.show_outdated)
+        self.cells = {
+            "windows_cut": FieldCell("windows_cut", WINDOWS_CUT, self),
+            "window_count": FieldCell("window_count", WINDOW_COUNT, self),
+            "window_s": FieldCell("window_s", WINDOW_LENGTH, self),
+        }
+        row = QHBoxLayout()
+        row.setSpacing(UNIT_PX)
+        for cell in self.cells.values():
+            row.addWidget(cell.label)
+            row.addWidget(cell)
+            cell.edited.connect(self._change)
+        row.addStretch(1)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
+        column.setSpacing(UNIT_PX // 2)
+        column.addLayout(row)
+        column.addWidget(self.strip, 1)
+        self.setFocusProxy(self.strip)
+        self.strip.time_chosen.connect(self.playhead_wanted)
+        self._show_view()
+
+    @property
+    def needs(self) -> frozenset[str]:
+        return frozenset(
+            {
+                "limb_map",
+                "limb_data",
+                "surface",
+                "sample_rate_hz",
+                "windows",
+                "levels_of_windows_db",
+                "surface_of_windows_db",
+                "extents_of_windows",
+            }
+        )
+
+    def show_state(self, design: Design, view: View) -> None:
+        self._design, self._view = design, view
+        self._show_view()
+
+    def show_playhead(self, view: View) -> None:
+        self._view = view
+        self.strip.show_time(view.playhead_s)
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        self._lateness.set_stale(False)
+        if self._design is None:
+            return
+        levels = results["levels_of_windows_db"]
+        maps = {"surface_levels_db": results["surface_of_windows_db"], **results}
+        content = WindowedContent(
+            design=self._design,
+            small=self._maps.map_of(maps),
+            windows=results["windows"],
+            sample_rate_hz=results["sample_rate_hz"],
+            levels_db=levels,
+            field_levels_db=results["surface_of_windows_db"],
+            extents=results["extents_of_windows"],
+            synthetic=results["limb_data"].synthetic,
+        )
+        message = ""
+        if content.windows.count == 0:
+            message = _TOO_SHORT
+        elif float(np.max(levels)) <= FLOOR_DB:
+            message = _SILENT
+        self.strip.show_content(content, message)
+        self.strip.show_time(self._view.playhead_s)
+
+    def show_stale(self, stale: bool) -> None:
+        self._lateness.set_stale(stale)
+
+    def show_problem(self, reason: str) -> None:
+        self._lateness.set_stale(False)
+        self.strip.show_content(None, reason)
+
+    def show_theme(self, theme: Theme) -> None:
+        self.strip.show_theme(theme)
+        for cell in self.cells.values():
+            cell.show_theme(theme)
+
+    def draw_picture(
+        self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
+    ) -> None:
+        """Draw the strip for a page or a slide, with all that is needed to read it; size in px."""
+        font = painter.font()
+        font.setFamily(self.font().family())
+        font.setPixelSize(max(round(width / 62), 8))
+        painter.setFont(font)
+        painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
+        content, line = self.strip.content, float(painter.fontMetrics().height())
+        painter.setPen(QColor(theme.text))
+        heading = QRectF(line, 0.5 * line, width - 2 * line, 2.4 * line)
+        painter.drawText(heading, 0, self._heading())
+        if content is None or self.strip.message:
+            painter.drawText(QRectF(line, 4 * line, width, line), 0, self.strip.message)
+            return
+        room = QRectF(0.0, 3.0 * line, width, height - 3.5 * line)
+        paint_strip(painter, content, strip_layout(room, content.windows.count, line), theme)
+
+    def _heading(self) -> str:
+        if self._design is None:
+            return ""
+        content, view = self.strip.content, self._view
+        limb = word_of(LIMBS, self._design.limb).title
+        lines = [f"{limb}: RMS of {signal_words(view.axes, view.method)} in windows"]
+        if content is not None and content.synthetic:
+            lines.append("SYNTHETIC LIMB: computed responses, not measured ones")
+        return "\n".join(lines)
+
+    def _show_view(self) -> None:
+        for name, cell in self.cells.items():
+            cell.set_value(getattr(self._view, name))
+        by_count = self._view.windows_cut == "count"
+        for name, shown in (("window_count", by_count), ("window_s", not by_count)):
+            self.cells[name].setVisible(shown)
+            self.cells[name].label.setVisible(shown)
+        self.strip.show_time(self._view.playhead_s)
+
+    def _change(self, name: str, value: object, gesture: int | None) -> None:
+        del gesture
+        self.view_changed.emit(replace(self._view, **{name: value}))

@@ -1,0 +1,69 @@
+"""Where maps, scale and plot of the strip lie."""
+
+from dataclasses import dataclass
+from math import ceil
+
+from PySide6.QtCore import QRectF
+
+_MOST_MAP_PX = 190.0
+_SCALE_PX = 9.0
+_PLOT_LINES = 6.5
+# Height of a map over its width: hand and arm.
+_HIGH = 2.3
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StripLayout:
+    """Areas of the strip, px.
+
+    Attributes
+    ----------
+    head
+        Words above.
+    cells
+        Of the windows: a line of words, and the map below.
+    scale
+        The colours, with a line of numbers and one of words below.
+    plot
+        The extent, with room for numbers on its left and words above.
+    """
+
+    head: QRectF
+    cells: tuple[QRectF, ...]
+    scale: QRectF
+    plot: QRectF
+
+
+def strip_layout(room: QRectF, n_windows: int, line: float) -> StripLayout:
+    """Lay ``n_windows`` maps out in ``room``, in as many rows as give the largest maps."""
+    edge = 0.4 * line
+    inner = room.adjusted(edge, 0.0, -edge, -edge)
+    head = QRectF(inner.left(), inner.top(), inner.width(), 1.4 * line)
+    plot_height = min(_PLOT_LINES * line, 0.3 * inner.height())
+    foot = QRectF(inner.left(), inner.bottom() - plot_height, inner.width(), plot_height)
+    scale_height = _SCALE_PX + 2.2 * line
+    scale = QRectF(inner.left(), foot.top() - scale_height - edge, inner.width(), scale_height)
+    maps = QRectF(inner.left(), head.bottom(), inner.width(), scale.top() - edge - head.bottom())
+    plot = foot.adjusted(3.2 * line, 1.2 * line, -edge, -1.2 * line)
+    return StripLayout(head=head, cells=_cells(maps, n_windows, line), scale=scale, plot=plot)
+
+
+def _cells(room: QRectF, n: int, line: float) -> tuple[QRectF, ...]:
+    if n == 0:
+        return ()
+    rows = max(range(1, n + 1), key=lambda rows: _map_width(room, n, rows, line))
+    columns = ceil(n / rows)
+    width = min(room.width() / columns, max(_MOST_MAP_PX, 5.5 * line))
+    height = room.height() / rows
+    left = room.left() + (room.width() - width * columns) / 2.0
+    return tuple(
+        QRectF(left + width * (k % columns), room.top() + height * (k // columns), width, height)
+        for k in range(n)
+    )
+
+
+def _map_width(room: QRectF, n: int, rows: int, line: float) -> float:
+    """Width of a map, where there are so many rows; fewer rows where it makes no difference."""
+    columns = ceil(n / rows)
+    width = min(room.width() / columns, (room.height() / rows - line) / _HIGH)
+    return min(width, _MOST_MAP_PX) - 1e-6 * rows if width > 0.0 else -float(rows)

@@ -1,0 +1,133 @@
+"""Draws the strip of windows: maps in one scale, the scale, and the extent over the windows."""
+
+from math import ceil
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QImage, QPainter, QPen
+
+from skinsource_gui.panels.windowed.content import WindowedContent, window_words
+from skinsource_gui.panels.windowed.strip_layout import StripLayout
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.fields.level_text import minus
+from skinsource_gui.widgets.map.colour_maps import colour_table
+from skinsource_gui.widgets.map.small_map import paint_small_map
+
+_SCALE_PX = 9.0
+_DOT_PX = 2.5
+_CENTRE = Qt.AlignmentFlag.AlignCenter
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+#: Names of the curves of the extent, and which colour of outputs each has.
+CURVES = (("mean distance", 0), ("90 % of the energy within", 1))
+
+
+def paint_strip(
+    painter: QPainter,
+    content: WindowedContent,
+    layout: StripLayout,
+    theme: Theme,
+    chosen: int | None = None,
+) -> None:
+    """Draw ``content``; the painter's font is that of all words.
+
+    Parameters
+    ----------
+    painter, layout, theme
+        On what, where, in which colours.
+    content
+        What is shown.
+    chosen
+        The window that is framed; None: none is.
+    """
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    line = float(painter.fontMetrics().height())
+    table = colour_table()
+    for window, (cell, bounds) in enumerate(zip(layout.cells, content.bounds_s, strict=True)):
+        words = window_words(bounds)
+        painter.setPen(QColor(theme.text))
+        if painter.fontMetrics().horizontalAdvance(words) > cell.width():
+            words = str(window + 1)
+        painter.drawText(QRectF(cell.left(), cell.top(), cell.width(), line), _CENTRE, words)
+        area = cell.adjusted(2.0, line, -2.0, -2.0)
+        paint_small_map(
+            painter, area, content.map_of(window), content.design, theme, content.range_db, table
+        )
+        if window == chosen:
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(QPen(QColor(theme.accent), 1.5))
+            painter.drawRoundedRect(cell.adjusted(1.0, 0.5, -1.0, -1.0), 3.0, 3.0)
+    _paint_scale(painter, layout.scale, content.range_db, theme)
+    _paint_extent(painter, layout.plot, content, theme)
+
+
+def _paint_scale(
+    painter: QPainter, area: QRectF, range_db: tuple[float, float], theme: Theme
+) -> None:
+    line = painter.fontMetrics().height()
+    width = min(area.width() - 4.0 * line, 20.0 * line)
+    ramp = QRectF(area.center().x() - width / 2.0, area.top(), width, _SCALE_PX)
+    row = np.ascontiguousarray(colour_table())
+    image = QImage(row.data, len(row), 1, 4 * len(row), QImage.Format.Format_RGB32)
+    painter.drawImage(ramp, image)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(QPen(QColor(theme.border), 1))
+    painter.drawRect(ramp)
+    low, high = range_db
+    painter.setPen(QColor(theme.text))
+    for level in np.linspace(low, high, 6):
+        x = ramp.left() + (level - low) / (high - low) * ramp.width()
+        words = QRectF(x - 3.0 * line, ramp.bottom(), 6.0 * line, line)
+        painter.drawText(words, _CENTRE, minus(f"{level:.0f}"))
+    painter.setPen(QColor(theme.dim))
+    below = QRectF(area.left(), ramp.bottom() + line, area.width(), line)
+    painter.drawText(below, _CENTRE, "dB re 1 m/s²")
+
+
+def _paint_extent(painter: QPainter, area: QRectF, content: WindowedContent, theme: Theme) -> None:
+    """Mean distance and the distance of 90 % of the energy, a dot for each window."""
+    known = [one for one in content.extents if one is not None]
+    top = _rounded_up(max((max(one.mean_distance_mm, one.d90_mm) for one in known), default=1.0))
+    line = painter.fontMetrics().height()
+    _paint_axis(painter, area, top, theme)
+    n = max(len(content.extents), 1)
+    for _, rank in CURVES:
+        colour = theme.output_colour(rank)
+        painter.setPen(QPen(colour, 1.5))
+        painter.setBrush(colour)
+        before: QPointF | None = None
+        for window, one in enumerate(content.extents):
+            if one is None:
+                before = None
+                continue
+            value = one.mean_distance_mm if rank == 0 else one.d90_mm
+            x = area.left() + (window + 0.5) / n * area.width()
+            at = QPointF(x, area.bottom() - value / top * area.height())
+            if before is not None:
+                painter.drawLine(before, at)
+            painter.drawEllipse(at, _DOT_PX, _DOT_PX)
+            before = at
+    x = area.left()
+    for name, rank in CURVES:
+        painter.setPen(theme.output_colour(rank))
+        room = painter.fontMetrics().horizontalAdvance(name) + line
+        painter.drawText(QRectF(x, area.top() - 1.2 * line, room, line), Qt.AlignmentFlag(0), name)
+        x += room
+
+
+def _paint_axis(painter: QPainter, area: QRectF, top: float, theme: Theme) -> None:
+    line = painter.fontMetrics().height()
+    for part in (0.0, 0.5, 1.0):
+        y = area.bottom() - part * area.height()
+        painter.setPen(QPen(QColor(theme.grid), 1))
+        painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y))
+        painter.setPen(QColor(theme.text))
+        beside = QRectF(area.left() - 3.2 * line, y - line / 2.0, 2.9 * line, line)
+        painter.drawText(beside, _RIGHT, f"{part * top:g}")
+    painter.setPen(QColor(theme.dim))
+    below = QRectF(area.left(), area.bottom() + 0.15 * line, area.width(), line)
+    painter.drawText(below, _CENTRE, "mm from the input, window by window")
+
+
+def _rounded_up(value: float) -> float:
+    """The next 20 mm."""
+    return max(ceil(value / 20.0) * 20.0, 20.0)

@@ -1,0 +1,136 @@
+"""The strip of windows as a widget: shown, pointed at, stepped through."""
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter
+from PySide6.QtWidgets import QToolTip, QWidget
+
+from skinsource_gui.panels.windowed.content import WindowedContent, extent_words, window_words
+from skinsource_gui.panels.windowed.strip_layout import StripLayout, strip_layout
+from skinsource_gui.panels.windowed.strip_painter import paint_strip
+from skinsource_gui.theme import LIGHT, Theme, tabular
+
+_STEPS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
+
+
+class StripView(QWidget):
+    """Shows windows, and tells which one is wanted."""
+
+    #: Begin of a window that was chosen, s.
+    time_chosen = Signal(float)
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._theme: Theme = LIGHT
+        self.content: WindowedContent | None = None
+        self.message, self.outdated = "", False
+        self.chosen: int | None = None
+        self.setObjectName("window_strip")
+        self.setAccessibleName("Windows")
+        self.setAccessibleDescription("Left and right go from window to window")
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMinimumSize(220, 240)
+
+    def sizeHint(self) -> QSize:
+        return QSize(520, 460)
+
+    @property
+    def places(self) -> StripLayout:
+        """Where everything is."""
+        n = 0 if self.content is None else self.content.windows.count
+        return strip_layout(QRectF(self.rect()), n, self.fontMetrics().height())
+
+    def show_content(self, content: WindowedContent | None, message: str = "") -> None:
+        """Show windows, or say why there are none."""
+        self.content, self.message = content, message
+        self.update()
+
+    def show_time(self, time_s: float) -> None:
+        """Frame the window in which the playhead is."""
+        chosen = None if self.content is None else self.content.window_at(time_s)
+        if chosen != self.chosen:
+            self.chosen = chosen
+            self.update()
+
+    def show_outdated(self, outdated: bool) -> None:
+        """Say whether what is shown belongs to an older design."""
+        self.outdated = outdated
+        self.update()
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self._theme = theme
+        self.update()
+
+    def window_under(self, point: QPointF) -> int | None:
+        """The window under a point."""
+        cells = enumerate(self.places.cells)
+        return next((window for window, cell in cells if cell.contains(point)), None)
+
+    def paintEvent(self, event) -> None:
+        painter, theme = QPainter(self), self._theme
+        painter.setFont(tabular(self.font()))
+        painter.fillRect(self.rect(), QColor(theme.base))
+        if self.content is None or self.message:
+            painter.setPen(QColor(theme.dim))
+            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+            painter.drawText(QRectF(self.rect()).adjusted(8, 8, -8, -8), flags, self.message)
+            painter.end()
+            return
+        places = self.places
+        painter.setPen(QColor(theme.warning if self.content.synthetic else theme.dim))
+        words = "SYNTHETIC" if self.content.synthetic else ""
+        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        painter.drawText(places.head, right, words)
+        if self.outdated:
+            painter.setPen(QColor(theme.dim))
+            painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, "Computing…")
+            painter.setOpacity(0.5)
+        paint_strip(painter, self.content, places, theme, self.chosen)
+        painter.setOpacity(1.0)
+        if self.hasFocus():
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(QColor(theme.accent))
+            painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
+        painter.end()
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            words = self.words_at(QPointF(event.pos()))
+            QToolTip.showText(event.globalPos(), words, self)
+            return True
+        return super().event(event)
+
+    def words_at(self, point: QPointF) -> str:
+        """Times and extent of the window under a point."""
+        window = self.window_under(point)
+        if window is None or self.content is None or self.message:
+            return ""
+        about = extent_words(self.content.extents[window])
+        return f"{window_words(self.content.bounds_s[window])}\n{about}"
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        window = self.window_under(event.position())
+        if event.button() == Qt.MouseButton.LeftButton and window is not None:
+            self._choose(window)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        step = _STEPS.get(Qt.Key(event.key()))
+        if step is None or self.content is None or event.modifiers():
+            super().keyPressEvent(event)
+            return
+        n = self.content.windows.count
+        if n:
+            start = (-1 if step > 0 else n) if self.chosen is None else self.chosen
+            self._choose(min(max(start + step, 0), n - 1))
+
+    def focusInEvent(self, event) -> None:
+        super().focusInEvent(event)
+        self.update()
+
+    def focusOutEvent(self, event) -> None:
+        super().focusOutEvent(event)
+        self.update()
+
+    def _choose(self, window: int) -> None:
+        if self.content is not None and not self.message:
+            self.time_chosen.emit(self.content.bounds_s[window][0])

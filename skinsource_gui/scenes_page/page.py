@@ -1,0 +1,162 @@
+"""The page that shows the scenes: a list, and beside it picture, sentence and source."""
+
+from collections.abc import Collection
+from html import escape
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QIcon, QPainter, QPixmap
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QHBoxLayout,
+    QLabel,
+    QListWidget,
+    QListWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.scenes import Scene, all_scenes, open_scene
+from skinsource_gui.resources import resource_folder
+from skinsource_gui.scenes_page.picture import ScenePicture
+from skinsource_gui.theme import UNIT_PX, Theme
+
+TITLE = "Scenes"
+_SIZE_PX = (1120, 650)
+_ICON_PX = (72, 44)
+_LIST_PX = 360
+_WORDS_LINES = 8
+_PICTURES = "Pictures are computed on synthetic limbs."
+
+
+class ScenesPage(QDialog):
+    """Shows the scenes of the paper, and tells which one is to be opened.
+
+    Parameters
+    ----------
+    limbs
+        Names of the limbs that there are.
+    selected
+        Name of the scene that is selected at first; the first one where it is not known.
+    theme
+        Colours.
+    """
+
+    #: Name of a scene.
+    chosen = Signal(str)
+
+    def __init__(
+        self, limbs: Collection[str], selected: str, theme: Theme, parent: QWidget
+    ) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setObjectName("scenes_page")
+        self.setWindowTitle(TITLE)
+        self.resize(*_SIZE_PX)
+        self._limbs, self._theme, self._scenes = frozenset(limbs), theme, all_scenes()
+        self.list = QListWidget()
+        self.list.setObjectName("scenes_list")
+        self.list.setAccessibleName("Scenes of the paper")
+        self.list.setIconSize(QSize(*_ICON_PX))
+        self.list.setFixedWidth(_LIST_PX)
+        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.list.setSpacing(1)
+        self.picture = ScenePicture(theme)
+        self.words = QLabel()
+        self.words.setObjectName("scene_words")
+        self.words.setWordWrap(True)
+        self.words.setTextFormat(Qt.TextFormat.RichText)
+        # As high for all, so that the picture stays where it is.
+        self.words.setMinimumHeight(_WORDS_LINES * self.fontMetrics().lineSpacing())
+        self.words.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
+        self.buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Open | QDialogButtonBox.StandardButton.Cancel
+        )
+        self._lay_out()
+        self._fill(selected)
+        self.list.currentRowChanged.connect(self._show)
+        # Not itemActivated: Return would count twice, for the list and for the button.
+        self.list.itemDoubleClicked.connect(self._choose)
+        self.buttons.accepted.connect(self._choose)
+        self.buttons.rejected.connect(self.reject)
+        self._show(self.list.currentRow())
+        self.list.setFocus()
+
+    @property
+    def scene(self) -> Scene:
+        """The one that is selected."""
+        return self._scenes[max(self.list.currentRow(), 0)]
+
+    def _lay_out(self) -> None:
+        right = QVBoxLayout()
+        right.setSpacing(UNIT_PX)
+        right.addWidget(self.picture, 1)
+        right.addWidget(self.words)
+        columns = QHBoxLayout()
+        columns.setSpacing(2 * UNIT_PX)
+        columns.addWidget(self.list)
+        columns.addLayout(right, 1)
+        rows = QVBoxLayout(self)
+        rows.addLayout(columns, 1)
+        rows.addWidget(self.buttons)
+        button = self.buttons.button(QDialogButtonBox.StandardButton.Open)
+        button.setDefault(True)
+        button.setToolTip("Open the scene in place of the present design")
+
+    def _fill(self, selected: str) -> None:
+        for one in self._scenes:
+            item = QListWidgetItem(one.heading)
+            item.setIcon(_icon_of(one))
+            item.setToolTip(one.sentence)
+            self.list.addItem(item)
+        names = [one.name for one in self._scenes]
+        self.list.setCurrentRow(names.index(selected) if selected in names else 0)
+
+    def _show(self, row: int) -> None:
+        if row < 0:
+            return
+        one = self.scene
+        self.picture.show_picture(picture_of(one), one.title)
+        lines = [f"<b>{escape(one.heading)}</b>", escape(one.sentence), _dim(self._theme, one)]
+        opened = open_scene(one.name, available=self._limbs)
+        limbs = "; ".join(dict.fromkeys(each.design.limb for each in opened.conditions))
+        note = f"Opens on {limbs}. {opened.note} {_PICTURES}"
+        lines.append(f'<span style="color: {self._theme.dim}">{escape(note)}</span>')
+        self.words.setText("<br>".join(lines))
+
+    def _choose(self) -> None:
+        name = self.scene.name
+        # The question about unsaved work stands in front of the window, not of this page.
+        self.accept()
+        self.chosen.emit(name)
+
+
+def picture_of(scene: Scene) -> QPixmap:
+    """The picture of a scene."""
+    return QPixmap(str(resource_folder() / "scenes" / f"{scene.name}.png"))
+
+
+def _icon_of(scene: Scene) -> QIcon:
+    """Its picture, small, in the middle of a white card; the same while it is selected."""
+    card = QPixmap(QSize(*_ICON_PX))
+    card.fill(Qt.GlobalColor.white)
+    small = picture_of(scene).scaled(
+        card.size(),
+        Qt.AspectRatioMode.KeepAspectRatio,
+        Qt.TransformationMode.SmoothTransformation,
+    )
+    painter = QPainter(card)
+    painter.drawPixmap(
+        (card.width() - small.width()) // 2, (card.height() - small.height()) // 2, small
+    )
+    painter.end()
+    icon = QIcon(card)
+    icon.addPixmap(card, QIcon.Mode.Selected)
+    return icon
+
+
+def _dim(theme: Theme, scene: Scene) -> str:
+    words = f"Source: {scene.source}."
+    if scene.inferred:
+        words += f" Inferred: {'; '.join(scene.inferred)}."
+    return f'<span style="color: {theme.dim}">{escape(words)}</span>'

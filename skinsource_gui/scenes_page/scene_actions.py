@@ -1,0 +1,86 @@
+"""Opening scenes in the window, in the arrangement that shows them."""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QWidget
+
+from skinsource.design_file import SUFFIX
+from skinsource.errors import SkinSourceError
+from skinsource.scenes import OpenedScene, open_scene
+from skinsource_gui.files.file_actions import FileActions
+from skinsource_gui.scenes_page.page import ScenesPage
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.installed_limbs import InstalledLimbs
+from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.theme import Theme
+
+
+class SceneActions(QObject):
+    """Shows the gallery, and opens what is chosen there.
+
+    Parameters
+    ----------
+    document, preferences, files, limbs
+        What is open, where and how it is saved, and which limbs there are.
+    arrange
+        Takes up the arrangement of a name.
+    docks
+        By the name of their panel; each can `bring_forward`.
+    theme
+        Gives the colours in use.
+    window
+        In front of which the gallery opens; also the parent.
+    """
+
+    failed = Signal(str)
+    #: What went well, in a few words.
+    done = Signal(str)
+
+    def __init__(
+        self,
+        document: Document,
+        preferences: Preferences,
+        files: FileActions,
+        limbs: InstalledLimbs,
+        arrange: Callable[[str], None],
+        docks: Mapping[str, Any],
+        theme: Callable[[], Theme],
+        window: QWidget,
+    ) -> None:
+        super().__init__(window)
+        self._document, self._files, self._limbs = document, files, limbs
+        self._preferences, self._arrange, self._docks = preferences, arrange, docks
+        self._theme, self._window = theme, window
+        self._last = ""
+
+    def show(self) -> ScenesPage:
+        """Open the gallery; the scene that was opened last is selected."""
+        page = ScenesPage(self._limbs.names, self._last, self._theme(), self._window)
+        page.chosen.connect(self.open)
+        page.open()
+        return page
+
+    def open(self, name: str) -> None:
+        """Open a scene in place of what is open, which is asked for if it is not saved."""
+        try:
+            opened = open_scene(name, available=self._limbs.names)
+        except SkinSourceError as error:
+            self.failed.emit(str(error))
+            return
+        if not self._files.may_lose_changes():
+            return
+        self._document.start_over(opened.design, opened.view, None)
+        self._files.leave_file()
+        self._files.suggested = self._preferences.folder / f"{opened.scene.name}{SUFFIX}"
+        self._last = opened.scene.name
+        self._bring(opened)
+        words = f"Opened {opened.scene.heading}"
+        self.done.emit(f"{words}, on a SYNTHETIC limb" if opened.synthetic else words)
+
+    def _bring(self, opened: OpenedScene) -> None:
+        self._arrange(opened.scene.arrangement)
+        for panel in opened.scene.panels:
+            if panel in self._docks:
+                self._docks[panel].bring_forward()

@@ -1,0 +1,83 @@
+"""What a notebook shows of a design."""
+
+from xml.etree import ElementTree
+
+import pytest
+
+import skinsource as ss
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def drawing_of(design):
+    html = design._repr_html_()
+    return ElementTree.fromstring(html[html.index("<svg") : html.index("</svg>") + 6])  # noqa: S314
+
+
+def curves_of(design):
+    """Points of each drawn curve."""
+    return [
+        [tuple(map(float, point.split(","))) for point in one.get("points").split()]
+        for one in drawing_of(design).iter(f"{SVG}polyline")
+    ]
+
+
+def tone(place, onset_s=0.0, **changes):
+    waveform = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.1)
+    return ss.track(place, waveform, onset_s=onset_s, **changes)
+
+
+def test_it_names_title_limb_scaling_places_and_waveforms():
+    design = ss.Design(limb="measured-3", inputs=(tone(7),), title="A <tone>")
+    html = design._repr_html_()
+    assert "A &lt;tone&gt;" in html
+    assert "Measured 3 (185 mm)" in html
+    assert "Probe acceleration" in html
+    assert ">7 II pad</text>" in html
+    assert "Tone(frequency_hz=100.0" in html
+    assert "<td>1 m/s²</td>" in html
+
+
+def test_each_track_has_a_curve_from_its_onset_on():
+    design = ss.Design(limb="synthetic-1", inputs=(tone(7), tone(13, onset_s=0.1)))
+    first, second = curves_of(design)
+    assert len(first) == len(second) == 130
+    end = 2 * first[-1][0] - first[-2][0]
+    assert second[0][0] == pytest.approx(end, abs=0.2)
+    middle = [min(y for _, y in one) + max(y for _, y in one) for one in (first, second)]
+    assert middle[1] > middle[0]
+
+
+def test_what_is_not_heard_is_pale():
+    design = ss.Design(limb="synthetic-1", inputs=(tone(7), tone(8, muted=True)))
+    strokes = [one.get("stroke") for one in drawing_of(design).iter(f"{SVG}polyline")]
+    assert strokes == ["#0072B2", "#BBBBBB"]
+
+
+def test_a_long_track_is_drawn_with_few_points_and_its_peaks():
+    sweep = ss.waveforms.Chirp(duration_s=60.0)
+    (points,) = curves_of(ss.Design(limb="synthetic-1", inputs=(ss.track(3, sweep),)))
+    assert 500 < len(points) < 1000
+    heights = [y for _, y in points]
+    assert max(heights) - min(heights) == pytest.approx(2 * 0.44 * 36, abs=0.3)
+
+
+def test_a_design_without_inputs_and_one_on_an_unknown_limb_are_shown_too():
+    assert "No inputs." in ss.Design(limb="of my own")._repr_html_()
+    assert "of my own" in ss.Design(limb="of my own", inputs=(tone(7),))._repr_html_()
+    silent = ss.Design(limb="synthetic-1", inputs=(ss.Input(location=3),))
+    assert curves_of(silent) == []
+
+
+def test_what_cannot_be_played_says_why_in_its_lane():
+    high = ss.track(7, ss.waveforms.Tone(frequency_hz=900.0))
+    words = "".join(drawing_of(ss.Design(limb="synthetic-1", inputs=(high,))).itertext())
+    assert "900" in words
+
+
+def test_many_clips_are_counted_and_not_all_listed():
+    clips = tuple(ss.Clip(waveform=ss.waveforms.Tap(), onset_s=0.02 * k) for k in range(60))
+    design = ss.Design(limb="synthetic-1", inputs=(ss.Input(location=3, clips=clips),))
+    html = design._repr_html_()
+    assert "… and 20 more clips" in html
+    assert html.count("<tr>") == 41

@@ -1,0 +1,201 @@
+"""Drawings with matplotlib: what they show is what was computed, and no window is needed."""
+
+import subprocess
+import sys
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.errors import InvalidInputError, MissingExtraError
+from skinsource.plot.levels import common_range
+
+DESIGN = ss.Design(
+    limb="synthetic-1",
+    inputs=(ss.track(7, ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.1)),),
+    scaling="upstream",
+)
+MAG = ss.View(method="mag")
+
+
+def image_of(figure):
+    return figure.axes[0].images[0]
+
+
+def test_a_map_of_a_design_shows_its_levels_in_the_range_of_the_studio():
+    levels = ss.evaluate(DESIGN, "output_levels_db", view=MAG)["output_levels_db"]
+    figure = ss.plot.map(DESIGN, view=MAG)
+    low, high = image_of(figure).get_clim()
+    assert high == np.ceil(levels.max() / 5) * 5
+    assert low == high - 50
+    surface = ss.surface_operator(ss.load_limb("synthetic-1"))
+    shown = image_of(figure).get_array()
+    inside = surface.interpolate(levels)
+    np.testing.assert_array_equal(shown[surface.mask], inside[surface.mask])
+    assert np.isfinite(shown).all()
+
+
+def test_a_map_of_levels_and_of_the_design_that_has_them_are_alike():
+    levels = ss.evaluate(DESIGN, "output_levels_db", view=MAG)["output_levels_db"]
+    of_levels = image_of(ss.plot.map(levels, limb="synthetic-1")).get_array()
+    np.testing.assert_array_equal(of_levels, image_of(ss.plot.map(DESIGN, view=MAG)).get_array())
+
+
+def test_a_map_lies_where_the_outline_is_and_marks_inputs_and_outputs():
+    limb = ss.load_limb("synthetic-1")
+    figure = ss.plot.map(DESIGN, view=MAG, outputs=(19, 61))
+    ax = figure.axes[0]
+    scale = limb.hand_length_mm / limb.map.hand_length_px
+    np.testing.assert_allclose(ax.patches[0].get_xy()[:-1], limb.map.outline * scale)
+    marked = [(one.get_xdata()[0], one.get_ydata()[0]) for one in ax.lines]
+    assert any(np.allclose(one, limb.map.input_positions[6] * scale) for one in marked)
+    assert any(np.allclose(one, limb.map.output_positions[18] * scale) for one in marked)
+    words = [one.get_text() for one in (*ax.texts, *figure.texts)]
+    assert "19" in words
+    assert "61" not in words  # it has no place on the back
+    assert "50 mm" in words
+    assert any("SYNTHETIC" in one for one in words)
+
+
+def test_a_bar_of_50_mm_is_as_long_as_50_mm_of_the_hand():
+    figure = ss.plot.map(DESIGN)
+    bar = next(one for one in figure.axes[0].lines if len(one.get_xdata()) == 2)
+    assert np.ptp(bar.get_xdata()) == pytest.approx(50.0)
+
+
+def test_traces_are_the_projected_acceleration_over_time():
+    view = replace(MAG, outputs=(19, 30), time_range_s=(0.05, 0.1))
+    figure = ss.plot.traces(DESIGN, view=view)
+    found = ss.evaluate(DESIGN, "selected_traces", "response_time_s", view=view)
+    time_s, traces = found["response_time_s"], found["selected_traces"]
+    within = (time_s >= 0.05) & (time_s <= 0.1)
+    size = np.abs(traces[:, within]).max()
+    lines = [one for one in figure.axes[0].lines if one.get_xdata().__len__() > 2]
+    for rank, line in enumerate(lines):
+        np.testing.assert_allclose(line.get_xdata(), 1e3 * time_s[within])
+        base = figure.axes[0].get_yticks()[rank]
+        np.testing.assert_allclose(line.get_ydata() - base, traces[rank, within] / size, atol=1e-12)
+    labels = [one.get_text() for one in figure.axes[0].get_yticklabels()]
+    assert labels == ["Output 19", "Output 30"]
+
+
+def test_normalised_rows_each_fill_their_height():
+    figure = ss.plot.traces(DESIGN, outputs=(19, 30, 52), normalised=True)
+    bases = figure.axes[0].get_yticks()
+    lines = [one for one in figure.axes[0].lines if one.get_xdata().__len__() > 2]
+    heights = [
+        np.abs(line.get_ydata() - base).max() for line, base in zip(lines, bases, strict=True)
+    ]
+    assert heights == pytest.approx([1.0, 1.0, 1.0])
+
+
+def test_several_designs_lie_over_each_other_with_a_legend():
+    louder = DESIGN.with_input(0, amplitude=2.0)
+    figure = ss.plot.traces([DESIGN, louder], outputs=(30,), labels=["soft", "loud"])
+    ax = figure.axes[0]
+    assert [one.get_text() for one in ax.get_legend().get_texts()] == ["soft", "loud"]
+    soft, loud = (one.get_ydata() for one in ax.lines if one.get_xdata().__len__() > 2)
+    np.testing.assert_allclose(loud, 2 * soft, atol=1e-12)
+
+
+def test_a_shorter_design_is_silent_at_the_end_beside_a_longer_one():
+    longer = DESIGN.with_clip(1, onset_s=0.5)
+    figure = ss.plot.traces([DESIGN, longer], outputs=(30,))
+    first, second = (one for one in figure.axes[0].lines if one.get_xdata().__len__() > 2)
+    assert len(first.get_xdata()) == len(second.get_xdata())
+    assert first.get_ydata()[-1] == 0.0
+
+
+def test_spectra_span_the_measured_band_and_peak_where_the_tone_is():
+    figure = ss.plot.spectra(DESIGN, outputs=(30,))
+    (line,) = [one for one in figure.axes[0].lines if one.get_xdata().__len__() > 2]
+    assert line.get_xdata().min() >= 25.0
+    assert line.get_xdata().max() <= 600.0
+    assert line.get_xdata()[np.argmax(line.get_ydata())] == pytest.approx(100.0, abs=5.0)
+
+
+def test_a_strip_has_a_map_for_each_window_in_one_scale_and_the_extent():
+    inputs = (ss.track(7, ss.waveforms.WaveletTrain()),)
+    train = ss.Design(limb="synthetic-4", inputs=inputs, scaling="relative")
+    figure = ss.plot.strip(train, window_s=0.12)
+    maps = [one for one in figure.axes if one.images]
+    assert len(maps) == 5
+    assert len({one.images[0].get_clim() for one in maps}) == 1
+    assert [one.get_title() for one in maps][::4] == ["0 to 120 ms", "480 to 600 ms"]
+    (mean, _) = (one for ax in figure.axes if ax.get_legend() for one in ax.lines)
+    field = ss.predict(ss.load_limb("synthetic-4"), train.clips[0].waveform.samples(1300.0), 7)
+    length = np.sqrt(np.sum(field**2, axis=1))
+    windows = ss.windowed_rms(length, 156, first_sample=67)[:5]
+    limb = ss.load_limb("synthetic-4")
+    expected = [ss.extent(one, limb, 7).mean_distance_mm for one in windows]
+    np.testing.assert_allclose(mean.get_ydata(), expected, rtol=1e-6)
+
+
+def test_what_is_drawn_into_axes_of_others_makes_no_figure():
+    from matplotlib.figure import Figure
+
+    figure = Figure()
+    for draw in (ss.plot.map, ss.plot.traces, ss.plot.spectra):
+        assert draw(DESIGN, ax=figure.add_subplot()) is figure
+
+
+def test_a_figure_shows_itself_in_a_notebook_and_keeps_its_words_in_svg(tmp_path):
+    figure = ss.plot.traces(DESIGN, outputs=(30,), title="Only words")
+    assert figure._repr_png_().startswith(b"\x89PNG")
+    path = tmp_path / "traces.svg"
+    figure.savefig(path)
+    assert ">Only words</text>" in path.read_text("utf-8")
+
+
+def test_silence_is_drawn_too():
+    silent = ss.Design(limb="synthetic-1")
+    assert image_of(ss.plot.map(silent)).get_clim() == (-50.0, 0.0)
+    ss.plot.traces(silent, outputs=(3,))
+    assert common_range(np.full(72, -200.0)) == (-50.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: ss.plot.map(np.zeros(72)), "need the limb"),
+        (lambda: ss.plot.map(np.zeros(71), limb="synthetic-1"), "shape"),
+        (lambda: ss.plot.map(np.zeros(72), limb=3), "expected a Limb"),
+        (lambda: ss.plot.traces([]), "expected a Design"),
+        (lambda: ss.plot.traces(DESIGN, outputs=()), "no output is selected"),
+        (lambda: ss.plot.traces(DESIGN, labels=("a", "b")), "2 labels for 1 designs"),
+        (lambda: ss.plot.traces(DESIGN, outputs=(99,)), "99"),
+        (
+            lambda: ss.plot.traces(DESIGN, view=replace(MAG, time_range_s=(5.0, 6.0))),
+            "time_range_s",
+        ),
+        (lambda: ss.plot.strip(DESIGN, count=2, window_s=0.1), "expected one of them"),
+        (lambda: ss.plot.strip(DESIGN, window_s=2.0), "no whole window"),
+        (lambda: ss.plot.strip("2H"), "expected a Design"),
+    ],
+)
+def test_what_cannot_be_drawn_is_refused_in_words(call, words):
+    with pytest.raises(InvalidInputError, match=words):
+        call()
+
+
+def test_without_matplotlib_the_extra_is_named(monkeypatch):
+    loaded = [one for one in sys.modules if one.partition(".")[0] == "matplotlib"]
+    for name in {"matplotlib", *loaded}:
+        monkeypatch.setitem(sys.modules, name, None)
+    with pytest.raises(MissingExtraError, match=r'pip install "skinsource\[plot\]"'):
+        ss.plot.map(DESIGN)
+
+
+def test_drawing_asks_for_no_window_and_never_for_qt():
+    probe = (
+        "import sys; import skinsource as ss;"
+        "d = ss.Design(limb='synthetic-1', inputs=(ss.track(7),));"
+        "ss.plot.map(d); ss.plot.traces(d)._repr_png_();"
+        "print([m for m in sys.modules if m.partition('.')[0] in ('PySide6', 'PyQt6')],"
+        " 'matplotlib.pyplot' in sys.modules)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-c", probe], capture_output=True, text=True, timeout=120
+    )
+    assert done.stdout.strip() == "[] False", done.stderr

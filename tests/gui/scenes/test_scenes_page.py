@@ -1,0 +1,171 @@
+"""The gallery of scenes, and what the window shows of one that is opened."""
+
+import struct
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDialogButtonBox, QMessageBox
+
+import skinsource as ss
+from skinsource.figures.gallery import MARK, mark_of, page_of, synthetic_scene
+from skinsource.panel_settings import settings_of
+from skinsource_gui.resources import resource_folder
+from skinsource_gui.scenes_page.page import picture_of
+from skinsource_gui.shell.docks.arrangements import ARRANGEMENTS
+from skinsource_gui.shell.panels import PANELS
+
+every = pytest.mark.parametrize("name", ss.scenes.names())
+
+
+def texts_of(content: bytes) -> dict[str, str]:
+    """Words that a PNG file holds, by what they are called."""
+    assert content.startswith(b"\x89PNG\r\n\x1a\n")
+    found, at = {}, 8
+    while at < len(content):
+        (size,) = struct.unpack(">I", content[at : at + 4])
+        kind, held = content[at + 4 : at + 8], content[at + 8 : at + 8 + size]
+        if kind == b"tEXt":
+            key, _, words = held.partition(b"\0")
+            found[key.decode("latin-1")] = words.decode("latin-1")
+        at += 12 + size
+    return found
+
+
+@every
+def test_each_picture_is_of_the_scene_as_it_is_now_on_a_synthetic_limb(name):
+    content = (resource_folder() / "scenes" / f"{name}.png").read_bytes()
+    assert texts_of(content)[MARK] == mark_of(synthetic_scene(name)), (
+        "pictures are out of date; draw them anew with "
+        "'python -m skinsource.figures.gallery resources/scenes docs/scenes.md'"
+    )
+
+
+def test_another_design_or_view_has_another_mark():
+    marks = {mark_of(synthetic_scene(name)) for name in ss.scenes.names()}
+    assert len(marks) == len(ss.scenes.names())
+
+
+def test_the_page_of_the_documents_shows_every_scene():
+    path = resource_folder().parent / "docs" / "scenes.md"
+    assert path.read_text("utf-8") == page_of(ss.scenes.all_scenes(), "../resources/scenes"), (
+        "docs/scenes.md is out of date; write it anew with "
+        "'python -m skinsource.figures.gallery resources/scenes docs/scenes.md'"
+    )
+
+
+@every
+def test_each_names_an_arrangement_and_panels_with_settings_that_there_are(name):
+    scene = ss.scenes.scene(name)
+    panels = {spec.panel.name: spec for spec in PANELS}
+    assert scene.arrangement in {one.name for one in ARRANGEMENTS}
+    assert set(scene.panels) <= panels.keys()
+    view = synthetic_scene(name).view
+    for panel, held in (one for one in view.panels if one[0] in panels):
+        settings = settings_of(view, panel, panels[panel].settings)
+        for field, value in held:
+            assert getattr(settings, field) == value, f"{panel}.{field}"
+
+
+def test_the_gallery_lists_all_scenes_and_shows_the_selected_one(window):
+    page = window.scenes.show()
+    headings = [page.list.item(row).text() for row in range(page.list.count())]
+    assert headings == [one.heading for one in ss.scenes.all_scenes()]
+    page.list.setCurrentRow(headings.index("2F · Two inputs interfere"))
+    words = page.words.text()
+    assert ss.scenes.scene("2F").sentence in words
+    assert "Fig. 2F" in words
+    assert "synthetic-3" in words
+    assert "SYNTHETIC" in words
+    page.list.setCurrentRow(headings.index("2H · A sensation that contracts"))
+    assert "Inferred: kind, frequencies" in page.words.text()
+    page.reject()
+
+
+def test_every_picture_has_its_room(window):
+    page = window.scenes.show()
+    for row in range(page.list.count()):
+        page.list.setCurrentRow(row)
+        shown = page.picture.area()
+        assert shown.width() > 300
+        assert page.picture.rect().toRectF().contains(shown)
+        assert not picture_of(page.scene).isNull()
+        assert page.words.height() >= page.words.heightForWidth(page.words.width())
+    page.reject()
+
+
+def test_a_scene_is_opened_with_the_keyboard(window, qtbot, settle):
+    page = window.scenes.show()
+    qtbot.waitUntil(page.list.hasFocus)
+    qtbot.keyClick(page.list, Qt.Key.Key_Home)
+    for _ in range(6):
+        qtbot.keyClick(page.list, Qt.Key.Key_Down)
+    assert page.scene.name == "2B"
+    qtbot.keyClick(page.list, Qt.Key.Key_Return)
+    settle()
+    opened = ss.scenes.open_scene("2B")
+    assert window.document.design == opened.design
+    assert window.document.view == opened.view
+    assert window.panel("compare").isVisible()
+    assert window.docks["compare"].in_sight
+    assert [card.isVisible() for card in window.panel("compare").cards[1:]] == [True] * 4
+
+
+def test_a_double_click_opens_and_the_next_time_it_is_selected(window, qtbot, settle):
+    page = window.scenes.show()
+    item = page.list.item(1)
+    at = page.list.visualItemRect(item).center()
+    qtbot.mouseClick(page.list.viewport(), Qt.MouseButton.LeftButton, pos=at)
+    qtbot.mouseDClick(page.list.viewport(), Qt.MouseButton.LeftButton, pos=at)
+    settle()
+    assert window.document.design == ss.scenes.open_scene("1D").design
+    assert window.docks["spectra"].in_sight
+    again = window.scenes.show()
+    assert again.scene.name == "1D"
+    again.reject()
+
+
+def test_each_opens_with_the_panels_that_show_it_and_nothing_to_complain_of(window, settle):
+    told = []
+    window.scenes.done.connect(told.append)
+    for scene in ss.scenes.all_scenes():
+        window.scenes.open(scene.name)
+        settle()
+        assert not window.document.modified
+        assert window.document.path is None
+        for panel in scene.panels:
+            assert window.docks[panel].in_sight, (scene.name, panel)
+        assert window.notice.text == "", scene.name
+        assert told[-1] == f"Opened {scene.heading}, on a SYNTHETIC limb"
+
+
+def test_saving_a_scene_asks_where_and_suggests_its_name(window):
+    window.scenes.open("2F")
+    assert window.files.suggested.name == "2F.skinsource"
+    assert window.files.suggested.parent == window.preferences.folder
+
+
+@pytest.mark.parametrize(
+    ("answer", "opened"),
+    [(QMessageBox.StandardButton.Discard, True), (QMessageBox.StandardButton.Cancel, False)],
+)
+def test_unsaved_work_is_asked_for_first(window, monkeypatch, answer, opened):
+    window.document.edit("Softer", window.document.design.with_input(0, amplitude=0.25))
+    asked = []
+    monkeypatch.setattr(QMessageBox, "question", lambda *words: asked.append(words) or answer)
+    window.scenes.open("2F")
+    assert len(asked) == 1
+    assert (window.document.design == ss.scenes.open_scene("2F").design) == opened
+
+
+def test_the_page_that_is_cancelled_changes_nothing(window):
+    before = window.document.design
+    page = window.scenes.show()
+    page.buttons.button(QDialogButtonBox.StandardButton.Cancel).click()
+    assert window.document.design is before
+
+
+def test_the_file_menu_leads_to_the_gallery(window, qtbot):
+    window.do("show_scenes")
+    pages = [one for one in window.children() if one.objectName() == "scenes_page"]
+    assert len(pages) == 1
+    pages[0].reject()

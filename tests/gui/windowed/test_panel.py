@@ -1,0 +1,166 @@
+"""The panel of windows: maps in one scale, live, free while hidden, stepped through."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QImage, QPainter
+
+import skinsource as ss
+from skinsource.design import Design, track
+from skinsource.rendering.in_windows import rules
+from skinsource.waveforms import WaveletTrain
+
+TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))
+
+
+@pytest.fixture
+def panel(make_window):
+    window = make_window(TRAIN, ss.View(method="mag", windows_cut="length", window_s=0.12))
+    window.docks["windowed"].bring_forward()
+    found = window.panel("windowed")
+    window.catch_up()
+    found.window_of_test = window
+    return found
+
+
+@pytest.fixture
+def studio(panel):
+    return panel.window_of_test
+
+
+def settle(window, qtbot):
+    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
+
+
+def test_it_shows_what_was_computed_in_one_scale(panel, studio):
+    content = panel.strip.content
+    found = ss.evaluate(TRAIN, "rms_of_windows", "extents_of_windows", view=studio.document.view)
+    assert content.windows.count == 5
+    assert (content.levels_db == ss.decibels(found["rms_of_windows"])).all()
+    assert content.extents == found["extents_of_windows"]
+    assert content.range_db[1] >= content.levels_db.max() > content.range_db[1] - 5.0
+    assert content.synthetic
+
+
+def test_every_map_has_a_cell_of_its_own_within_the_panel(panel):
+    places = panel.strip.places
+    assert len(places.cells) == 5
+    room = panel.strip.rect().toRectF()
+    areas = [*places.cells, places.scale, places.plot]
+    assert all(room.contains(area) for area in areas)
+    for k, one in enumerate(areas):
+        assert not any(one.adjusted(1, 1, -1, -1).intersects(other) for other in areas[k + 1 :])
+
+
+@pytest.mark.parametrize("count", [1, 7, 24, 60])
+def test_any_number_of_windows_fits(panel, studio, qtbot, count):
+    view = replace(studio.document.view, windows_cut="count", window_count=count)
+    studio.document.look(view)
+    settle(studio, qtbot)
+    places = panel.strip.places
+    assert len(places.cells) == count
+    room = panel.strip.rect().toRectF().adjusted(-0.5, -0.5, 0.5, 0.5)
+    assert all(room.contains(cell) for cell in places.cells)
+    panel.strip.grab()
+
+
+def test_it_follows_a_drag(panel, studio, qtbot):
+    before = panel.strip.content
+    studio.document.edit("Later", TRAIN.with_clip(1, onset_s=0.2), gesture=1)
+    settle(studio, qtbot)
+    after = panel.strip.content
+    assert after is not before
+    assert after.windows.count == 7
+    assert after.extents[0] is None
+
+
+def test_hidden_it_costs_nothing(panel, studio, qtbot, monkeypatch):
+    asked = []
+    studio.docks["windowed"].hide()
+    settle(studio, qtbot)
+    content = panel.strip.content
+
+    monkeypatch.setattr(rules.WindowEnergy, "add", lambda *words: asked.append(words), raising=True)
+    studio.document.edit("Softer", TRAIN.with_input(0, amplitude=0.5))
+    settle(studio, qtbot)
+    assert asked == []
+    assert panel.strip.content is content
+
+
+def test_windows_are_cut_by_number_or_by_length(panel, studio, qtbot):
+    cells = panel.cells
+    assert cells["window_s"].isVisible()
+    assert not cells["window_count"].isVisible()
+    cells["windows_cut"].edited.emit("windows_cut", "count", None)
+    settle(studio, qtbot)
+    assert cells["window_count"].isVisible()
+    assert not cells["window_s"].isVisible()
+    cells["window_count"].edited.emit("window_count", 3, None)
+    settle(studio, qtbot)
+    assert panel.strip.content.windows.count == 3
+    assert panel.strip.content.windows.window_samples == 260
+    assert not studio.document.undo_stack.canUndo()
+
+
+def test_a_click_on_a_window_and_arrow_keys_move_the_playhead_to_its_begin(panel, studio, qtbot):
+    strip = panel.strip
+    at = strip.places.cells[2].center().toPoint()
+    qtbot.mouseClick(strip, Qt.MouseButton.LeftButton, pos=at)
+    assert studio.document.view.playhead_s == pytest.approx(0.24)
+    assert strip.chosen == 2
+    qtbot.keyClick(strip, Qt.Key.Key_Right)
+    assert studio.document.view.playhead_s == pytest.approx(0.36)
+    for _ in range(9):
+        qtbot.keyClick(strip, Qt.Key.Key_Left)
+    assert studio.document.view.playhead_s == 0.0
+    assert strip.chosen == 0
+    qtbot.keyClick(strip, Qt.Key.Key_Left)
+    assert studio.document.view.playhead_s == 0.0
+
+
+def test_the_pointer_reads_times_and_extent(panel):
+    cell = panel.strip.places.cells[1]
+    words = panel.strip.words_at(cell.center())
+    extent = panel.strip.content.extents[1]
+    assert words.startswith("120–240 ms\n")
+    assert f"{extent.mean_distance_mm:.1f} mm" in words
+    assert f"{extent.d90_mm:.1f} mm" in words
+    assert panel.strip.words_at(QPointF(1.0, 1.0)) == ""
+
+
+@pytest.mark.parametrize(
+    ("design", "view", "words"),
+    [
+        (Design(limb="synthetic-4"), {}, "Silent"),
+        (TRAIN, {"windows_cut": "length", "window_s": 5.0}, "No whole window"),
+    ],
+)
+def test_where_there_is_nothing_to_show_it_says_why(panel, studio, qtbot, design, view, words):
+    studio.document.edit("Other", design)
+    studio.document.look(replace(studio.document.view, **view))
+    settle(studio, qtbot)
+    assert words in panel.strip.message
+    assert panel.strip.words_at(panel.strip.rect().toRectF().center()) == ""
+    panel.strip.grab()
+
+
+def test_its_picture_has_the_maps_and_says_what_they_are(panel):
+    image = QImage(1600, 1100, QImage.Format.Format_RGB32)
+    painter = QPainter(image)
+    panel.draw_picture(painter, 1600, 1100)
+    painter.end()
+    colours = {image.pixel(x, y) for x in range(0, 1600, 7) for y in range(0, 1100, 7)}
+    assert len(colours) > 200
+    assert "SYNTHETIC" in panel._heading()
+    assert "magnitude" in panel._heading()
+
+
+def test_a_picture_of_what_is_not_there_says_so(panel, studio, qtbot):
+    studio.document.edit("Empty", Design(limb="synthetic-4"))
+    settle(studio, qtbot)
+    image = QImage(800, 600, QImage.Format.Format_RGB32)
+    painter = QPainter(image)
+    panel.draw_picture(painter, 800, 600)
+    painter.end()
+    assert image.pixelColor(400, 400).name() == "#ffffff"
