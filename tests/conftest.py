@@ -1,7 +1,9 @@
 """What all tests share: no window on the screen, no data of the user, the measured dataset."""
 
+import atexit
 import os
 import shutil
+import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -13,6 +15,12 @@ import scipy
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ["PYQTGRAPH_QT_LIB"] = "PySide6"
+
+if os.environ.pop("PYTHONDONTWRITEBYTECODE", ""):
+    # Nothing is written into the tree; but each process that a test starts would compile the
+    # library anew.  Workers find the folder named already.
+    os.environ["PYTHONPYCACHEPREFIX"] = tempfile.mkdtemp(prefix="skinsource-bytecode-")
+    atexit.register(shutil.rmtree, os.environ["PYTHONPYCACHEPREFIX"], ignore_errors=True)
 
 # The same examples each time, on machines of any speed; what fails is printed so that it can be
 # repeated. `--hypothesis-profile=search` looks for new ones and prints its seed.

@@ -3,7 +3,7 @@
 import gc
 import threading
 from collections import Counter
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -12,8 +12,11 @@ from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
 from skinsource.design import start_design
+from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.history import MOST_STEPS
+from skinsource_gui.panels.skin.map_quantity import LEVELS
+from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.timeline.lanes_view import LanesView
 from tests.gui.monkey import deeds_in_fields as fields
 from tests.gui.monkey import deeds_on_canvases as canvases
@@ -198,6 +201,7 @@ class Monkey:
     def _compare_levels(self) -> None:
         self.hands.close_what_opened()
         self.window.do("arrange_design")
+        self._show_levels()
         self._settle()
         design, view = self.document.design, self.document.view
         shown = self.window.panel("skin").map.content
@@ -210,7 +214,7 @@ class Monkey:
             self._expect(bool(said), f"predict refuses ({error}), the studio says nothing")
             return
         self._expect(not shown.outdated, "the map is outdated at rest")
-        found = shown.levels_db
+        found = shown.values
         if found is None:
             self._expect(False, f"no levels are shown at rest; notice: {self.window.notice.text}")
             return
@@ -222,6 +226,13 @@ class Monkey:
             difference <= _TOLERANCE_DB,
             f"levels shown are {difference:.3g} dB off ss.predict, for {design} seen as {view}",
         )
+
+    def _show_levels(self) -> None:
+        """Where the map shows the skin in time, have it show levels again."""
+        view = self.document.view
+        settings = settings_of(view, "skin", SkinSettings)
+        if settings.quantity != LEVELS:
+            self.document.look(with_settings(view, "skin", replace(settings, quantity=LEVELS)))
 
     def _check_history(self) -> None:
         """Undo all the way back gives what was there at first, and redo what was there at last."""

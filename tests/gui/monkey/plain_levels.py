@@ -30,6 +30,7 @@ def plain_levels(design: ss.Design, view: ss.View):
         [one.location for one in heard],
         [one.amplitude for one in heard],
         design.scaling,
+        design.actuated,
     )
     signals = ss.project_axes(vibration, view.axes, view.method)
     return ss.decibels(ss.rms(signals, view.span, rate_hz))
