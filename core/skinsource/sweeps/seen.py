@@ -61,7 +61,11 @@ class Seen:
 
 def looked_at(rms: Floats, plan: Plan) -> tuple[int, ...]:
     """Outputs whose signals are looked at, each once; the loudest first."""
-    return tuple(dict.fromkeys((int(np.argmax(rms)) + 1, *plan.outputs)))
+    return _looked_at(int(np.argmax(rms)), plan)
+
+
+def _looked_at(loudest: int, plan: Plan) -> tuple[int, ...]:
+    return tuple(dict.fromkeys((loudest + 1, *plan.outputs)))
 
 
 def windows_of(traces: Floats, rate_hz: float) -> list[tuple[float, float]]:
@@ -108,7 +112,7 @@ def seen_together(
     records = [1 if one is None else one.record_samples for one in stimuli]
     over = np.repeat(np.array(records, np.float64), n_outputs)
     rms = np.sqrt(energy / over).reshape(n_stimuli, n_outputs)
-    looked = [looked_at(one, plan) for one in rms]
+    looked = [_looked_at(loudest, plan) for loudest in np.argmax(rms, axis=1).tolist()]
     rows = np.repeat(np.arange(n_stimuli), [len(one) for one in looked])
     outputs = np.array([number - 1 for one in looked for number in one])
     spectra = vibrations.rows(rows, outputs, projection.axis_numbers)
