@@ -30,6 +30,9 @@ class Panel(PointsAtInputs):
     #: Whether it wants to know the history, see `show_history`.
     lists_history: ClassVar[bool] = False
 
+    #: Whether Tab goes from top to bottom, as its fields stand, whenever each was made.
+    reads_down: ClassVar[bool] = False
+
     #: `Edit` or `Refusal`, number of the gesture or None.
     edited = Signal(object, object)
     #: The new `View`, of what is only looked at.

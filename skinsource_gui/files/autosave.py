@@ -17,6 +17,9 @@ from skinsource.view import View
 from skinsource_gui.files.work_picture import png_of
 from skinsource_gui.state.document import Document
 
+#: So soon after the first unsaved edit there is a copy: nothing else holds any of it yet.
+FIRST_S = 3.0
+
 
 @dataclass(frozen=True, slots=True)
 class _Seen:
@@ -29,7 +32,9 @@ class _Seen:
 
 
 class Autosave(QObject):
-    """Writes a copy of unsaved work, in a thread of its own, at most one interval after an edit.
+    """Writes copies of unsaved work, in a thread of its own.
+
+    The first soon after the first unsaved edit, then one at most one interval after an edit.
 
     Work that is saved, or taken back, has no copies.
 
@@ -41,6 +46,8 @@ class Autosave(QObject):
         The user's data folder; the copies lie below it.
     interval_s
         The longest time that may be lost.
+    first_s
+        The same of the first unsaved edits, where it is shorter.
     layout, picture
         Give the window's arrangement, and a picture of a design.
     parent
@@ -59,14 +66,18 @@ class Autosave(QObject):
         layout: Callable[[], bytes],
         picture: Callable[[Design], QImage],
         parent: QObject,
+        first_s: float = FIRST_S,
     ) -> None:
         super().__init__(parent)
+        self._intervals_s = (min(first_s, interval_s), interval_s)
         self._document, self._layout, self._picture = document, layout, picture
         self._session = Session(folder)
         self._seen = self._look()
         self._worker: ThreadPoolExecutor | None = None
         self._complained = self._ended = False
-        self._timer = QTimer(self, singleShot=True, interval=round(1000 * interval_s))
+        # Whether there is a copy of this work already.
+        self._has_copy = False
+        self._timer = QTimer(self, singleShot=True)
         self._timer.timeout.connect(self._keep_soon)
         self._landed.connect(self._report, Qt.ConnectionType.QueuedConnection)
         document.changed.connect(self._follow)
@@ -100,6 +111,7 @@ class Autosave(QObject):
         before, self._seen = self._seen, self._look()
         if not self._seen.modified:
             self._timer.stop()
+            self._has_copy = False
             if self._worker is not None:
                 self._worker.submit(self._session.forget)
             return
@@ -107,7 +119,10 @@ class Autosave(QObject):
             # Another limb is read and evaluated next.
             self._keep(before).result()
         if not self._timer.isActive():
-            self._timer.start()
+            self._wait()
+
+    def _wait(self) -> None:
+        self._timer.start(round(1000 * self._intervals_s[self._has_copy]))
 
     def _keep_soon(self) -> None:
         if self._document.modified:
@@ -116,6 +131,7 @@ class Autosave(QObject):
     def _keep(self, seen: _Seen) -> "Future[bool]":
         if self._worker is None:
             self._worker = ThreadPoolExecutor(1, thread_name_prefix="skinsource-autosave")
+        self._has_copy = True
         write = partial(self._write, seen, self._layout(), self._picture(seen.design))
         return self._worker.submit(write)
 
@@ -138,4 +154,4 @@ class Autosave(QObject):
         self._complained = reason is not None
         if self._complained and not self._ended and self._document.modified:
             # There may be room later, also where nothing more is edited.
-            self._timer.start()
+            self._wait()

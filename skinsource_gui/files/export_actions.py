@@ -1,6 +1,5 @@
 """Exports: where to, and what came of it."""
 
-import logging
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -14,9 +13,9 @@ from PySide6.QtWidgets import QMessageBox, QWidget
 
 from skinsource.design import Design
 from skinsource.errors import SkinSourceError, TooInaccurateError
-from skinsource.job import Job
 from skinsource.packing import citation
 from skinsource.view import View
+from skinsource_gui.files.export_jobs import ExportJobs
 from skinsource_gui.files.exports import EXPORTS, ExportSpec
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.state.document import Document
@@ -27,7 +26,6 @@ from skinsource_gui.widgets.pictures.picture_file import save_drawing
 from skinsource_gui.widgets.pictures.picture_options import PictureOptions, ask_picture_options
 from skinsource_gui.widgets.pictures.whole_picture import WholePicture
 
-_log = logging.getLogger(__name__)
 _Answer = QMessageBox.StandardButton
 #: Asked for the name of a panel: its picture, with the present results.
 DrawerOf = Callable[[str], WholePicture]
@@ -43,11 +41,12 @@ class _Order:
     view: View
     largest_error: float = VISIBLE
 
-    def job(self) -> Job[Any]:
-        work = partial(
+    @property
+    def work(self) -> Callable[..., Any]:
+        """Writes it."""
+        return partial(
             self.spec.write, self.path, self.design, self.view, largest_error=self.largest_error
         )
-        return Job(f"Exporting {self.path.name}", work)
 
 
 class ExportActions(QObject):
@@ -79,12 +78,10 @@ class ExportActions(QObject):
     ) -> None:
         super().__init__(window)
         self._document, self._preferences, self._files = document, preferences, files
-        self._runner, self._drawer_of, self._window = runner, drawer_of, window
-        self._orders: dict[Job[Any], _Order] = {}
+        self._drawer_of, self._window = drawer_of, window
+        self._jobs = ExportJobs(runner, files, self)
+        self._jobs.failed.connect(self.failed)
         self._picture_options: dict[str, PictureOptions] = {}
-        runner.done.connect(self._note_written)
-        runner.cancelled.connect(self._note_cancelled)
-        runner.failed.connect(self._note_failed)
 
     def export(self, name: str) -> None:
         """Ask for a file, and export to it what the table calls ``name``."""
@@ -126,35 +123,14 @@ class ExportActions(QObject):
             self._files.note_written(path)
 
     def _add(self, order: _Order) -> None:
-        job = order.job()
-        self._orders[job] = order
-        self._runner.add(job)
+        self._jobs.add(order.path, order.work, answered=partial(self._accepted, order))
 
-    def _note_written(self, job: Job[Any], _result: object) -> None:
-        order = self._orders.pop(job, None)
-        if order is not None:
-            self._files.note_written(order.path)
-
-    def _note_cancelled(self, job: Job[Any]) -> None:
-        order = self._orders.pop(job, None)
-        if order is not None:
-            self._files.done.emit(f"Export of {order.path.name} cancelled; nothing was written")
-
-    def _note_failed(self, job: Job[Any], error: Exception) -> None:
-        order = self._orders.pop(job, None)
-        if order is None:
-            return
-        if isinstance(error, TooInaccurateError):
-            if self._is_accepted(order, error):
-                self._add(replace(order, largest_error=math.inf))
-        elif isinstance(error, SkinSourceError):
-            self.failed.emit(str(error))
-        else:
-            _log.error("an export failed", exc_info=error)
-            self.failed.emit(
-                f"{order.path.name} was not exported: the studio made a mistake "
-                f"({type(error).__name__}: {error}). Please report this."
-            )
+    def _accepted(self, order: _Order, error: Exception) -> bool:
+        if not isinstance(error, TooInaccurateError):
+            return False
+        if self._is_accepted(order, error):
+            self._add(replace(order, largest_error=math.inf))
+        return True
 
     def _is_accepted(self, order: _Order, error: Exception) -> bool:
         answer = QMessageBox.question(

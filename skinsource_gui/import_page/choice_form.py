@@ -71,6 +71,8 @@ class ChoiceForm(QWidget):
         self._choice = suggested(found)
         self._lasts_s: float | None = None
         self._part_chosen = False
+        # How long the part shall be, also where less is left after its start.
+        self._wanted_s = _BEGINNING_S
         # Keys of the other axes, by what is chosen.
         self._others: dict[str, tuple[str, ...]] = {"": ()}
         self._signal, self._timing = ChoiceField(_SIGNAL), ChoiceField(_TIMING)
@@ -127,17 +129,19 @@ class ChoiceForm(QWidget):
     def take_part(self, start_s: float, duration_s: float) -> None:
         """Want another part, as a user does."""
         self._start.set_value(start_s)
-        self._duration.set_value(max(duration_s, _DURATION.minimum))
-        self._choose_part()
+        self._choose_part(max(duration_s, _DURATION.minimum))
 
     def show_length(self, lasts_s: float) -> None:
         """Take over how long the whole signal is, and all of it unless a part was chosen."""
         self._lasts_s = lasts_s
         self._start.set_spec(replace(_START, maximum=lasts_s))
         whole_s = max(lasts_s, _DURATION.minimum) if lasts_s <= _WHOLE_UP_TO_S else _BEGINNING_S
-        if not self._part_chosen and whole_s != self._choice.duration_s:
-            self._duration.set_value(whole_s)
-            self._take_over()
+        if not self._part_chosen:
+            self._wanted_s = whole_s
+        before = self._choice
+        self._fit()
+        if self._choice != before:
+            self.changed.emit(self._choice)
 
     def show_missing(self, n_missing: int) -> None:
         """Offer to count missing numbers as 0, where there are some."""
@@ -165,9 +169,9 @@ class ChoiceForm(QWidget):
         self._signal.chosen.connect(self._choose_signal)
         for field in (self._axes, self._timing, self._time_unit, self._unit, self._scale):
             field.chosen.connect(self._take_over)
-        for number in (self._start, self._duration):
-            number.edited.connect(self._choose_part)
-        self._rate.edited.connect(self._take_rate)
+        self._start.edited.connect(lambda *_: self._choose_part())
+        self._duration.edited.connect(lambda length_s, *_: self._choose_part(length_s))
+        self._rate.edited.connect(lambda *_: self._take_over(rate_typed=True))
         self._offset.toggled.connect(self._take_over)
         self._missing.toggled.connect(self._take_over)
 
@@ -213,21 +217,31 @@ class ChoiceForm(QWidget):
         if known:
             self._start.set_spec(replace(_START, maximum=lasts_s))
         whole = known and lasts_s <= _WHOLE_UP_TO_S
-        self._duration.set_value(max(lasts_s, _DURATION.minimum) if whole else _BEGINNING_S)
+        self._wanted_s = max(lasts_s, _DURATION.minimum) if whole else _BEGINNING_S
         self._start.set_value(0.0)
-        self._choice = self._wanted()
+        self._fit()
         self._show_rows()
 
-    def _choose_part(self) -> None:
+    def _choose_part(self, length_s: float | None = None) -> None:
         self._part_chosen = True
+        self._wanted_s = self._wanted_s if length_s is None else length_s
         self._take_over()
 
-    def _take_rate(self) -> None:
-        self._rate_typed = True
-        self._take_over()
-
-    def _take_over(self) -> None:
+    def _fit(self) -> None:
+        """Take over what the fields say; of the length no more than is left after the start."""
+        # How long all of it is depends on the rate that is chosen.
         self._choice = self._wanted()
+        most_s = MOST_PART_S
+        if self.lasts_s is not None:
+            left_s = self.lasts_s - self._start.value_si
+            most_s = min(max(left_s, _DURATION.minimum), MOST_PART_S)
+        self._duration.set_spec(replace(_DURATION, maximum=most_s))
+        self._duration.set_value(min(self._wanted_s, most_s))
+        self._choice = self._wanted()
+
+    def _take_over(self, *_: object, rate_typed: bool = False) -> None:
+        self._rate_typed = self._rate_typed or rate_typed
+        self._fit()
         self._show_rows()
         self.changed.emit(self._choice)
 

@@ -6,7 +6,7 @@ picture makes it skip what stands between.
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtWidgets import QAbstractButton, QMainWindow, QScrollArea, QWidget
 
 
@@ -27,7 +27,13 @@ def tab_stops(top: QWidget, regions: Sequence[QWidget]) -> list[QWidget]:
         inside = (k for k, part in enumerate(regions) if part is stop or part.isAncestorOf(stop))
         return next(inside, len(regions))
 
-    return sorted(found, key=region_of)
+    groups: list[list[QWidget]] = [[] for _ in range(len(regions) + 1)]
+    for stop in found:
+        groups[region_of(stop)].append(stop)
+    for part in (top, *regions):
+        if getattr(part, "reads_down", False):
+            groups = [_as_read(group, part) for group in groups]
+    return [stop for group in groups for stop in group]
 
 
 def move_focus(window: QMainWindow, regions: Sequence[QWidget], *, forward: bool) -> bool:
@@ -67,6 +73,21 @@ def _chain(top: QWidget) -> list[QWidget]:
         ring.append(ring[-1].nextInFocusChain())
     start = ring.index(top)
     return ring[start:] + ring[:start]
+
+
+def _as_read(stops: Sequence[QWidget], part: QWidget) -> list[QWidget]:
+    """Stops inside ``part`` from top to bottom, those beside each other from left to right."""
+    if not all(part.isAncestorOf(stop) for stop in stops):
+        return list(stops)
+    places = {stop: QRect(stop.mapTo(part, QPoint()), stop.size()) for stop in stops}
+    lines: list[list[QWidget]] = []
+    for stop in sorted(stops, key=lambda one: places[one].center().y()):
+        above = places[lines[-1][0]] if lines else None
+        if above is not None and places[stop].center().y() <= above.bottom():
+            lines[-1].append(stop)
+        else:
+            lines.append([stop])
+    return [stop for line in lines for stop in sorted(line, key=lambda one: places[one].x())]
 
 
 def _give_back(window: QWidget) -> None:

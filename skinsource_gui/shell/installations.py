@@ -4,6 +4,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject
 
+from skinsource.choice_words import LIMBS
 from skinsource.dataset.store import StoreInfo
 from skinsource.errors import SkinSourceError
 from skinsource.job import Job
@@ -26,8 +27,22 @@ class Installations(QObject):
     def __init__(self, runner: JobRunner, limbs: InstalledLimbs, reports: Reports) -> None:
         super().__init__(runner)
         self._limbs, self._reports = limbs, reports
+        self._known = limbs.names
+        limbs.changed.connect(self._note_changed)
         runner.done.connect(self._note_done)
         runner.failed.connect(self._note_failed)
+
+    def _note_changed(self) -> None:
+        """Say which limbs came or went, whoever installed or removed them."""
+        before, self._known = self._known, self._limbs.names
+        come = [_title(one) for one in self._known if one not in before]
+        gone = [_title(one) for one in before if one not in self._known]
+        words = []
+        if come:
+            words.append(f"{', '.join(come)}: installed, choose it under Limb above the panels")
+        if gone:
+            words.append(f"{', '.join(gone)}: no longer installed")
+        self._reports.report(". ".join(words))
 
     def _note_done(self, job: Job[Any], result: object) -> None:
         if job.title in INSTALLATIONS:
@@ -39,3 +54,8 @@ class Installations(QObject):
         if job.title in INSTALLATIONS:
             mistake = f"The studio made a mistake: {type(error).__name__}: {error}"
             self._reports.complain(str(error) if isinstance(error, SkinSourceError) else mistake)
+
+
+def _title(limb: str) -> str:
+    """What the window calls a limb."""
+    return next((word.title for word in LIMBS if word.name == limb), limb)

@@ -25,6 +25,9 @@ class PanelFocus(QObject):
     ) -> None:
         super().__init__(parent)
         self._panels, self._bring = panels, bring
+        # Where the keyboard was before a panel was shown, and which panels it came in front of.
+        self._left: str | None = None
+        self._covered: frozenset[str] = frozenset()
 
     def next(self) -> None:
         """Go to the next panel."""
@@ -35,10 +38,31 @@ class PanelFocus(QObject):
         self._go(-1)
 
     def show(self, name: str) -> None:
-        """Bring a panel into sight, and go there."""
-        self._bring(name)
+        """Bring a panel into sight, and go there; from there, back to where the keyboard was."""
+        here = self._here()
+        if here == name and self._left is not None:
+            name, self._left = self._left, None
+            for covered in self._covered:
+                self._bring(covered)
+            self._bring(name)
+        else:
+            before = self._in_sight()
+            self._bring(name)
+            if here != name:
+                self._left, self._covered = here, before - self._in_sight()
         panel = next(one for one in self._panels if one.name == name)
         panel.setFocus(Qt.FocusReason.ShortcutFocusReason)
+
+    def _in_sight(self) -> frozenset[str]:
+        # A dock that comes to the front moves the one behind it away a moment later.
+        QApplication.sendPostedEvents()
+        return frozenset(one.name for one in self._panels if one.isVisible())
+
+    def _here(self) -> str | None:
+        """Name of the panel with the keyboard."""
+        focused = QApplication.focusWidget()
+        names = (one.name for one in self._panels if focused and one.isAncestorOf(focused))
+        return next(names, None)
 
     def _go(self, step: int) -> None:
         # A panel that only says what to do has nothing for the keyboard.

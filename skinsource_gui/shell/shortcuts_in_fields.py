@@ -2,7 +2,7 @@
 
 Shortcuts work from inside number fields and lines of text too.  Keys without Ctrl or Alt that a
 widget needs itself stay with it: letters and spaces where a text is typed, Space on what is
-pressed or chosen with it.
+pressed with it, and on a list until something was chosen from it.
 """
 
 from collections.abc import Iterable
@@ -58,6 +58,8 @@ class ShortcutsInFields(QObject):
         self._window = window
         self._shortcuts = [key for action in actions for key in action.shortcuts()]
         self._watched: QWidget | None = None
+        # The list that was clicked, or chosen from, and still has the keyboard.
+        self._used: QComboBox | None = None
         # One widget at a time: a filter on all widgets would see each event of the studio.
         QApplication.instance().focusChanged.connect(self._watch)
 
@@ -76,7 +78,11 @@ class ShortcutsInFields(QObject):
                 event.ignore()
                 return True
         elif event.key() == Qt.Key.Key_Space and not event.modifiers() & _HELD:
-            event.accept()
+            if watched is self._used:
+                # What was chosen shall be heard; to choose again, the arrow keys do.
+                event.ignore()
+            else:
+                event.accept()
             return True
         return super().eventFilter(watched, event)
 
@@ -84,7 +90,11 @@ class ShortcutsInFields(QObject):
         if self._watched is not None:
             self._watched.removeEventFilter(self)
             self._watched.destroyed.disconnect(self._forget)
+            if isinstance(self._watched, QComboBox):
+                self._watched.activated.disconnect(self._note_used)
             self._watched = None
+        if new is not None and new is not self._used and not _is_popup_of(self._used, new):
+            self._used = None
         # A button that was clicked has the keyboard too, but nobody means it any more.
         clicked = isinstance(new, QAbstractButton) and bool(QApplication.mouseButtons())
         wanted = isinstance(new, (*_TEXTS, *_PRESSED)) and not clicked
@@ -92,9 +102,22 @@ class ShortcutsInFields(QObject):
             self._watched = new
             new.installEventFilter(self)
             new.destroyed.connect(self._forget)
+            if isinstance(new, QComboBox):
+                new.activated.connect(self._note_used)
+                if QApplication.mouseButtons():
+                    self._used = new
+
+    def _note_used(self) -> None:
+        if isinstance(self._watched, QComboBox):
+            self._used = self._watched
 
     def _forget(self) -> None:
-        self._watched = None
+        self._watched = self._used = None
+
+
+def _is_popup_of(field: QComboBox | None, widget: QWidget) -> bool:
+    """Whether a widget belongs to the list that drops down from a field."""
+    return field is not None and field.isAncestorOf(widget)
 
 
 def _is_typed(event: QKeyEvent) -> bool:

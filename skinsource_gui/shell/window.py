@@ -105,9 +105,8 @@ class MainWindow(QMainWindow):
         self.layout_of_docks.restore()
         self._show_limbs()
         self._show_state()
-        for panel in self.panels:
-            if panel.needs:
-                panel.show_problem(_PREPARING)
+        for panel in (one for one in self.panels if one.needs):
+            panel.show_problem(_PREPARING)
 
     @property
     def theme(self) -> Theme:
@@ -190,7 +189,7 @@ class MainWindow(QMainWindow):
             "levelling": self.levelling,
             **self.playback.capabilities(),
             "steps": self.document.undo_stack,
-            "arrangements": self.arrangements,
+            "layout_of_docks": self.layout_of_docks,
             "dock_tabs": self.dock_tabs,
             "panel_focus": PanelFocus(self.panels, self.arrangements.bring, self),
             "appearance": self.appearance,
@@ -224,7 +223,7 @@ class MainWindow(QMainWindow):
         saving = self.files, self.scenes, self.library
         for fails in (*saving, self.exports, self.stimuli, self.levelling):
             fails.failed.connect(reports.complain)
-        for works in (*saving, self.imports, self.comparison, self.dock_tabs):
+        for works in (*saving, self.imports, self.comparison, self.dock_tabs, self.layout_of_docks):
             works.done.connect(reports.report)
         self.imports.risk_ahead.connect(self.keeping.autosave.keep_now)
         ClipDrops(self.panels, self)

@@ -146,15 +146,34 @@ class Conductor(QObject):
             self._explain(visible, _reason(outcome.error))
             self.stale.emit(outcome.request is not self._asked)
             return
-        for panel in visible:
-            if panel.needs <= outcome.values.keys():
-                self._show(panel, outcome.values)
-                self._answered[panel] = panel.needs, outcome.request.given
-                if outcome.request is self._asked:
-                    self._anew.discard(panel)
-                panel.show_stale(self._is_stale(panel))
+        faults = [
+            fault
+            for panel in visible
+            if panel.needs <= outcome.values.keys()
+            and (fault := self._show_or_explain(panel, outcome, outcome.values)) is not None
+        ]
         self.delivered.emit(outcome)
         self.stale.emit(outcome.request is not self._asked)
+        for fault in faults:
+            # The others show theirs; whoever looks for mistakes hears of this one.
+            raise fault
+
+    def _show_or_explain(
+        self, panel: Panel, outcome: Outcome, values: Mapping[str, Any]
+    ) -> Exception | None:
+        """Let a panel show its results; where it makes a mistake it says so, until the next."""
+        fault: Exception | None = None
+        try:
+            self._show(panel, values)
+        except Exception as error:  # noqa: BLE001  it would be stale for good
+            fault = error
+            self._shown.pop(panel, None)
+            panel.show_problem(f"This panel cannot show it. {_reason(error)}")
+        self._answered[panel] = panel.needs, outcome.request.given
+        if outcome.request is self._asked:
+            self._anew.discard(panel)
+        panel.show_stale(fault is None and self._is_stale(panel))
+        return fault
 
     def _show(self, panel: Panel, values: Mapping[str, Any]) -> None:
         # What has not changed is not drawn again.

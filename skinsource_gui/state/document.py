@@ -43,6 +43,8 @@ class Document(QObject):
         self.opened: Path | None = None
         self._saved_view = self._view
         self._was_modified = self._lost = self._read_only = self._on_the_way = False
+        # Whether something else than what was saved has been made since, and not taken back.
+        self._made = False
         self.undo_stack = QUndoStack(self)
         self.undo_stack.setUndoLimit(MOST_STEPS)
         self.undo_stack.cleanChanged.connect(self._tell_title)
@@ -72,6 +74,9 @@ class Document(QObject):
         """Whether there are edits, or snapshots, that no file holds; choosing outputs is none."""
         if self._lost or self.undo_stack.isClean():
             return self._lost
+        # What was made and removed by hand is in no file; a new design without it is no proof.
+        if self._made and self._path is None:
+            return True
         return self._design != self._saved or not _same_snapshots(self._view, self._saved_view)
 
     def apply(self, outcome: Edit | Refusal, gesture: int | None = None) -> None:
@@ -110,6 +115,7 @@ class Document(QObject):
         self._saved, self._path, self.opened = design, path, path
         self._design, self._view = design, _existing(view, design)
         self._saved_view = self._view
+        self._made = False
         self.jumped.emit()
         self.changed.emit()
         self._was_modified = self._lost = False
@@ -120,7 +126,7 @@ class Document(QObject):
         self._path, self._saved, self._read_only = path, self._design, False
         self._saved_view = self._view
         self.undo_stack.setClean()
-        self._was_modified = self._lost = False
+        self._was_modified = self._lost = self._made = False
         self.title_changed.emit()
 
     def mark_lost(self) -> None:
@@ -142,6 +148,7 @@ class Document(QObject):
 
     def show_step(self, design: Design, view: View) -> None:
         """Put these in place of the present ones; for steps of the history only."""
+        self._made = self._made or design != self._saved
         self._show(design, view)
         self._tell_title()
 
@@ -153,7 +160,9 @@ class Document(QObject):
             if not self._on_the_way:
                 (self.playhead_moved if alone else self.changed).emit()
 
-    def _tell_title(self) -> None:
+    def _tell_title(self, clean: bool = False) -> None:
+        # Said by the history; while a step is done, it does not know yet what it will be.
+        self._made = self._made and not clean
         if self._on_the_way:
             return
         if self.modified != self._was_modified:

@@ -1,6 +1,7 @@
 """What the studio remembers between sessions: theme, window, recent files."""
 
 import os
+from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
@@ -114,6 +115,19 @@ class Preferences:
     @arrangement.setter
     def arrangement(self, name: str) -> None:
         self._settings.setValue("arrangement", name)
+
+    @property
+    def own_arrangements(self) -> dict[str, bytes]:
+        """By the name of an arrangement, where the user's docks stand in it."""
+        names = str(self._settings.value("own_arrangements", "")).split()
+        found = {name: self._bytes(f"own_arrangement_{name}").data() for name in names}
+        return {name: layout for name, layout in found.items() if layout}
+
+    @own_arrangements.setter
+    def own_arrangements(self, layouts: Mapping[str, bytes]) -> None:
+        self._settings.setValue("own_arrangements", " ".join(layouts))
+        for name, layout in layouts.items():
+            self._settings.setValue(f"own_arrangement_{name}", QByteArray(layout))
 
     @property
     def recent_names(self) -> list[str]:

@@ -6,8 +6,8 @@ import numpy as np
 from PySide6.QtWidgets import QWidget
 
 from skinsource.rendering.check import N_SAMPLES, TraceError
-from skinsource_gui.status.fitting_label import FittingLabel
 from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.widgets.fitting_label import FittingLabel
 
 #: What the engine promises, and what would be wrong to the eye, relative to the largest sample.
 PROMISED, VISIBLE = 1e-14, 1e-3

@@ -11,11 +11,11 @@ from skinsource_gui.status import computation_words
 from skinsource_gui.status.computation_words import Scope, felt_words, scope_of
 from skinsource_gui.status.edit_times import EditTime
 from skinsource_gui.status.error_label import ErrorLabel
-from skinsource_gui.status.fitting_label import FittingLabel
 from skinsource_gui.status.pause import PAUSE_MS
 from skinsource_gui.status.sparkline import FRAME_S, Sparkline
 from skinsource_gui.status.timing_label import TimingLabel
 from skinsource_gui.theme import UNIT_PX, Theme, tabular
+from skinsource_gui.widgets.fitting_label import FittingLabel
 from skinsource_gui.widgets.lateness import Lateness
 
 _OLDER = "The panels show the design before the last edits"

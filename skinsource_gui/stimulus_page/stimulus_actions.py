@@ -1,25 +1,20 @@
 """Exporting stimuli: opens the page, asks where to, and tells what came of it."""
 
 import importlib
-import logging
 from collections.abc import Callable
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
 from skinsource.design import Design
-from skinsource.errors import SkinSourceError
-from skinsource.job import Job
+from skinsource_gui.files.export_jobs import ExportJobs
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.theme import Theme
-
-_log = logging.getLogger(__name__)
 
 
 class StimulusActions(QObject):
@@ -51,13 +46,11 @@ class StimulusActions(QObject):
     ) -> None:
         super().__init__(window)
         self._document, self._preferences, self._files = document, preferences, files
-        self._runner, self._theme, self._window = runner, theme, window
-        self._paths: dict[Job[Any], Path] = {}
+        self._theme, self._window = theme, window
+        self._jobs = ExportJobs(runner, files, self)
+        self._jobs.failed.connect(self.failed)
         #: The page, while it is open.
         self.page: Any = None
-        runner.done.connect(self._note_written)
-        runner.cancelled.connect(self._note_cancelled)
-        runner.failed.connect(self._note_failed)
 
     def show(self) -> None:
         """Open the page on the design as it is now."""
@@ -103,28 +96,4 @@ class StimulusActions(QObject):
             equaliser=order.equaliser,
             confirmed=confirmed,
         )
-        job = Job(f"Exporting {path.name}", work)
-        self._paths[job] = path
-        self._runner.add(job)
-
-    def _note_written(self, job: Job[Any], result: Any) -> None:
-        if self._paths.pop(job, None) is not None:
-            self._files.note_written(result.files[0])
-
-    def _note_cancelled(self, job: Job[Any]) -> None:
-        path = self._paths.pop(job, None)
-        if path is not None:
-            self._files.done.emit(f"Export of {path.name} cancelled; nothing was written")
-
-    def _note_failed(self, job: Job[Any], error: Exception) -> None:
-        path = self._paths.pop(job, None)
-        if path is None:
-            return
-        if isinstance(error, SkinSourceError):
-            self.failed.emit(str(error))
-            return
-        _log.error("an export failed", exc_info=error)
-        self.failed.emit(
-            f"{path.name} was not exported: the studio made a mistake "
-            f"({type(error).__name__}: {error}). Please report this."
-        )
+        self._jobs.add(path, work, written=lambda result: result.files[0])

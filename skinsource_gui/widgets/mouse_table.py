@@ -44,7 +44,7 @@ MOUSE: dict[str, tuple[str, tuple[MouseHint, ...]]] = {
             ("along", "Drag a clip with Shift", "move it along time alone"),
             ("copy", "Drag a clip with Ctrl", "copy it"),
             ("free", "Drag a clip with Alt", "move it without snapping"),
-            ("trim", "Drag the start or the end of a clip", "trim a clip: play less or more of it"),
+            ("trim", "Drag the start or the end of a clip", "trim a clip, to play less or more"),
             (
                 "stretch",
                 "Drag the start or the end of a clip with Shift or Alt",

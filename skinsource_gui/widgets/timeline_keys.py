@@ -53,7 +53,8 @@ TIMELINE: tuple[KeyHint, ...] = (
     KeyHint(
         name="gain_far",
         words="Shift+Up, Shift+Down",
-        means="raise or lower the chosen point of the gain curve by ten steps",
+        means="raise or lower the chosen point of the gain curve by ten steps; where none is "
+        "chosen, select the nearest clip of the track above or below besides",
         keys=("Shift+Up", "Shift+Down"),
     ),
     KeyHint(name="marker", words="I", means="put a marker at the playhead", keys=("I",)),
@@ -85,6 +86,12 @@ CLIP_EDITOR: tuple[KeyHint, ...] = (
     KeyHint(name="envelope", words="E", means="shape the envelope", keys=("E",)),
     KeyHint(name="glide", words="G", means="shape frequency and amplitude of a glide", keys=("G",)),
     KeyHint(name="flip", words="F", means="change between frequency and amplitude", keys=("F",)),
+    KeyHint(
+        name="add",
+        words="Insert",
+        means="add a point halfway to the next one, which changes nothing yet",
+        keys=("Ins",),
+    ),
     KeyHint(name="point_before", words="Page Up", means="choose the point before", keys=("PgUp",)),
     KeyHint(name="next_point", words="Page Down", means="choose the next point", keys=("PgDown",)),
     KeyHint(

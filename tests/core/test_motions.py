@@ -9,9 +9,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skinsource import edits
-from skinsource.design import MAX_INPUTS, Design, Input
-from skinsource.edits import Edit, Refusal
 from skinsource.effects import placed, played
 from skinsource.errors import InvalidInputError
 from skinsource.fields import specs_of
@@ -25,13 +22,10 @@ from skinsource.motions import (
     TapSequence,
     TravellingPhase,
 )
-from skinsource.motions.changes import following, path_of
-from skinsource.view import View
 from skinsource.waveforms import Noise, Saw, Square, Tap, Tone, Triangle
+from tests.core.motions_bench import PATHS
 
 RATE_HZ = 48000.0
-PLACES = st.integers(1, 20)
-PATHS = st.lists(PLACES, min_size=2, max_size=12).map(tuple)
 #: No place follows itself.
 LEGS = PATHS.filter(lambda path: all(a != b for a, b in pairwise(path)))
 TIMES = st.floats(0.0, 100.0)
@@ -217,86 +211,3 @@ def test_a_place_has_one_track(kind):
     path = (3, 5) if kind is Phantom else (3, 5, 3, 5, 7)
     tracks = kind(path=path).tracks()
     assert [one.location for one in tracks] == list(dict.fromkeys(path))
-
-
-@pytest.mark.parametrize(
-    ("kind", "changes"),
-    [
-        *(
-            (kind, {"path": bad})
-            for kind in MOTIONS
-            for bad in ((), (3,), (3, 0), [3, 4], (3, "4"))
-        ),
-        *((kind, {"onset_s": -0.1}) for kind in MOTIONS),
-        *((kind, {"amplitude": -1.0}) for kind in MOTIONS),
-        *((kind, {"waveform": "Tone"}) for kind in MOTIONS),
-        (Phantom, {"path": (3, 3)}),
-        (Phantom, {"path": (3, 4, 5)}),
-        (Phantom, {"position": 1.01}),
-        (TravellingPhase, {"waveform": Tap()}),
-        (TravellingPhase, {"speed_m_s": 0.0}),
-        (TapSequence, {"taps": 0}),
-        (Alternation, {"rounds": 1.5}),
-        (Alternation, {"spacing_s": 0.0}),
-        (Sweep, {"overlap": 1.5}),
-    ],
-)
-def test_what_no_motion_can_do_is_named(kind, changes):
-    with pytest.raises(InvalidInputError, match=rf"^{kind.__name__}\.{next(iter(changes))} is"):
-        kind(**changes)
-
-
-@pytest.mark.parametrize("kind", MOTIONS)
-def test_a_motion_is_added_beside_what_is_there_and_selected(kind):
-    design = Design(limb="synthetic-1", inputs=(Input(location=7), Input(location=16)))
-    found = edits.add_motion(design, View(selected_inputs=(1,)), kind())
-    assert isinstance(found, Edit)
-    assert found.design.inputs[:2] == design.inputs
-    added = found.design.inputs[2:]
-    assert found.view.selected_inputs == tuple(one.id for one in added)
-    assert found.label == f"Add {kind.title.lower()} at {len(added)} places"
-    for one, written in zip(added, kind().tracks(), strict=True):
-        assert (one.location, one.amplitude) == (written.location, written.amplitude)
-        assert [replace(clip, id=0) for clip in one.clips] == list(written.clips)
-    assert len({clip.id for clip in found.design.clips}) == len(found.design.clips)
-    assert len({one.colour for one in added}) == len(added)
-
-
-def test_a_motion_that_does_not_fit_is_refused():
-    full = Design(limb="synthetic-1", inputs=(Input(location=1),) * (MAX_INPUTS - 1))
-    found = edits.add_motion(full, View(), Phantom())
-    assert isinstance(found, Refusal)
-    assert "Phantom takes 2 inputs more" in found.sentence
-    assert isinstance(edits.add_motion(full, View(), None), Refusal)
-    late = edits.add_motion(Design(limb="synthetic-1"), View(), Alternation(onset_s=600.0))
-    assert isinstance(late, Refusal)
-    assert "onset_s" in late.sentence
-
-
-@given(PATHS, st.sampled_from(MOTIONS))
-def test_a_motion_can_follow_the_path_of_another(path, kind):
-    leader = ApparentMotion(path=path, amplitude=2.5, onset_s=1.5)
-    found = following(kind(), leader)
-    assert type(found) is kind
-    assert (found.amplitude, found.onset_s) == (2.5, 1.5)
-    moving = tuple(place for k, place in enumerate(path) if k == 0 or place != path[k - 1])
-    wanted = {Phantom: tuple(dict.fromkeys(path))[:2], Sweep: moving}.get(kind, path)
-    assert found.path == (wanted if len(wanted) > 1 else kind().path)
-    assert following(leader, found).path == found.path
-
-
-@pytest.mark.parametrize(
-    "text", ["16, 18, 20", "16 18 20", "16-18-20", " 16,18 ,20;", "16 → 18 → 20"]
-)
-def test_a_path_can_be_typed(text):
-    assert path_of(text) == (16, 18, 20)
-
-
-@pytest.mark.parametrize("text", ["16, x", "1.5 2", "99999999 1", "２, 3", "16,, -a"])
-def test_what_is_no_path_is_named(text):
-    with pytest.raises(InvalidInputError, match="the path has"):
-        path_of(text)
-
-
-def test_an_empty_path_is_one():
-    assert path_of(" ,") == ()

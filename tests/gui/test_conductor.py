@@ -215,3 +215,38 @@ def test_a_panel_begins_anew_once_before_the_results_of_an_undone_step(qtbot, st
     assert begun == [drawn]
     stage.amplitude(3.0)
     assert begun == [drawn]
+
+
+def test_a_panel_that_makes_a_mistake_says_so_and_recovers_and_the_others_show_theirs(qtbot, stage):
+    show = stage.loud.show_results
+
+    def fail(results):
+        raise TypeError("no colour")
+
+    stage.loud.show_results = fail
+    before = len(stage.colourful.results)
+    with qtbot.captureExceptions() as caught:
+        stage.document.edit(
+            "both", stage.document.design.with_input(0, amplitude=2.0).with_input(0, colour=3)
+        )
+        qtbot.waitUntil(lambda: not stage.engine.busy)
+    assert [kind for kind, *_ in caught] == [TypeError]
+    assert "TypeError: no colour" in stage.loud.problems[-1]
+    assert not stage.loud.stale
+    assert len(stage.colourful.results) == before + 1
+    stage.loud.show_results = show
+    stage.amplitude(3.0)
+    assert stage.loud.results[-1]["loudness"].tolist() == [3.0]
+    assert not stage.loud.stale
+
+
+def test_the_same_results_are_shown_again_after_a_mistake(qtbot, stage):
+    show = stage.loud.show_results
+    stage.loud.show_results = lambda results: 1 / 0
+    with qtbot.captureExceptions():
+        stage.amplitude(2.0)
+    stage.loud.show_results = show
+    # Another edit brings the same values of what this panel shows.
+    stage.document.edit("colour", stage.document.design.with_input(0, colour=5))
+    qtbot.waitUntil(lambda: not stage.engine.busy)
+    assert stage.loud.results[-1]["loudness"].tolist() == [2.0]

@@ -3,9 +3,8 @@
 import random
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
-from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu, QTabBar
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication
 
 from skinsource.catalogue import available_limbs
 from skinsource.design import start_design
@@ -14,42 +13,9 @@ from skinsource.view import View
 from skinsource_gui.shell.docks.arrangements import ARRANGEMENTS, Behind, Place
 from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.shell.window import MainWindow
+from tests.gui.dock_bench import bar_with, bars, click_tab, in_sight, titles
 
 GUESTS = ("compare", "history", "library")
-
-
-def bars(window):
-    """The bars of tabs that the window has; those that Qt gave up are gone for good."""
-    QApplication.processEvents()
-    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    direct = Qt.FindChildOption.FindDirectChildrenOnly
-    return window.findChildren(QTabBar, options=direct)
-
-
-def titles(bar):
-    return [bar.tabText(k) for k in range(bar.count())]
-
-
-def bar_with(window, title):
-    return next(bar for bar in bars(window) if title in titles(bar) and bar.count() > 1)
-
-
-def click_tab(window, title):
-    bar = bar_with(window, title)
-    at = bar.tabRect(titles(bar).index(title)).center()
-    QTest.mouseClick(bar, Qt.MouseButton.LeftButton, pos=at)
-    QApplication.processEvents()
-
-
-def in_sight(window):
-    return {panel.name for panel in window.panels if panel.isVisible()}
-
-
-@pytest.fixture
-def active(window, qtbot):
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
-    return window
 
 
 @pytest.fixture
@@ -147,86 +113,11 @@ def test_snapshots_are_not_predicted_for_a_comparison_behind_another_panel(windo
     assert not told
 
 
-def test_bars_of_tabs_say_what_they_are_and_are_no_stop_for_the_keyboard(active):
-    active.tabifyDockWidget(active.docks["hand"], active.docks["skin"])
-    active.docks["library"].bring_forward()
-    found = [bar for bar in bars(active) if bar.count() > 1]
-    assert len(found) == 2
-    assert {bar.accessibleName() for bar in found} == {"Panels in one place"}
-    assert {bar.focusPolicy() for bar in found} == {Qt.FocusPolicy.NoFocus}
-
-
-def test_ctrl_tab_shows_what_shares_the_place_of_the_keyboard_and_takes_it_along(active, settle):
-    active.docks["library"].bring_forward()
-    active.docks["history"].bring_forward()
-    settle()
-    active.panel("history").setFocus()
-    seen = []
-    for _ in range(3):
-        active.do("next_tab")
-        settle()
-        focused = QApplication.focusWidget()
-        seen.append(next(p.name for p in active.panels if p.isAncestorOf(focused)))
-        assert seen[-1] in in_sight(active)
-    names = [active.panel(name).title for name in seen]
-    row = titles(bar_with(active, "Library"))
-    start = row.index("History") + 1
-    assert names == row[start:] + row[:start]
-    active.do("previous_tab")
-    assert seen[-2] in in_sight(active)
-
-
-def test_ctrl_tab_from_elsewhere_goes_to_the_panels_that_share_a_place(active, settle):
-    active.docks["library"].bring_forward()
-    settle()
-    active.panel("hand").setFocus()
-    active.do("next_tab")
-    assert "inspector" in in_sight(active)
-    assert active.panel("inspector").isAncestorOf(QApplication.focusWidget())
-
-
-def test_ctrl_tab_says_when_no_panels_share_a_place(window):
-    window.do("next_tab")
-    assert window.statusBar().currentMessage().startswith("No panel shares its place")
-
-
-def test_a_click_on_a_tab_takes_the_keyboard_from_the_panel_it_hides_to_the_one_it_shows(active):
-    active.docks["library"].bring_forward()
-    QApplication.processEvents()
-    active.panel("library").setFocus()
-    assert active.panel("library").isAncestorOf(QApplication.focusWidget())
-    click_tab(active, "Inspector")
-    assert active.panel("inspector").isAncestorOf(QApplication.focusWidget())
-    active.panel("hand").setFocus()
-    click_tab(active, "Library")
-    assert active.panel("hand").isAncestorOf(QApplication.focusWidget())
-
-
 def test_a_panel_in_a_window_of_its_own_is_in_sight_on_a_screen_to_the_left_too(window, settle):
     window.docks["traces"].setFloating(True)
     window.docks["traces"].move(-900, 10)
     settle()
     assert window.panel("traces").isVisible()
-
-
-def test_the_panels_menu_ticks_what_is_in_sight_and_brings_what_is_behind(window, settle):
-    menu = next(one for one in window.findChildren(QMenu) if one.title() == "Panels")
-    entry = {action.text(): action for action in menu.actions()}
-    assert {text for text, one in entry.items() if one.isChecked()} == {
-        window.panel(name).title for name in in_sight(window)
-    }
-    entry["Library"].trigger()
-    settle()
-    assert entry["Library"].isChecked()
-    assert not entry["Inspector"].isChecked()
-    entry["Inspector"].trigger()
-    settle()
-    assert "inspector" in in_sight(window)
-    assert not entry["Library"].isChecked()
-    entry["Inspector"].trigger()
-    settle()
-    assert window.docks["inspector"].isHidden()
-    assert "library" in in_sight(window)
 
 
 def test_tabs_of_the_last_session_are_tabs_again(qtbot, preferences):
@@ -310,10 +201,3 @@ def test_whatever_is_done_to_docks_just_those_in_front_are_shown(window, settle,
             assert dock.panel.isVisible() == (dock.isVisible() and seen), dock.objectName()
         assert all(bar.focusPolicy() == Qt.FocusPolicy.NoFocus for bar in found)
     settle()
-
-
-def test_a_tab_is_as_high_as_its_words(window):
-    window.docks["library"].bring_forward()
-    bar = bar_with(window, "Library")
-    assert bar.height() >= bar.fontMetrics().height() + 8
-    assert bar.tabRect(0).contains(QPoint(4, 4))

@@ -2,6 +2,7 @@ from dataclasses import replace
 
 import pytest
 
+from skinsource import edits
 from skinsource.design import Design, track
 from skinsource.edits import Edit, Refusal
 from skinsource.view import View
@@ -212,3 +213,31 @@ def test_undo_of_a_limb_keeps_the_selection(document):
     document.edit("limb", replace(document.design, limb="synthetic-3"))
     document.undo_stack.undo()
     assert document.view.selected_input == 2
+
+
+@pytest.fixture
+def new():
+    """A new design, without inputs and without a file."""
+    return Document(Design(limb="synthetic-1"))
+
+
+def test_work_that_was_removed_by_hand_is_unsaved_until_it_is_taken_back(new):
+    new.edit("add", new.design.adding(track(location=3)))
+    titles = []
+    new.title_changed.connect(lambda: titles.append(new.modified))
+    new.apply(edits.clear_inputs(new.design, new.view))
+    assert new.design == Design(limb="synthetic-1")
+    assert new.modified
+    assert titles == []
+    new.go_to(0)
+    assert not new.modified
+    choose(new, 1)
+    assert not new.modified
+
+
+def test_a_file_that_holds_the_design_is_proof_of_it(new, tmp_path):
+    new.mark_saved(tmp_path / "a.skinsource")
+    new.edit("add", new.design.adding(track(location=3)))
+    assert new.modified
+    new.apply(edits.clear_inputs(new.design, new.view))
+    assert not new.modified

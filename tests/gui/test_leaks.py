@@ -94,6 +94,8 @@ def test_edits_arrangements_and_themes_that_come_and_go_leave_nothing(window, se
             window.actions_by_name[name].trigger()
             settle()
 
+    # The thread that keeps copies of unsaved work lives as long as the window.
+    window.keeping.autosave.keep_now()
     for _ in range(2):
         there_and_back()
     before = alive()

@@ -17,9 +17,9 @@ from skinsource.waveforms import Tone
 from skinsource.work import Work
 from skinsource_gui.status.computation_words import Scope
 from skinsource_gui.status.edit_times import EditTime, EditTimes, milliseconds, most_within, summary
-from skinsource_gui.status.fitting_label import FittingLabel
 from skinsource_gui.status.sparkline import Sparkline
 from skinsource_gui.theme import DARK, LIGHT
+from skinsource_gui.widgets.fitting_label import FittingLabel
 
 
 def label(window, name):

@@ -86,14 +86,6 @@ def test_the_panels_menu_shows_and_hides_each_panel(window):
     assert entries(menu) == [spec.panel.title for spec in PANELS]
 
 
-def test_the_editor_of_a_clip_comes_with_room_for_it(window, qtbot):
-    assert not window.panel("clip_editor").isVisible()
-    window.do("show_clip_editor")
-    assert window.panel("clip_editor").isVisible()
-    assert not window.panel("traces").isVisible()
-    qtbot.waitUntil(lambda: window.panel("clip_editor").width() > window.width() / 2)
-
-
 @pytest.mark.parametrize("name", ["drawing", "analysis", "design"])
 def test_another_arrangement_leaves_the_keyboard_with_the_panels(window, qtbot, settle, name):
     window.activateWindow()

@@ -127,6 +127,12 @@ _KEPT_LOOKS = ("axes", "method", "outputs", "delay_removed", "time_range_s")
 _MAY_BE_NONE = frozenset({"selected_input", "map_range_db", "time_range_s", "frequency_range_hz"})
 
 
+def check_beginning(image: bytes) -> None:
+    """Raise `FileFormatError` where an image cannot be that of such a file."""
+    if len(image) > _MAX_FILE_BYTES or not image.startswith(_BEGINNING):
+        raise FileFormatError(_NO_DESIGN)
+
+
 def content_of(image: bytes) -> tuple[Design, View, bytes]:
     """Return what the file of this image holds: design, view, the window's arrangement.
 
@@ -135,8 +141,7 @@ def content_of(image: bytes) -> tuple[Design, View, bytes]:
     FileFormatError
         It is no such file, or damaged.
     """
-    if len(image) > _MAX_FILE_BYTES or not image.startswith(_BEGINNING):
-        raise FileFormatError(_NO_DESIGN)
+    check_beginning(image)
     try:
         with hdf5.File(io.BytesIO(image), "r") as file:
             return _content(file, len(image))

@@ -74,6 +74,19 @@ def with_point(points: Points, x: float) -> Points:
     return (*before, (float(x), y, segment), *points[len(before) :])
 
 
+def with_point_after(points: Points, index: int, end_x: float) -> tuple[Points, int]:
+    """The points with one more on the curve, halfway from one to the next; and its number.
+
+    After the last one it is halfway to ``end_x``, or where that lies before it as far beyond it.
+    """
+    index = min(max(index, 0), len(points) - 1)
+    x = points[index][0]
+    following = points[index + 1][0] if index + 1 < len(points) else end_x
+    half = abs(following - x) / 2.0
+    added = with_point(points, x + half)
+    return added, next(k for k in range(index + 1, len(added)) if added[k][0] == x + half)
+
+
 def without(points: Points, indices: Iterable[int]) -> Points:
     """The points without some; of all of them the first one stays."""
     gone = set(indices)

@@ -17,9 +17,7 @@ Instead of any of them comes ``{"error": sentence, "kind": "format" or "storage"
 its input does.
 """
 
-import importlib
 import json
-import os
 import sys
 import warnings
 from collections.abc import Iterator
@@ -30,6 +28,7 @@ import numpy as np
 
 from skinsource.errors import FileFormatError, SkinSourceError
 from skinsource.files import named
+from skinsource.files.child_limits import limit_memory, limit_time, own_output
 from skinsource.limb_import import in_child
 from skinsource.quoting import printable
 from skinsource.recordings import limits, readers
@@ -42,12 +41,12 @@ _CPU_S = 120
 
 def main() -> None:
     """Answer requests until there are no more."""
-    answers = _own_output()
+    answers = own_output()
     warnings.simplefilter("ignore")
-    _limit_memory()
+    limit_memory(limits.MEMORY_BYTES)
     _answer(answers, {"ready": True})
     for line in sys.stdin.buffer:
-        _limit_time()
+        limit_time(_CPU_S)
         request = json.loads(line)
         path = Path(request["path"])
         try:
@@ -76,7 +75,7 @@ def _carry_out(answers: IO[bytes], request: dict[str, Any], path: Path) -> None:
     for block in _blocks(request, path):
         kind = "<f4" if block.dtype == np.float32 else "<f8"
         _answer(answers, {"block": [*block.shape, kind[1:]]}, np.ascontiguousarray(block, kind))
-        _limit_time()
+        limit_time(_CPU_S)
     _answer(answers, {"end": True})
 
 
@@ -92,7 +91,7 @@ def _give_overview(answers: IO[bytes], request: dict[str, Any], path: Path) -> N
     for block in readers.blocks(path, [request["key"]], 0, n):
         overview.add(block)
         _answer(answers, {"done": overview.done})
-        _limit_time()
+        limit_time(_CPU_S)
     found = overview.extremes
     _answer(answers, {"block": [*found.shape, "f8"]}, np.ascontiguousarray(found, "<f8"))
     _answer(answers, {"end": True})
@@ -112,49 +111,6 @@ def _answer(answers: IO[bytes], what: dict[str, Any], content: Any = b"") -> Non
     answers.write(json.dumps(what).encode("ascii") + b"\n")
     answers.write(content)
     answers.flush()
-
-
-def _own_output() -> IO[bytes]:
-    """What answers are written to; libraries that print do not write into it."""
-    own = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)
-    return own
-
-
-def _system_limits() -> Any:
-    """The module that limits this process; None on Windows, where the parent watches."""
-    try:
-        return importlib.import_module("resource")
-    except ImportError:
-        return None
-
-
-def _limit_memory() -> None:
-    system = _system_limits()
-    if system is not None:
-        for which, most in (
-            (system.RLIMIT_AS, limits.MEMORY_BYTES),
-            (system.RLIMIT_CORE, 0),
-            (system.RLIMIT_FSIZE, 0),
-        ):
-            _lower(system, which, most)
-
-
-def _limit_time() -> None:
-    system = _system_limits()
-    if system is not None:
-        used = system.getrusage(system.RUSAGE_SELF)
-        _lower(system, system.RLIMIT_CPU, int(used.ru_utime + used.ru_stime) + _CPU_S)
-
-
-def _lower(system: Any, which: int, most: int) -> None:
-    _, hard = system.getrlimit(which)
-    if hard != system.RLIM_INFINITY:
-        most = min(most, hard)
-    try:
-        system.setrlimit(which, (most, hard))
-    except (ValueError, OSError):  # macOS knows some of them and allows none
-        return
 
 
 if __name__ == "__main__":

@@ -1,7 +1,6 @@
 """Reads foreign files in a process of its own, so that no file can take this one down."""
 
 import json
-import os
 import subprocess
 import sys
 from collections.abc import Iterator, Sequence
@@ -18,14 +17,15 @@ from skinsource.arrays import Floats
 from skinsource.errors import RecordingError, StorageError
 from skinsource.files import named
 from skinsource.files.assets import PACKAGE
+from skinsource.files.child_limits import child_command, child_environment
 from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.recordings import limits
 from skinsource.recordings.found import Found, from_tree
 from skinsource.recordings.process_memory import resident_bytes
 from skinsource.recordings.reader import Block
 
-#: The child; it takes no module from the folder that happens to be the current one.
-COMMAND = (sys.executable, "-P", "-m", "skinsource.recordings.child")
+#: The child.
+COMMAND = child_command("skinsource.recordings.child")
 #: A child that says nothing for so long is taken to hang.
 SILENCE_S = 10.0
 # To start Python, and what the readers import, on a busy machine.
@@ -191,21 +191,13 @@ class ReadingProcess:
             raise self._lost(path, "reading it crashed") from error
 
     def _start(self, path: Path, stop: Stop) -> None:
-        inherited = os.environ.get("PYTHONPATH")
-        paths = [str(PACKAGE.parent), *([inherited] if inherited else [])]
-        environment = {
-            **os.environ,
-            "PYTHONPATH": os.pathsep.join(paths),
-            "OPENBLAS_NUM_THREADS": "1",
-            "HDF5_PLUGIN_PRELOAD": "::",
-        }
         try:
             self._process = subprocess.Popen(  # noqa: S603  ourselves
                 self._command,
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.DEVNULL,
-                env=environment,
+                env=child_environment(str(PACKAGE.parent)),
             )
         except OSError as error:
             raise StorageError(

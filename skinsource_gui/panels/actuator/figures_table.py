@@ -20,7 +20,7 @@ class FiguresTable(QWidget):
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setHorizontalSpacing(2 * UNIT_PX)
-        self._grid.setVerticalSpacing(UNIT_PX // 4)
+        self._grid.setVerticalSpacing(0)
         self._grid.setColumnStretch(3, 1)
 
     @property

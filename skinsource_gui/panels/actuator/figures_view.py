@@ -16,7 +16,7 @@ class FiguresView(QWidget):
 
     Attributes
     ----------
-    heading, refusal, centred, table
+    heading, refusal, limits, centred, table
         Its parts.
     """
 
@@ -28,7 +28,9 @@ class FiguresView(QWidget):
         self.heading, self.refusal, self.table = QLabel(), QLabel(), FiguresTable()
         self.heading.setObjectName("actuator_heading")
         self.refusal.setObjectName("actuator_refusal")
-        for label in (self.heading, self.refusal):
+        self.limits = QLabel()
+        self.limits.setObjectName("actuator_limits")
+        for label in (self.heading, self.refusal, self.limits):
             label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
         self.centred = QPushButton("Use a centred tap")
@@ -36,9 +38,10 @@ class FiguresView(QWidget):
         self.centred.clicked.connect(self.centred_wanted)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(UNIT_PX)
+        column.setSpacing(UNIT_PX // 4)
         column.addWidget(self.heading)
         column.addWidget(self.refusal)
+        column.addWidget(self.limits)
         column.addWidget(self.centred, 0, Qt.AlignmentFlag.AlignLeft)
         column.addWidget(self.table)
 
@@ -48,6 +51,9 @@ class FiguresView(QWidget):
         reason = found.refusal or ("" if found.place is not None else _NOTHING)
         self.refusal.setText(reason)
         self.refusal.setVisible(bool(reason))
+        beyond = _beyond(found)
+        self.limits.setText(beyond)
+        self.limits.setVisible(bool(beyond))
         self.centred.setVisible(found.leaves_velocity and tap)
         words = "" if found.place is None else f"Place {found.place}, "
         words += "" if found.place is None else input_words(found.place).name
@@ -58,4 +64,11 @@ class FiguresView(QWidget):
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
         self.table.show_theme(theme)
-        self.refusal.setStyleSheet(f"color: {theme.error};")
+        for label in (self.refusal, self.limits):
+            label.setStyleSheet(f"color: {theme.error};")
+
+
+def _beyond(found: Figures) -> str:
+    """Which figures pass their limits, in a sentence; "" where none does."""
+    names = [one.label.lower() for one in found.rows if one.passed]
+    return f"Beyond its limit: {', '.join(names)}" if names else ""

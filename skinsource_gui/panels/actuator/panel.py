@@ -35,7 +35,7 @@ from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.plot.signal_view import SignalView
 
 _NO_STEP = "Too little is known of this actuator to move it"
-_PLOT_PX = 250
+_PLOT_PX = 190
 
 
 class ActuatorPanel(Panel):
@@ -46,6 +46,7 @@ class ActuatorPanel(Panel):
 
     title = "Actuator"
     name = "actuator"
+    reads_down = True
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -72,7 +73,12 @@ class ActuatorPanel(Panel):
         outside.setContentsMargins(0, 0, 0, 0)
         outside.addWidget(
             _scrolled(
-                self.choices.grid, self.through, self.plot, self.figures, self.choices.details
+                # What passes a limit is seen without scrolling, in a small window too.
+                self.choices.grid,
+                self.through,
+                self.figures,
+                self.plot,
+                self.choices.details,
             )
         )
         self.plot.toolbar.layout_chosen.connect(partial(self._put, "layout"))
@@ -198,7 +204,7 @@ def _scrolled(*parts: QWidget) -> QScrollArea:
     inside = QWidget()
     column = QVBoxLayout(inside)
     column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX)
-    column.setSpacing(UNIT_PX)
+    column.setSpacing(UNIT_PX // 2)
     for part in parts:
         column.addWidget(part)
     column.addStretch(1)

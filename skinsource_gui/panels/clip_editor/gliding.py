@@ -11,6 +11,7 @@ from skinsource.effects.breakpoints import Points
 from skinsource.synthesis.glide_curves import Column, Curve, bends_of, curve_of
 from skinsource.view import View
 from skinsource.waveforms import Glide
+from skinsource_gui.panels.clip_editor.tools.adding import add_point
 from skinsource_gui.panels.clip_editor.tools.glide import GlideTool
 from skinsource_gui.widgets.fields.burst import Burst
 
@@ -63,6 +64,9 @@ class Gliding(QObject):
         tool = self.tool.tools[self.tool.active]
         if wanted == "remove":
             tool.remove_chosen()
+        elif wanted == "add" and self._clip is not None:
+            end_s = self._clip.waveform.duration_s
+            add_point(tool, self._points(self.tool.active), end_s)
         elif wanted == "flip":
             self.tool.flip()
         elif wanted in ("next_point", "point_before"):

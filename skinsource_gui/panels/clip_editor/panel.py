@@ -171,7 +171,7 @@ class ClipEditorPanel(Panel):
     def _words(self, clip: Clip) -> str:
         place = input_words(self._design.track_of(clip.id).location)
         label = f"{clip.label} · " if clip.label else ""
-        figure = f"{figure_text(clip.waveform)} · {duration_text(clip.waveform)}"
+        figure = f"{figure_text(clip.waveform)} · {duration_text(clip.duration_s)}"
         return f"{label}{place.number} {place.short_name} · {figure}"
 
     def _sampled(self, clip: Clip) -> Floats | None:

@@ -11,6 +11,7 @@ from skinsource.effects import Envelope
 from skinsource.effects.breakpoints import Points
 from skinsource.effects.envelope import UNCHANGED
 from skinsource.view import View
+from skinsource_gui.panels.clip_editor.tools.adding import add_point
 from skinsource_gui.panels.clip_editor.tools.envelope import EnvelopeTool
 from skinsource_gui.widgets.fields.burst import Burst
 
@@ -58,6 +59,8 @@ class Shaping(QObject):
         """Do what a key means to the points; whether it means anything."""
         if wanted == "remove":
             self.tool.remove_chosen()
+        elif wanted == "add" and self._clip is not None:
+            add_point(self.tool, self._points(), self._clip.duration_s)
         elif wanted in ("next_point", "point_before"):
             self.tool.choose_next(1 if wanted == "next_point" else -1)
         elif wanted == "nudge":

@@ -11,7 +11,7 @@ from skinsource_gui.widgets.key_table import meant
 from skinsource_gui.widgets.map.small_map import Range, SmallMap, paint_small_map
 
 _PLACE = "snapshot"
-_RADIUS_PX, _FRAME_PX, _TALLEST_PX = 4, 2, 200
+_RADIUS_PX, _FRAME_PX, _TALLEST_PX, _RINGS_PX = 4, 2, 200, 6
 
 
 class Card(QAbstractButton):
@@ -144,11 +144,13 @@ class Card(QAbstractButton):
             return
         below = QRectF(area.left(), area.bottom() - 2 * line, area.width(), line)
         painter.setPen(QColor(theme.text))
-        painter.drawText(below, centre, level_words(compared))
+        painter.drawText(below, centre, fitted_level(painter, level_words(compared), area.width()))
         painter.setPen(QColor(theme.dim))
-        painter.drawText(below.translated(0, line), centre, gain_words(compared))
+        gain = fitted_level(painter, gain_words(compared), area.width())
+        painter.drawText(below.translated(0, line), centre, gain)
         if self._map is not None:
-            room = area.adjusted(0, line, 0, -2 * line)
+            # Rings of inputs reach beyond the outline.
+            room = area.adjusted(0, line + _RINGS_PX, 0, -2 * line - _RINGS_PX)
             design = compared.snapshot.design
             paint_small_map(painter, room, self._map, design, theme, self._range_db)
 
@@ -167,3 +169,9 @@ class Card(QAbstractButton):
         if self._compared is not None and not (self._present and not self.number):
             menu.addAction("Forget it", lambda: self.wanted.emit(self.number, "forget"))
         menu.popup(self.mapToGlobal(at))
+
+
+def fitted_level(painter: QPainter, words: str, width: float) -> str:
+    """A level without its unit where there is no room for it; the tooltip has both."""
+    wide = painter.fontMetrics().horizontalAdvance(words) > width
+    return words.removesuffix(" dB") if wide else words

@@ -45,6 +45,7 @@ class FrequencyAndAmplitudePanel(Panel):
         self._theme = LIGHT
         self._words = QLabel(add_words(self.in_sight))
         self._words.setObjectName("frequency_and_amplitude_words")
+        self._words.setWordWrap(True)
         self._control = ChoiceField(CONTROL, self)
         self._control.setObjectName("control_field")
         self._control.chosen.connect(self._choose_control)

@@ -1,7 +1,15 @@
 """The hand on which inputs are placed, moved and removed."""
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, QSize, Qt, Signal
-from PySide6.QtGui import QContextMenuEvent, QHelpEvent, QKeyEvent, QMouseEvent, QPainter
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QContextMenuEvent,
+    QHelpEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPen,
+)
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from skinsource_gui.panels.hand.hand_drawing import HandDrawing
@@ -55,6 +63,7 @@ class HandDiagram(QWidget):
 
     def __init__(self, drawing: HandDrawing, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._theme = theme
         self.stage = HandStage(drawing, theme, self)
         self.stage.changed.connect(self.update)
         self._mouse, self._cursor = SiteMouse(self.stage, self), SiteCursor(self.stage)
@@ -96,6 +105,7 @@ class HandDiagram(QWidget):
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
+        self._theme = theme
         self.stage.show_theme(theme)
 
     def show_inputs(self, marks: tuple[Mark, ...], selected: int | None) -> None:
@@ -130,6 +140,11 @@ class HandDiagram(QWidget):
     def paintEvent(self, event) -> None:
         painter = QPainter(self)
         self.stage.paint(painter, self.devicePixelRatioF())
+        if self.hasFocus():
+            # The ring shows where keys act once they are used here; this, that they would be.
+            painter.setPen(QPen(QColor(self._theme.accent), 1))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.drawRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5))
         painter.end()
 
     def wheelEvent(self, event) -> None:
@@ -191,11 +206,13 @@ class HandDiagram(QWidget):
 
     def focusInEvent(self, event) -> None:
         super().focusInEvent(event)
+        self.update()
         if event.reason() not in _BY_MOUSE:
             self._cursor.go_to(self._cursor.site)
 
     def focusOutEvent(self, event) -> None:
         super().focusOutEvent(event)
+        self.update()
         self._cursor.keys.end_gesture()
         if event.reason() != Qt.FocusReason.PopupFocusReason:
             self.stage.change(cursor=None)

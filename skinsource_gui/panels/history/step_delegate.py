@@ -40,6 +40,9 @@ class StepDelegate(QStyledItemDelegate):
         metrics = painter.fontMetrics()
         time = index.data(TIME)
         width = metrics.horizontalAdvance(time) + UNIT_PX if time else 0
+        if metrics.horizontalAdvance(index.data()) > inside.width() - width:
+            # What was done says more than when; the tooltip has both.
+            time, width = "", 0
         middle = Qt.AlignmentFlag.AlignVCenter
         painter.setPen(QColor(theme.dim))
         painter.drawText(inside, middle | Qt.AlignmentFlag.AlignRight, time)

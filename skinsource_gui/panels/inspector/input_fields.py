@@ -16,7 +16,7 @@ from skinsource.waveforms import Waveform
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.field_cell import FieldCell, LabelledCell, WordsCell
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
-from skinsource_gui.widgets.inputs.input_words import fixed_length_text
+from skinsource_gui.widgets.inputs.input_words import fixed_length_text, played_length_text
 
 _PLACE = ChoiceSpec(
     label="Place",
@@ -61,6 +61,9 @@ class InputFields(QObject):
         self._curve = FieldCell("gain_curve", GAIN_CURVE)
         for cell in (self._amplitude, self._onset, self._gain, self._curve):
             cell.edited.connect(self.edited)
+        self._lasts = WordsCell("Lasts", "")
+        self._lasts.words.setObjectName("played_length")
+        self._lasts.words.setToolTip("What is heard of the waveform, or how long it is drawn out")
 
     def show_input(
         self, one: Input, together: tuple[Input, ...], amplitude: NumberSpec, view: View
@@ -75,10 +78,15 @@ class InputFields(QObject):
         several = len(one.clips) > 1
         # A curve that is typed away can be typed again, until another track is looked at.
         curved = one.id if one.gain_curve or self._curve_of == one.id else None
+        lasts = "" if clip is None else played_length_text(clip)
         others = (several, curved) != (self._several, self._curve_of)
+        lasted = bool(self._lasts.words.text())
+        self._lasts.words.setText(lasts)
         if kind is not self._built_for or others:
             self._several, self._curve_of = several, curved
             self._build_own(None if clip is None else clip.waveform)
+        elif bool(lasts) != lasted:
+            self.grid.show_cells(self._cells())
         if self._length is not None and clip is not None:
             self._length.words.setText(fixed_length_text(clip.waveform))
         self._amplitude.set_spec(amplitude)
@@ -112,13 +120,14 @@ class InputFields(QObject):
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
         self._theme = theme
-        for cell in self._cells():
+        # Those that are not shown now, too.
+        for cell in {*self._cells(), self._onset, self._gain, self._curve, self._lasts}:
             cell.show_theme(theme)
 
     def _cells(self) -> tuple[LabelledCell, ...]:
         of_clip = () if self._built_for is None else (self._onset,)
         gain = (self._gain,) if self._several else ()
-        own = (self.kind, *self._own)
+        own = (self.kind, *self._own, *((self._lasts,) if self._lasts.words.text() else ()))
         curve = () if self._curve_of is None else (self._curve,)
         return (*own, self._amplitude, *gain, *of_clip, self.place, *curve)
 

@@ -29,6 +29,7 @@ class InspectorPanel(Panel):
 
     title = "Inspector"
     name = "inspector"
+    reads_down = True
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

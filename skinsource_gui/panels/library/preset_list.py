@@ -1,7 +1,7 @@
 """The list of presets."""
 
-from PySide6.QtCore import QEvent, QModelIndex, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter
+from PySide6.QtCore import QEvent, QModelIndex, QPoint, QRect, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QDrag, QKeyEvent, QMouseEvent, QPainter, QPixmap
 from PySide6.QtWidgets import QAbstractItemView, QListView, QWidget
 
 from skinsource.presets import Entry
@@ -11,6 +11,8 @@ from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.key_table import meant
 
 _PLACE = "library"
+# How far from the pointer a dragged preset is shown, and how wide its name may be.
+_ASIDE_PX, _WIDEST_TAG_PX = 14, 180
 
 
 class PresetList(QListView):
@@ -70,6 +72,31 @@ class PresetList(QListView):
         """Let the user type another name, where it is the user's own."""
         if self.current_is_own:
             self.edit(self.currentIndex())
+
+    def startDrag(self, actions: Qt.DropAction) -> None:
+        chosen = self.selectedIndexes()
+        if chosen:
+            drag = QDrag(self)
+            drag.setMimeData(self.model().mimeData(chosen))
+            drag.setPixmap(self._tag(str(chosen[0].data())))
+            # Beside the pointer: below it lies what it is dragged to.
+            drag.setHotSpot(QPoint(-_ASIDE_PX, -_ASIDE_PX))
+            drag.exec(actions, Qt.DropAction.CopyAction)
+
+    def _tag(self, name: str) -> QPixmap:
+        """A small label with a name on it."""
+        metrics, ratio = self.fontMetrics(), self.devicePixelRatioF()
+        words = metrics.elidedText(name, Qt.TextElideMode.ElideRight, _WIDEST_TAG_PX)
+        size = QSize(metrics.horizontalAdvance(words) + 2 * UNIT_PX, metrics.height() + UNIT_PX)
+        tag = QPixmap(size * ratio)
+        tag.setDevicePixelRatio(ratio)
+        tag.fill(QColor(self._theme.accent))
+        painter = QPainter(tag)
+        painter.setFont(self.font())
+        painter.setPen(QColor(self._theme.on_accent))
+        painter.drawText(QRect(QPoint(), size), Qt.AlignmentFlag.AlignCenter, words)
+        painter.end()
+        return tag
 
     def currentChanged(self, current: QModelIndex, previous: QModelIndex) -> None:
         super().currentChanged(current, previous)

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from PySide6.QtCore import QObject, QSignalBlocker, Signal
-from PySide6.QtWidgets import QGridLayout, QLabel, QToolButton
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QToolButton
 
 from skinsource.fields import ChoiceSpec, NumberSpec
 from skinsource.playing import Output
@@ -91,17 +91,20 @@ class DeviceFields(QObject):
         for field in (self.latency, self.shift):
             field.setFixedWidth(_NUMBER_PX)
         grid.addWidget(QLabel("Device"), 0, 0)
-        grid.addWidget(self.device, 0, 1, 1, 3)
+        grid.addWidget(self.device, 0, 1, 1, 2)
         grid.addWidget(QLabel("Sample rate"), 1, 0)
-        grid.addWidget(self.rate, 1, 1, 1, 3)
+        grid.addWidget(self.rate, 1, 1, 1, 2)
         grid.addWidget(QLabel("Delay asked for"), 2, 0)
         grid.addWidget(self.latency, 2, 1)
-        grid.addWidget(self.look, 2, 3)
+        grid.addWidget(self.look, 2, 2)
         grid.addWidget(QLabel("Rig"), 3, 0)
-        grid.addWidget(self.rig, 3, 1, 1, 3)
-        grid.addWidget(self.stand_in, 4, 0, 1, 2)
-        grid.addWidget(QLabel("shift"), 4, 2)
-        grid.addWidget(self.shift, 4, 3)
+        grid.addWidget(self.rig, 3, 1, 1, 2)
+        # In columns of the grid it would be wider than the panel is in a small window.
+        stand_in = QHBoxLayout()
+        for widget in (self.stand_in, QLabel("shift"), self.shift):
+            stand_in.addWidget(widget)
+        stand_in.addStretch(1)
+        grid.addLayout(stand_in, 4, 0, 1, 3)
 
     def show_played(self, played: Played) -> None:
         """Take over what is chosen, and what can be."""

@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QToolButton
 
 from skinsource.fields import NumberSpec
@@ -11,6 +11,7 @@ from skinsource.playing.output import MOST_OUTPUTS
 from skinsource_gui.played import Played
 from skinsource_gui.theme import Theme, tabular
 from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.fitting_label import FittingLabel
 from skinsource_gui.widgets.level_meter import LevelMeter
 
 _METER_PX, _NUMBER_PX = 8, 56
@@ -37,7 +38,10 @@ class OutputRow(QObject):
         super().__init__()
         words = input_words(place)
         self.place = place
-        self.title = QLabel(f"{place} · {words.name}")
+        self.title = FittingLabel()
+        self.title.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        self.title.show_phrases((f"{place} · {words.name}", f"{place} · {words.short_name}"))
+        self.title.setToolTip(words.name)
         spec = NumberSpec(
             label=f"Output of place {place}", minimum=1, maximum=MOST_OUTPUTS, whole=True
         )

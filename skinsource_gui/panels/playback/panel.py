@@ -27,6 +27,7 @@ class PlaybackPanel(Panel):
 
     title: ClassVar[str] = "Playback"
     name: ClassVar[str] = "playback"
+    reads_down = True
 
     #: The `Output` that shall be played on.
     output_wanted = Signal(object)
@@ -53,7 +54,7 @@ class PlaybackPanel(Panel):
             label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         device = QGridLayout()
-        device.setColumnStretch(2, 1)
+        device.setColumnStretch(1, 1)
         device.setHorizontalSpacing(UNIT_PX)
         self.fields = DeviceFields(device)
         self.fields.output_wanted.connect(self.output_wanted)

@@ -1,15 +1,18 @@
 """A line that warns, where there is something to warn of."""
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QColor, QPainter
+from PySide6.QtGui import QColor, QPainter, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.tooltips import tooltip
 
+_MOST_LINES, _LOST_AT_ENDS = 2, 0.3
+_WRAPPED = Qt.AlignmentFlag.AlignLeft | Qt.TextFlag.TextWordWrap
+
 
 class NoteLine(QWidget):
-    """One line of text, cut short where it is too long; the whole of it is in its tooltip.
+    """Some lines of text, cut short where it is longer; the whole of it is in its tooltip.
 
     It takes no room while there is nothing to say.
     """
@@ -33,6 +36,7 @@ class NoteLine(QWidget):
             self.setAccessibleDescription(text)
             self.setToolTip(tooltip(text) if text else "")
             self.setVisible(bool(text))
+            self.updateGeometry()
             self.update()
 
     def show_theme(self, theme: Theme) -> None:
@@ -41,7 +45,7 @@ class NoteLine(QWidget):
         self.update()
 
     def sizeHint(self) -> QSize:
-        return QSize(100, self.fontMetrics().lineSpacing())
+        return QSize(100, self.fontMetrics().lineSpacing() * self._n_lines())
 
     def minimumSizeHint(self) -> QSize:
         return QSize(0, self.sizeHint().height())
@@ -49,6 +53,22 @@ class NoteLine(QWidget):
     def paintEvent(self, event) -> None:
         painter = QPainter(self)
         painter.setPen(QColor(self._theme.warning))
-        words = self.fontMetrics().elidedText(self._text, Qt.TextElideMode.ElideRight, self.width())
-        painter.drawText(self.rect(), Qt.AlignmentFlag.AlignLeft, words)
+        metrics = self.fontMetrics()
+        if self._n_lines() > 1:
+            # Two lines hold a little less than twice one: words are not broken.
+            room = round(self.width() * (_MOST_LINES - _LOST_AT_ENDS))
+            words = metrics.elidedText(self._text, Qt.TextElideMode.ElideRight, room)
+            painter.drawText(self.rect(), _WRAPPED, words)
+        else:
+            words = metrics.elidedText(self._text, Qt.TextElideMode.ElideRight, self.width())
+            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignLeft, words)
         painter.end()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if event.oldSize().width() != event.size().width():
+            self.updateGeometry()
+
+    def _n_lines(self) -> int:
+        wide = self.fontMetrics().horizontalAdvance(self._text) > self.width() > 0
+        return _MOST_LINES if wide else 1

@@ -65,6 +65,8 @@ class LaneKeys(QObject):
             self._go(_STEPS[_Key(event.key())])
         elif wanted == "below":
             self._go_below()
+        elif wanted == "gain_far":
+            self._reach(_STEPS[_Key(event.key())])
         elif wanted == "playhead":
             ends = (clip.end_s for clip in content.design.clips)
             at_start = event.key() == _Key.Key_Home
@@ -140,6 +142,19 @@ class LaneKeys(QObject):
         chosen = view.selected_clips
         here = ids.index(chosen[-1]) if chosen and chosen[-1] in ids else (-1 if step > 0 else 0)
         self.looked.emit(edits.select_clips(design, view, (ids[(here + step) % len(ids)],)).view)
+
+    def _reach(self, step: int) -> None:
+        """Select besides the nearest clip of the next track that has any."""
+        content = self._content()
+        design, view = content.design, content.view
+        for last in content.chosen[-1:]:
+            here, onset_s = design.index_of(design.track_of(last).id), design.clip(last).onset_s
+            ahead = design.inputs[here + 1 :] if step > 0 else design.inputs[:here][::-1]
+            clips = next((track.clips for track in ahead if track.clips), ())
+            near = min(clips, key=lambda one: abs(one.onset_s - onset_s), default=None)
+            if near is not None:
+                kept = (one for one in content.chosen if one != near.id)
+                self.looked.emit(edits.select_clips(design, view, (*kept, near.id)).view)
 
     def _go_below(self) -> None:
         """Select the next of the clips that overlap."""

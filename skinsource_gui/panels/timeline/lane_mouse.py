@@ -12,9 +12,11 @@ from skinsource_gui.panels.timeline.clip_part import CURSORS, Part, part_at
 from skinsource_gui.panels.timeline.content import Content
 from skinsource_gui.panels.timeline.gain.gain_points import GainPoints
 from skinsource_gui.panels.timeline.gestures.clip_ends import FadeEnd, MoveEnd
+from skinsource_gui.panels.timeline.gestures.either import Either
 from skinsource_gui.panels.timeline.gestures.gesture import Gesture, Held, Shown, Stage
 from skinsource_gui.panels.timeline.gestures.marquee import Marquee
 from skinsource_gui.panels.timeline.gestures.move_clips import MoveClips
+from skinsource_gui.panels.timeline.gestures.move_gain import MoveGain
 from skinsource_gui.panels.timeline.gestures.times import (
     MoveLoop,
     MoveMarker,
@@ -88,6 +90,9 @@ class LaneMouse(QObject):
         elif at.y() < content.ruler_px:
             self._gesture = self._on_ruler(stage, at, held)
         elif (curve := self._gain.press(stage, at, held)) is not None:
+            on_line = isinstance(curve, MoveGain) and curve.upright
+            if on_line and box is not None:
+                curve = self._on_line(curve, box, at, held, rate_hz)
             self._gesture = curve
         elif box is not None:
             self._gesture = self._on_clip(box, at, held, rate_hz)
@@ -195,6 +200,20 @@ class LaneMouse(QObject):
             return MoveClips(stage, box, at, rate_hz)
         ends = (Part.START, Part.END)
         return MoveEnd(stage, box, at, part) if part in ends else FadeEnd(stage, box, at, part)
+
+    def _on_line(
+        self, curve: Gesture, box: Box, at: QPointF, held: Held, rate_hz: float
+    ) -> Gesture:
+        """The curve of a track where it passes over a clip."""
+
+        def clip() -> Gesture:
+            found = self._on_clip(box, at, held, rate_hz)
+            self._click = None
+            return found
+
+        self._pressed = box.clip.id
+        self._click = partial(self._select, box.clip.id)
+        return Either(at, lambda: curve, clip)
 
     def _select(self, clip: int) -> None:
         content = self._content()

@@ -17,6 +17,8 @@ from skinsource_gui.theme import LIGHT, Theme
 
 # Clips lie deeper in their lanes than this.  What is painted anew is one px larger than asked for:
 # so far inside it does not reach the next lane.
+# The last line of the grid stands there; words end before it.
+_SIDE_PX = 14.0
 _INSIDE_PX = MARGIN_PX - 1.0
 
 
@@ -132,7 +134,7 @@ class LanesItem(pyqtgraph.GraphicsObject):
         if lane.silent:
             painter.setPen(QColor(self._theme.dim))
             flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
-            painter.drawText(strip.adjusted(0, 0, -6, -3), flags, lane.silent)
+            painter.drawText(strip.adjusted(0, 0, -_SIDE_PX, -3), flags, lane.silent)
 
     def _paint_after_end(self, painter: QPainter, content: Content, lanes: QRectF) -> None:
         if content.design.loop_s is None:

@@ -36,7 +36,7 @@ VIEW: tuple[ActionSpec, ...] = (
             hint=arrangement.hint,
             keys=arrangement.keys,
             keywords="layout panels docks lecture",
-            command="arrangements.show",
+            command="layout_of_docks.choose",
             argument=arrangement.name,
             separated=arrangement is ARRANGEMENTS[0],
         )
@@ -46,7 +46,7 @@ VIEW: tuple[ActionSpec, ...] = (
         "show_clip_editor",
         "View",
         "Edit clip",
-        "Show the selected clip large, to draw and to shape it",
+        "Show the selected clip large, to draw and to shape it; again: go back",
         "F4",
         command="panel_focus.show",
         argument="clip_editor",

@@ -173,14 +173,8 @@ class Arrangements(QObject):
             docks[0].panel.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def bring(self, panel: str) -> None:
-        """Bring a panel into sight: a hidden one in the first arrangement that has room for it."""
-        dock = self._docks[panel]
-        rooms = (one.name for one in ARRANGEMENTS if isinstance(self._place(panel, one), Place))
-        room = next(rooms, None)
-        if room is None or not dock.isHidden():
-            dock.bring_forward()
-        else:
-            self.show(room)
+        """Bring a panel into sight, where it stands: no other one is moved."""
+        self._docks[panel].bring_forward()
 
     def _place(self, panel: str, spec: ArrangementSpec) -> Place | Behind:
         places = self._places.get(panel, {})

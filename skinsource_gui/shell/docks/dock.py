@@ -1,7 +1,14 @@
 """A dock: what holds a panel in the window."""
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QAbstractButton, QDockWidget, QFrame, QScrollArea, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QDockWidget,
+    QFrame,
+    QScrollArea,
+    QStyleOptionDockWidget,
+    QWidget,
+)
 
 from skinsource_gui.panel import Panel
 
@@ -35,6 +42,7 @@ class Dock(QDockWidget):
     def __init__(self, panel: Panel, window: QWidget) -> None:
         super().__init__(panel.title, window)
         self.panel = panel
+        self._tabbed = False
         self.setObjectName(panel.name)
         area = QScrollArea()
         area.setObjectName(f"{panel.name}_area")
@@ -58,6 +66,17 @@ class Dock(QDockWidget):
         """Show it, in front of those that share its place."""
         self.show()
         self.raise_()
+
+    def show_tabbed(self, tabbed: bool) -> None:
+        """Say whether a tab names it, so that its title need not say the same below the tab."""
+        if tabbed != self._tabbed:
+            self._tabbed = tabbed
+            self.update()
+
+    def initStyleOption(self, option: QStyleOptionDockWidget) -> None:
+        super().initStyleOption(option)
+        if self._tabbed and not self.isFloating():
+            option.title = ""
 
     def moveEvent(self, event) -> None:
         super().moveEvent(event)

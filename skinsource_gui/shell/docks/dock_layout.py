@@ -2,17 +2,21 @@
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import QByteArray, QObject
+from PySide6.QtCore import QByteArray, QObject, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QScreen
 from PySide6.QtWidgets import QMainWindow
 
 from skinsource_gui.shell.docks.arrangements import Arrangements, ArrangementSpec
 from skinsource_gui.shell.docks.dock import Dock
+from skinsource_gui.shell.docks.standing import Standing
 from skinsource_gui.state.preferences import Preferences
+
+_AS_AT_FIRST = "Panels as at first; {key} again brings yours back"
+_AS_LEFT = "Panels as you had them; {key} again shows them as at first"
 
 
 class DockLayout(QObject):
-    """Brings back what the window was like, and remembers it.
+    """Brings back what the window was like, and remembers it, for each arrangement.
 
     Parameters
     ----------
@@ -23,6 +27,9 @@ class DockLayout(QObject):
     preferences
         Where it is remembered between sessions.
     """
+
+    #: How the panels stand now, where that may surprise.
+    done = Signal(str)
 
     def __init__(
         self,
@@ -35,6 +42,32 @@ class DockLayout(QObject):
         self._window, self._docks, self._preferences = window, docks, preferences
         self._arrangements = arrangements
         arrangements.chosen.connect(self._note_arrangement)
+        self._present: ArrangementSpec | None = None
+        # By arrangement, what the user made of it.
+        self._own: dict[str, bytes] = {}
+        # How the docks stand where nobody has moved them; None: they may have been.
+        self._untouched: Standing | None = None
+        # Qt shares the room a moment after it was told how.
+        self._settled = QTimer(self, singleShot=True, interval=0)
+        self._settled.timeout.connect(self._note_untouched)
+
+    def choose(self, name: str) -> None:
+        """Take up an arrangement as it was left; the present one as at first, and again as left.
+
+        Nothing that the user made of an arrangement is lost by its key.
+        """
+        before = self._present
+        touched = not self._is_untouched()
+        if before is not None and touched:
+            self._own[before.name] = self.content()
+        own = self._own.get(name, b"")
+        again = before is not None and before.name == name
+        self._arrangements.show(name)
+        if own and not (again and touched):
+            self.put(own)
+        if own and self._present is not None:
+            words = _AS_AT_FIRST if again and touched else _AS_LEFT
+            self.done.emit(words.format(key=self._present.keys[0]))
 
     def content(self) -> bytes:
         """What `put` and `show_panels` take back."""
@@ -44,6 +77,8 @@ class DockLayout(QObject):
         """Put the docks where they stood in this very window, if anything is said about it."""
         if content:
             self._window.restoreState(QByteArray(content))
+            self._settled.stop()
+            self._untouched = None
 
     def show_panels(self, content: bytes) -> None:
         """Show and hide the panels that were shown and hidden, if anything is said about it.
@@ -75,6 +110,7 @@ class DockLayout(QObject):
             self._window.restoreGeometry(self._preferences.geometry)
         # With the arrangement come its large words; where its docks were moved, they stand there.
         self._arrangements.show(self._preferences.arrangement)
+        self._own = self._preferences.own_arrangements if fits else {}
         (self.put if fits else self.show_panels)(layout.data())
 
     def close(self) -> None:
@@ -82,6 +118,7 @@ class DockLayout(QObject):
         self._preferences.geometry = self._window.saveGeometry()
         self._preferences.layout = self._window.saveState()
         self._preferences.screen = screen_words(self._window.screen())
+        self._preferences.own_arrangements = self._own
         self._preferences.flush()
         for dock in self._docks.values():
             # A panel in a window of its own does not close with this one on every desktop.
@@ -90,6 +127,17 @@ class DockLayout(QObject):
 
     def _note_arrangement(self, spec: ArrangementSpec) -> None:
         self._preferences.arrangement = spec.name
+        self._present = spec
+        self._settled.start()
+
+    def _note_untouched(self) -> None:
+        self._untouched = Standing.of(self._window, self._docks)
+
+    def _is_untouched(self) -> bool:
+        if self._settled.isActive():
+            return True
+        now = Standing.of(self._window, self._docks)
+        return self._untouched is not None and now.is_like(self._untouched)
 
 
 def screen_words(screen: QScreen) -> str:

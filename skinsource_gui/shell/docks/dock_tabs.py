@@ -55,6 +55,8 @@ class DockTabs(QObject):
     def _tell(self) -> None:
         names = frozenset(name for name, dock in self._docks.items() if dock.in_sight)
         for dock in self._docks.values():
+            others = self._window.tabifiedDockWidgets(dock)
+            dock.show_tabbed(any(not one.isHidden() for one in others))
             if dock.panel.in_sight != names:
                 dock.panel.show_in_sight(names)
 
@@ -105,3 +107,6 @@ def _prepare(bar: QTabBar) -> None:
     bar.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     bar.setDrawBase(False)
     bar.setExpanding(False)
+    # Names that are cut to a letter tell nothing; where there is no room, arrows lead to the rest.
+    bar.setElideMode(Qt.TextElideMode.ElideNone)
+    bar.setUsesScrollButtons(True)

@@ -130,7 +130,7 @@ class Presenter(QObject):
             self._window.removeEventFilter(self)
         elif self._window.size() == self._size:
             self._window.removeEventFilter(self)
-            self._window.restoreState(self._before)
+            self._window.layout_of_docks.put(self._before.data())
 
     def _bars(self) -> list[QWidget]:
         window = self._window

@@ -72,7 +72,7 @@ class ChoiceField(QComboBox):
         """Choose an option, as a user does."""
         index = self.findData(option)
         self.setCurrentIndex(index)
-        self._choose(index)
+        self.activated.emit(index)
 
     def showPopup(self) -> None:
         # The list may be wider than the field, so that no name is cut off.

@@ -1,5 +1,6 @@
 """An input in a few words."""
 
+from skinsource.clips import Clip
 from skinsource.fields import ListSpec, NumberSpec, specs_of
 from skinsource.quoting import printable
 from skinsource.signals import sample_count
@@ -9,6 +10,8 @@ from skinsource_gui.widgets.fields.units import LONG_S, number_text, value_text
 DURATION_FIELD = "duration_s"
 #: What an input without clips plays.
 EMPTY = "nothing yet"
+# What is shorter is rounding, s.
+_LEAST_S = 1e-9
 
 
 def figure_text(waveform: Waveform) -> str:
@@ -35,12 +38,18 @@ def clips_text(count: int) -> str:
     return f" · 1 of {count} clips" if count > 1 else ""
 
 
-def duration_text(waveform: Waveform) -> str:
-    """Length of a waveform: ``"200 ms"``, ``"600 s"``."""
-    if sample_count(waveform.duration_s) == 1:
+def duration_text(duration_s: float) -> str:
+    """A length: ``"200 ms"``, ``"600 s"``."""
+    if sample_count(duration_s) == 1:
         return "one sample"
-    digits = 4 if waveform.duration_s >= LONG_S else 3
-    return value_text(waveform.duration_s, "s", digits)
+    return value_text(duration_s, "s", digits=4 if duration_s >= LONG_S else 3)
+
+
+def played_length_text(clip: Clip) -> str:
+    """How long a clip lasts, where its effects make that another length than its waveform's."""
+    if abs(clip.duration_s - clip.waveform.duration_s) < _LEAST_S:
+        return ""
+    return f"{duration_text(clip.duration_s)} with its effects"
 
 
 def fixed_length_text(waveform: Waveform) -> str:
@@ -50,4 +59,4 @@ def fixed_length_text(waveform: Waveform) -> str:
     count = sample_count(waveform.duration_s)
     samples = "" if count == 1 else f" ({count} samples)"
     fixed = "" if specs_of(waveform) else ", fixed"
-    return f"{duration_text(waveform)}{samples}{fixed}"
+    return f"{duration_text(waveform.duration_s)}{samples}{fixed}"

@@ -2,12 +2,15 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QSizePolicy, QToolButton, QWidget
 
-from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.theme import UNIT_PX, scaled
 
 TOOLBAR_HEIGHT_PX = 28
+# How much smaller words may be where there is too little room.
+_SCALES = (1.0, 0.9, 0.8, 0.7, 0.6)
 _LAYOUTS = (
     ("overlaid", "Overlaid", "All curves over each other"),
     ("stacked", "Stacked", "Each curve in its own row, all with the same scale"),
@@ -69,6 +72,37 @@ class PlotToolbar(QWidget):
         if not zoomed and self._everything.hasFocus():
             self._layout_buttons[layout].setFocus(Qt.FocusReason.OtherFocusReason)
         self._everything.setVisible(zoomed)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
+
+    def event(self, event: QEvent) -> bool:
+        handled = super().event(event)
+        if event.type() in (QEvent.Type.LayoutRequest, QEvent.Type.FontChange):
+            self._fit()
+        return handled
+
+    def _fit(self) -> None:
+        """Write smaller where there is too little room: cut words say less than small ones."""
+        buttons = [one for one in self.findChildren(QToolButton) if one.isVisibleTo(self)]
+        around = self._row.contentsMargins()
+        room = self.width() - around.left() - around.right() - self._row.spacing() * len(buttons)
+        for scale in _SCALES:
+            font = scaled(self.font(), scale)
+            metrics = QFontMetrics(font)
+            # What the style leaves around words does not depend on them.
+            needed = sum(
+                metrics.horizontalAdvance(one.text())
+                + one.sizeHint().width()
+                - one.fontMetrics().horizontalAdvance(one.text())
+                for one in buttons
+            )
+            if needed <= room:
+                break
+        for one in buttons:
+            if one.font() != font:
+                one.setFont(font)
 
     def _button(self, name: str, text: str, hint: str) -> QToolButton:
         button = QToolButton(self)

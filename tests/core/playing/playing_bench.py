@@ -47,3 +47,10 @@ def largest_step(heard) -> float:
     """Between one sample and the next, silence before and after."""
     padded = np.pad(np.asarray(heard, float), ((0, 0), (1, 1)))
     return float(np.abs(np.diff(padded, axis=1)).max(initial=0.0))
+
+
+def playing(of_mix, *, at=0, gain_db=0.0, n_outputs=None):
+    """A deck that plays a mix from a sample on."""
+    found = deck(n_outputs or of_mix.n_outputs, gain_db)
+    found.play(of_mix, at)
+    return found

@@ -96,3 +96,21 @@ def test_a_drag_of_the_level_end_pulls_a_new_point_and_not_all(tone):
     assert points(tone)[0][:2] == (0.0, 1.0)
     assert points(tone)[1][1] == pytest.approx(0.4, abs=0.02)
     assert len(set(tone.steps)) == 1
+
+
+def test_insert_adds_a_point_that_changes_nothing_and_arrows_move_it(tone):
+    tone.panel.use("envelope")
+    tone.key(Qt.Key.Key_Insert)
+    assert points(tone) == ((0.0, 1.0, "straight"), (0.1, 1.0, "straight"))
+    tone.key(Qt.Key.Key_Down)
+    assert points(tone)[1] == pytest.approx((0.1, 0.99), abs=1e-12) or points(tone)[1][:2] == (
+        0.1,
+        0.99,
+    )
+    # The next one stands between that and the end, one after the first between both.
+    tone.key(Qt.Key.Key_Insert)
+    tone.key(Qt.Key.Key_PageUp)
+    tone.key(Qt.Key.Key_PageUp)
+    tone.key(Qt.Key.Key_Insert)
+    assert [round(time_s, 9) for time_s, *_ in points(tone)] == [0.0, 0.05, 0.1, 0.15]
+    assert tone.panel._shaping.tool.chosen == (1,)

@@ -4,55 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
 
-import skinsource as ss
 from skinsource.comparing import loudest_db
-from skinsource.design import track
 from skinsource.design_file import open_design
-from skinsource.waveforms import Tone
 from skinsource_gui.state.engine import FIRST_SLOT
-from skinsource_gui.widgets.map.small_map import small_frame
-
-KEY, CTRL, ALT = Qt.Key, Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
-
-
-def edit(window, amplitude):
-    window.document.edit("a", window.document.design.with_input(0, amplitude=amplitude))
-
-
-def levels(design):
-    return ss.evaluate(design, "output_levels_db")["output_levels_db"]
-
-
-def two_places(window):
-    """Another place as well, louder than what there was."""
-    design = window.document.design.adding(track(location=18, amplitude=3.0))
-    window.document.edit("Place", design)
-
-
-@pytest.fixture
-def panel(window, settle):
-    window.docks["compare"].bring_forward()
-    settle()
-    return window.panel("compare")
-
-
-@pytest.fixture
-def requests(window, monkeypatch):
-    """Slots of what is asked of the engine from now on."""
-    asked = []
-    ask = window.engine.request
-    monkeypatch.setattr(
-        window.engine, "request", lambda one: (asked.append(one.slot.name), ask(one))
-    )
-    return asked
-
-
-def cards(panel):
-    return {card.number: card for card in panel.cards if not card.isHidden()}
+from tests.gui.compare.compare_bench import ALT, CTRL, KEY, cards, edit, levels, two_places
 
 
 def test_keys_store_and_toggle_and_arrangements_have_moved(window, qtbot, settle):
@@ -203,109 +160,6 @@ def test_a_snapshot_is_predicted_once_however_long_one_edits(window, panel, sett
     assert requests.count("snapshot 1") <= 2
 
 
-def test_the_map_shows_how_much_louder_the_design_is(window, panel, settle):
-    window.do("match_levels")
-    window.do("store_snapshot_1")
-    stored = levels(window.document.design)
-    two_places(window)
-    settle()
-    difference = panel.map.difference
-    assert difference.heading == "Edited minus snapshot 1"
-    assert difference.words == "dB, as stored, synthetic limb"
-    present = levels(window.document.design)
-    floor = max(present.max(), stored.max()) - 60.0
-    expected = np.maximum(present, floor) - np.maximum(stored, floor)
-    np.testing.assert_allclose(difference.shown.levels_db, expected, rtol=0, atol=1e-6)
-    assert difference.end_db >= np.abs(expected).max()
-    window.do("match_levels")
-    settle()
-    matched = stored + present.max() - stored.max()
-    expected = np.maximum(present, floor) - np.maximum(matched, floor)
-    difference = panel.map.difference
-    np.testing.assert_allclose(difference.shown.levels_db, expected, rtol=0, atol=1e-6)
-    field = difference.shown.field_levels_db
-    assert np.nanmax(np.abs(field)) <= np.abs(expected).max() + 1e-6
-
-
-def test_the_map_compares_snapshots_as_they_are_played(window, panel, settle):
-    # Far from a high tone the skin hardly moves: 60 dB below the loudest, nothing counts.
-    window.document.edit(
-        "f", window.document.design.with_clip(1, waveform=Tone(frequency_hz=500.0))
-    )
-    window.do("store_snapshot_1")
-    two_places(window)
-    window.do("store_snapshot_2")
-    window.do("toggle_snapshots")
-    settle()
-    window.do("toggle_snapshots")
-    settle()
-    stored = window.document.view.snapshots
-    assert [(one.number, one.gain < 0.9) for one in stored] == [(1, False), (2, True)]
-    mine, theirs = levels(window.document.design), levels(stored[0].design)
-    floor = mine.max() - 60.0
-    assert (theirs < floor).any()
-    expected = np.maximum(mine, floor) - np.maximum(theirs, floor)
-    assert panel.map.difference.heading == "Snapshot 2 minus snapshot 1"
-    found = panel.map.difference.shown.levels_db
-    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-6)
-
-
-def test_words_under_the_pointer_name_the_output_and_its_difference(window, panel, settle):
-    window.do("store_snapshot_1")
-    two_places(window)
-    settle()
-    shown = panel.map.difference.shown
-    area = panel.map._areas()[1]
-    places = small_frame(shown.limb_map, area).to_screen(shown.limb_map.output_positions)
-    words = panel.map.words_at(QPointF(*places[28]))
-    assert words.startswith("Output 29, ")
-    assert words.endswith(f"{shown.levels_db[28]:+.1f} dB".replace("-", "−"))
-    assert panel.map.words_at(QPointF(-500, -500)) == ""
-
-
-def test_cards_show_each_snapshot_its_level_and_what_is_in_the_window(window, panel, settle):
-    assert set(cards(panel)) == {0, 1, 2, 3, 4}
-    window.do("store_snapshot_2")
-    two_places(window)
-    settle()
-    found = cards(panel)
-    assert found[0].present
-    assert not found[2].present
-    assert found[1].compared is None
-    assert "nothing stored" in found[1].accessibleName()
-    loudest = levels(window.document.design).max()
-    assert f"loudest output {loudest:.1f} dB".replace("-", "−") in found[2].accessibleName()
-    assert "Alike at the loudest output" in panel.words.text()
-    assert f"{loudest:.1f} dB re 1 m/s²".replace("-", "−") in panel.words.text()
-    found[2].click()
-    settle()
-    assert cards(panel)[2].present
-    assert len(window.document.design.inputs) == 1
-    window.do("match_levels")
-    assert panel.words.text() == "As loud as they were stored"
-
-
-def test_cards_are_used_with_the_keyboard(window, panel, settle, qtbot):
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
-    first = window.document.design
-    panel.setFocus()
-    card = QApplication.focusWidget()
-    assert card.number == 1
-    QTest.keyClick(card, KEY.Key_Return)
-    settle()
-    assert window.document.view.snapshots[0].design == first
-    edit(window, 2.0)
-    settle()
-    QTest.keyClick(card, KEY.Key_Space)
-    settle()
-    assert window.document.view.snapshots[-1].number == 1
-    QTest.keyClick(card, KEY.Key_Delete)
-    assert [one.number for one in window.document.view.snapshots] == [0]
-    window.do("undo")
-    assert [one.number for one in window.document.view.snapshots] == [0, 1]
-
-
 def test_storing_is_a_step_and_is_saved_with_the_file(window, settle, tmp_path):
     window.files._save_to(tmp_path / "a.skinsource")
     assert not window.document.modified
@@ -318,23 +172,3 @@ def test_storing_is_a_step_and_is_saved_with_the_file(window, settle, tmp_path):
     window.files.save()
     assert not window.document.modified
     assert open_design(tmp_path / "a.skinsource").view.snapshots[0].design == window.document.design
-
-
-def test_a_snapshot_of_a_limb_that_is_not_here_says_so(window, panel, settle):
-    here = window.document.design
-    window.document.edit("limb", replace(here, limb="measured-1"))
-    settle()
-    window.do("store_snapshot_1")
-    window.document.edit("limb", here)
-    settle()
-    card = cards(panel)[1]
-    assert "not" in card.accessibleName()
-    assert "measured" in panel.map.difference.words
-    assert panel.map.difference.shown is None
-
-
-def test_designs_on_two_limbs_have_no_difference_map(window, panel, settle):
-    window.do("store_snapshot_1")
-    window.document.edit("limb", replace(window.document.design, limb="synthetic-2"))
-    settle()
-    assert "different limbs" in panel.map.difference.words

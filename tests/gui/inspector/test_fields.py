@@ -4,6 +4,7 @@ from PySide6.QtTest import QTest
 
 from skinsource.design import Design
 from skinsource.edits.kinds import as_kind
+from skinsource.effects import Stretch, Trim
 from skinsource.waveforms import KINDS, Noise, Tone
 
 
@@ -142,3 +143,19 @@ def test_what_was_typed_for_one_input_never_reaches_another(bench):
     bench.show(selected_inputs=(2,))
     QTest.keyClick(field, Qt.Key.Key_Return)
     assert [one.amplitude for one in bench.design.inputs] == [1.0] * 4
+
+
+def test_how_long_a_clip_lasts_with_its_effects_is_said_where_it_differs(bench):
+    design = bench.design
+    clip = design.inputs[0].clips[0]
+    bench.show(design.with_clip(clip.id, effects=(Trim(start_s=0.0, duration_s=0.1),)))
+    lasts = bench.words("played_length")
+    assert lasts.isVisible()
+    assert lasts.text() == "100 ms with its effects"
+    # The waveform's own length can still be changed, and typing it is not ended by the row.
+    bench.type("duration_s", "0.05 s")
+    assert not lasts.isVisible()
+    bench.show(design.with_clip(clip.id, effects=(Stretch(factor=2.0),)))
+    assert lasts.text() == "400 ms with its effects"
+    bench.show(design)
+    assert not lasts.isVisible()

@@ -6,8 +6,10 @@ import pytest
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QMessageBox
 
+from skinsource.design import Design, track
 from skinsource.design_file import open_design, save_design
 from skinsource.job import Job
+from skinsource_gui.files.autosave import FIRST_S
 from skinsource_gui.state.preferences import AUTOSAVE_S, Preferences
 from tests.gui.keeping.bench import copies, edit, kept_amplitudes
 
@@ -135,3 +137,43 @@ def test_the_interval_is_a_preference(tmp_path, monkeypatch, environment, settin
     if environment:
         monkeypatch.setenv("SKINSOURCE_AUTOSAVE_S", environment)
     assert Preferences(path).autosave_s == seconds
+
+
+def test_the_first_copy_is_kept_soon_and_the_next_ones_by_the_interval(
+    make_window, qtbot, user_data
+):
+    window = make_window()
+    autosave = window.keeping.autosave
+    assert autosave._intervals_s == (FIRST_S, AUTOSAVE_S)
+    autosave._intervals_s = (0.05, AUTOSAVE_S)
+    edit(window, 2.5)
+    qtbot.waitUntil(lambda: kept_amplitudes(user_data) == [2.5], timeout=30_000)
+    edit(window, 3.5)
+    assert autosave._timer.remainingTime() > 1000 * AUTOSAVE_S / 2
+    # What is taken back is no work any more; what comes then is new.
+    window.document.go_to(0)
+    qtbot.waitUntil(lambda: copies(user_data) == [], timeout=30_000)
+    edit(window, 4.5)
+    qtbot.waitUntil(lambda: kept_amplitudes(user_data) == [4.5], timeout=30_000)
+
+
+def test_a_shorter_interval_is_that_of_the_first_copy_too(quick, make_window):
+    assert make_window().keeping.autosave._intervals_s == (0.05, 0.05)
+
+
+def test_a_design_that_was_emptied_by_hand_is_asked_about_and_its_copies_stay(
+    quick, make_window, qtbot, user_data, monkeypatch
+):
+    window = make_window(Design(limb="synthetic-1"))
+    window.document.edit("add", window.document.design.adding(track(7)))
+    qtbot.waitUntil(lambda: copies(user_data) != [], timeout=30_000)
+    (copy,) = copies(user_data)
+    window.do("clear_inputs")
+    assert window.isWindowModified()
+    qtbot.waitUntil(lambda: len(copies(user_data)) == 2, timeout=30_000)
+    assert copy in copies(user_data)
+    asked = []
+    cancel = QMessageBox.StandardButton.Cancel
+    monkeypatch.setattr(QMessageBox, "question", lambda *words: asked.append(words[1]) or cancel)
+    assert not window.close()
+    assert asked == ["Unsaved design"]

@@ -1,8 +1,9 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLineEdit, QPushButton
+from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QMenu, QPushButton
 
+from skinsource.waveforms import Noise
 from skinsource_gui.shell.playing.escape_twice import EscapeTwice
 
 LEFT = Qt.MouseButton.LeftButton
@@ -114,3 +115,47 @@ def test_escape_twice_stops_what_plays(sound, studio, player, qtbot, listen):
     QTest.keyClick(widget, ESCAPE)
     qtbot.waitUntil(lambda: not player.playing, timeout=20_000)
     assert now.stream.deck.ending.reason == "panic"
+
+
+@pytest.fixture
+def kind(studio, pressed):
+    field = studio.panel("inspector").findChild(QComboBox, "kind_field")
+    field.setFocus()
+    return field
+
+
+def test_space_opens_a_list_that_the_keyboard_has_come_to(studio, pressed, kind):
+    QTest.keyClick(kind, SPACE)
+    assert pressed == []
+    assert kind.findChild(QMenu, "kind_menu").isVisible()
+    kind.hidePopup()
+
+
+def test_space_plays_once_a_waveform_is_chosen_and_opens_the_list_when_one_comes_back(
+    studio, pressed, kind
+):
+    QTest.mouseClick(kind, LEFT)
+    menu = kind.findChild(QMenu, "kind_menu")
+    menu.setActiveAction(next(one for one in menu.actions() if "Noise" in one.text()))
+    QTest.keyClick(menu, Qt.Key.Key_Return)
+    assert isinstance(studio.document.design.inputs[0].clips[0].waveform, Noise)
+    kind = studio.panel("inspector").findChild(QComboBox, "kind_field")
+    assert kind.hasFocus()
+    QTest.keyClick(kind, SPACE)
+    QTest.keyClick(kind, SPACE)
+    assert pressed == [1, 1]
+    studio.panel("hand").setFocus()
+    kind.setFocus()
+    QTest.keyClick(kind, SPACE)
+    assert pressed == [1, 1]
+    assert any(menu.isVisible() for menu in kind.findChildren(QMenu, "kind_menu"))
+    kind.hidePopup()
+
+
+def test_it_plays_after_a_choice_from_an_ordinary_list_too(studio, pressed):
+    field = studio.panel("inspector").findChild(QComboBox, "window_field")
+    field.setFocus()
+    QTest.keyClick(field, Qt.Key.Key_Down)
+    QTest.keyClick(field, SPACE)
+    assert pressed == [1]
+    assert not field.view().isVisible()

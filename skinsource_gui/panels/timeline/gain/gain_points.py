@@ -133,8 +133,8 @@ class GainPoints(QObject):
     def _key_of_point(self, wanted: str, key: Qt.Key, held: Held) -> bool:
         strip, number = self._chosen_strip()
         if strip is None:
-            # Held as for a point, where there is none it means nothing.
-            return wanted == "gain_far"
+            # Held as for a point, where there is none it is for the clips.
+            return False
         if wanted == "give_up":
             self.choose(None)
         elif wanted == "remove":

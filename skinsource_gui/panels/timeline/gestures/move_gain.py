@@ -41,7 +41,7 @@ class MoveGain:
     ) -> None:
         self._stage, self._strip, self._at = stage, strip, at
         self._points, self._chosen = points, chosen
-        self._upright, self._fine = upright, fine
+        self.upright, self._fine = upright, fine
 
     def move(self, at: QPointF, held: Held) -> Shown:
         strip, scale = self._strip, self._stage.content().scale
@@ -49,7 +49,7 @@ class MoveGain:
         by_s, by_gain = way.x() / scale.px_per_s, -way.y() * strip.top / strip.height_px
         if self._fine and held & Held.ControlModifier:
             by_s, by_gain = by_s * _FINE, by_gain * _FINE
-        upright = self._upright
+        upright = self.upright
         if held & Held.ShiftModifier:
             upright = upright or abs(way.y()) > abs(way.x())
             by_gain = by_gain if upright else 0.0

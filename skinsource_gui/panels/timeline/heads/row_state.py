@@ -45,8 +45,8 @@ class RowState:
         if self.clip is None:
             return EMPTY
         others = clips_text(len(self.shown.clips))
-        waveform = self.clip.waveform
-        return f"{figure_text(waveform)} · {duration_text(waveform)}{others}"
+        lasts = duration_text(self.clip.duration_s)
+        return f"{figure_text(self.clip.waveform)} · {lasts}{others}"
 
     @property
     def title(self) -> str:

@@ -1,0 +1,74 @@
+"""Actuators at their limits: wrong parameters, voltages and rates are refused by name."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.errors import InvalidInputError
+from tests.core.actuators_bench import COIL, PIEZO, RECOIL
+
+PARAMETERS = {
+    COIL: {
+        "resistance_ohm": False,
+        "inductance_h": False,
+        "moving_mass_kg": False,
+        "force_factor_n_per_a": True,
+        "damping_n_s_per_m": True,
+        "stiffness_n_per_m": True,
+        "skin_stiffness_n_per_m": True,
+        "skin_damping_n_s_per_m": True,
+    },
+    RECOIL: {"casing_mass_kg": False},
+    PIEZO: {"capacitance_f": False, "coupling_n_per_v": True, "series_resistance_ohm": False},
+}
+
+
+@pytest.mark.parametrize(
+    ("actuator", "name"), [(one, name) for one, names in PARAMETERS.items() for name in names]
+)
+def test_wrong_parameters_are_refused_by_name(actuator, name):
+    zero_allowed = PARAMETERS[actuator][name]
+    for wrong in (
+        -1e-12,
+        -1.0,
+        np.nan,
+        np.inf,
+        "1",
+        None,
+        True,
+        1j,
+        *(() if zero_allowed else (0,)),
+    ):
+        with pytest.raises(InvalidInputError, match=name):
+            replace(actuator, **{name: wrong})
+    for right in (1e-12, 1e12, np.float32(1.0), *((0, 0.0) if zero_allowed else ())):
+        replace(actuator, **{name: right})
+
+
+@pytest.mark.parametrize(
+    ("voltage", "rate_hz", "hold", "word"),
+    [
+        ([0.0, np.nan], 1300.0, "zero", "voltage"),
+        ([[0.0]], 1300.0, "zero", "voltage"),
+        ([1j], 1300.0, "zero", "voltage"),
+        ([0.0], 0.0, "zero", "sample_rate_hz"),
+        ([0.0], np.inf, "zero", "sample_rate_hz"),
+        ([0.0], 1300.0, "second", "hold"),
+        ([1e308] * 90, 1300.0, "zero", "voltage"),
+    ],
+)
+def test_what_cannot_be_simulated_is_refused(voltage, rate_hz, hold, word):
+    with pytest.raises(InvalidInputError, match=word):
+        COIL.simulate(voltage, rate_hz, hold)
+
+
+def test_no_voltage_at_all_is_no_motion():
+    assert COIL.simulate([], 1300.0).current.shape == (0,)
+    assert PIEZO.simulate([3.0], 1300.0).current == pytest.approx([0.03])
+
+
+def test_responses_beyond_all_numbers_are_refused():
+    with pytest.raises(InvalidInputError, match="parameters"):
+        ss.actuators.VoiceCoil(1e-300, 1e-300, 1e-300, 1e-300, 0.0, 0.0).response(1e9)

@@ -1,0 +1,26 @@
+"""What tests of snapshots share."""
+
+from PySide6.QtCore import Qt
+
+import skinsource as ss
+from skinsource.design import track
+
+KEY, CTRL, ALT = Qt.Key, Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
+
+
+def edit(window, amplitude):
+    window.document.edit("a", window.document.design.with_input(0, amplitude=amplitude))
+
+
+def levels(design):
+    return ss.evaluate(design, "output_levels_db")["output_levels_db"]
+
+
+def two_places(window):
+    """Another place as well, louder than what there was."""
+    design = window.document.design.adding(track(location=18, amplitude=3.0))
+    window.document.edit("Place", design)
+
+
+def cards(panel):
+    return {card.number: card for card in panel.cards if not card.isHidden()}

@@ -1,0 +1,90 @@
+"""Tab goes as one reads, and what has the keyboard shows it."""
+
+from itertools import pairwise
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from skinsource import edits
+from skinsource.design import Design, track
+from skinsource.effects import Fade, Trim
+from skinsource.view import View
+from skinsource.waveforms import Noise, Tone
+from skinsource_gui.shell.focus_order import tab_stops
+
+
+@pytest.fixture
+def window(make_window, qtbot):
+    one = track(7, Tone(frequency_hz=100.0))
+    window = make_window(Design(limb="synthetic-1", inputs=(one,)), View(selected_inputs=(1,)))
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    return window
+
+
+def tops(panel):
+    return [stop.mapTo(panel, QPoint()).y() for stop in tab_stops(panel, (panel,))]
+
+
+def names(panel):
+    return [stop.objectName() for stop in tab_stops(panel, (panel,))]
+
+
+def test_the_inspector_is_walked_from_top_to_bottom(window):
+    panel = window.panel("inspector")
+    found = names(panel)
+    assert found[:3] == ["mute_button", "solo_button", "kind_field"]
+    assert found[-2:] == ["location_field", "add_effect"]
+    assert tops(panel) == sorted(tops(panel))
+
+
+def test_it_stays_so_when_another_waveform_brings_other_fields(window, settle):
+    document, panel = window.document, window.panel("inspector")
+    document.apply(edits.change_kind(document.design, document.view, (1,), Noise.__name__))
+    clip = document.design.inputs[0].clips[0].id
+    for effect in (Trim(), Fade(0.01, 0.01)):
+        document.apply(edits.add_effect(document.design, document.view, (clip,), effect))
+    settle()
+    found = names(panel)
+    assert found.index("kind_field") < found.index("seed_field") < found.index("add_effect")
+    assert tops(panel) == sorted(tops(panel))
+
+
+def test_fields_side_by_side_go_from_left_to_right(window, settle):
+    window.docks["inspector"].setFloating(True)
+    window.docks["inspector"].resize(700, 500)
+    settle()
+    panel = window.panel("inspector")
+    assert panel._fields.grid.pairs == 2
+    places = [stop.mapTo(panel, QPoint()) for stop in tab_stops(panel, (panel,))]
+    lines = [(round(place.y() / 10), place.x()) for place in places[2:]]
+    assert lines == sorted(lines)
+
+
+@pytest.mark.parametrize("name", ["actuator", "playback"])
+def test_other_panels_of_fields_too(window, settle, name):
+    window.docks[name].bring_forward()
+    settle()
+    panel = window.panel(name)
+    centres = [stop.mapTo(panel, stop.rect().center()).y() for stop in tab_stops(panel, (panel,))]
+    assert all(after >= before - 4 for before, after in pairwise(centres))
+
+
+def corner(window):
+    diagram = window.panel("hand").diagram
+    picture = diagram.grab().toImage()
+    return picture.pixelColor(0, picture.height() // 3).name()
+
+
+def test_the_hand_shows_that_it_has_the_keyboard_before_a_key_is_used_there(window, settle):
+    diagram = window.panel("hand").diagram
+    QTest.mouseClick(
+        diagram, Qt.MouseButton.LeftButton, pos=diagram.rect().center() + QPoint(0, 120)
+    )
+    assert QApplication.focusWidget() is diagram
+    assert diagram.state.cursor is None
+    assert corner(window) == window.theme.accent
+    window.panel("timeline").setFocus()
+    assert corner(window) != window.theme.accent

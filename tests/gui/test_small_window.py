@@ -1,0 +1,87 @@
+"""What is seen without scrolling in a window for a screen of 1366 x 768."""
+
+import pytest
+from PySide6.QtWidgets import QApplication, QScrollArea
+
+from skinsource import edits
+from skinsource.design import Design, track
+from skinsource.view import View
+from skinsource.waveforms import Tap, Tone
+
+TONE = Tone(frequency_hz=100.0, duration_s=0.3)
+
+
+@pytest.fixture
+def window(make_window):
+    inputs = (
+        track(7, TONE, amplitude=400.0),
+        track(3, Tap(), colour=1),
+        track(2, TONE, colour=2),
+    )
+    return make_window(Design(limb="synthetic-1", inputs=inputs), View(selected_inputs=(1,)))
+
+
+def bring(window, name):
+    window.docks[name].bring_forward()
+    QApplication.processEvents()
+    window.catch_up()
+    QApplication.processEvents()
+    return window.panel(name)
+
+
+def select(window, input_id):
+    document = window.document
+    document.look(edits.select_inputs(document.design, document.view, (input_id,)).view)
+
+
+def seen(panel, widget):
+    """Whether a widget lies within what its panel shows without scrolling."""
+    area = panel.findChild(QScrollArea)
+    place = widget.mapTo(area.viewport(), widget.rect().bottomLeft())
+    return widget.isVisible() and 0 <= place.y() < area.viewport().height()
+
+
+def test_what_passes_a_limit_of_the_actuator_is_seen_without_scrolling(window):
+    panel = bring(window, "actuator")
+    words = panel.figures.limits.text()
+    assert words.startswith("Beyond its limit: ")
+    passed = [one.label.lower() for one in panel.figures.table.figures if one.passed]
+    assert passed
+    assert words.endswith(", ".join(passed))
+    assert seen(panel, panel.figures.limits)
+    first_rows = panel.figures.table._rows[:5]
+    assert all(seen(panel, label) for row in first_rows for label in row[:2])
+
+
+def test_why_a_drive_is_refused_is_seen_without_scrolling(window):
+    panel = bring(window, "actuator")
+    select(window, 2)
+    bring(window, "actuator")
+    assert "leaves a velocity" in panel.figures.refusal.text()
+    assert seen(panel, panel.figures.refusal)
+    assert seen(panel, panel.figures.centred)
+
+
+def test_where_nothing_passes_a_limit_nothing_is_said(window):
+    panel = bring(window, "actuator")
+    select(window, 3)
+    bring(window, "actuator")
+    assert not panel.figures.limits.isVisible()
+    assert not panel.figures.refusal.isVisible()
+
+
+def test_playback_is_no_wider_than_its_place(window):
+    panel = bring(window, "playback")
+    area = panel.findChild(QScrollArea)
+    assert area.widget().width() <= area.viewport().width()
+    assert area.horizontalScrollBar().maximum() == 0
+    title = panel._rows[1].title
+    assert title.fontMetrics().horizontalAdvance(title.text()) <= title.width()
+
+
+def test_with_nothing_selected_no_panel_is_wider_than_its_place(window):
+    document = window.document
+    document.look(View(outputs=(), selected_inputs=()))
+    for name, dock in window.docks.items():
+        bring(window, name)
+        assert window.panel(name).width() <= dock.widget().viewport().width(), name
