@@ -85,7 +85,7 @@ def _places(
 PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(
         panel=HandPanel,
-        places=_places(design=Place(0), presentation=Place(0, 86)),
+        places=_places(design=Place(0), presentation=Place(0, 82)),
     ),
     PanelSpec(
         panel=TimelinePanel,
@@ -100,7 +100,7 @@ PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(
         panel=FrequencyAndAmplitudePanel,
         settings=ControlSettings,
-        places=_places(presentation=Place(0, 14)),
+        places=_places(presentation=Place(0, 18)),
     ),
     PanelSpec(
         panel=SkinPanel,

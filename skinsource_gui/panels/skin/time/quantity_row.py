@@ -1,6 +1,6 @@
 """What the map shows: levels, or the skin in time; and how slowly that is played."""
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QEvent, Signal
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from skinsource.fields import ChoiceSpec
@@ -18,6 +18,8 @@ PACE = ChoiceSpec(
     hint="How fast time runs while it plays; below 1/1 it is seen, and not heard",
 )
 _PACE_PX, _WINDOW_PX = 76, 66
+# Beside the words of a list: its arrow and edges.
+_ARROW_PX = 40
 
 
 class QuantityRow(QWidget):
@@ -38,7 +40,6 @@ class QuantityRow(QWidget):
         self.window.setObjectName("skin_rms_window")
         self.window.setAccessibleName(RMS_WINDOW.label)
         self.window.setToolTip(tooltip(RMS_WINDOW.label, RMS_WINDOW.hint))
-        self.window.setFixedWidth(_WINDOW_PX)
         self.pace = ChoiceField(PACE, self)
         self.pace.setObjectName("skin_pace")
         self.pace.setMinimumContentsLength(4)
@@ -48,10 +49,15 @@ class QuantityRow(QWidget):
         row.addWidget(self.quantity, 1)
         row.addWidget(self.window)
         row.addWidget(self.pace)
-        self.pace.setFixedWidth(_PACE_PX)
+        self._fit()
         self.quantity.chosen.connect(self._choose_quantity)
         self.pace.chosen.connect(self._choose_pace)
         self.window.edited.connect(self._choose_window)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._fit()
 
     def show_settings(self, settings: SkinSettings, slow_motion: float) -> None:
         """Show the present choice."""
@@ -64,6 +70,13 @@ class QuantityRow(QWidget):
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
         self.window.show_theme(theme)
+
+    def _fit(self) -> None:
+        metrics = self.fontMetrics()
+        pace = metrics.horizontalAdvance("1/200") + _ARROW_PX
+        window = metrics.horizontalAdvance("500 ms") + 3 * UNIT_PX
+        self.pace.setFixedWidth(max(_PACE_PX, pace))
+        self.window.setFixedWidth(max(_WINDOW_PX, window))
 
     def _choose_quantity(self, name: str, _gesture: object) -> None:
         self.quantity_chosen.emit(name)

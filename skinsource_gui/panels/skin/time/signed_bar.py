@@ -56,7 +56,9 @@ class SignedStrip(QWidget):
         painter.end()
 
     def _paint(self, painter: QPainter) -> None:
-        ramp = QRectF(_RAMP_LEFT, _END_PX, _RAMP_WIDTH, self.height() - 2 * _END_PX)
+        # Half of a number stands beyond either end.
+        end = max(_END_PX, painter.fontMetrics().height() / 2)
+        ramp = QRectF(_RAMP_LEFT, end, _RAMP_WIDTH, self.height() - 2 * end)
         limits, table = self._range, colour_table(DIVERGING)
         quantity = MapQuantity(name=Z)
         paint_colour_scale(painter, ramp, limits, limits, table, self._theme, quantity)
