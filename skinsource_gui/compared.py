@@ -21,12 +21,15 @@ class Compared:
         Why there are none.
     gain
         Factor with which it is shown now, so that it is as loud as the others.
+    on_limb
+        Whether it is the present design on one of all limbs, and no snapshot.
     """
 
     snapshot: Snapshot
     values: Mapping[str, Any] | None = None
     problem: str = ""
     gain: float = 1.0
+    on_limb: bool = False
 
     @property
     def name(self) -> str:

@@ -29,6 +29,9 @@ class Panel(PointsAtInputs):
     name: ClassVar[str] = ""
     #: Whether it wants to know the history, see `show_history`.
     lists_history: ClassVar[bool] = False
+    #: Quantities of the design on each limb of its kind; where there are any, `show_snapshots` is
+    #: told these too.
+    needs_of_people: ClassVar[frozenset[str]] = frozenset()
 
     #: Whether Tab goes from top to bottom, as its fields stand, whenever each was made.
     reads_down: ClassVar[bool] = False

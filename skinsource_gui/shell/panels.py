@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, fields
 
 from skinsource.analysis.settings import SpectrogramSettings
 from skinsource.fields import specs_of
+from skinsource.perception.settings import PerceptionSettings
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.actuator.panel import ActuatorPanel
 from skinsource_gui.panels.actuator.settings import ActuatorSettings
@@ -17,7 +18,9 @@ from skinsource_gui.panels.history.panel import HistoryPanel
 from skinsource_gui.panels.inspector.panel import InspectorPanel
 from skinsource_gui.panels.library.panel import LibraryPanel
 from skinsource_gui.panels.main_axis.panel import MainAxisPanel
+from skinsource_gui.panels.perception.panel import PerceptionPanel
 from skinsource_gui.panels.playback.panel import PlaybackPanel
+from skinsource_gui.panels.regions.panel import RegionsPanel
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.spectra.panel import SpectraPanel
@@ -133,4 +136,6 @@ PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(panel=MainAxisPanel, places=_places()),
     PanelSpec(panel=WavePanel, places=_places()),
     PanelSpec(panel=WindowedPanel, places=_places()),
+    PanelSpec(panel=RegionsPanel, places=_places()),
+    PanelSpec(panel=PerceptionPanel, settings=PerceptionSettings, places=_places()),
 )

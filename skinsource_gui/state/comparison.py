@@ -25,6 +25,7 @@ from skinsource_gui.compared import Compared
 from skinsource_gui.panel import Panel
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request, Slot
+from skinsource_gui.state.people import People
 
 _LEVELS = frozenset({"output_levels_db"})
 #: What levels depend on.
@@ -74,6 +75,7 @@ class Comparison(QObject):
         super().__init__(document)
         self._document, self._engine = document, engine
         self._panels = [panel for panel in panels if panel.needs_of_snapshots]
+        self._people = People(document, engine, panels)
         self._asked: dict[int, Request] = {}
         self._known: dict[int, _Known] = {}
         self._then: Callable[[], None] | None = None
@@ -81,6 +83,7 @@ class Comparison(QObject):
     def begin(self) -> None:
         """Follow the document, after those who show it in the window: they ask for that."""
         self._document.changed.connect(self._follow)
+        self._people.begin()
         self._engine.finished.connect(self._note)
         self._engine.rested.connect(self._ask)
         for panel in self._panels:

@@ -3,13 +3,24 @@
 from typing import Any
 
 from skinsource.analysis.settings import SpectrogramSettings
-from skinsource.analysis_rules import noise_rules, output_rules, validity_rules, wave_rules
+from skinsource.analysis_rules import (
+    noise_rules,
+    output_rules,
+    perception_rules,
+    validity_rules,
+    wave_rules,
+)
 from skinsource.panel_settings import settings_of
+from skinsource.perception.settings import PerceptionSettings
 from skinsource.view import View
 
-RULES = (*noise_rules.RULES, *output_rules.RULES, *wave_rules.RULES, *validity_rules.RULES)
+_MODULES = (noise_rules, output_rules, wave_rules, validity_rules, perception_rules)
+RULES = tuple(rule for module in _MODULES for rule in module.RULES)
 
 
 def choices_of(view: View) -> dict[str, Any]:
     """What of a view only these rules start from, by name."""
-    return {"spectrogram_settings": settings_of(view, "spectrogram", SpectrogramSettings)}
+    return {
+        "spectrogram_settings": settings_of(view, "spectrogram", SpectrogramSettings),
+        "perception_settings": settings_of(view, "perception", PerceptionSettings),
+    }

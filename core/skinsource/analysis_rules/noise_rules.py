@@ -35,19 +35,19 @@ def place_drives(
 
 
 def noise_energy(
-    place_drives: tuple[tuple[int, Floats], ...], limb_data: Limb, scaling: Scaling
+    place_drives: tuple[tuple[int, Floats], ...], driven_limb: Limb, scaling: Scaling
 ) -> Floats | None:
     """Energy of the noise of the responses in the prediction, (n_outputs, n_axes).
 
     None where there is none to tell: in silence, and where `place_noise` knows of none.
     """
-    found = {place: place_noise(limb_data, place) for place, _ in place_drives}
+    found = {place: place_noise(driven_limb, place) for place, _ in place_drives}
     noise = {place: one for place, one in found.items() if one is not None}
     if not noise or len(noise) < len(found):
         return None
-    divided = divided_by_pulse(limb_data, scaling)
-    drives = {place: _shaped(played, limb_data, divided) for place, played in place_drives}
-    return predicted_noise_energy(drives, noise, limb_data.n_taps)
+    divided = divided_by_pulse(driven_limb, scaling)
+    drives = {place: _shaped(played, driven_limb, divided) for place, played in place_drives}
+    return predicted_noise_energy(drives, noise, driven_limb.n_taps)
 
 
 def output_noise_rms(

@@ -1,6 +1,7 @@
 """The rule from all that plays to what a prediction is not good for."""
 
 from skinsource.arrays import Floats
+from skinsource.chain import Actuation
 from skinsource.limb import Limb
 from skinsource.scaling.response_scaling import Scaling
 from skinsource.validity import Findings, found_in_drives, found_in_outputs, found_in_setup
@@ -11,12 +12,13 @@ def validity(
     above_noise_db: Floats | None,
     limb_data: Limb,
     scaling: Scaling,
+    actuation: Actuation | None,
 ) -> Findings:
     """Conditions of the measurement, and whether they are kept: see `skinsource.validity`."""
     synthetic = limb_data.synthetic
     places = [place for place, _ in place_drives]
     return (
-        *found_in_drives(place_drives, limb_data.sample_rate_hz, scaling),
+        *found_in_drives(place_drives, limb_data.sample_rate_hz, scaling, probe=actuation is None),
         found_in_outputs(above_noise_db, synthetic=synthetic, silent=not place_drives),
         *found_in_setup(synthetic=synthetic, scaling=scaling, places=places),
     )

@@ -44,7 +44,7 @@ def transfer_place(voices: tuple[Voice, ...], selected_input: int | None) -> int
 
 
 def transfer(
-    limb_data: Limb,
+    driven_limb: Limb,
     transfer_place: int,
     shown_outputs: tuple[int, ...],
     axis_numbers: tuple[int, ...],
@@ -57,11 +57,11 @@ def transfer(
     if not (transfer_place and shown_outputs):
         return None
     rows = [output - 1 for output in shown_outputs]
-    rate, n_taps = limb_data.sample_rate_hz, limb_data.n_taps
-    raw = limb_data.response_to(transfer_place)[rows][:, list(axis_numbers)]
-    noise = place_noise(limb_data, transfer_place)
+    rate, n_taps = driven_limb.sample_rate_hz, driven_limb.n_taps
+    raw = driven_limb.response_to(transfer_place)[rows][:, list(axis_numbers)]
+    noise = place_noise(driven_limb, transfer_place)
     sigma = np.zeros(raw.shape[:2]) if noise is None else noise[rows][:, list(axis_numbers)]
-    if not divided_by_pulse(limb_data, scaling):
+    if not divided_by_pulse(driven_limb, scaling):
         return transfer_function(raw, rate, sigma)
     gain = np.abs(scipy.fft.rfft(probe_inverse(n_taps, rate)))
     return transfer_function(per_probe_acceleration(raw, rate), rate, sigma, gain)

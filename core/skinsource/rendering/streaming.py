@@ -5,7 +5,7 @@ of response.  At each frequency the vibrations by all voices, in some blocks, ar
 product.  Blocks in which all are silent cost nothing.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 
 import numpy as np
@@ -53,6 +53,12 @@ class StreamedVibration:
         self.n_times = shape[2]
         self.cut = blocks
         self._moments: Moments | None = None
+
+    def played_through(self, change: Callable[[Played], Played]) -> "StreamedVibration":
+        """The same where something else is played, such as the same through a filter."""
+        played = [change(one) for one in self._played]
+        shape = (*self._channels_shape, self.n_times)
+        return StreamedVibration(played, self._stack, shape, self.cut)
 
     def moments(self, stop: Stop = never) -> Moments:
         """Moments over the whole response, all products."""

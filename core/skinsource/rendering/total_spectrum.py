@@ -1,10 +1,10 @@
 """The spectrum of all voices together, where it is asked for."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from skinsource.arrays import Complexes
+from skinsource.arrays import Complexes, Floats
 from skinsource.rendering.response_spectra import ResponseSpectrum
 
 
@@ -31,6 +31,14 @@ class TotalSpectrum:
     response: ResponseSpectrum | None
     drive: Complexes | None
     weight: float
+
+    def times(self, weights: Floats) -> "TotalSpectrum":
+        """The same through a filter, of which ``weights``, (n_bins,), is the response."""
+        return replace(
+            self,
+            others=None if self.others is None else self.others * weights,
+            drive=None if self.drive is None else self.drive * weights,
+        )
 
     def rows(self, outputs: np.ndarray, axes: tuple[int, ...]) -> Complexes:
         """Spectra of some outputs, counted from 0, and axes, (n, n_axes, n_bins)."""

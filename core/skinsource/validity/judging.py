@@ -63,7 +63,11 @@ def probe_velocity(acceleration: ArrayLike, sample_rate_hz: float) -> float:
 
 
 def found_in_drives(
-    drives: Sequence[tuple[int, Floats]], sample_rate_hz: float, scaling: Scaling
+    drives: Sequence[tuple[int, Floats]],
+    sample_rate_hz: float,
+    scaling: Scaling,
+    *,
+    probe: bool = True,
 ) -> Findings:
     """Return what is found in what is played: band, drive, and spacing.
 
@@ -75,6 +79,8 @@ def found_in_drives(
         Their rate.
     scaling
         What their unit is.
+    probe
+        Whether they are what the probe does, not what an actuator is asked for.
     """
     played = [
         _Drive(place=place, samples=samples, energy=float(np.vdot(samples, samples)))
@@ -82,7 +88,7 @@ def found_in_drives(
     ]
     return (
         _band(played, sample_rate_hz),
-        _velocity(played, sample_rate_hz, scaling),
+        _velocity(played, sample_rate_hz, scaling, probe=probe),
         _spacing(played, sample_rate_hz),
     )
 
@@ -201,7 +207,7 @@ def _band(played: Sequence[_Drive], rate: float) -> Finding:
     )
 
 
-def _velocity(played: Sequence[_Drive], rate: float, scaling: Scaling) -> Finding:
+def _velocity(played: Sequence[_Drive], rate: float, scaling: Scaling, *, probe: bool) -> Finding:
     limit = f"{LARGEST_VELOCITY_M_PER_S * _MM_PER_M:g} mm/s"
     if scaling != "probe":
         return Finding(
@@ -213,6 +219,9 @@ def _velocity(played: Sequence[_Drive], rate: float, scaling: Scaling) -> Findin
             ),
             mend="probe_scaling",
         )
+    if not probe:
+        sentence = "Drives go through actuators here: the actuator panel tells how fast these move."
+        return Finding(name="drive", state="unknown", sentence=sentence)
     fastest = max((probe_velocity(one.samples, rate) for one in played), default=0.0)
     left = fastest > LARGEST_VELOCITY_M_PER_S
     return Finding(

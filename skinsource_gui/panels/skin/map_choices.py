@@ -9,7 +9,7 @@ from skinsource import edits
 from skinsource.design import Design
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
-from skinsource_gui.panels.skin.map_quantity import LEVELS
+from skinsource_gui.panels.skin.map_quantity import LEVELS, SENSATION, STILL
 from skinsource_gui.panels.skin.settings import SkinSettings
 
 
@@ -53,10 +53,21 @@ class MapChoices(QObject):
         if self._design is not None:
             self.edited.emit(edits.select_inputs(self._design, self._view, (input_id,)), None)
 
+    @property
+    def chosen_range(self) -> tuple[float, float] | None:
+        """Ends of the colours that were chosen for what is shown; None: they follow it."""
+        settings = self.settings
+        if settings.quantity not in STILL:
+            return settings.moving_range_db
+        felt = settings.quantity == SENSATION
+        return settings.sensation_range_db if felt else settings.map_range_db
+
     def choose_range(self, range_db: tuple[float, float] | None) -> None:
         """Let colours span these levels, or follow the loudest output."""
         if self.settings.quantity == LEVELS:
             self._change(map_range_db=range_db)
+        elif self.settings.quantity == SENSATION:
+            self._change(sensation_range_db=range_db)
         else:
             self._change(moving_range_db=range_db)
 

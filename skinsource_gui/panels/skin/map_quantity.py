@@ -7,6 +7,10 @@ from skinsource_gui.widgets.fields.level_text import minus
 
 #: Levels; along z, with its sign; the length of the vector; the RMS of a window that slides.
 LEVELS, Z, MAGNITUDE, RMS = "levels", "z", "magnitude", "rms"
+#: Level above the threshold of detection.
+SENSATION = "sensation"
+#: What is the same at any time.
+STILL = (LEVELS, SENSATION)
 #: Blue is down and red is up, for those who cannot tell red from green too.
 DIVERGING = "CET-D1A"
 _DB, _MPS2 = "dB re 1 m/s²", "m/s²"
@@ -19,7 +23,7 @@ class MapQuantity:
     Attributes
     ----------
     name
-        `LEVELS`, `Z`, `MAGNITUDE` or `RMS`.
+        `LEVELS`, `SENSATION`, `Z`, `MAGNITUDE` or `RMS`.
     span
         What levels are the RMS over.
     signal
@@ -44,13 +48,16 @@ class MapQuantity:
     @property
     def moves(self) -> bool:
         """Whether it is another one at another time."""
-        return self.name != LEVELS
+        return self.name not in STILL
 
     @property
     def titles(self) -> tuple[str, ...]:
         """Titles of the colour scale; the longest that fits is shown."""
         if self.name == LEVELS:
             return f"{_DB}, {level_words(self.span)}", f"{_DB}, {span_words(self.span)}", _DB
+        if self.name == SENSATION:
+            said = "above the threshold of detection"
+            return f"dB {said}, loudest 100 ms", f"dB {said}", "dB above threshold", "dB"
         if self.name == Z:
             return f"{_MPS2}, acceleration along z", f"{_MPS2}, along z", _MPS2
         if self.name == MAGNITUDE:
@@ -63,6 +70,8 @@ class MapQuantity:
         """What a picture of it is called."""
         if self.name == LEVELS:
             return f"Skin acceleration, {level_words(self.span)}"
+        if self.name == SENSATION:
+            return "Level above the threshold of detection, loudest 100 ms"
         what = {
             Z: "Skin acceleration along z",
             MAGNITUDE: "Magnitude of skin acceleration",
@@ -73,12 +82,14 @@ class MapQuantity:
     @property
     def details(self) -> str:
         """What was made of the axes."""
-        if self.name == Z:
-            return "z"
+        if self.name in (Z, SENSATION):
+            return "z" if self.name == Z else "x, y, z together, 25 to 600 Hz"
         return "x, y, z, magnitude" if self.name == MAGNITUDE else self.signal
 
     def text(self, value: float) -> str:
         """A value in words."""
+        if self.name == SENSATION:
+            return minus(f"{value:+.1f} dB re the threshold of detection")
         if self.name == Z:
             return minus(f"{value:+.3g} m/s² along z")
         amount = 10.0 ** (value / 20.0)

@@ -4,6 +4,7 @@ from PySide6.QtCore import QPointF
 
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import MapLayout
+from skinsource_gui.panels.skin.map_quantity import LEVELS
 from skinsource_gui.widgets.fields.level_text import level_text, output_text
 
 
@@ -28,4 +29,5 @@ def pixel_readout(content: MapContent, layout: MapLayout, at: QPointF) -> str:
 
 def _value_text(value: float, content: MapContent) -> str:
     quantity = content.quantity
-    return quantity.text(value) if quantity.moves else level_text(value, quantity.span)
+    is_level = quantity.name == LEVELS
+    return level_text(value, quantity.span) if is_level else quantity.text(value)

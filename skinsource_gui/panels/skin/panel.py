@@ -5,23 +5,22 @@ from dataclasses import replace
 from functools import partial
 from typing import Any, ClassVar
 
-import numpy as np
 from PySide6.QtCore import QPoint, QSize, QSizeF
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QGridLayout, QWidget
 
-from skinsource.decibels import FLOOR_DB
 from skinsource.design import Design
 from skinsource.surface import SurfaceOperator
 from skinsource.view import View
 from skinsource_gui.panel import Panel
+from skinsource_gui.panels.skin import still_values
 from skinsource_gui.panels.skin.colour_bar import ColourBar
 from skinsource_gui.panels.skin.inputs.marks import marks_of
 from skinsource_gui.panels.skin.map_choices import MapChoices
 from skinsource_gui.panels.skin.map_content import MapContent, note_of, px_per_mm_of
 from skinsource_gui.panels.skin.map_menu import open_map_menu
 from skinsource_gui.panels.skin.map_picture import heading_of, paint_picture
-from skinsource_gui.panels.skin.map_quantity import LEVELS, MapQuantity, Z
+from skinsource_gui.panels.skin.map_quantity import STILL, MapQuantity, Z
 from skinsource_gui.panels.skin.map_toolbar import MapToolbar
 from skinsource_gui.panels.skin.note_line import NoteLine
 from skinsource_gui.panels.skin.readout_lines import ReadoutLines
@@ -33,7 +32,6 @@ from skinsource_gui.widgets.map.field_image import field_image
 
 #: Width and height of a picture for which none is asked, px.
 PICTURE_PX = (1200, 1800)
-SILENT = "Silent: nothing is driven"
 
 
 class SkinPanel(Panel):
@@ -87,11 +85,12 @@ class SkinPanel(Panel):
     @property
     def needs(self) -> frozenset[str]:
         moving = self.time.needs(self._choices.settings)
-        always = frozenset({"limb_map", "limb_data"}) | (moving or {"output_levels_db"})
+        shown = self._choices.settings.quantity
+        always = frozenset({"limb_map", "limb_data"}) | (moving or still_values.needs_of(shown))
         if self._choices.settings.map_style == "sensors":
             return always
-        over_skin = always | {"surface"}
-        return over_skin if moving else over_skin | {"surface_levels_db"}
+        on_surface = always | {"surface"}
+        return on_surface if moving else on_surface | {still_values.over_skin(shown)}
 
     def sizeHint(self) -> QSize:
         return QSize(420, 640)
@@ -131,21 +130,22 @@ class SkinPanel(Panel):
         self._change(
             limb_map=results["limb_map"],
             px_per_mm=px_per_mm_of(results["limb_data"]),
-            note=note_of(surface, results["limb_data"]),
+            note=still_values.limits_and(
+                note_of(surface, results["limb_data"]), self._choices.settings.quantity
+            ),
             outdated=False,
         )
         self.time.take(results, self._choices.settings, self._view)
         if self._moves:
             self.colour_bar.follow(self.time.levels_of_largest())
-            self._change(message="" if self.time.frames.largest > 0.0 else SILENT)
+            self._change(message="" if self.time.frames.largest > 0.0 else still_values.SILENT)
             self._show_settings()
             self._change_frame()
         else:
-            levels = results["output_levels_db"]
-            field = None if surface is None else results["surface_levels_db"]
-            message = SILENT if float(np.max(levels)) <= FLOOR_DB else ""
-            self._change(values=levels, field_values=field, message=message)
-            self.colour_bar.follow(levels)
+            still, on_skin = self._choices.settings.quantity, surface is not None
+            self._change(**still_values.changes_of(still, results, interpolated=on_skin))
+            if self._content.values is not None:
+                self.colour_bar.follow(self._content.values)
         self._show_choice()
 
     def show_pointed_input(self, input_id: int | None) -> None:
@@ -223,7 +223,7 @@ class SkinPanel(Panel):
     @property
     def _moves(self) -> bool:
         """Whether what is shown is another thing at another time."""
-        return self._choices.settings.quantity != LEVELS
+        return self._choices.settings.quantity not in STILL
 
     def _show_settings(self) -> None:
         settings = self._choices.settings
@@ -232,7 +232,7 @@ class SkinPanel(Panel):
         signed = settings.quantity == Z
         self.time.bar.setVisible(signed)
         self.colour_bar.setVisible(not signed)
-        self.colour_bar.choose(settings.moving_range_db if self._moves else settings.map_range_db)
+        self.colour_bar.choose(self._choices.chosen_range)
 
     def _change_frame(self) -> None:
         """Take the skin at the playhead; where it is not known yet, what was shown is late."""
@@ -256,9 +256,9 @@ class SkinPanel(Panel):
         if not self._moves:
             settings = self._choices.settings
             self._change(
-                quantity=MapQuantity(span=self._view.span),
+                quantity=MapQuantity(name=settings.quantity, span=self._view.span),
                 value_range=self.colour_bar.range_db,
-                fixed=settings.map_range_db is not None,
+                fixed=self._choices.chosen_range is not None,
                 colours=settings.colours,
             )
         levels = None if self._covered else self._content.coloured_values

@@ -4,19 +4,21 @@ from dataclasses import dataclass
 
 from skinsource import fields
 from skinsource.fields import ChoiceSpec, NumberSpec, Range, RangeSpec, SwitchSpec
-from skinsource_gui.panels.skin.map_quantity import LEVELS, MAGNITUDE, RMS, Z
+from skinsource_gui.panels.skin.map_quantity import LEVELS, MAGNITUDE, RMS, SENSATION, Z
 from skinsource_gui.widgets.map.colour_maps import VIRIDIS
 
 QUANTITY = ChoiceSpec(
     label="Shown",
     options=(
         (LEVELS, "RMS level"),
+        (SENSATION, "Above threshold"),
         (Z, "In time: along z"),
         (MAGNITUDE, "In time: magnitude"),
         (RMS, "In time: sliding RMS"),
     ),
-    hint="The level of the whole response, or what the skin does where the playhead is: its "
-    "acceleration along z with its sign, the length of the acceleration, or its RMS over a window",
+    hint="The level of the whole response; how far it is above the threshold of detection; or what "
+    "the skin does where the playhead is: its acceleration along z with its sign, the length of "
+    "the acceleration, or its RMS over a window",
 )
 RMS_WINDOW = NumberSpec(
     label="Window",
@@ -58,6 +60,8 @@ class SkinSettings:
     map_range_db
         Levels of the ends of the colour bar; ``None``: they follow the loudest output
         (`automatic_range`).
+    sensation_range_db
+        The same of levels above threshold.
     quantity
         What is shown: levels, or what the skin does at the playhead.
     rms_window_s
@@ -72,6 +76,7 @@ class SkinSettings:
     sensors_shown: bool = fields.switch(True, SENSORS_SHOWN)
     map_range_db: Range | None = fields.interval(None, MAP_RANGE)
 
+    sensation_range_db: Range | None = fields.interval(None, MAP_RANGE)
     quantity: str = fields.choice(LEVELS, QUANTITY)
     rms_window_s: float = fields.number(0.02, RMS_WINDOW)
     moving_range_db: Range | None = fields.interval(None, MAP_RANGE)

@@ -12,8 +12,9 @@ from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_painter import small_font
 from skinsource_gui.panels.skin.map_words import message_place, paint_words
 from skinsource_gui.panels.skin.output_labels import output_labels
-from skinsource_gui.panels.skin.panel import SILENT, SkinPanel
+from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.panels.skin.skin_map import SkinMap
+from skinsource_gui.panels.skin.still_values import SILENT
 from skinsource_gui.theme import LIGHT
 from skinsource_gui.widgets.map.colour_maps import colour_indices, colour_table
 from skinsource_gui.widgets.map.field_image import FieldImage

@@ -4,7 +4,7 @@ from PySide6.QtCore import QEvent, Signal
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from skinsource.fields import ChoiceSpec
-from skinsource_gui.panels.skin.map_quantity import LEVELS, RMS
+from skinsource_gui.panels.skin.map_quantity import RMS, STILL
 from skinsource_gui.panels.skin.settings import QUANTITY, RMS_WINDOW, SkinSettings
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
@@ -64,7 +64,7 @@ class QuantityRow(QWidget):
         self.quantity.set_value(settings.quantity)
         self.window.setVisible(settings.quantity == RMS)
         self.window.set_value(settings.rms_window_s)
-        self.pace.setVisible(settings.quantity != LEVELS)
+        self.pace.setVisible(settings.quantity not in STILL)
         self.pace.set_value(f"{slow_motion:g}")
 
     def show_theme(self, theme: Theme) -> None:

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 from skinsource.decibels import decibels
 from skinsource.rendering.in_time import block_of
 from skinsource.view import View
-from skinsource_gui.panels.skin.map_quantity import DIVERGING, LEVELS
+from skinsource_gui.panels.skin.map_quantity import DIVERGING, STILL
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.time.frames import NEEDS, Frames
 from skinsource_gui.panels.skin.time.quantity_row import QuantityRow
@@ -62,7 +62,7 @@ class TimeView(QObject):
 
     def take(self, results: Mapping[str, Any], settings: SkinSettings, view: View) -> None:
         """Take over signals, where ``results`` have any."""
-        if settings.quantity != LEVELS and NEEDS[settings.quantity] in results:
+        if settings.quantity not in STILL and NEEDS[settings.quantity] in results:
             self.frames.take(results, settings.quantity, view)
             self._asked_block = -1
         else:
@@ -70,7 +70,7 @@ class TimeView(QObject):
 
     def show_state(self, settings: SkinSettings, view: View) -> None:
         """Show what is chosen."""
-        moves = settings.quantity != LEVELS
+        moves = settings.quantity not in STILL
         self.row.show_settings(settings, view.slow_motion)
         self.scrub.setVisible(moves)
         if moves:

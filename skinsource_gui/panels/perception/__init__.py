@@ -1,0 +1,1 @@
+"""Levels above the threshold of detection."""

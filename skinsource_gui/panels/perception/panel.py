@@ -1,0 +1,215 @@
+"""How far the selected outputs are above the threshold of detection, and Wh at the contact."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, ClassVar
+
+import numpy as np
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import (
+    QFileDialog,
+    QHBoxLayout,
+    QLabel,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.analysis_rules.perception_rules import Sensation
+from skinsource.design import Design
+from skinsource.errors import SkinSourceError
+from skinsource.panel_settings import settings_of, with_settings
+from skinsource.perception import LIMITS
+from skinsource.perception.settings import AREA, PerceptionSettings, held
+from skinsource.perception.threshold_table import read_threshold_table
+from skinsource.view import View
+from skinsource_gui.figure_panel import COMPUTING
+from skinsource_gui.panel import Panel
+from skinsource_gui.panels.perception.level_table import LevelTable
+from skinsource_gui.panels.perception.rows import header, rows, tab_separated
+from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.first_steps import output_words
+from skinsource_gui.widgets.lateness import Lateness
+
+_OWN_LIMITS = (
+    "Thresholds are those of your table, the same at every output; sensors and force are not "
+    "modelled. Compare designs on one limb only."
+)
+_NO_WEIGHTED = "Wh: only where drives are accelerations of the probe"
+
+
+class PerceptionPanel(Panel):
+    """A table of levels above threshold, the limits of such numbers, and the health weighting."""
+
+    title: ClassVar[str] = "Perception"
+    name: ClassVar[str] = "perception"
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setMinimumSize(240, 160)
+        self._view, self._settings = View(), PerceptionSettings()
+        self._found: Sensation | None = None
+        self._outputs: tuple[int, ...] = ()
+        self._folder = Path()
+        self.area = NumberField(AREA, widest_unit="cm²")
+        self.area.setMaximumWidth(96)
+        self.own = _button(self, "perception_own", "Own thresholds…")
+        self.own.setToolTip(
+            "Take thresholds from a CSV file: frequency_hz, threshold_m_per_s2 (RMS)"
+        )
+        self.model = _button(self, "perception_model", "Use the model")
+        self.model.setToolTip("Use the thresholds of the model again")
+        self.copy = _button(self, "perception_copy", "Copy")
+        self.copy.setToolTip("Copy the numbers as a table, with tabs between the columns")
+        self.table = LevelTable()
+        self.message, self.contact, self.limits = QLabel(), QLabel(), QLabel(LIMITS)
+        for label, name in (
+            (self.message, "perception_message"),
+            (self.contact, "perception_contact"),
+            (self.limits, "perception_limits"),
+        ):
+            label.setObjectName(name)
+            label.setWordWrap(True)
+        self.message.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._lateness = Lateness(self)
+        self._lateness.changed.connect(self.table.setDisabled)
+        self._lay_out()
+        self._connect()
+        self.setFocusProxy(self.table)
+        self._say(output_words(self.in_sight))
+
+    @property
+    def needs(self) -> frozenset[str]:
+        return frozenset({"sensation", "shown_outputs", "contact_weighted_rms", "limb_data"})
+
+    def sizeHint(self) -> QSize:
+        return QSize(380, 320)
+
+    def show_state(self, design: Design, view: View) -> None:
+        self._view = view
+        self._settings = settings_of(view, self.name, PerceptionSettings)
+        own = bool(self._settings.thresholds)
+        self.area.set_value(self._settings.area_cm2)
+        self.area.setEnabled(not own)
+        self.model.setVisible(own)
+        self.own.setText(self._settings.source or "Own table" if own else "Own thresholds…")
+        self.limits.setText(_OWN_LIMITS if own else LIMITS)
+        if not view.outputs:
+            self._say(output_words(self.in_sight))
+        elif self.message.text() == output_words(self.in_sight):
+            self._say(COMPUTING)
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        self._lateness.set_stale(False)
+        found, outputs = results["sensation"], results["shown_outputs"]
+        self.contact.setText(_contact_words(results["contact_weighted_rms"]))
+        if found.problem or not outputs:
+            self._say(found.problem or output_words(self.in_sight))
+            return
+        self._found, self._outputs = found, outputs
+        self.table.fill(header(found), rows(found, outputs))
+        loudest = int(np.argmax(found.level_db))
+        synthetic = " Synthetic limb." if results["limb_data"].synthetic else ""
+        self.limits.setToolTip(
+            f"Highest: {found.level_db[loudest]:.1f} dB at output {loudest + 1}.{synthetic}"
+        )
+        self.message.hide()
+        self.table.show()
+        self.copy.setEnabled(True)
+
+    def show_stale(self, stale: bool) -> None:
+        self._lateness.set_stale(stale)
+
+    def show_problem(self, reason: str) -> None:
+        self._say(reason)
+        self.contact.setText("")
+
+    def show_in_sight(self, names: frozenset[str]) -> None:
+        said = self.message.text() == output_words(self.in_sight)
+        super().show_in_sight(names)
+        if said:
+            self.message.setText(output_words(self.in_sight))
+
+    def show_folder(self, folder: Path) -> None:
+        self._folder = folder
+
+    def show_theme(self, theme: Theme) -> None:
+        self.area.show_theme(theme)
+        for label in (self.message, self.contact, self.limits):
+            label.setStyleSheet(f"color: {theme.dim};")
+
+    def take_thresholds(self, path: Path) -> None:
+        """Hold levels against the thresholds of a file."""
+        try:
+            table = read_threshold_table(path)
+        except SkinSourceError as error:
+            self.failed.emit(str(error))
+            return
+        self._change(table=held(table), source=path.name[:200])
+
+    def _lay_out(self) -> None:
+        bar = QHBoxLayout()
+        bar.setSpacing(UNIT_PX // 2)
+        for part in (self.area, self.own, self.model):
+            bar.addWidget(part)
+        bar.addStretch(1)
+        bar.addWidget(self.copy)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, UNIT_PX // 2)
+        column.setSpacing(UNIT_PX // 2)
+        column.addLayout(bar)
+        column.addWidget(self.table, 1)
+        column.addWidget(self.message, 1)
+        column.addWidget(self.contact)
+        column.addWidget(self.limits)
+
+    def _connect(self) -> None:
+        self.area.edited.connect(lambda area_cm2, _: self._change(area_cm2=area_cm2))
+        self.own.clicked.connect(self._ask)
+        self.model.clicked.connect(lambda: self._change(table=(), source=""))
+        self.copy.clicked.connect(self._copy)
+
+    def _ask(self) -> None:
+        chosen, _ = QFileDialog.getOpenFileName(
+            self, "Own thresholds", str(self._folder), "CSV (*.csv)"
+        )
+        if chosen:
+            self.take_thresholds(Path(chosen))
+
+    def _say(self, message: str) -> None:
+        self._lateness.set_stale(False)
+        self._found = None
+        self.table.hide()
+        self.message.setText(message)
+        self.message.show()
+        self.copy.setEnabled(False)
+
+    def _copy(self) -> None:
+        if self._found is not None:
+            QGuiApplication.clipboard().setText(tab_separated(self._found, self._outputs))
+
+    def _change(self, **changes: Any) -> None:
+        settings = replace(self._settings, **changes)
+        if settings != self._settings:
+            self.view_changed.emit(with_settings(self._view, self.name, settings))
+
+
+def _contact_words(weighted: tuple[tuple[int, float], ...] | None) -> str:
+    """What ISO 5349-1 makes of the contact; it says nothing of the skin elsewhere."""
+    if weighted is None:
+        return _NO_WEIGHTED
+    if not weighted:
+        return ""
+    said = ", ".join(f"place {place}: {value:.3g} m/s²" for place, value in weighted)
+    return f"ISO 5349-1 Wh, a health weighting, not perception, of the probe itself: {said} RMS"
+
+
+def _button(parent: QWidget, name: str, words: str) -> QToolButton:
+    button = QToolButton(parent)
+    button.setObjectName(name)
+    button.setText(words)
+    button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    return button

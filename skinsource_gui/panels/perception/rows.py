@@ -1,0 +1,54 @@
+"""Levels above threshold as a table."""
+
+from skinsource.analysis_rules.perception_rules import SILENT_DB, Sensation
+from skinsource.locations import output_words
+
+_TITLES = {"P": "P dB", "NP I": "NP I dB", "own": "Own dB"}
+_HINTS = {
+    "P": "Above the threshold of the Pacinian channel, which governs fast vibrations",
+    "NP I": "Above the threshold of the channel NP I, which governs slow ones and the arm",
+    "own": "Above the thresholds of your own table",
+}
+
+
+def header(found: Sensation) -> list[tuple[str, str]]:
+    """Titles and hints of the columns."""
+    columns = [("Output", "Number and place"), ("Above dB", "Above the lowest threshold")]
+    columns += [(_TITLES[name], _HINTS[name]) for name in found.by_channel]
+    if found.strength is not None:
+        said = "Larger channel and half of the smaller one; only compares, on one limb"
+        columns.append(("Strength", said))
+    return columns
+
+
+def rows(found: Sensation, outputs: tuple[int, ...]) -> list[list[str]]:
+    """Texts of the rows."""
+    return [
+        [
+            f"{output}  {output_words(output).short_name}",
+            *(_text(one) for one in _numbers(found, output)),
+        ]
+        for output in outputs
+    ]
+
+
+def tab_separated(found: Sensation, outputs: tuple[int, ...]) -> str:
+    """The table for a spreadsheet."""
+    names = ["output", "place", "above_threshold_db"]
+    names += [f"{name.replace(' ', '_').lower()}_db" for name in found.by_channel]
+    names += ["strength"] if found.strength is not None else []
+    lines = ["\t".join(names)]
+    for output in outputs:
+        numbers = (repr(float(one)) for one in _numbers(found, output))
+        lines.append("\t".join((str(output), output_words(output).short_name, *numbers)))
+    return "\n".join(lines) + "\n"
+
+
+def _numbers(found: Sensation, output: int) -> list[float]:
+    k = output - 1
+    numbers = [float(found.level_db[k]), *(float(one[k]) for one in found.by_channel.values())]
+    return numbers if found.strength is None else [*numbers, float(found.strength[k])]
+
+
+def _text(value: float) -> str:
+    return "–" if value <= SILENT_DB else f"{value:.1f}".replace("-", "−")

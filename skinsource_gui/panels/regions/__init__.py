@@ -1,0 +1,1 @@
+"""Levels by region: of snapshots, and of all people."""

@@ -1,0 +1,77 @@
+"""Columns of the table of regions."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from skinsource.choice_words import LIMBS, word_of
+from skinsource.comparing.regions import REGION_OUTPUTS, mean_and_spread, region_levels_db
+from skinsource.decibels import FLOOR_DB
+from skinsource.errors import InvalidInputError
+from skinsource_gui.compared import Compared
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Column:
+    """A column: its title, what it is, and a text and a number for each region."""
+
+    title: str
+    hint: str
+    numbers: tuple[float, ...]
+
+    def texts(self) -> list[str]:
+        """As they are shown: a dash where there is no number, as for silence."""
+        return [
+            "–" if not np.isfinite(one) or one <= FLOOR_DB else f"{one:.1f}".replace("-", "−")
+            for one in self.numbers
+        ]
+
+
+def columns_of(snapshots: Sequence[Compared], people: Sequence[Compared]) -> list[Column]:
+    """Snapshots, where any is stored; then people, their mean, and their standard deviation."""
+    found = [_column(one.name, one) for one in snapshots] if len(snapshots) > 1 else []
+    of_people = [_column(f"Limb {_limb(one).rpartition('-')[2]}", one) for one in people]
+    found += of_people
+    known = [one.numbers for one in of_people if np.isfinite(one.numbers).all()]
+    # A mean of those that happen to be known already would change by itself.
+    computing = any(one.values is None and not one.problem for one in people)
+    if len(known) > 1 and not computing:
+        pairs = [mean_and_spread(levels) for levels in np.array(known).T]
+        what = f"over {len(known)} people, dB"
+        found.append(
+            Column(title="Mean", hint=f"Mean {what}", numbers=tuple(mean for mean, _ in pairs))
+        )
+        found.append(
+            Column(
+                title="± dB",
+                hint=f"Standard deviation {what}",
+                numbers=tuple(spread for _, spread in pairs),
+            )
+        )
+    return found
+
+
+def _limb(one: Compared) -> str:
+    return one.snapshot.design.limb
+
+
+def _column(title: str, one: Compared) -> Column:
+    nothing = (float("nan"),) * len(REGION_OUTPUTS)
+    if one.values is None:
+        return Column(title=title, hint=one.problem or "Computing…", numbers=nothing)
+    try:
+        rms = 10.0 ** (one.values["output_levels_db"] / 20.0)
+        levels = region_levels_db(rms * one.gain)
+    except InvalidInputError as error:
+        return Column(title=title, hint=str(error), numbers=nothing)
+    limb = word_of(LIMBS, _limb(one)).title
+    return Column(title=title, hint=f"dB re 1 m/s², {limb}", numbers=tuple(levels.values()))
+
+
+def tab_separated(columns: Sequence[Column]) -> str:
+    """The table for a spreadsheet."""
+    lines = ["\t".join(("region_db_re_1_m_per_s2", *(one.title for one in columns)))]
+    for row, region in enumerate(REGION_OUTPUTS):
+        lines.append("\t".join((region, *(repr(one.numbers[row]) for one in columns))))
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,159 @@
+"""Levels above threshold and the hand-arm weighting, against tables and other ways to them."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.analysis_rules.perception_rules import SILENT_DB
+from skinsource.errors import FileFormatError
+from skinsource.panel_settings import with_settings
+from skinsource.perception import site_offsets_db, threshold_rms
+from skinsource.perception.hand_arm import daily_exposure, hand_arm_weighting, weighted_rms
+from skinsource.perception.settings import PerceptionSettings, held
+from skinsource.perception.threshold_table import read_threshold_table, table_threshold
+from skinsource.quantities import new_graph, sources
+from skinsource.view import View
+
+RATE = 1300.0
+
+
+def tone(frequency_hz, duration_s=0.3, **changes):
+    return ss.track(
+        8, ss.waveforms.Tone(frequency_hz=frequency_hz, duration_s=duration_s), **changes
+    )
+
+
+def felt(*inputs, view=None, **changes):
+    design = ss.Design(limb="synthetic-1", inputs=inputs, **changes)
+    return new_graph().evaluate({"sensation"}, sources(design, view or View()))["sensation"]
+
+
+@pytest.mark.parametrize(
+    ("frequency_hz", "gain"),
+    [
+        (10.0, 0.954),
+        (16.0, 0.893),
+        (31.5, 0.521),
+        (50.0, 0.325),
+        (100.0, 0.160),
+        (200.0, 0.0797),
+        (315.0, 0.0505),
+        (500.0, 0.0315),
+    ],
+)
+def test_the_hand_arm_weighting_is_that_of_the_table(frequency_hz, gain):
+    assert np.abs(hand_arm_weighting(frequency_hz)) == pytest.approx(gain, rel=0.006)
+
+
+def test_a_weighted_sine_has_the_gain_of_its_frequency_and_axes_add_up():
+    time = np.arange(1300) / RATE
+    sine = 3.0 * np.sin(2 * np.pi * 100.0 * time)
+    gain = np.abs(hand_arm_weighting(100.0))
+    assert weighted_rms(sine, RATE) == pytest.approx(3.0 / np.sqrt(2) * gain, rel=1e-9)
+    both = weighted_rms(np.stack([sine, sine]), RATE)
+    assert both == pytest.approx(3.0 * gain, rel=1e-9)
+    assert daily_exposure(2.0, 2 * 3600.0) == pytest.approx(1.0)
+
+
+def test_the_contact_alone_is_weighted_and_in_probe_scaling_only():
+    design = ss.Design(limb="synthetic-1", inputs=(tone(100.0, amplitude=3.0, onset_s=0.5),))
+    [(place, weighted)] = ss.evaluate(design, "contact_weighted_rms")["contact_weighted_rms"]
+    assert place == 8
+    # The tone's ends are faded: a little below that of a steady one.
+    steady = 3.0 / np.sqrt(2) * np.abs(hand_arm_weighting(100.0))
+    assert 0.8 * steady < weighted < steady
+    relative = replace(design, scaling="relative")
+    assert ss.evaluate(relative, "contact_weighted_rms")["contact_weighted_rms"] is None
+
+
+@pytest.mark.parametrize("frequency_hz", [40.0, 100.0, 250.0, 400.0])
+def test_a_steady_tone_lies_as_far_above_threshold_as_its_acceleration(frequency_hz):
+    found = felt(tone(frequency_hz, 1.0))
+    design = ss.Design(limb="synthetic-1", inputs=(tone(frequency_hz, 1.0),))
+    view = View(outputs=(20,), method="mag", span="loudest")
+    rms = ss.evaluate(design, "output_rms", view=view)["output_rms"]
+    offsets = site_offsets_db()
+    for channel in ("P", "NP I"):
+        expected = 20 * np.log10(rms / threshold_rms(frequency_hz, channel)) - offsets[channel]
+        hand = slice(0, 42)
+        assert found.by_channel[channel][hand] == pytest.approx(expected[hand], abs=0.5)
+    assert found.level_db == pytest.approx(np.maximum(*found.by_channel.values()))
+
+
+def test_onset_and_silence_around_change_nothing_and_twice_is_six_decibels():
+    one = felt(tone(150.0)).level_db
+    later = felt(tone(150.0, onset_s=1.3), tone(150.0, amplitude=0.0, onset_s=4.0)).level_db
+    assert later == pytest.approx(one, abs=0.05)
+    assert felt(tone(150.0, amplitude=2.0)).level_db == pytest.approx(one + 6.0206, abs=1e-3)
+
+
+def test_what_lies_outside_the_measured_band_counts_for_nothing():
+    slow = felt(tone(8.0, 2.0)).level_db
+    assert slow.max() < felt(tone(40.0, 2.0)).level_db.max() - 30.0
+
+
+def test_streamed_designs_are_felt_as_short_ones():
+    short = felt(tone(120.0, onset_s=1.0)).level_db
+    silent = ss.track(9, ss.waveforms.Tone(duration_s=0.05), amplitude=1e-9, onset_s=400.0)
+    long = felt(tone(120.0, onset_s=1.0), silent).level_db
+    assert long == pytest.approx(short, abs=0.01)
+
+
+def test_small_contacts_raise_the_threshold_of_p_only():
+    view = with_settings(View(), "perception", PerceptionSettings(area_cm2=1.45))
+    usual, small = felt(tone(200.0)), felt(tone(200.0), view=view)
+    assert usual.by_channel["P"] - small.by_channel["P"] == pytest.approx(
+        np.where(usual.by_channel["P"] > SILENT_DB, 3.01, 0.0), abs=0.01
+    )
+    assert small.by_channel["NP I"] == pytest.approx(usual.by_channel["NP I"])
+
+
+def test_the_arm_is_governed_by_np_and_silence_is_not_felt():
+    found = felt(tone(100.0))
+    assert (found.by_channel["P"][42:60] == SILENT_DB).all()
+    silent = felt()
+    assert (silent.level_db == SILENT_DB).all()
+    assert (silent.strength == 0.0).all()
+
+
+def test_other_scalings_have_a_reason_instead_of_levels():
+    found = felt(tone(100.0), scaling="upstream")
+    assert "Probe acceleration" in found.problem
+    assert found.level_db.size == 0
+
+
+def test_own_thresholds_come_from_a_table_in_either_unit(tmp_path):
+    path = tmp_path / "own.csv"
+    path.write_text("# mine\nfrequency_hz,threshold_m_per_s2\n500,2\n50,0.2\n")
+    table = read_threshold_table(path)
+    assert table == ((50.0, 0.2), (500.0, 2.0))
+    # Straight in the logarithms: ten times the frequency, ten times the threshold.
+    assert table_threshold(table, [50.0, 100.0, 501.0]) == pytest.approx([0.2, 0.4, np.inf])
+    path.write_text("frequency_hz, threshold_dB_re_1e-6_m_per_s2\n50,120\n100,100\n")
+    assert read_threshold_table(path) == ((50.0, pytest.approx(1.0)), (100.0, pytest.approx(0.1)))
+    view = with_settings(View(), "perception", PerceptionSettings(table=held(table)))
+    found = felt(tone(100.0, 1.0), view=view)
+    design = ss.Design(limb="synthetic-1", inputs=(tone(100.0, 1.0),))
+    rms = ss.evaluate(design, "output_rms", view=View(method="mag", span="loudest"))["output_rms"]
+    assert set(found.by_channel) == {"own"}
+    assert found.level_db[:42] == pytest.approx(20 * np.log10(rms[:42] / 0.4), abs=0.3)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "is empty"),
+        ("hz,m\n1,2\n", "line 1"),
+        ("frequency_hz,threshold_m_per_s2\n50,1\n60,x\n", "line 3"),
+        ("frequency_hz,threshold_m_per_s2\n50,1\n60,-1\n", "line 3"),
+        ("frequency_hz,threshold_m_per_s2\n50,1\n", "1 rows"),
+        ("frequency_hz,threshold_m_per_s2\n50,1\n50,2\n", "two rows"),
+    ],
+)
+def test_what_is_no_table_of_thresholds_is_refused(tmp_path, text, said):
+    path = tmp_path / "own.csv"
+    path.write_text(text)
+    with pytest.raises(FileFormatError, match=said):
+        read_threshold_table(path)

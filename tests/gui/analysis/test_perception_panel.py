@@ -1,0 +1,85 @@
+"""Levels above threshold: in their panel and on the map."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtGui import QGuiApplication
+
+from skinsource.edits import Edit
+from skinsource.panel_settings import settings_of, with_settings
+from skinsource.perception import LIMITS
+from skinsource.perception.settings import PerceptionSettings
+from skinsource_gui.panels.skin.settings import SkinSettings
+from skinsource_gui.state.engine import FIRST_SLOT
+
+OUTPUTS = (29, 33, 57)
+
+
+def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
+    window, settle, tmp_path
+):
+    document = window.document
+    runs = window.engine._graphs[FIRST_SLOT].runs
+    document.look(replace(document.view, outputs=OUTPUTS))
+    settle()
+    assert runs["sensation"] == 0
+    window.docks["perception"].bring_forward()
+    settle()
+    panel = window.panel("perception")
+    assert runs["sensation"] == 1
+    assert panel.table.rowCount() == 3
+    assert panel.limits.text() == LIMITS
+    assert "not perception" in panel.contact.text()
+    assert "place 7" in panel.contact.text()
+    panel.copy.click()
+    lines = QGuiApplication.clipboard().text().splitlines()
+    assert [line.split("\t")[0] for line in lines] == ["output", "29", "33", "57"]
+    path = tmp_path / "mine.csv"
+    path.write_text("frequency_hz,threshold_m_per_s2\n25,0.1\n600,0.1\n")
+    panel.take_thresholds(path)
+    settle()
+    held = settings_of(document.view, "perception", PerceptionSettings)
+    assert held.thresholds == ((25.0, 0.1), (600.0, 0.1))
+    assert panel.table.columnCount() == 3
+    assert "your table" in panel.limits.text()
+    path.write_text("nonsense")
+    said = []
+    panel.failed.connect(said.append)
+    panel.take_thresholds(path)
+    assert "line 1" in said[0]
+    panel.model.click()
+    settle()
+    assert panel.table.columnCount() == 5
+    document.look(replace(document.view, outputs=()))
+    settle()
+    assert not panel.table.isVisible()
+    assert "on the skin map" in panel.message.text()
+    window.docks["perception"].toggleViewAction().trigger()
+    before = runs["sensation"]
+    louder = document.design.with_input(0, amplitude=3.0)
+    document.apply(Edit(label="Louder", design=louder, view=document.view))
+    settle()
+    assert runs["sensation"] == before
+
+
+@pytest.mark.parametrize("style", ["interpolated", "sensors"])
+def test_the_map_shows_levels_above_threshold_with_their_limits(window, settle, style):
+    document, skin = window.document, window.panel("skin")
+    level = skin._content.values
+    settings = SkinSettings(quantity="sensation", map_style=style)
+    document.look(with_settings(document.view, "skin", settings))
+    settle()
+    assert skin._content.values is not level
+    assert (skin._content.field_values is None) == (style == "sensors")
+    assert skin.note.text().startswith("Thresholds are of glabrous skin")
+    assert "threshold" in skin._content.quantity.titles[0]
+    skin.picture(300, 500)
+    relative = replace(document.design, scaling="upstream")
+    document.apply(Edit(label="Scaling", design=relative, view=document.view))
+    settle()
+    assert "Probe acceleration" in skin._content.message
+    assert skin._content.coloured_values is None
+    document.look(with_settings(document.view, "skin", SkinSettings()))
+    settle()
+    assert skin._content.message == ""
+    assert skin._content.quantity.name == "levels"

@@ -1,0 +1,56 @@
+"""The table of regions: snapshots, people, mean and spread, and what it costs."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtGui import QGuiApplication
+
+from skinsource.comparing.regions import region_levels_db
+from skinsource.edits import Edit
+from skinsource.evaluation import evaluate
+from skinsource_gui.state.engine import Slot
+
+
+def test_people_and_snapshots_stand_side_by_side_and_cost_nothing_while_hidden(
+    window, qtbot, settle
+):
+    document, graphs = window.document, window.engine._graphs
+    settle()
+    assert not any("limb" in slot.name for slot in graphs)
+    window.docks["regions"].bring_forward()
+    panel = window.panel("regions")
+    qtbot.waitUntil(lambda: len(panel.columns) == 6, timeout=60_000)
+    titles = [one.title for one in panel.columns]
+    assert titles == ["Limb 1", "Limb 2", "Limb 3", "Limb 4", "Mean", "± dB"]
+    people = []
+    for k in range(1, 5):
+        design = document.design.__class__(limb=f"synthetic-{k}", inputs=document.design.inputs)
+        rms = evaluate(design, "output_rms", view=document.view)["output_rms"]
+        people.append(list(region_levels_db(rms).values()))
+    for column, expected in zip(panel.columns, people, strict=False):
+        assert column.numbers == pytest.approx(expected, abs=1e-6)
+    assert panel.columns[4].numbers == pytest.approx(np.mean(people, axis=0), abs=1e-6)
+    assert panel.columns[5].numbers == pytest.approx(np.std(people, axis=0, ddof=1), abs=1e-6)
+    document.look(replace(document.view, levels_matched=False))
+    window.do("store_snapshot_1")
+    louder = document.design.with_input(0, amplitude=2.0)
+    document.apply(Edit(label="Louder", design=louder, view=document.view))
+    window.do("store_snapshot_2")
+    qtbot.waitUntil(lambda: len(panel.columns) == 8, timeout=60_000)
+    settle()
+    qtbot.waitUntil(
+        lambda: np.isfinite([one.numbers for one in panel.columns]).all(), timeout=60_000
+    )
+    one, two = panel.columns[0].numbers, panel.columns[1].numbers
+    assert np.subtract(two, one) == pytest.approx(np.full(len(one), 6.0206), abs=1e-3)
+    panel.copy.click()
+    assert QGuiApplication.clipboard().text().splitlines()[1].startswith("Digit I\t")
+    panel.grab()
+    window.docks["regions"].toggleViewAction().trigger()
+    settle()
+    qtbot.waitUntil(lambda: Slot("limb synthetic-3") not in graphs)
+    quieter = document.design.with_input(0, amplitude=0.1)
+    document.apply(Edit(label="Quieter", design=quieter, view=document.view))
+    settle()
+    assert not any("limb" in slot.name for slot in graphs)
