@@ -8,6 +8,7 @@ from typing import Any
 from skinsource.catalogue import available_limbs, load_limb
 from skinsource.choice_words import limb_word
 from skinsource.commands import (
+    check_command,
     design_commands,
     export_command,
     figure_commands,
@@ -30,6 +31,7 @@ COMMAND_MODULES = (
     pack_command,
     figure_commands,
     sweep_commands,
+    check_command,
     dataset_commands,
     bench_commands,
     limb_commands,

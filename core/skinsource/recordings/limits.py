@@ -3,6 +3,8 @@
 #: Samples a second.
 LEAST_RATE_HZ, MOST_RATE_HZ = 1.0, 768_000.0
 MOST_CHANNELS = 64
+#: Of an array: 72 outputs along three axes are 216.
+MOST_COLUMNS = 256
 #: Signals that a file may offer; what comes after them is left out, with a note.
 MOST_SERIES = 1024
 #: Of what is taken, and of a signal that is only kept compressed.

@@ -130,10 +130,10 @@ def _offered(members: Members) -> Iterator[tuple[Series, Member, int]]:
             continue
         axis = int(np.argmax(shape))
         columns = shape[1 - axis] if len(shape) == 2 else 1
-        if columns > limits.MOST_CHANNELS:
+        if columns > limits.MOST_COLUMNS:
             members.leave_out(
                 member.name,
-                f"it has {columns} columns, expected at most {limits.MOST_CHANNELS}",
+                f"it has {columns} columns, expected at most {limits.MOST_COLUMNS}",
             )
             continue
         for column in range(columns):

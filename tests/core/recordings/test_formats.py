@@ -115,7 +115,7 @@ def test_what_is_no_signal_is_left_out_and_named(tmp_path, process):
         good=np.arange(10.0),
         text=np.array(["a", "b"]),
         cube=np.zeros((3, 4, 5)),
-        wide=np.zeros((100, 200)),
+        wide=np.zeros((300, 400)),
         turning=np.ones(10, complex),
     )
     found = process.look(tmp_path / "a.npz")

@@ -1,0 +1,96 @@
+"""Checks that a linear model rests on: output in proportion to input, and sums of inputs."""
+
+import numpy as np
+import scipy
+from numpy.typing import ArrayLike
+
+from skinsource.arguments import finite_array, positive_number
+from skinsource.arrays import Floats
+from skinsource.errors import InvalidInputError
+from skinsource.signals import BAND_HZ
+from skinsource.validation.agreement import pearson
+
+#: Width of the bins in which outputs are held against inputs (SkinSource, 2024, Section V).
+BIN_HZ = 2.0
+
+
+def linear_fit(
+    levels: ArrayLike, responses: ArrayLike, sample_rate_hz: float
+) -> tuple[Floats, Floats]:
+    """Return how well output is in proportion to input, by frequency.
+
+    In each bin of 2 Hz within the measured band the magnitude of the output, its root of the mean
+    square over the bin, is fitted with a straight line over the level of the input.
+
+    Parameters
+    ----------
+    levels : (n_levels,)
+        Of the input, three or more different ones.
+    responses : (n_levels, n_channels, n_times)
+        To the same stimulus at these levels.
+    sample_rate_hz
+        Their rate.
+
+    Returns
+    -------
+    frequency_hz : (n_bins,)
+        Middles of the bins that hold a frequency.
+    adjusted_r2 : (n_channels, n_bins)
+        1 for a straight line; NaN where nothing is heard.
+
+    Raises
+    ------
+    InvalidInputError
+        Shapes that do not fit, or too few levels.
+    """
+    x = finite_array("levels", levels, "(n_levels,)")
+    data = finite_array("responses", responses, "(n_levels, n_channels, n_times)")
+    rate = positive_number("sample_rate_hz", sample_rate_hz)
+    if x.ndim != 1 or data.ndim != 3 or len(x) != len(data) or np.unique(x).size < 3:
+        raise InvalidInputError(
+            f"levels has shape {x.shape}, responses {data.shape}; expected three or more different "
+            "levels and (n_levels, n_channels, n_times)"
+        )
+    n_times = data.shape[-1]
+    power = np.square(np.abs(scipy.fft.rfft(data, axis=-1)))
+    frequency_hz = np.arange(power.shape[-1]) * (rate / n_times)
+    inside = (frequency_hz >= BAND_HZ[0]) & (frequency_hz < BAND_HZ[1])
+    bins = np.floor((frequency_hz[inside] - BAND_HZ[0]) / BIN_HZ).astype(int)
+    numbers, first, counts = np.unique(bins, return_index=True, return_counts=True)
+    summed = np.add.reduceat(power[..., inside], first, axis=-1)
+    y = np.sqrt(summed / counts)
+    middles = BAND_HZ[0] + (numbers + 0.5) * BIN_HZ
+    return middles, _adjusted_r2(x, y)
+
+
+def superposition_correlation(separate: ArrayLike, joint: ArrayLike) -> Floats:
+    """Return Pearson's r between the sum of separate responses and the joint one, (n_channels,).
+
+    Parameters
+    ----------
+    separate : (n_inputs, n_channels, n_times)
+        Responses to each input alone.
+    joint : (n_channels, n_times)
+        To all together.
+    """
+    parts = finite_array("separate", separate, "(n_inputs, n_channels, n_times)")
+    whole = finite_array("joint", joint, "(n_channels, n_times)")
+    if parts.ndim != 3 or parts.shape[1:] != whole.shape:
+        raise InvalidInputError(
+            f"separate has shape {parts.shape}, joint {whole.shape}; expected (n_inputs, "
+            "n_channels, n_times) and (n_channels, n_times)"
+        )
+    return pearson(parts.sum(axis=0), whole)
+
+
+def _adjusted_r2(x: Floats, y: Floats) -> Floats:
+    """Of the straight lines through (x, y) over the first axis of ``y``."""
+    n = x.size
+    away = (x - x.mean())[:, None, None]
+    rest = y - y.mean(axis=0)
+    slope = np.sum(away * rest, axis=0) / np.sum(away**2)
+    left = np.sum(np.square(rest - slope * away), axis=0)
+    total = np.sum(np.square(rest), axis=0)
+    share = np.divide(left, total, out=np.full(total.shape, np.nan), where=total > 0.0)
+    found: Floats = 1.0 - share * (n - 1) / (n - 2)
+    return found

@@ -1,0 +1,192 @@
+"""A report on agreement and checks as one HTML page, with box plots drawn in it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from html import escape
+
+import numpy as np
+
+from skinsource.arrays import Floats
+from skinsource.validation.agreement import Agreement
+
+_STYLE = (
+    "body{font:15px/1.5 sans-serif;max-width:60em;margin:2em auto;color:#1b1f24}"
+    "table{border-collapse:collapse}td,th{padding:.2em .8em;text-align:right;"
+    "border-bottom:1px solid #d2d6dc}td:first-child,th:first-child{text-align:left}"
+    "svg{display:block;margin:1em 0}.note{color:#57606a}"
+)
+_WIDTH, _HEIGHT, _LEFT, _FOOT = 620.0, 220.0, 64.0, 40.0
+#: Titles of the figures, their units, and what the paper reports.
+_FIGURES = (
+    ("Normalised mean absolute error", "", "near the noise"),
+    ("Difference in amplitude", "%", "below 30 %"),
+    ("Pearson's r over time", "", "above 0.5"),
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Condition:
+    """One design.
+
+    Attributes
+    ----------
+    name, frequency_hz
+        Its file, and its main frequency; NaN: silent.
+    linear, superposed
+        Smallest adjusted R² over levels of the prediction, and smallest Pearson's r between the
+        sum of its inputs and all together; NaN where there is nothing to check.
+    agreement, shift_samples
+        With its measurement, and by how much that was shifted; None: nothing was measured.
+    """
+
+    name: str
+    frequency_hz: float
+    linear: float
+    superposed: float
+    agreement: Agreement | None = None
+    shift_samples: int = 0
+
+
+def report_html(conditions: Sequence[Condition], about: Sequence[str]) -> str:
+    """Return the page.
+
+    Parameters
+    ----------
+    conditions
+        In the order of the table.
+    about
+        Lines on limb, versions and data.
+    """
+    measured = [one for one in conditions if one.agreement is not None]
+    parts = [
+        "<!doctype html><html lang='en'><head><meta charset='utf-8'>",
+        f"<title>SkinSource: check</title><style>{_STYLE}</style></head><body>",
+        "<h1>Predictions, checked</h1>",
+        *(f"<p class='note'>{escape(line)}</p>" for line in about),
+        _table(conditions),
+        *(_plots(measured) if measured else ["<p>No measurement was given.</p>"]),
+        "</body></html>",
+    ]
+    return "\n".join(parts) + "\n"
+
+
+def summary_lines(conditions: Sequence[Condition]) -> list[str]:
+    """Return a line for each condition, for a terminal."""
+    lines = []
+    for one in conditions:
+        said = f"{one.name}: {_hertz(one.frequency_hz)}; linear: adjusted R² {_text(one.linear)}; "
+        said += f"superposition: r {_text(one.superposed)}"
+        if one.agreement is not None:
+            error, amplitude, correlation = one.agreement.medians
+            counted = f"{int(one.agreement.counted.sum())} of {one.agreement.counted.size}"
+            said += (
+                f"; measured: {counted} channels above twice the noise, error {_text(error)}, "
+                f"amplitude {_text(amplitude)} %, r {_text(correlation)}"
+            )
+        lines.append(said)
+    return lines
+
+
+def quartiles(values: Floats) -> tuple[float, float, float, float, float]:
+    """Return whisker, quartile, median, quartile, whisker; these end at data within 1.5 boxes."""
+    low, middle, high = (float(one) for one in np.percentile(values, (25, 50, 75)))
+    reach = 1.5 * (high - low)
+    inside = values[(values >= low - reach) & (values <= high + reach)]
+    return float(inside.min()), low, middle, high, float(inside.max())
+
+
+def _table(conditions: Sequence[Condition]) -> str:
+    head = "<tr><th>Design</th><th>Hz</th><th>Linear, adj. R²</th><th>Superposition, r</th>"
+    head += "<th>Channels</th><th>Error</th><th>Amplitude %</th><th>r</th><th>Shift</th></tr>"
+    rows = []
+    for one in conditions:
+        cells = [_hertz(one.frequency_hz).removesuffix(" Hz"), _text(one.linear)]
+        cells.append(_text(one.superposed))
+        if one.agreement is None:
+            cells += ["–"] * 5
+        else:
+            cells.append(f"{int(one.agreement.counted.sum())} of {one.agreement.counted.size}")
+            cells += [_text(value) for value in one.agreement.medians]
+            cells.append(str(one.shift_samples))
+        inner = "".join(f"<td>{cell}</td>" for cell in cells)
+        rows.append(f"<tr><td>{escape(one.name)}</td>{inner}</tr>")
+    note = "<p class='note'>Medians over the channels above twice the noise; shift in samples.</p>"
+    return f"<table>{head}{''.join(rows)}</table>{note}"
+
+
+def _plots(measured: Sequence[Condition]) -> list[str]:
+    """A box plot of each figure, a box for each frequency."""
+    frequencies = sorted({round(one.frequency_hz, 1) for one in measured})
+    parts = []
+    for k, (title, unit, reported) in enumerate(_FIGURES):
+        groups = []
+        for frequency in frequencies:
+            values = [
+                _figure(one.agreement, k)
+                for one in measured
+                if one.agreement is not None and round(one.frequency_hz, 1) == frequency
+            ]
+            together = np.concatenate(values)
+            groups.append((f"{frequency:g}", together[np.isfinite(together)]))
+        of_unit = f" ({unit})" if unit else ""
+        parts.append(f"<h2>{title}{of_unit}</h2><p class='note'>The paper reports: {reported}.</p>")
+        parts.append(_boxes(groups))
+    return parts
+
+
+def _figure(found: Agreement | None, k: int) -> Floats:
+    if found is None:
+        return np.zeros(0)
+    chosen = (found.error, found.amplitude_percent, found.correlation)[k]
+    return chosen[found.counted]
+
+
+def _boxes(groups: Sequence[tuple[str, Floats]]) -> str:
+    """Box plots over frequency as SVG."""
+    known = [values for _, values in groups if values.size]
+    if not known:
+        return "<p>No channel is above twice the noise.</p>"
+    everything = np.concatenate(known)
+    low, high = min(float(everything.min()), 0.0), max(float(everything.max()), 1e-9)
+
+    def y(value: float) -> float:
+        return _HEIGHT - _FOOT - (value - low) / (high - low) * (_HEIGHT - _FOOT - 10.0)
+
+    step = (_WIDTH - _LEFT - 10.0) / len(groups)
+    shapes = [
+        f"<text x='{_LEFT - 6}' y='{y(value) + 4:.1f}' text-anchor='end'>{value:.3g}</text>"
+        f"<line x1='{_LEFT}' x2='{_WIDTH}' y1='{y(value):.1f}' y2='{y(value):.1f}' "
+        "stroke='#e4e7eb'/>"
+        for value in np.linspace(low, high, 5)
+    ]
+    for rank, (label, values) in enumerate(groups):
+        x = _LEFT + (rank + 0.5) * step
+        wide = min(0.5 * step, 40.0)
+        shapes.append(f"<text x='{x:.1f}' y='{_HEIGHT - 20}' text-anchor='middle'>{label}</text>")
+        if not values.size:
+            continue
+        ends = quartiles(values)
+        first, bottom, middle, top, last = (y(one) for one in ends)
+        shapes.append(
+            f"<line x1='{x:.1f}' x2='{x:.1f}' y1='{first:.1f}' y2='{last:.1f}' stroke='#57606a'/>"
+            f"<rect x='{x - wide / 2:.1f}' y='{top:.1f}' width='{wide:.1f}' "
+            f"height='{max(bottom - top, 0.5):.1f}' fill='#cfe3f7' stroke='#0a66c2'/>"
+            f"<line x1='{x - wide / 2:.1f}' x2='{x + wide / 2:.1f}' y1='{middle:.1f}' "
+            f"y2='{middle:.1f}' stroke='#0a66c2' stroke-width='2'/>"
+        )
+    shapes.append(
+        f"<text x='{(_LEFT + _WIDTH) / 2}' y='{_HEIGHT - 3}' text-anchor='middle'>"
+        "Main frequency (Hz)</text>"
+    )
+    return (
+        f"<svg width='{_WIDTH:g}' height='{_HEIGHT:g}' font-size='12' font-family='sans-serif' "
+        f"fill='#1b1f24'>{''.join(shapes)}</svg>"
+    )
+
+
+def _text(value: float) -> str:
+    return f"{value:.3g}" if np.isfinite(value) else "–"
+
+
+def _hertz(value: float) -> str:
+    return f"{value:.1f} Hz" if np.isfinite(value) else "silent"

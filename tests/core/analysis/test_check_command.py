@@ -1,0 +1,73 @@
+"""The command that checks designs, alone and against recorded responses."""
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.commands.command_line import main
+from skinsource.design_file import save_design
+from skinsource.validation.report import quartiles
+from skinsource.view import View
+
+
+@pytest.fixture
+def design_file(tmp_path):
+    tone = ss.waveforms.Tone(frequency_hz=104.0, duration_s=0.1)
+    design = ss.Design(
+        limb="synthetic-1", inputs=(ss.track(8, tone), ss.track(13, tone, amplitude=0.5))
+    )
+    path = tmp_path / "two.skinsource"
+    save_design(path, design, View())
+    return path, design
+
+
+def test_a_design_is_linear_and_its_inputs_add_up(design_file, capsys):
+    path, _ = design_file
+    assert main(["check", str(path)]) == 0
+    said = capsys.readouterr().out
+    assert "104" in said or "103" in said or "105" in said
+    assert "adjusted R² 1" in said
+    assert "superposition: r 1" in said
+    assert "measured" not in said
+
+
+def test_a_recording_is_held_against_the_prediction_and_reported(design_file, tmp_path, capsys):
+    path, design = design_file
+    view = View(outputs=tuple(range(1, 73)))
+    field = ss.evaluate(design, "axis_traces", view=view)["axis_traces"]
+    # Noise of half of its RMS in each channel: r is 1 / sqrt(1 + 1/4).
+    rms = np.sqrt(np.mean(field**2, axis=-1, keepdims=True))
+    noisy = field + 0.5 * rms * np.random.default_rng(4).normal(size=field.shape)
+    # As a lab records it: 67 samples earlier, and in another strength.
+    table = 3.0 * noisy[..., 67:].reshape(216, -1).T
+    recording, report = tmp_path / "lab.npz", tmp_path / "report.html"
+    np.savez(recording, field=table, fs=1300.0)
+    arguments = ["check", str(path), "--measured", str(recording), "--out", str(report)]
+    assert main(arguments) == 0
+    said = capsys.readouterr().out
+    assert "216 of 216 channels" in said
+    r = float(said.split(", r ")[1].split()[0])
+    assert r == pytest.approx(1.0 / np.sqrt(1.25), abs=0.02)
+    page = report.read_text()
+    assert page.count("<svg") == 3
+    assert "<td>67</td>" in page
+    assert "two.skinsource" in page
+
+
+def test_recordings_that_do_not_fit_are_refused_and_nothing_is_written(
+    design_file, tmp_path, capsys
+):
+    path, _ = design_file
+    recording, report = tmp_path / "lab.npz", tmp_path / "report.html"
+    np.savez(recording, field=np.ones((50, 12)), fs=1300.0)
+    arguments = ["check", str(path), "--measured", str(recording), "--out", str(report)]
+    assert main(arguments) == 1
+    assert "12 signals, expected 216" in capsys.readouterr().err
+    assert not report.exists()
+    assert main(["check", str(path), str(path), "--measured", str(recording)]) == 1
+    assert "expected one for each" in capsys.readouterr().err
+
+
+def test_whiskers_end_at_data_within_one_and_a_half_boxes():
+    values = np.array([0.0, 1.0, 2.0, 3.0, 4.0, 100.0])
+    assert quartiles(values) == (0.0, 1.25, 2.5, 3.75, 4.0)

@@ -1,0 +1,117 @@
+"""Predictions against measurements, and the checks of linearity, against made-up truths."""
+
+import numpy as np
+import pytest
+
+from skinsource.errors import InvalidInputError, RecordingError
+from skinsource.validation import (
+    agreement,
+    aligned,
+    linear_fit,
+    open_recorded,
+    superposition_correlation,
+)
+
+RNG = np.random.default_rng(21)
+FIELD = RNG.normal(size=(6, 3, 400)) * RNG.uniform(0.5, 2.0, (6, 3, 1))
+
+
+def test_a_field_agrees_with_itself_whatever_its_strength():
+    found = agreement(FIELD, 7.0 * FIELD, 0.0)
+    assert found.counted.all()
+    assert found.error == pytest.approx(np.zeros((6, 3)), abs=1e-12)
+    assert found.amplitude_percent == pytest.approx(np.zeros((6, 3)), abs=1e-9)
+    assert found.correlation == pytest.approx(np.ones((6, 3)))
+
+
+def test_each_figure_is_its_definition():
+    other = FIELD + 0.5 * RNG.normal(size=FIELD.shape)
+    found = agreement(FIELD, other, 0.0)
+    p = FIELD / np.mean([np.sqrt(np.mean(one**2)) for one in FIELD.reshape(18, -1)])
+    m = other / np.mean([np.sqrt(np.mean(one**2)) for one in other.reshape(18, -1)])
+    a, b = p[4, 1], m[4, 1]
+    assert found.error[4, 1] == pytest.approx(np.mean(np.abs(a - b)))
+    rms = [np.sqrt(np.mean(one**2)) for one in (a, b)]
+    assert found.amplitude_percent[4, 1] == pytest.approx(100 * abs(rms[0] - rms[1]) / rms[1])
+    assert found.correlation[4, 1] == pytest.approx(np.corrcoef(a, b)[0, 1])
+    assert found.medians[2] == pytest.approx(np.median(found.correlation))
+
+
+def test_channels_below_twice_the_noise_do_not_count():
+    rms = np.sqrt(np.mean(FIELD**2, axis=-1))
+    noise = rms / 2.0
+    noise[2, 0] *= 1.01
+    found = agreement(FIELD, FIELD, noise * (1 - 1e-12))
+    assert np.argwhere(~found.counted).tolist() == [[2, 0]]
+    assert np.isnan(found.error[2, 0])
+    assert not agreement(FIELD, FIELD, 1e9).counted.any()
+    assert np.isnan(agreement(FIELD, FIELD, 1e9).medians).all()
+
+
+@pytest.mark.parametrize("lag", [-67, 0, 40])
+def test_a_shifted_measurement_is_brought_back(lag):
+    pulse = np.zeros((2, 1, 500))
+    pulse[..., 200:260] = np.hanning(60) * [[[1.0]], [[0.3]]]
+    late = np.roll(pulse, -lag, axis=-1)[..., :450]
+    found, shift = aligned(late, pulse, 100)
+    assert shift == lag
+    assert found == pytest.approx(pulse, abs=1e-12)
+
+
+def test_outputs_in_proportion_are_a_straight_line_and_a_limiter_is_not():
+    time = np.arange(2600) / 1300.0
+    sweep = np.sin(2 * np.pi * (25 * time + 140 * time**2))
+    levels = np.array([0.25, 0.5, 1.0, 2.0])
+    straight = levels[:, None, None] * np.stack([sweep, 0.3 * sweep])
+    frequency_hz, fit = linear_fit(levels, straight, 1300.0)
+    assert fit == pytest.approx(np.ones(fit.shape), abs=1e-9)
+    assert frequency_hz[0] == 26.0
+    assert frequency_hz[-1] == 599.0 or frequency_hz[-1] == 600.0
+    bent = np.tanh(2.0 * straight)
+    _, fit = linear_fit(levels, bent, 1300.0)
+    assert np.median(fit[0]) < 0.97
+
+
+def test_the_adjusted_share_is_that_of_its_formula():
+    levels = np.array([1.0, 2.0, 3.0, 4.0])
+    heights = np.array([1.0, 2.2, 2.7, 4.1])
+    tone = np.sin(2 * np.pi * 100.0 * np.arange(1300) / 1300.0)
+    frequency_hz, fit = linear_fit(levels, heights[:, None, None] * tone, 1300.0)
+    k = int(np.argmin(np.abs(frequency_hz - 100.0)))
+    r2 = np.corrcoef(levels, heights)[0, 1] ** 2
+    assert fit[0, k] == pytest.approx(1 - (1 - r2) * 3 / 2)
+
+
+def test_a_sum_of_inputs_correlates_with_the_joint_response():
+    parts = RNG.normal(size=(3, 5, 300))
+    assert superposition_correlation(parts, parts.sum(axis=0)) == pytest.approx(np.ones(5))
+    other = superposition_correlation(parts, parts[0])
+    assert (other < 0.8).all()
+
+
+@pytest.mark.parametrize("suffix", [".csv", ".npz"])
+def test_recorded_responses_are_read_output_by_output(tmp_path, suffix):
+    path = tmp_path / f"field{suffix}"
+    table = FIELD.reshape(18, -1).T
+    if suffix == ".csv":
+        time = np.arange(400) / 1300.0
+        head = ",".join(["time_s", *(f"s{k}" for k in range(18))])
+        np.savetxt(path, np.column_stack([time, table]), delimiter=",", header=head, comments="")
+    else:
+        np.savez(path, field=table, fs=1300.0)
+    assert open_recorded(path, 6, 3, 1300.0) == pytest.approx(FIELD)
+    with pytest.raises(RecordingError, match="18 signals, expected 12"):
+        open_recorded(path, 4, 3, 1300.0)
+
+
+def test_a_recording_of_another_rate_and_shapes_that_differ_are_refused(tmp_path):
+    path = tmp_path / "field.npz"
+    np.savez(path, field=FIELD.reshape(18, -1).T, fs=2000.0)
+    with pytest.raises(RecordingError, match="2000 Hz"):
+        open_recorded(path, 6, 3, 1300.0)
+    with pytest.raises(InvalidInputError, match="the same"):
+        agreement(FIELD, FIELD[:, :2], 0.0)
+    with pytest.raises(InvalidInputError, match="silent"):
+        agreement(FIELD, 0.0 * FIELD, 0.0)
+    with pytest.raises(InvalidInputError, match="three or more"):
+        linear_fit([1.0, 2.0], np.ones((2, 1, 9)), 1300.0)
