@@ -1,6 +1,7 @@
-"""Compose three stimuli from the empty studio, by mouse alone or by keyboard alone.
+"""Compose stimuli from the empty studio, by mouse alone or by keyboard alone.
 
-The wavelet train of Fig. 2H, an envelope over an imported recording, a sweep along the digits.
+The wavelet train of Fig. 2H, an envelope over an imported recording, a sweep along the digits, and
+four channels of a WAV file through an equalised voice coil.
 Nothing is done that a user cannot do.  Each scene prints how long it took; sentences about the
 design and its levels that do not hold are printed, and counted in the exit status.
 
@@ -20,6 +21,7 @@ os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 
 import compose_by_keyboard
 import compose_by_mouse
+import compose_export
 from compose_checks import write_recording
 from compose_hands import EventHands, ScreenHands
 from composer import Composer
@@ -34,13 +36,17 @@ from skinsource_gui.shell.garbage import take_over_collection
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
 
-SCENES = {"mouse": compose_by_mouse.SCENES, "keyboard": compose_by_keyboard.SCENES}
+SCENES = {
+    "mouse": (*compose_by_mouse.SCENES, compose_export.by_mouse),
+    "keyboard": (*compose_by_keyboard.SCENES, compose_export.by_keyboard),
+}
 
 
 def main() -> int:
     """Compose; return how many sentences did not hold."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--by", choices=sorted(SCENES), default="mouse")
+    parser.add_argument("--only", help="name of one scene")
     parser.add_argument("--screen", action="store_true", help="real mouse and keys on DISPLAY")
     parser.add_argument("--size", default="1366x718")
     parser.add_argument("--folder", type=Path, default=Path("build/compose"))
@@ -66,6 +72,8 @@ def main() -> int:
         you.settle()
         try:
             for scene in SCENES[options.by]:
+                if options.only not in (None, scene.__name__):
+                    continue
                 began_s, steps = perf_counter(), you.steps
                 scene(you, scratch)
                 took_s = perf_counter() - began_s

@@ -30,7 +30,7 @@ def train(you: Composer, _: Path) -> None:
     you.key("Enter")
     you.wait(lambda: not you.pages, "Enter agrees to the sweep")
     you.settle()
-    _find(you, "equal on the skin")
+    find(you, "equal on the skin")
     you.wait(lambda: you.document.design.clips[0].waveform.gains_db, "gains are written")
     check_train(you)
 
@@ -39,7 +39,7 @@ def recording(you: Composer, folder: Path) -> None:
     """A recording imported, and an envelope set up over it, point by point."""
     begin_anew(you)
     path = folder / "beat.wav"
-    you.answer(lambda: you.key("Ctrl+I"), QFileDialog, lambda _: _name_file(you, path))
+    you.answer(lambda: you.key("Ctrl+I"), QFileDialog, lambda _: name_file(you, path))
     page = you.page()
     you.wait(lambda: page.ready, "the recording is read")
     you.tab_to("Import")
@@ -69,7 +69,7 @@ def recording(you: Composer, folder: Path) -> None:
 def sweep(you: Composer, _: Path) -> None:
     """A sweep along the digits: places typed in the page."""
     begin_anew(you)
-    _find(you, "motion")
+    find(you, "motion")
     page = you.page()
     kind = page.findChildren(QComboBox)[0]
     you.tab_to(kind.objectName())
@@ -105,7 +105,7 @@ def begin_anew(you: Composer) -> None:
     you.expect(you.document.design.inputs == (), "Ctrl+N empties the hand")
 
 
-def _find(you: Composer, words: str) -> None:
+def find(you: Composer, words: str) -> None:
     """Search an action by a few letters, and do it."""
     you.key("Ctrl+K")
     you.page()
@@ -114,7 +114,7 @@ def _find(you: Composer, words: str) -> None:
     you.settle()
 
 
-def _name_file(you: Composer, path: Path) -> None:
+def name_file(you: Composer, path: Path) -> None:
     you.type(str(path))
     you.key("Enter")
 

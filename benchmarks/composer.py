@@ -6,6 +6,7 @@ from time import monotonic
 
 from compose_hands import EventHands, ScreenHands
 from PySide6.QtCore import QPoint, QTimer
+from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -138,9 +139,9 @@ class Composer:
     def choose_of_popup(self, *words: str) -> None:
         """Choose in the menu that is open, by mouse."""
         for word in words:
-            self.wait(lambda: isinstance(QApplication.activePopupWidget(), QMenu), "a menu opens")
-            menu = QApplication.activePopupWidget()
-            line = next(one for one in menu.actions() if _plain(one.text()) == word)
+            # A menu within a menu opens a moment later.
+            self.wait(lambda w=word: _line(w) is not None, f"a menu opens that has {word}")
+            menu, line = QApplication.activePopupWidget(), _line(word)
             self.click(menu, menu.actionGeometry(line).center())
 
     def answer(self, begin: Callable[[], None], kind: type, how: Callable[[QWidget], None]) -> None:
@@ -193,6 +194,13 @@ class Composer:
             self._hands.wheel(area.viewport(), edge, -1 if down else 1)
             self.steps += 1
             QTest.qWait(_LOOK_MS)
+
+
+def _line(word: str) -> QAction | None:
+    """The line of the open menu with these words."""
+    menu = QApplication.activePopupWidget()
+    lines = menu.actions() if isinstance(menu, QMenu) else ()
+    return next((one for one in lines if _plain(one.text()) == word), None)
 
 
 def _surface(widget: QWidget) -> QWidget:

@@ -95,11 +95,11 @@ def test_a_benchmark_explains_itself(name):
 
 
 @pytest.mark.parametrize("by", ["mouse", "keyboard"])
-def test_three_stimuli_are_composed_by_mouse_alone_and_by_keyboard_alone(by, tmp_path):
+def test_four_stimuli_are_composed_by_mouse_alone_and_by_keyboard_alone(by, tmp_path):
     folders = ("--folder", tmp_path / "pictures")
     done = run(ROOT / "benchmarks" / "compose.py", "--by", by, *folders)
     assert done.returncode == 0, done.stdout + done.stderr
-    assert done.stdout.count(f"By {by}: ") == 3
+    assert done.stdout.count(f"By {by}: ") == 4
     assert "NOT SO" not in done.stdout
 
 

@@ -127,6 +127,9 @@ def prepared(
         raise InvalidInputError(
             "Nothing is heard: there is no channel to export. Unmute an input, or choose others."
         )
+    if equaliser is not None and _only_led_in(options):
+        # An equaliser rings before what it makes: the silence is where it may.
+        made, options = with_lead_in(made, options.lead_in_s), replace(options, lead_in_s=0.0)
     drives = _cut(_for_rig(made, rig, equaliser, options, design.actuated), options)
     gain = 1.0 if drives.unit == FULL_SCALE_UNIT else _gain(drives, options)
     files = tuple(
@@ -137,6 +140,11 @@ def prepared(
     return Prepared(
         format=format, gain=gain, drives=drives, files=files, rig=rig, equaliser=equaliser
     )
+
+
+def _only_led_in(options: StimulusOptions) -> bool:
+    """Whether nothing is cut off or faded in before the silence is put there."""
+    return options.from_s is None and options.to_s is None and options.fade_in_s == 0.0
 
 
 def _gain(drives: Stimulus, options: StimulusOptions) -> float:

@@ -227,3 +227,20 @@ def test_without_a_rig_volts_come_from_what_the_design_is_predicted_through(desi
     for row, drive in zip(read(path) * about["full_scale"], drives, strict=True):
         volts = ss.equalising.equalised(drive, RATE_HZ, coil, equaliser)
         np.testing.assert_allclose(row, volts, atol=1e-6 * np.abs(volts).max())
+
+
+def test_an_equaliser_may_ring_in_the_silence_before(design, rig, tmp_path):
+    early = replace(design, inputs=(ss.track(7, ss.waveforms.Gabor(frequency_hz=120.0)),))
+    path = tmp_path / "a.wav"
+    equaliser = RegularisedInverse()
+    coil = ss.actuators.load("example-voice-coil")
+    named = replace(rig, channels=(replace(rig.channels[0], measured=None, model=coil),))
+    options = ss.StimulusOptions(lead_in_s=0.25)
+    ss.export_stimulus(
+        early, path, rate_hz=RATE_HZ, rig=named, equaliser=equaliser, options=options
+    )
+    (drive,) = ss.stimulus_of(early, RATE_HZ).samples
+    volts = ss.equalising.equalised(drive, RATE_HZ, coil, equaliser, lead_s=0.25)
+    assert np.abs(volts[:1900]).max() > 1e-4 * np.abs(volts).max()
+    np.testing.assert_allclose(read(path)[0] * 2.0, volts, atol=1e-6 * np.abs(volts).max())
+    assert sidecar(path)["start_s"] == -0.25
