@@ -8,7 +8,7 @@ Pictures are computed on the synthetic limbs, whatever is installed: they may be
 import hashlib
 import os
 import sys
-from dataclasses import fields, is_dataclass
+from dataclasses import MISSING, Field, fields, is_dataclass
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -56,8 +56,12 @@ def _said(value: Any) -> Any:
     held = ((one, getattr(value, one.name)) for one in fields(value))
     return (
         type(value).__name__,
-        *((one.name, _said(held)) for one, held in held if held != one.default),
+        *((one.name, _said(held)) for one, held in held if held != _default_of(one)),
     )
+
+
+def _default_of(one: Field[Any]) -> Any:
+    return one.default if one.default_factory is MISSING else one.default_factory()
 
 
 def picture_of(opened: OpenedScene) -> bytes:
