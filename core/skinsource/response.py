@@ -45,7 +45,7 @@ def predict(
     drives : (n_inputs, n_times)
         What each input plays.  Dimensionless; with ``scaling="probe"`` probe acceleration, m/s².
     locations : (n_inputs,)
-        Input place of each drive, 1 to 20.  A place may occur more than once.
+        Input place of each drive, from 1.  A place may occur more than once.
     amplitudes : (n_inputs,), optional
         Factor of each input, 1 by default; may be negative or zero.
     scaling

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from skinsource.edits import Edit
-from skinsource.limb import SAMPLE_RATE_HZ
+from skinsource.own_limbs import facts_of
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.theme import Theme
@@ -71,7 +71,8 @@ class ImportActions(QObject):
         page_module = importlib.import_module("skinsource_gui.import_page.page")
         placing = importlib.import_module("skinsource_gui.import_page.placing")
         places = placing.options(self._document.design, self._document.view, place)
-        page = page_module.ImportPage(path, SAMPLE_RATE_HZ, places, self._theme(), self._window)
+        rate_hz = facts_of(self._document.design.limb).sample_rate_hz
+        page = page_module.ImportPage(path, rate_hz, places, self._theme(), self._window)
 
         def put(recording: Any, option: str) -> None:
             design, view = self._document.design, self._document.view

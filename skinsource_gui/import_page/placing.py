@@ -4,8 +4,8 @@ from skinsource import edits
 from skinsource.design import Design
 from skinsource.edits import Edit, Refusal
 from skinsource.edits.edit import place_words
-from skinsource.edits.inputs import USUAL_LOCATION
-from skinsource.locations import INPUTS
+from skinsource.edits.inputs import usual_location
+from skinsource.own_limbs import facts_of
 from skinsource.view import View
 from skinsource.waveforms import Recording
 from skinsource_gui.widgets.drop_place import DropPlace
@@ -14,13 +14,13 @@ from skinsource_gui.widgets.drop_place import DropPlace
 def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[str, str], ...]:
     """Name and words of each place, the likeliest one first."""
     found = [_track(design, one.id) for one in design.inputs if one.id in _tracks(view, place)]
-    first = USUAL_LOCATION
+    first = usual_location(design.limb)
     if place is not None and place.location is not None:
         first = place.location
     elif view.selected_input in design.ids:
         first = design.input(view.selected_input).location
-    locations = [first, *(k for k in range(1, len(INPUTS) + 1) if k != first)]
-    new = [(f"new {k}", f"A new input at {place_words(k)}") for k in locations]
+    locations = [first, *(k for k in range(1, facts_of(design.limb).n_inputs + 1) if k != first)]
+    new = [(f"new {k}", f"A new input at {place_words(k, design.limb)}") for k in locations]
     by_place = place is not None and place.location is not None and place.input_id is None
     return (*new, *found) if by_place else (*found, *new)
 
@@ -31,7 +31,7 @@ def _tracks(view: View, place: DropPlace | None) -> set[int]:
 
 
 def _track(design: Design, id: int) -> tuple[str, str]:
-    where = place_words(design.input(id).location)
+    where = place_words(design.input(id).location, design.limb)
     return f"track {id}", f"A clip on input {design.index_of(id) + 1}, at {where}"
 
 

@@ -11,10 +11,9 @@ from skinsource.design import MAX_INPUTS, Design
 from skinsource.edits.kinds import as_kind
 from skinsource.errors import InvalidInputError
 from skinsource.fields import RecipeSpec, specs_of
-from skinsource.limb import SAMPLE_RATE_HZ
-from skinsource.locations import INPUTS
 from skinsource.motions import MOTIONS, Motion
 from skinsource.motions.changes import following, with_field
+from skinsource.own_limbs import facts_of
 from skinsource.quoting import sentence
 from skinsource.waveforms import Waveform
 from skinsource_gui.widgets.inputs.clip_strip import Lane, ShownClips
@@ -47,7 +46,7 @@ class Draft(QObject):
 
     def __init__(self, design: Design, onset_s: float, parent: QObject) -> None:
         super().__init__(parent)
-        self._design = design
+        self._design, self._limb = design, facts_of(design.limb)
         self._left: dict[str, Motion] = {kind.__name__: kind() for kind in MOTIONS}
         self.motion: Motion = self._left[MOTIONS[0].__name__]
         # The playhead may stand later than anything can begin.
@@ -72,7 +71,7 @@ class Draft(QObject):
     def change_path(self, path: tuple[int, ...]) -> None:
         """Take another path; what is none yet is shown, but not taken."""
         self._whole_path = path
-        problem = _why_no_path(self.motion, path)
+        problem = _why_no_path(self.motion, path, self._limb.n_inputs)
         if problem:
             self.path, self.problem = path, problem
             self.changed.emit()
@@ -82,7 +81,7 @@ class Draft(QObject):
     def change_waveform_kind(self, name: str) -> None:
         """Play another kind of waveform."""
         kind = next(one for one in self.waveform_kinds if one.__name__ == name)
-        new = as_kind(self.motion.waveform, kind)
+        new = as_kind(self.motion.waveform, kind, self._limb.sample_rate_hz)
         self._try(
             lambda: with_field(self.motion, "waveform", new), "kind", self.waveform_field_refused
         )
@@ -109,7 +108,7 @@ class Draft(QObject):
         ------
         InvalidInputError
             A clip would start too late, there would be too many inputs, or something is in it that
-            limbs of 1300 Hz cannot play.
+            the limb cannot play at its rate.
         """
         tracks = self.motion.tracks()
         if len(self._design.inputs) + len(tracks) > MAX_INPUTS:
@@ -122,7 +121,7 @@ class Draft(QObject):
             after = after.adding(one)
         added = after.inputs[len(self._design.inputs) :]
         largest = max(abs(one.amplitude) for one in added) or 1.0
-        shown = ShownClips(SAMPLE_RATE_HZ)
+        shown = ShownClips(self._limb.sample_rate_hz)
         return tuple(
             Lane(
                 place=one.location,
@@ -145,12 +144,12 @@ class Draft(QObject):
         self.changed.emit()
 
 
-def _why_no_path(motion: Motion, path: tuple[int, ...]) -> str:
+def _why_no_path(motion: Motion, path: tuple[int, ...], n_places: int) -> str:
     """Why ``motion`` cannot go there; "" where it can."""
     spec: Any = specs_of(motion)["path"]
-    strange = next((place for place in path if not 1 <= place <= len(INPUTS)), None)
+    strange = next((place for place in path if not 1 <= place <= n_places), None)
     if strange is not None:
-        return f"There is no place {strange}; the hand has 1 to {len(INPUTS)}."
+        return f"There is no place {strange}; the hand has 1 to {n_places}."
     if len(path) < spec.fewest:
         return f"Click {spec.fewest - len(path)} more place{'s' * (spec.fewest - len(path) > 1)}."
     if len(path) > spec.most:

@@ -22,8 +22,8 @@ from skinsource.edits import Refusal
 from skinsource.edits.kinds import kind_spec
 from skinsource.errors import InvalidInputError
 from skinsource.fields import ChoiceSpec, NumberSpec, Spec
-from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.motions import MOTIONS, Motion
+from skinsource.own_limbs import facts_of
 from skinsource.quoting import sentence
 from skinsource.waveforms import kinds
 from skinsource_gui.motion_page.draft import Draft
@@ -63,11 +63,12 @@ class MotionPage(QDialog):
         self.resize(980, _HEIGHT_PX)
         self._document, self._theme = document, theme
         self.draft = Draft(document.design, document.view.playhead_s, self)
-        self.hand = PathHand(theme(), self)
+        self.hand = PathHand(document.design.limb, theme(), self)
         self.path_row = PathRow()
         self.strip = ClipStrip()
         self.motion_fields = RecipeFields(self._of_motion, self)
-        self.waveform_fields = RecipeFields(_of_waveform, self)
+        rate_hz = facts_of(document.design.limb).sample_rate_hz
+        self.waveform_fields = RecipeFields(lambda _, spec: spec.at_rate(rate_hz), self)
         self._summary, self._about = QLabel(), QLabel()
         self._buttons()
         self._lay_out()
@@ -195,11 +196,6 @@ class MotionPage(QDialog):
 def _about(motion: Motion) -> str:
     parts = (("Law", motion.law), ("Source", motion.source), ("On the palm", motion.limits))
     return "<br>".join(f"<b>{name}.</b> {escape(words)}" for name, words in parts)
-
-
-def _of_waveform(name: str, spec: Spec) -> Spec | None:
-    del name
-    return spec.at_rate(SAMPLE_RATE_HZ)
 
 
 def _waveform_kinds(draft: Draft) -> ChoiceSpec:

@@ -6,9 +6,8 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
-from skinsource.synthetic import standard_hand
+from skinsource_gui.panels.hand.drawings import drawing_of
 from skinsource_gui.panels.hand.hand_diagram import HandDiagram
-from skinsource_gui.panels.hand.hand_drawing import palmar_drawing
 from skinsource_gui.panels.hand.site_marker import Place, paint_occupied
 from skinsource_gui.theme import Theme, tabular
 
@@ -23,8 +22,8 @@ class PathHand(HandDiagram):
     place_added = Signal(int)
     last_removed = Signal()
 
-    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
-        super().__init__(palmar_drawing(standard_hand()), theme, parent)
+    def __init__(self, limb: str, theme: Theme, parent: QWidget | None = None) -> None:
+        super().__init__(drawing_of(limb), theme, parent)
         self._path: tuple[int, ...] = ()
         self._theme, self._colours = theme, {}
         self.setObjectName("path_hand")

@@ -12,6 +12,9 @@ from PySide6.QtWidgets import QDialog, QWidget
 from skinsource_gui.shell import help_pages
 from skinsource_gui.shell.action_spec import ActionSpec
 from skinsource_gui.shell.palette import BESIDES, Palette
+from skinsource_gui.state.installed_limbs import InstalledLimbs
+from skinsource_gui.state.job_runner import JobRunner
+from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.mouse_table import MOUSE
 
 #: Makes a page in front of a window.
@@ -29,7 +32,7 @@ class Pages(QObject):
         What the keys page lists.
     findable
         Gives what the palette finds; actions without a parent are the palette's.
-    make_accuracy, make_dataset, make_motion
+    make_accuracy, make_dataset, make_limbs, make_motion
         Make the pages that take long to import, once they are wanted.
     """
 
@@ -40,12 +43,13 @@ class Pages(QObject):
         findable: Callable[[], list[QAction]],
         make_accuracy: MakePage,
         make_dataset: MakePage,
+        make_limbs: MakePage,
         make_motion: MakePage,
     ) -> None:
         super().__init__(window)
         self._window, self._specs, self._findable = window, specs, findable
         self._make_accuracy, self._make_dataset = make_accuracy, make_dataset
-        self._make_motion = make_motion
+        self._make_limbs, self._make_motion = make_limbs, make_motion
         self.accuracy: Any = None
 
     def search(self) -> None:
@@ -68,6 +72,10 @@ class Pages(QObject):
     def show_dataset(self) -> None:
         """Open the page on the measured limbs."""
         self._make_dataset(self._window).open()
+
+    def show_limbs(self) -> None:
+        """Open the page on limbs of one's own."""
+        self._make_limbs(self._window).open()
 
     def show_motion(self) -> None:
         """Open the page that makes up a motion."""
@@ -96,6 +104,16 @@ class Pages(QObject):
         """Close what stands beside the window, and stop what runs."""
         if self.accuracy is not None:
             self.accuracy.end()
+
+
+def limb_pages(
+    runner: JobRunner, limbs: InstalledLimbs, theme: Callable[[], Theme]
+) -> tuple[MakePage, MakePage]:
+    """What makes the pages on the measured limbs and on limbs of one's own."""
+    return (
+        late("skinsource_gui.dataset_page.page", "DatasetPage", runner, limbs),
+        late("skinsource_gui.limb_page.page", "LimbPage", runner, limbs, theme),
+    )
 
 
 def late(module: str, name: str, *arguments: object) -> MakePage:

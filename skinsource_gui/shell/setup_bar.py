@@ -8,12 +8,12 @@ from PySide6.QtGui import QAction, QResizeEvent, QStandardItemModel
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from skinsource import edits
-from skinsource.choice_words import CHOICES, Word
+from skinsource.choice_words import CHOICES, LIMBS, Word, limb_word
 from skinsource.dataset.not_installed import NOT_INSTALLED
 from skinsource.design import Design
 from skinsource.edits import Edit, Refusal
 from skinsource.fields import ChoiceSpec
-from skinsource.limb import LIMB_NAMES
+from skinsource.own_limbs import facts_of, own_limb_names
 from skinsource.view import View
 from skinsource_gui.dataset_page.title import TITLE
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
@@ -33,6 +33,8 @@ class SetupBar(QWidget):
         super().__init__(parent)
         self._design: Design | None = None
         self._view: View | None = None
+        self._words: tuple[Word, ...] = LIMBS
+        self._measured = "xyz"
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(0, 0, 0, 0)
         self._row.setSpacing(6)
@@ -62,6 +64,7 @@ class SetupBar(QWidget):
             (self._span, view.span),
         ):
             field.set_value(value)
+        self._offer_axes(design.limb)
         single = len(view.axes) == 1
         self._method.setEnabled(not single)
         self._method.setToolTip("A single axis needs no method" if single else self._method_hint)
@@ -84,14 +87,33 @@ class SetupBar(QWidget):
 
     def show_available(self, limbs: tuple[str, ...]) -> None:
         """Offer these limbs, and no others."""
+        words = (*LIMBS, *(limb_word(name) for name in own_limb_names()))
+        names = tuple(word.name for word in words)
+        if words != self._words:
+            self._words = words
+            self._limb.offer(_spec("Limb", "", words))
+            for index, word in enumerate(words):
+                hint = tooltip(word.sentence)
+                self._limb.setItemData(index, hint, Qt.ItemDataRole.ToolTipRole)
         model = self._limb.model()
         if not isinstance(model, QStandardItemModel):
             return
-        for index, name in enumerate(LIMB_NAMES):
+        for index, name in enumerate(names):
             there = name in limbs
             item = model.item(index)
             item.setEnabled(there)
-            item.setToolTip("" if there else f"{NOT_INSTALLED} Help > {TITLE}… installs them.")
+            if name.startswith("measured-"):
+                item.setToolTip("" if there else f"{NOT_INSTALLED} Help > {TITLE}… installs them.")
+
+    def _offer_axes(self, limb: str) -> None:
+        """Let those axes be chosen along which the limb measures."""
+        measured, model = facts_of(limb).axes, self._axes.model()
+        if not isinstance(model, QStandardItemModel) or measured == self._measured:
+            return
+        self._measured = measured
+        for index in range(self._axes.count()):
+            item, axes = model.item(index), self._axes.itemData(index)
+            item.setEnabled(set(axes) <= set(measured))
 
     def choices(self, parent: QObject | None) -> list[QAction]:
         """One action for each choice that can be made, owned by ``parent``."""
@@ -109,8 +131,7 @@ class SetupBar(QWidget):
         return actions
 
     def _choice(self, label: str, sentence: str, words: tuple[Word, ...]) -> ChoiceField:
-        options = tuple((word.name, word.title) for word in words)
-        field = ChoiceField(ChoiceSpec(label=label, options=options, hint=sentence))
+        field = ChoiceField(_spec(label, sentence, words))
         field.setObjectName(label.lower())
         field.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         field.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
@@ -129,3 +150,8 @@ class SetupBar(QWidget):
             self.edited.emit(outcome, gesture)
             if isinstance(outcome, Refusal):
                 self.show_state(self._design, self._view)
+
+
+def _spec(label: str, sentence: str, words: tuple[Word, ...]) -> ChoiceSpec:
+    options = tuple((word.name, word.title) for word in words)
+    return ChoiceSpec(label=label, options=options, hint=sentence)

@@ -28,7 +28,7 @@ from skinsource_gui.shell.keeping.keeping import Keeping
 from skinsource_gui.shell.kind_choices import kind_choices
 from skinsource_gui.shell.menus import fill_menu_bar
 from skinsource_gui.shell.notice import Notice
-from skinsource_gui.shell.pages import Pages, late
+from skinsource_gui.shell.pages import Pages, late, limb_pages
 from skinsource_gui.shell.panel_focus import PanelFocus
 from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.shell.pictures import picture_of
@@ -168,7 +168,7 @@ class MainWindow(QMainWindow):
                 lambda: self.theme,
                 self.preferences,
             ),
-            late("skinsource_gui.dataset_page.page", "DatasetPage", self.runner, self.limbs),
+            *limb_pages(self.runner, self.limbs, lambda: self.theme),
             late(
                 "skinsource_gui.motion_page.page", "MotionPage", self.document, lambda: self.theme
             ),

@@ -3,6 +3,7 @@
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QWidget
 
+from skinsource.own_limbs import missing_limb
 from skinsource_gui.state.document import Document
 
 
@@ -27,6 +28,9 @@ class WindowFrame(QObject):
     def _show_title(self) -> None:
         path = self._document.path
         name = path.stem if path else "Untitled"
-        locked = " (read-only)" if self._document.read_only else ""
+        design = self._document.design
+        missing = missing_limb(design.limb, design.limb_digest)
+        read_only = self._document.read_only or missing
+        locked = " (read-only)" if read_only else ""
         self._window.setWindowTitle(f"{name}[*]{locked} – SkinSource studio")
         self._window.setWindowModified(self._document.modified)

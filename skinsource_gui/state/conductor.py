@@ -10,6 +10,8 @@ from PySide6.QtCore import QObject, Signal
 from skinsource import edits
 from skinsource.edits import Edit, Refusal
 from skinsource.errors import SkinSourceError
+from skinsource.limb import LIVE_INPUTS, LIVE_OUTPUTS
+from skinsource.own_limbs import facts_of
 from skinsource.quantities import sources
 from skinsource.view import View
 from skinsource_gui.panel import Panel
@@ -112,6 +114,9 @@ class Conductor(QObject):
         wanted = frozenset().union(*(panel.needs for panel in visible))
         if not wanted:
             return False
+        if not facts_of(self._document.design.limb).live:
+            self._explain(visible, _too_large(self._document.design.limb))
+            return False
         given = sources(self._document.design, self._document.view)
         wanted |= self._also
         request = Request(wanted, given, perf_counter() if since_s is None else since_s)
@@ -190,6 +195,14 @@ class Conductor(QObject):
         for panel in visible:
             panel.show_problem(reason)
         self.failed.emit(reason)
+
+
+def _too_large(limb: str) -> str:
+    facts = facts_of(limb)
+    return (
+        f"{facts.title} has {facts.n_inputs} places and {facts.n_outputs} outputs, and results "
+        f"follow edits up to {LIVE_INPUTS} and {LIVE_OUTPUTS}. File > Export and sweeps compute it."
+    )
 
 
 def _reason(error: Exception | None) -> str:

@@ -9,6 +9,7 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from skinsource.design import Design
 from skinsource.edits import Edit, Refusal, kept_selection
+from skinsource.own_limbs import missing_limb
 from skinsource.view import View
 from skinsource_gui.history import MOST_STEPS
 
@@ -88,6 +89,11 @@ class Document(QObject):
         if isinstance(outcome, Refusal):
             self.refused.emit(outcome.sentence)
             return
+        if outcome.design != self._design and _same_limb(outcome.design, self._design):
+            missing = missing_limb(self._design.limb, self._design.limb_digest)
+            if missing:
+                self.refused.emit(f"This design is read-only. {missing}")
+                return
         view = kept_selection(outcome.view, self._design, outcome.design)
         before, after = _Step(self._design, self._view), _Step(outcome.design, view)
         if before.is_same(after):
@@ -259,3 +265,7 @@ def _existing(view: View, design: Design) -> View:
     if (chosen, clips) == (view.selected_inputs, view.selected_clips):
         return view
     return replace(view, selected_inputs=chosen, selected_clips=clips)
+
+
+def _same_limb(one: Design, other: Design) -> bool:
+    return (one.limb, one.limb_digest) == (other.limb, other.limb_digest)

@@ -4,6 +4,7 @@ from PySide6.QtCore import QEvent, QObject, Signal
 from PySide6.QtWidgets import QWidget
 
 from skinsource.catalogue import available_limbs
+from skinsource.own_limbs import facts_of
 
 #: Titles of the jobs that install limbs: from a folder, and by download.
 INSTALLATIONS = ("Installing the measured limbs", "Downloading the measured limbs")
@@ -26,6 +27,8 @@ class InstalledLimbs(QObject):
     def __init__(self, names: tuple[str, ...], window: QWidget) -> None:
         super().__init__(window)
         self.names = names
+        # A limb may be imported anew, or mirrored, under its name.
+        self._shown = tuple(facts_of(name) for name in names)
         window.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -36,6 +39,7 @@ class InstalledLimbs(QObject):
     def look(self) -> None:
         """Look which limbs are there now."""
         found = available_limbs()
-        if found != self.names:
-            self.names = found
+        shown = tuple(facts_of(name) for name in found)
+        if shown != self._shown:
+            self.names, self._shown = found, shown
             self.changed.emit()

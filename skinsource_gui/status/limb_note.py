@@ -5,6 +5,7 @@ from PySide6.QtGui import QFocusEvent, QFont, QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import QLabel, QWidget
 
 from skinsource.dataset.not_installed import NOT_INSTALLED
+from skinsource.own_limbs import facts_of
 from skinsource_gui.state.engine import Outcome
 from skinsource_gui.theme import LIGHT, Theme
 
@@ -30,7 +31,7 @@ class LimbNote(QLabel):
         self._measured = False
         self._theme = LIGHT
         self._synthetic = False
-        self._limb = self._note = ""
+        self._limb = self._note = self._own = ""
         # Words and their HTML, longest first.
         self._phrases: tuple[tuple[str, str], ...] = (("", ""),)
         self.setTextFormat(Qt.TextFormat.RichText)
@@ -46,7 +47,9 @@ class LimbNote(QLabel):
         """Show what there is to say about the limb ``name``."""
         if name != self._limb:
             self._limb, self._note = name, ""
-        self._synthetic = name.startswith("synthetic")
+        facts = facts_of(name)
+        self._synthetic = facts.synthetic
+        self._own = facts.sentence if facts.own else ""
         self._say()
 
     def show_outcome(self, outcome: Outcome) -> None:
@@ -68,12 +71,14 @@ class LimbNote(QLabel):
             super().focusNextPrevChild(True)
 
     def _say(self) -> None:
-        self.setVisible(self._synthetic or bool(self._note))
-        self.setToolTip(f"{self._note[:1].upper()}{self._note[1:]}" if self._note else _SYNTHETIC)
+        self.setVisible(self._synthetic or bool(self._note) or bool(self._own))
+        note = f"{self._note[:1].upper()}{self._note[1:]}"
+        self.setToolTip(f"{self._own} {note}".strip() or _SYNTHETIC)
         colour = self._theme.warning
-        words = "SYNTHETIC LIMB" if self._synthetic else "NOT VERIFIED AS PUBLISHED"
+        other = "OWN LIMB" if self._own else "NOT VERIFIED AS PUBLISHED"
+        words = "SYNTHETIC LIMB" if self._synthetic else other
         self._phrases = ((words, f"<b>{words}</b>"),)
-        linked = self._synthetic and not self._measured
+        linked = self._synthetic and not self._measured and not self._own
         if linked:
             start = f"<a href='#get' style='color:{colour}'>"
             self._phrases = (

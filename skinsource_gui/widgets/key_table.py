@@ -44,7 +44,7 @@ WIDGET_KEYS: dict[str, tuple[str, tuple[KeyHint, ...]]] = {
             ),
             KeyHint(
                 name="jump",
-                words="1 to 20, Home, End",
+                words="A number, Home, End",
                 means="move the ring to the place of that number, to the first, to the last",
                 keys=(*(str(digit) for digit in range(10)), "Home", "End"),
             ),

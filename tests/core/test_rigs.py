@@ -92,8 +92,8 @@ def test_what_is_no_rig_is_refused_with_the_name_of_the_file(tmp_path, name):
 @pytest.mark.parametrize(
     ("change", "word"),
     [
-        ({"place": 21}, "place"),
         ({"place": 0}, "place"),
+        ({"place": 10_001}, "place"),
         ({"output": 0}, "output"),
         ({"full_scale_v": 0.0}, "full_scale_v"),
         ({"full_scale_v": -1.0}, "full_scale_v"),

@@ -37,9 +37,13 @@ def test_a_design_for_a_limb_that_is_not_here_opens_and_is_kept(window, opened, 
     assert window.panel("skin").map.content.coloured_values is None
     limb = window.findChild(ChoiceField, "limb")
     assert limb.shown_text == "foot-1 (not available)"
+    assert "(read-only)" in window.windowTitle()
     window.document.edit("Mute", STRANGE.with_input(0, muted=True))
+    assert window.document.design == STRANGE
+    assert "read-only" in window.notice.text
+    assert "'foot-1' of this design is not here" in window.notice.text
     assert window.files.save()
-    assert open_design(path).design == STRANGE.with_input(0, muted=True)
+    assert open_design(path).design == STRANGE
 
 
 def test_another_limb_can_be_chosen_instead(window, opened, qtbot):

@@ -15,6 +15,7 @@ from skinsource.evaluation import evaluate
 from skinsource.export import export_levels, export_map, export_map_picture, export_traces
 from skinsource.files import make_folder
 from skinsource.locations import input_words, output_words
+from skinsource.own_limbs import facts_of
 from skinsource.quoting import escaped
 from skinsource.view import View
 
@@ -79,7 +80,7 @@ def _render(arguments: argparse.Namespace) -> int:
 def _about_design(design: Design) -> list[str]:
     texts = {"title": design.title, "author": design.author, "licence": design.licence}
     limb = limb_word(design.limb)
-    synthetic = "  SYNTHETIC" if design.limb.startswith("synthetic") else ""
+    synthetic = "  SYNTHETIC" if facts_of(design.limb).synthetic else ""
     return [
         *(f"{name:9} {escaped(text)}" for name, text in texts.items() if text),
         *(f"{'notes':9} {escaped(line)}" for line in design.notes.splitlines()),

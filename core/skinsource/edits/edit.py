@@ -60,7 +60,8 @@ def inputs_words(chosen: tuple[Input, ...], limb: str) -> str:
 
 def place_words(location: int, limb: str = "") -> str:
     """Number and short name of an input place of a limb, "7 (II pad)"."""
-    return f"{location} ({input_words(location, limb).short_name})"
+    short = input_words(location, limb).short_name
+    return str(location) if short == f"place {location}" else f"{location} ({short})"
 
 
 def changed(

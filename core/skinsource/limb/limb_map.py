@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from skinsource.arrays import Floats
 
 
@@ -29,6 +31,8 @@ class LimbMap:
     densify
         Whether the surface operator may split long outline edges (own outlines yes; the
         published outline no, for parity).
+    axes_shown
+        Whether the sensors' axes point as those of the published limbs do, which the map shows.
     """
 
     outline: Floats
@@ -37,3 +41,9 @@ class LimbMap:
     hand_length_px: float
     visibility: Floats | None = None
     densify: bool = True
+    axes_shown: bool = True
+
+    @property
+    def unplaced(self) -> tuple[int, ...]:
+        """Numbers of the outputs that have no place here."""
+        return tuple(int(k) + 1 for k in np.flatnonzero(np.isnan(self.output_positions[:, 0])))

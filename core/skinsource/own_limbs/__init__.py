@@ -7,7 +7,7 @@ from skinsource.own_limbs.content import (
     OwnLimb,
     is_free_name,
 )
-from skinsource.own_limbs.known import facts_of, missing_limb
+from skinsource.own_limbs.known import facts_of, missing_limb, own_map
 from skinsource.own_limbs.store import (
     install_limb,
     load_own_limb,
@@ -30,5 +30,6 @@ __all__ = [
     "missing_limb",
     "own_limb_names",
     "own_limb_path",
+    "own_map",
     "remove_limb",
 ]

@@ -8,7 +8,7 @@ import numpy as np
 from skinsource.arguments import one_of, real_array, real_number, whole_number
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
-from skinsource.limb import AXES, LIMB_NAMES, Axes, LimbMap
+from skinsource.limb import AXES, Axes, LimbMap
 from skinsource.quoting import quoted
 
 MOST_INPUTS, MOST_OUTPUTS, MOST_TAPS = 256, 512, 2**20
@@ -18,6 +18,8 @@ MOST_VERTICES = 20_000
 LEAST_RATE_HZ, MOST_RATE_HZ = 100.0, 768_000.0
 NAME_RULE = "small letters, digits and '-', at most 40, a letter first"
 _NAME = re.compile(r"[a-z][a-z0-9-]{0,39}")
+# As the limbs that come with the studio, and those that are published.
+_TAKEN = ("measured-", "synthetic-")
 _LONGEST_TITLE, _LONGEST_NOTE, _LONGEST_PLACE = 100, 2000, 80
 # Coordinates beyond this are no places on a hand, in whatever unit.
 _FARTHEST = 1e6
@@ -25,7 +27,7 @@ _FARTHEST = 1e6
 
 def is_free_name(name: object) -> bool:
     """Whether an own limb may be called so: `NAME_RULE`, and no limb that comes with the studio."""
-    return isinstance(name, str) and bool(_NAME.fullmatch(name)) and name not in LIMB_NAMES
+    return isinstance(name, str) and bool(_NAME.fullmatch(name)) and not name.startswith(_TAKEN)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -80,8 +82,8 @@ class OwnLimb:
     def __post_init__(self) -> None:
         if not is_free_name(self.name):
             raise InvalidInputError(
-                f"the name of the limb is {quoted(self.name)}, expected {NAME_RULE}, and none of "
-                f"{', '.join(LIMB_NAMES)}"
+                f"the name of the limb is {quoted(self.name)}, expected {NAME_RULE}, not beginning "
+                f"with {' or '.join(_TAKEN)}"
             )
         self._put(title=_line("title", self.title, _LONGEST_TITLE))
         self._put(note=_line("note", self.note, _LONGEST_NOTE))
@@ -163,6 +165,7 @@ class OwnLimb:
             output_positions=shown(self.output_positions),
             input_positions=shown(self.input_positions),
             hand_length_px=self.hand_length_px,
+            axes_shown=False,
         )
 
     def shown_mirrored(self, mirrored: bool) -> "OwnLimb":

@@ -4,7 +4,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from skinsource.errors import SkinSourceError
-from skinsource.limb import PUBLISHED, LimbFacts, words
+from skinsource.limb import PUBLISHED, LimbFacts, LimbMap, words
 from skinsource.own_limbs.content import is_free_name
 from skinsource.own_limbs.limb_file import LimbFile
 from skinsource.own_limbs.store import own_limb_path
@@ -23,10 +23,22 @@ def facts_of(name: str) -> LimbFacts:
         path = own_limb_path(name)
         try:
             about = path.stat()
-            return _read(name, path, about.st_mtime_ns, about.st_size)
+            return _read(name, path, about.st_mtime_ns, about.st_size)[0]
         except (OSError, SkinSourceError):
             pass
     return LimbFacts(name=name, title=name, sentence="", known=False)
+
+
+def own_map(name: str) -> LimbMap | None:
+    """The map of an own limb, as quickly; None of others, and of one that is not here."""
+    if not facts_of(name).own:
+        return None
+    path = own_limb_path(name)
+    try:
+        about = path.stat()
+        return _read(name, path, about.st_mtime_ns, about.st_size)[1]
+    except (OSError, SkinSourceError):
+        return None
 
 
 def missing_limb(name: str, digest: str) -> str:
@@ -40,23 +52,23 @@ def missing_limb(name: str, digest: str) -> str:
     facts = facts_of(name)
     if not facts.known:
         return (
-            f"The limb {quoted(name)} of this design is not here. Import it (Edit > Own limbs…), "
-            "or choose another limb."
+            f"The limb {quoted(name)} of this design is not here. Import it (File > Own limbs…), "
+            "or choose another one."
         )
     if facts.own and digest and facts.digest != digest:
         return (
             f"The limb {quoted(name)} here is another one than that of this design: it has other "
-            "numbers. Import the right one, or choose this limb anew."
+            "numbers. Import the right one, or choose this one anew."
         )
     return ""
 
 
 @lru_cache(maxsize=64)
-def _read(name: str, path: Path, _changed_ns: int, _size: int) -> LimbFacts:
+def _read(name: str, path: Path, _changed_ns: int, _size: int) -> tuple[LimbFacts, LimbMap]:
     file = LimbFile(path)
     held = file.limb
     hand = f"{'Left' if held.left else 'Right'} hand{', shown mirrored' if held.mirrored else ''}"
-    return LimbFacts(
+    facts = LimbFacts(
         name=name,
         title=held.title or name,
         sentence=f"{hand}, imported: {held.n_inputs} places, {held.n_outputs} outputs along "
@@ -76,3 +88,4 @@ def _read(name: str, path: Path, _changed_ns: int, _size: int) -> LimbFacts:
         left=held.left,
         mirrored=held.mirrored,
     )
+    return facts, held.map()

@@ -1,6 +1,6 @@
 """What to cite, with what a design rests on."""
 
-from skinsource.choice_words import LIMBS, word_of
+from skinsource.choice_words import limb_word
 from skinsource.dataset.store import describe
 from skinsource.design import Design
 from skinsource.errors import SkinSourceError
@@ -21,7 +21,7 @@ _DATASET = (
 
 def citation(design: Design) -> str:
     """What to cite for a design, as lines of text: the paper, the dataset, program and limb."""
-    limb = word_of(LIMBS, design.limb).title
+    limb = limb_word(design.limb).title
     synthetic = design.limb.startswith("synthetic")
     what = "computed from a wave model, not measured" if synthetic else f"doi:{DATASET_DOI}"
     digest = data_of(design)["source_sha256"]

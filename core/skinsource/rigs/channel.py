@@ -14,10 +14,10 @@ from skinsource.fields import (
     RecipeSpec,
     TextSpec,
 )
-from skinsource.limb import N_INPUTS
+from skinsource.limb import MOST_PLACES
 from skinsource.quoting import quoted
 
-PLACE = NumberSpec(label="Place", minimum=1, maximum=N_INPUTS, whole=True)
+PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_PLACES, whole=True)
 NAME = TextSpec(label="Actuator", longest=100, one_line=True)
 DEVICE = TextSpec(label="Device", longest=200, one_line=True, hint="Sound card, as it is called")
 OUTPUT = NumberSpec(label="Output", minimum=1, maximum=1024, whole=True, hint="Of the device")
@@ -43,7 +43,7 @@ class RigChannel:
     Attributes
     ----------
     place
-        Input place of the limb, 1 to 20.
+        Input place, from 1; the limb says which it has.
     actuator
         What it is called: a name of `skinsource.actuators.names`, or words for another.
     model

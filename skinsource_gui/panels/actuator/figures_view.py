@@ -45,7 +45,7 @@ class FiguresView(QWidget):
         column.addWidget(self.centred, 0, Qt.AlignmentFlag.AlignLeft)
         column.addWidget(self.table)
 
-    def show_figures(self, found: Figures, *, trusted: bool, tap: bool) -> None:
+    def show_figures(self, found: Figures, *, trusted: bool, tap: bool, limb: str = "") -> None:
         """Show figures; ``trusted``: the gain is calibrated; ``tap``: a tap could be replaced."""
         self.table.show_figures(found.rows)
         reason = found.refusal or ("" if found.place is not None else _NOTHING)
@@ -56,7 +56,7 @@ class FiguresView(QWidget):
         self.limits.setVisible(bool(beyond))
         self.centred.setVisible(found.leaves_velocity and tap)
         words = "" if found.place is None else f"Place {found.place}, "
-        words += "" if found.place is None else input_words(found.place).name
+        words += "" if found.place is None else input_words(found.place, limb).name
         part = f" · the strongest {LONGEST_S:g} s" if found.part else ""
         gain = " · uncalibrated gain" if words and not trusted else ""
         self.heading.setText(f"{words}{part}{gain}")

@@ -159,7 +159,10 @@ class ActuatorPanel(Panel):
         self._asked = asked
         trusted = self._settings.profile.gain_calibrated
         self.figures.show_figures(
-            figures_of(*asked), trusted=trusted, tap=_plays_tap(self._design, self._view)
+            figures_of(*asked),
+            trusted=trusted,
+            tap=_plays_tap(self._design, self._view),
+            limb="" if self._design is None else self._design.limb,
         )
 
     def _use_centred_tap(self) -> None:

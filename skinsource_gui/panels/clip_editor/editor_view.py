@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.arrays import Floats
 from skinsource.clips import Clip
+from skinsource.own_limbs import facts_of
 from skinsource_gui.panels.clip_editor.content import EditorContent, reach_of
 from skinsource_gui.panels.clip_editor.editor_item import EditorItem
 from skinsource_gui.panels.clip_editor.tools.tool import Tool
@@ -42,7 +43,7 @@ class EditorView(Canvas):
         self._clip: Clip | None = None
         self._drawn: Floats | None = None
         self._played: Floats | None = None
-        self._rate_hz = 1300.0
+        self._rate_hz = facts_of("").sample_rate_hz
         self._shown_s: Range | None = None
         self._held: tuple[Range, float] | None = None
         self.content: EditorContent | None = None

@@ -8,6 +8,7 @@ from skinsource.clips import Clip
 from skinsource.design import Design
 from skinsource.edits import Edit
 from skinsource.effects.breakpoints import Points
+from skinsource.own_limbs import facts_of
 from skinsource.synthesis.glide_curves import Column, Curve, bends_of, curve_of
 from skinsource.view import View
 from skinsource.waveforms import Glide
@@ -38,7 +39,7 @@ class Gliding(QObject):
         super().__init__(parent)
         self._design, self._view = Design(limb=""), View()
         self._clip: Clip | None = None
-        self._rate_hz = 1300.0
+        self._rate_hz = facts_of("").sample_rate_hz
         # What was drawn: points that bend nothing yet are not part of a glide.
         self._drawn: dict[Column, Points] = {}
         self._burst = Burst(self)

@@ -13,8 +13,8 @@ from skinsource.design import Design
 from skinsource.edits import Refusal
 from skinsource.edits.selection import clip_of
 from skinsource.errors import InvalidInputError
-from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.locations import input_words
+from skinsource.own_limbs import facts_of
 from skinsource.spectra import share_outside_band
 from skinsource.view import View
 from skinsource_gui.panel import Panel
@@ -45,7 +45,7 @@ class ClipEditorPanel(Panel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._design, self._view = Design(limb=""), View()
-        self._rate_hz = SAMPLE_RATE_HZ
+        self._rate_hz = facts_of("").sample_rate_hz
         self._waveforms: Mapping[int, Floats] = {}
         self._raw: tuple[Any, float, Floats | None] = (None, 0.0, None)
         self._drawing, self._shaping = Drawing(self), Shaping(self)
@@ -169,7 +169,7 @@ class ClipEditorPanel(Panel):
         self._toolbar.show_words(self._words(clip), enabled=True)
 
     def _words(self, clip: Clip) -> str:
-        place = input_words(self._design.track_of(clip.id).location)
+        place = input_words(self._design.track_of(clip.id).location, self._design.limb)
         label = f"{clip.label} · " if clip.label else ""
         figure = f"{figure_text(clip.waveform)} · {duration_text(clip.duration_s)}"
         return f"{label}{place.number} {place.short_name} · {figure}"

@@ -29,11 +29,14 @@ class Difference:
         Differences in dB, in place of levels; None: nothing can be shown.
     heading, words
         What minus what, and what else one should know; without a map: why there is none.
+    limb
+        Whose outputs they are.
     """
 
     shown: SmallMap | None = None
     heading: str = ""
     words: str = ""
+    limb: str = ""
 
     @property
     def end_db(self) -> float:
@@ -94,7 +97,8 @@ class DifferenceMap(QWidget):
         nearest = int(np.nanargmin(ways))
         if not ways[nearest] <= _REACH_PX:
             return ""
-        return f"{output_text(nearest + 1)}: {minus(f'{shown.levels_db[nearest]:+.1f} dB')}"
+        output = output_text(nearest + 1, self._difference.limb)
+        return f"{output}: {minus(f'{shown.levels_db[nearest]:+.1f} dB')}"
 
     def paintEvent(self, event) -> None:
         painter, theme, difference = QPainter(self), self._theme, self._difference

@@ -181,7 +181,9 @@ class ComparePanel(Panel):
             heading, words = equal_words(present, other)
         if present.values["limb_data"].synthetic:
             words = f"{words}, synthetic limb"
-        return Difference(shown=minus, heading=heading, words=words)
+        return Difference(
+            shown=minus, heading=heading, words=words, limb=present.snapshot.design.limb
+        )
 
     def _minus(self, present: Compared, other: Compared) -> SmallMap:
         small = self._maps.map_of(present.values or {})

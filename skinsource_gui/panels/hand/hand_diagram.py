@@ -30,7 +30,7 @@ _BY_MOUSE = (
 
 
 class HandDiagram(QWidget):
-    """A palm with 20 sites; tells by signals what the user wants there.
+    """A palm with its sites; tells by signals what the user wants there.
 
     Parameters
     ----------
@@ -102,6 +102,13 @@ class HandDiagram(QWidget):
     def site_centre(self, site: int) -> QPoint:
         """Middle of a site's marker, in pixels of this widget."""
         return self.hand.centre(site).toPoint()
+
+    def show_drawing(self, drawing: HandDrawing) -> None:
+        """Take another hand."""
+        if drawing is not self.stage.drawing:
+            self._mouse.cancel()
+            self.stage.show_drawing(drawing, self)
+            self._cursor.show_hand()
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""

@@ -1,4 +1,4 @@
-"""The project's own hand, turned palm up and ready to be painted."""
+"""The hand that inputs are placed on, turned palm up and ready to be painted."""
 
 from dataclasses import dataclass
 
@@ -29,7 +29,7 @@ _SHADES = ((26.0, 0.05), (17.0, 0.06), (10.0, 0.07), (5.0, 0.08))
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class HandDrawing:
-    """The palm of a right hand in outline pixels, x right, y down, thumb right, wrist at (0, 0).
+    """A palm in outline pixels, x right, y down; 400 of them make a hand.
 
     Attributes
     ----------
@@ -37,10 +37,20 @@ class HandDrawing:
         What is filled and what is drawn on it.
     bounds
         The hand and a bit of the arm.
-    sites : (20, 2)
-        Input places; of 1 to 5 the very end of the digit.
-    pushes : (20, 2)
+    sites : (n_sites, 2)
+        Input places; of 1 to 5 of the published limbs the very end of the digit.
+    pushes : (n_sites, 2)
         Unit vectors along which in-axis contacts push; zero for perpendicular ones.
+    limb
+        Whose places they are, for their names.
+    side
+        Which hand this is, in words.
+    site_px, least_px
+        Radius of a site; and that below which none goes on the screen.
+    contacts
+        Whether it is known how contacts push.
+    fade
+        Where the picture begins and ends to fade, y; None: it does not.
     """
 
     outline: QPainterPath
@@ -48,6 +58,12 @@ class HandDrawing:
     bounds: QRectF
     sites: NDArray[np.float64]
     pushes: NDArray[np.float64]
+    limb: str = ""
+    side: str = "Right hand,\npalm side"
+    site_px: float = 17.0
+    least_px: float = 11.0
+    contacts: bool = True
+    fade: tuple[float, float] | None = (_FADE_PX, _ARM_PX)
 
 
 def palmar_drawing(shape: HandShape) -> HandDrawing:
@@ -58,10 +74,10 @@ def palmar_drawing(shape: HandShape) -> HandDrawing:
         return shape.wrist - points
 
     outline, creases = QPainterPath(), QPainterPath()
-    outline.addPolygon(_polygon(palmar(shape.outline)))
+    outline.addPolygon(polygon(palmar(shape.outline)))
     outline.closeSubpath()
     for line in shape.creases:
-        creases.addPolygon(_polygon(palmar(line)))
+        creases.addPolygon(polygon(palmar(line)))
     sites, pushes = palmar(shape.input_positions), np.zeros((len(shape.input_positions), 2))
     for digit, axis in zip(range(len(DIGITS)), shape.digit_axes, strict=True):
         sites[digit] = palmar(axis[-1])
@@ -106,18 +122,19 @@ def hand_pixmap(
     painter.restore()
     painter.strokePath(transform.map(drawing.creases), _pen(line, 0.5, max(1.0, 1.7 * scale)))
     painter.strokePath(outline, _pen(line, 1.0, max(1.25, 2.0 * scale)))
-    wrist = transform.map(QPointF(0.0, _FADE_PX)).y()
-    end = transform.map(QPointF(0.0, _ARM_PX)).y()
-    fade = QLinearGradient(0.0, wrist, 0.0, end)
-    fade.setColorAt(0.0, Qt.GlobalColor.black)
-    fade.setColorAt(1.0, Qt.GlobalColor.transparent)
-    painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_DestinationIn)
-    painter.fillRect(QRectF(QPointF(0.0, 0.0), size.toSizeF()), fade)
+    if drawing.fade is not None:
+        wrist, end = (transform.map(QPointF(0.0, y)).y() for y in drawing.fade)
+        fade = QLinearGradient(0.0, wrist, 0.0, end)
+        fade.setColorAt(0.0, Qt.GlobalColor.black)
+        fade.setColorAt(1.0, Qt.GlobalColor.transparent)
+        painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_DestinationIn)
+        painter.fillRect(QRectF(QPointF(0.0, 0.0), size.toSizeF()), fade)
     painter.end()
     return pixmap
 
 
-def _polygon(points: NDArray[np.float64]) -> QPolygonF:
+def polygon(points: NDArray[np.float64]) -> QPolygonF:
+    """Points as Qt has them."""
     return QPolygonF([QPointF(x, y) for x, y in points])
 
 

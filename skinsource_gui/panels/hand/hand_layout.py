@@ -10,9 +10,8 @@ from PySide6.QtGui import QTransform
 from skinsource_gui.panels.hand.hand_drawing import HandDrawing
 from skinsource_gui.widgets.frame import Frame
 
-#: Smallest and largest radius of a site, px; no hit area is narrower than the smallest.
-_RADIUS_PX = (11.0, 26.0)
-_RADIUS_PER_SCALE = 17.0
+#: Largest radius of a site, px.
+_LARGEST_PX = 26.0
 # Room beside and above the hand for the markers off its fingertips, in radii.
 _SIDE_RADII, _TOP_RADII = 1.6, 2.9
 #: An in-axis marker is this far off its fingertip, in radii.
@@ -32,9 +31,9 @@ class HandLayout:
         From the drawing's outline pixels to the widget's pixels.
     radius_px
         Of a site's circle.
-    centres : (20, 2)
+    centres : (n_sites, 2)
         Of the sites' markers, in widget pixels.
-    pushes : (20, 2)
+    pushes : (n_sites, 2)
         As in `HandDrawing`.
     """
 
@@ -43,9 +42,14 @@ class HandLayout:
     centres: NDArray[np.float64]
     pushes: NDArray[np.float64]
 
+    @property
+    def n_sites(self) -> int:
+        """How many there are."""
+        return len(self.centres)
+
     def has(self, site: int) -> bool:
         """Whether ``site`` is on this hand."""
-        return 1 <= site <= len(self.centres)
+        return 1 <= site <= self.n_sites
 
     def centre(self, site: int) -> QPointF:
         """Middle of the marker of ``site``, which must be on this hand."""
@@ -89,7 +93,7 @@ class HandLayout:
 
 def fitted_hand(drawing: HandDrawing, area: QRectF) -> Frame:
     """The frame that fits the hand and the markers off its fingertips into ``area``."""
-    radius = _RADIUS_PX[0]
+    radius = drawing.least_px
     for _ in range(2):  # The room for markers depends on the scale and the scale on the room.
         width = area.width() - 2 * _SIDE_RADII * radius
         height = area.height() - _TOP_RADII * radius
@@ -97,7 +101,7 @@ def fitted_hand(drawing: HandDrawing, area: QRectF) -> Frame:
             min(width / drawing.bounds.width(), height / drawing.bounds.height()),
             0.1,
         )
-        radius = _radius_px(scale)
+        radius = _radius_px(drawing, scale)
     spare = area.height() - _TOP_RADII * radius - scale * drawing.bounds.height()
     return Frame(
         scale=scale,
@@ -108,7 +112,7 @@ def fitted_hand(drawing: HandDrawing, area: QRectF) -> Frame:
 
 def hand_layout(drawing: HandDrawing, frame: Frame) -> HandLayout:
     """Lay out the sites of a hand that lies in ``frame``."""
-    radius = _radius_px(frame.scale)
+    radius = _radius_px(drawing, frame.scale)
     return HandLayout(
         transform=frame.transform(),
         radius_px=radius,
@@ -117,5 +121,6 @@ def hand_layout(drawing: HandDrawing, frame: Frame) -> HandLayout:
     )
 
 
-def _radius_px(scale: float) -> float:
-    return float(np.clip(_RADIUS_PER_SCALE * scale, *_RADIUS_PX))
+def _radius_px(drawing: HandDrawing, scale: float) -> float:
+    # No hit area is narrower than the smallest one.
+    return float(np.clip(drawing.site_px * scale, drawing.least_px, _LARGEST_PX))

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPixmap
 
-from skinsource.locations import INPUTS, input_words
+from skinsource.locations import input_words
 from skinsource_gui.panels.hand.hand_drawing import HandDrawing, hand_pixmap
 from skinsource_gui.panels.hand.hand_layout import HandLayout
 from skinsource_gui.panels.hand.site_marker import (
@@ -20,7 +20,6 @@ from skinsource_gui.theme import UNIT_PX, Theme
 
 #: What an empty hand asks for.
 HINT = "Click a place on the hand"
-_SIDE = "Right hand,\npalm side"
 _SIDE_ALIGNMENT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
 # From this height on there is a legend below the hand.
 _ROOMY_PX = 300
@@ -122,6 +121,10 @@ class HandPicture:
         self._hand: tuple[object, QPixmap] | None = None
         self._layout: HandLayout | None = None
 
+    def show_drawing(self, drawing: HandDrawing) -> None:
+        """Take another hand."""
+        self._drawing, self._hand = drawing, None
+
     def resize(self, size: QSize, metrics: QFontMetricsF) -> None:
         """Take a widget's size; below the area of the hand there is text."""
         self._size = size
@@ -141,8 +144,8 @@ class HandPicture:
         # Magnified, the hand would lie on the words below it.
         painter.setClipRect(self.area.adjusted(0, -2, 0, UNIT_PX / 2))
         painter.drawPixmap(0, 0, self._hand_at(ratio))
-        for place in INPUTS:
-            self._paint_site(painter, place.number, state)
+        for site in range(1, layout.n_sites + 1):
+            self._paint_site(painter, site, state)
         if state.selected is not None and self._layout.has(state.marks[state.selected].site):
             # Above its neighbours, as the selected one.
             self._paint_site(painter, state.marks[state.selected].site, state)
@@ -154,7 +157,7 @@ class HandPicture:
         painter.setFont(font)
         self._paint_side(painter)
         self._paint_caption(painter, state)
-        if self._lines > 1:
+        if self._lines > 1 and self._drawing.contacts:
             self._paint_legend(painter)
 
     def _hand_at(self, ratio: float) -> QPixmap:
@@ -213,7 +216,7 @@ class HandPicture:
         area = self._line_area(self._lines)
         text = state.note
         if not text and site is not None:
-            place = input_words(site)
+            place = input_words(site, self._drawing.limb)
             text = f"{site} · {place.name}"
             if metrics.horizontalAdvance(text) > area.width():
                 text = f"{site} · {place.short_name}"
@@ -228,7 +231,7 @@ class HandPicture:
         bottom = self._line_area(self._lines).bottomRight() - QPointF(0.0, 1.5 * self._line_px)
         area = QRectF(bottom - QPointF(200.0, 4 * self._line_px), bottom)
         painter.setPen(QColor(self.theme.dim))
-        painter.drawText(area, _SIDE_ALIGNMENT, _SIDE)
+        painter.drawText(area, _SIDE_ALIGNMENT, self._drawing.side)
 
     def _paint_legend(self, painter: QPainter) -> None:
         metrics, area = QFontMetricsF(painter.font()), self._line_area(1)

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, QPointF, QRectF, Signal
 from PySide6.QtGui import QFontMetricsF, QPainter
 from PySide6.QtWidgets import QWidget
 
-from skinsource.locations import input_place
+from skinsource.locations import input_words
 from skinsource_gui.panels.hand.hand_drawing import HandDrawing
 from skinsource_gui.panels.hand.hand_layout import HandLayout, fitted_hand, hand_layout
 from skinsource_gui.panels.hand.hand_picture import HINT, HandPicture, HandState
@@ -48,15 +48,28 @@ class HandStage(QObject):
 
     def __init__(self, drawing: HandDrawing, theme: Theme, widget: QWidget) -> None:
         super().__init__(widget)
-        self._drawing = drawing
-        self._outline = np.array(
-            [(point.x(), point.y()) for point in drawing.outline.toFillPolygon().toList()]
-        )
+        self._drawing, self._outline = drawing, _points_of(drawing)
         self._picture = HandPicture(drawing, theme)
         self.state = HandState()
         self.layout: HandLayout = hand_layout(drawing, fitted_hand(drawing, self._picture.area))
         self.pan_zoom = PanZoom(widget)
         self.pan_zoom.changed.connect(self._lay_out)
+
+    @property
+    def drawing(self) -> HandDrawing:
+        """The hand."""
+        return self._drawing
+
+    def show_drawing(self, drawing: HandDrawing, widget: QWidget) -> None:
+        """Take another hand, which has other sites."""
+        if drawing is not self._drawing:
+            self._drawing, self._outline = drawing, _points_of(drawing)
+            self._picture.show_drawing(drawing)
+            self.state = replace(self.state, hovered=None, cursor=None, target=None)
+            self.layout = hand_layout(drawing, fitted_hand(drawing, self._picture.area))
+            self.fit(widget)
+            self.pan_zoom.show(WHOLE)
+            self.changed.emit()
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
@@ -92,8 +105,8 @@ class HandStage(QObject):
 
     def words(self, site: int) -> str:
         """What is at a site, in lines."""
-        place = input_place(site)
-        lines = [f"{site} · {place.name}", _CONTACTS[place.contact]]
+        place = input_words(site, self._drawing.limb)
+        lines = [f"{site} · {place.name}", *filter(None, [_CONTACTS.get(place.kind, "")])]
         for index in self.state.at(site):
             chosen = ", selected" if index == self.state.selected else ""
             lines.append(f"Input {index + 1}: {self.state.marks[index].words}{chosen}")
@@ -108,3 +121,8 @@ class HandStage(QObject):
         if self.pan_zoom.frame is not None:
             self.layout = hand_layout(self._drawing, self.pan_zoom.frame)
             self.changed.emit()
+
+
+def _points_of(drawing: HandDrawing) -> np.ndarray:
+    points = drawing.outline.toFillPolygon().toList()
+    return np.array([(point.x(), point.y()) for point in points])

@@ -10,11 +10,10 @@ from PySide6.QtWidgets import QMenu, QVBoxLayout, QWidget
 from skinsource import edits
 from skinsource.design import Design, Input, audible_inputs
 from skinsource.edits import Edit, Refusal
-from skinsource.synthetic import standard_hand
 from skinsource.view import View
 from skinsource_gui.panel import Panel
+from skinsource_gui.panels.hand.drawings import drawing_of
 from skinsource_gui.panels.hand.hand_diagram import HandDiagram
-from skinsource_gui.panels.hand.hand_drawing import palmar_drawing
 from skinsource_gui.panels.hand.hand_picture import Mark
 from skinsource_gui.panels.hand.pointing import Pointing
 from skinsource_gui.theme import LIGHT, Theme
@@ -35,7 +34,7 @@ class HandPanel(Panel):
         self._design: Design | None = None
         self._view = View()
         self._theme = LIGHT
-        self.diagram = HandDiagram(palmar_drawing(standard_hand()), self._theme, self)
+        self.diagram = HandDiagram(drawing_of(""), self._theme, self)
         self.diagram.add_requested.connect(self._add)
         self.diagram.add_besides_requested.connect(partial(self._add, besides=True))
         self.diagram.select_requested.connect(self._select)
@@ -54,6 +53,7 @@ class HandPanel(Panel):
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
         self._pointing.design = design
+        self.diagram.show_drawing(drawing_of(design.limb))
         self._show_inputs()
 
     def show_pointed_input(self, input_id: int | None) -> None:

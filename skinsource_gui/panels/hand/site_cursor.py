@@ -41,6 +41,13 @@ class SiteCursor(QObject):
         self.keys.activated.connect(self._activate)
         self.keys.shifted.connect(self._shift)
 
+    def show_hand(self) -> None:
+        """The hand is another one: where the cursor was there may be nothing."""
+        self.keys.show_count(self._stage.layout.n_sites)
+        if not self._stage.layout.has(self.site):
+            self.site = 1
+        self.moved.emit(self.site)
+
     def follow(self, site: int) -> None:
         """Go where the mouse was used, without showing; nowhere else than on this hand."""
         if not self._stage.layout.has(site):

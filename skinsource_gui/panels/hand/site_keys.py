@@ -23,7 +23,7 @@ _DIGITS = {_Key(_Key.Key_0 + digit): digit for digit in range(10)}
 class SiteKeys(QObject):
     """Turns key presses into what they mean.
 
-    A number of two digits may be typed; all Shift+arrow presses until Shift is let go are one
+    A number of several digits may be typed; all Shift+arrow presses until Shift is let go are one
     gesture.
 
     Parameters
@@ -50,6 +50,11 @@ class SiteKeys(QObject):
         self._pause = QTimer(self, singleShot=True, interval=TYPING_MS)
         self._pause.setObjectName("typing")
         self._pause.timeout.connect(self._forget_digits)
+
+    def show_count(self, n_sites: int) -> None:
+        """Take over how many sites the hand has."""
+        self._n_sites = n_sites
+        self._forget_digits()
 
     def claims(self, event: QKeyEvent) -> bool:
         """Whether the diagram wants this key for itself, before any shortcut of the window."""

@@ -9,8 +9,8 @@ from skinsource.design import AMPLITUDE, GAIN_CURVE, Input
 from skinsource.edits.kinds import kind_name, kind_spec
 from skinsource.edits.selection import clip_of, clips_of
 from skinsource.fields import ChoiceSpec, NumberSpec, specs_of
-from skinsource.limb import SAMPLE_RATE_HZ
-from skinsource.locations import INPUTS
+from skinsource.locations import input_words
+from skinsource.own_limbs import facts_of
 from skinsource.view import View
 from skinsource.waveforms import Waveform
 from skinsource_gui.theme import LIGHT, Theme
@@ -18,11 +18,14 @@ from skinsource_gui.widgets.fields.field_cell import FieldCell, LabelledCell, Wo
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
 from skinsource_gui.widgets.inputs.input_words import fixed_length_text, played_length_text
 
-_PLACE = ChoiceSpec(
-    label="Place",
-    options=tuple((str(place.number), f"{place.number} · {place.name}") for place in INPUTS),
-    hint="Where the actuator touches",
-)
+
+def _places_of(limb: str) -> ChoiceSpec:
+    numbers = range(1, facts_of(limb).n_inputs + 1)
+    return ChoiceSpec(
+        label="Place",
+        options=tuple((str(k), f"{k} · {input_words(k, limb).name}") for k in numbers),
+        hint="Where the actuator touches",
+    )
 
 
 class InputFields(QObject):
@@ -45,7 +48,7 @@ class InputFields(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._theme = LIGHT
-        self._rate_hz = SAMPLE_RATE_HZ
+        self._rate_hz, self._places = facts_of("").sample_rate_hz, _places_of("")
         self._own: tuple[LabelledCell, ...] = ()
         self._built_for: type[Waveform] | None = None
         self._length: WordsCell | None = None
@@ -54,7 +57,7 @@ class InputFields(QObject):
         self._view = View()
         self.grid = FieldGrid()
         self.kind = FieldCell("kind", kind_spec())
-        self.place = FieldCell("location", _PLACE)
+        self.place = FieldCell("location", self._places)
         self._amplitude = FieldCell("amplitude", AMPLITUDE)
         self._onset = FieldCell("onset_s", ONSET)
         self._gain = FieldCell("gain", GAIN)
@@ -95,6 +98,13 @@ class InputFields(QObject):
             cell.set_value(_value(one, cell.name, clip))
             found = {_value(other, cell.name, each) for other, each in pairs} - {None}
             cell.show_differs(len(found) > 1)
+
+    def show_limb(self, limb: str) -> None:
+        """Take over which places there are."""
+        places = _places_of(limb)
+        if places != self._places:
+            self._places = places
+            self.place.set_spec(places)
 
     def show_rate(self, sample_rate_hz: float) -> None:
         """Take over the rate of the limb, which says what frequencies can be played."""

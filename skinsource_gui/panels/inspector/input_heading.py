@@ -42,10 +42,12 @@ class InputHeading(QWidget):
         self._mute.clicked.connect(self.mute_toggled)
         self._solo.clicked.connect(self.solo_toggled)
 
-    def show_input(self, shown: Input, *, silent: bool, together: tuple[Input, ...]) -> None:
+    def show_input(
+        self, shown: Input, limb: str, *, silent: bool, together: tuple[Input, ...]
+    ) -> None:
         """Show an input, ``silent`` unless it is heard, of those that are edited ``together``."""
         self._before = f"{len(together)} inputs, last: " if len(together) > 1 else ""
-        place = input_words(shown.location)
+        place = input_words(shown.location, limb)
         self._place = place
         self._swatch.show_input(shown.location, shown.colour, silent=silent)
         contact = f" ({place.kind})" if place.kind else ""

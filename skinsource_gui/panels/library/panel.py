@@ -65,6 +65,7 @@ class LibraryPanel(Panel):
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
+        self.preview.show_limb(design.limb)
 
     def show_playhead(self, view: View) -> None:
         self._view = view

@@ -6,8 +6,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from skinsource.errors import SkinSourceError
-from skinsource.limb import SAMPLE_RATE_HZ
-from skinsource.locations import INPUTS
+from skinsource.locations import input_words
+from skinsource.own_limbs import facts_of
 from skinsource.presets import Preset, mixed
 from skinsource.quoting import sentence
 from skinsource_gui.theme import LIGHT, Theme
@@ -26,6 +26,7 @@ class PresetPreview(QWidget):
         super().__init__(parent)
         self._theme = LIGHT
         self._preset: Preset | None = None
+        self._limb = ""
         self.strip, self.spectrum, self.words = ClipStrip(), SpectrumPreview(), QLabel()
         self.strip.setAccessibleName("Clips of the preset")
         about = QScrollArea()
@@ -60,6 +61,13 @@ class PresetPreview(QWidget):
         """What is shown."""
         return self._preset
 
+    def show_limb(self, limb: str) -> None:
+        """Take over on which limb it would be placed."""
+        if limb != self._limb:
+            self._limb, preset = limb, self._preset
+            self._preset = None
+            self.show_preset(preset)
+
     def show_preset(self, preset: Preset | None) -> None:
         """Show another one, or nothing."""
         if preset == self._preset:
@@ -69,9 +77,10 @@ class PresetPreview(QWidget):
         if preset is None:
             return
         try:
-            samples = mixed(preset.fragment, SAMPLE_RATE_HZ)
-            self.strip.show_lanes(strip_lanes(preset.fragment, SAMPLE_RATE_HZ))
-            self.spectrum.show_samples(samples, SAMPLE_RATE_HZ)
+            rate_hz = facts_of(self._limb).sample_rate_hz
+            samples = mixed(preset.fragment, rate_hz)
+            self.strip.show_lanes(strip_lanes(preset.fragment, rate_hz))
+            self.spectrum.show_samples(samples, rate_hz)
         except SkinSourceError as error:
             self.strip.show_words(sentence(str(error)))
             self.spectrum.show_samples(None)
@@ -87,7 +96,7 @@ class PresetPreview(QWidget):
 
     def _show_words(self) -> None:
         preset = self._preset
-        parts = [f"<b>{escape(preset.name)}</b> · {escape(_facts(preset))}"]
+        parts = [f"<b>{escape(preset.name)}</b> · {escape(_facts(preset, self._limb))}"]
         if preset.description:
             parts.append(escape(preset.description))
         if preset.source:
@@ -96,7 +105,7 @@ class PresetPreview(QWidget):
         self.words.setText("<br>".join(parts))
 
 
-def _facts(preset: Preset) -> str:
+def _facts(preset: Preset, limb: str) -> str:
     """How long, how many clips, and for which places."""
     lanes = preset.fragment.lanes
     length_s = preset.fragment.duration_s
@@ -105,5 +114,9 @@ def _facts(preset: Preset) -> str:
         n = len(lanes[0].clips)
         return length if n == 1 else f"{length}, {n} clips"
     places = (lane.location for lane in lanes)
-    names = (INPUTS[k - 1].short_name if k <= len(INPUTS) else str(k) for k in places)
+    names = (input_words(k, limb).short_name if _is_there(k, limb) else str(k) for k in places)
     return f"{length}, {len(lanes)} tracks: {', '.join(names)}"
+
+
+def _is_there(place: int, limb: str) -> bool:
+    return place <= facts_of(limb).n_inputs

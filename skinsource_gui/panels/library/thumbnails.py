@@ -9,13 +9,14 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPixmap
 
 from skinsource.arrays import Floats
 from skinsource.errors import SkinSourceError
-from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.presets import Preset, mixed
 
 SIZE_PX = QSize(44, 26)
 #: Pixels of the screen for each of them, at most.
 _SHARPEST = 3
 _LINE_PX = 1.0
+# What is so small looks the same at the rate of any limb.
+_RATE_HZ = 2000.0
 
 
 @lru_cache(maxsize=256)
@@ -26,7 +27,7 @@ def thumbnail(preset: Preset, colour: str, ratio: float) -> QPixmap:
     picture.setDevicePixelRatio(per_px)
     picture.fill(Qt.GlobalColor.transparent)
     try:
-        samples = mixed(preset.fragment, SAMPLE_RATE_HZ)
+        samples = mixed(preset.fragment, _RATE_HZ)
     except SkinSourceError:
         return picture
     if not samples.size:

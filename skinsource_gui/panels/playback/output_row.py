@@ -34,9 +34,9 @@ class OutputRow(QObject):
     #: The output that shall play a tone.
     tone_wanted = Signal(int)
 
-    def __init__(self, grid: QGridLayout, row: int, place: int, output: int) -> None:
+    def __init__(self, grid: QGridLayout, row: int, place: int, output: int, limb: str) -> None:
         super().__init__()
-        words = input_words(place)
+        words = input_words(place, limb)
         self.place = place
         self.title = FittingLabel()
         self.title.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)

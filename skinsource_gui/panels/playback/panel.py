@@ -42,6 +42,7 @@ class PlaybackPanel(Panel):
         super().__init__(parent)
         self._theme, self._played, self._unit = LIGHT, Played(), "m/s²"
         self._in_volts = False
+        self._limb = ""
         content = QWidget()
         column = QVBoxLayout(content)
         column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX)
@@ -86,6 +87,11 @@ class PlaybackPanel(Panel):
     def show_state(self, design: Design, view: View) -> None:
         self._unit = amplitude_unit(design.scaling, design.actuated)
         self._in_volts = design.actuated is not None
+        if design.limb != self._limb:
+            # The same places, but other names.
+            self._limb = design.limb
+            self._make_rows(dict(self._played.wired))
+            self.show_played(self._played)
 
     def show_played(self, played: Played) -> None:
         """Take over what is played, on what, and how loud; called while it is visible."""
@@ -116,7 +122,7 @@ class PlaybackPanel(Panel):
                 self._table.removeWidget(widget)
                 widget.deleteLater()
         self._rows = [
-            OutputRow(self._table, number, place, output)
+            OutputRow(self._table, number, place, output, self._limb)
             for number, (place, output) in enumerate(wired.items())
         ]
         for row in self._rows:

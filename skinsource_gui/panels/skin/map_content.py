@@ -24,8 +24,8 @@ class MapContent:
 
     Attributes
     ----------
-    limb_map
-        Outline and places; ``None`` before there are any.
+    limb_map, limb
+        Outline and places, ``None`` before there are any; and whose they are.
     values : (n_outputs,) or None
         Level of each output in dB, or what ``quantity`` says; ``None``: no colours.
     field, field_values
@@ -57,6 +57,7 @@ class MapContent:
     """
 
     limb_map: LimbMap | None = None
+    limb: str = ""
     values: Floats | None = None
     field: FieldImage | None = None
     field_values: Floats | None = None

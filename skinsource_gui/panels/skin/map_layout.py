@@ -12,9 +12,14 @@ from skinsource.limb import VOLAR_OUTPUTS, LimbMap
 from skinsource_gui.panels.skin.triad import triad_size
 from skinsource_gui.widgets.frame import Frame, fitted
 
-#: Palmar outputs as they are laid out: rows from the wrist to the elbow, the middle of
-#: the arm on the left and its ulnar side on the right.
-PALMAR_ROWS = ((61, 62), (63, 64), (66, 65))
+Rows = tuple[tuple[int, ...], ...]
+
+#: Palmar outputs of the published limbs as they are laid out: rows from the wrist to the elbow,
+#: the middle of the arm on the left and its ulnar side on the right.
+PALMAR_ROWS: Rows = ((61, 62), (63, 64), (66, 65))
+#: What stands over outputs of other limbs that have no place on the map.
+NO_PLACE = "No place"
+_MOST_ROWS, _FEWEST_COLUMNS = 5, 2
 
 _MARGIN_PX = 10.0
 #: Above a map that is fitted there is a line for words, in lines of text: none lies on the skin.
@@ -48,7 +53,11 @@ class MapLayout:
     frame
         Of the dorsal map.
     points : (n_outputs, 2)
-        Of the outputs; the six palmar ones lie in their own group.
+        Of the outputs; the unplaced ones lie in their own group.
+    unplaced
+        Outputs without a place on the map: the six palmar ones of the published limbs.
+    card_title
+        What stands over them.
     dot_radius, disc_radius, palmar_radius
         Of a sensor on the interpolated map, of one that carries its colour, of a palmar one.
     palmar_card, triad_card
@@ -60,6 +69,8 @@ class MapLayout:
     room: QRectF
     frame: Frame
     points: Floats
+    unplaced: tuple[int, ...]
+    card_title: str
     dot_radius: float
     disc_radius: float
     palmar_radius: float
@@ -68,24 +79,40 @@ class MapLayout:
     unit: float
 
 
-def palmar_size(metrics: QFontMetricsF) -> QSizeF:
-    """Size of the palmar group."""
+def unplaced_rows(limb_map: LimbMap) -> Rows:
+    """Outputs without a place on the map, in the rows of their group."""
+    unplaced = limb_map.unplaced
+    if unplaced == VOLAR_OUTPUTS:
+        return PALMAR_ROWS
+    columns = max(-(-len(unplaced) // _MOST_ROWS), _FEWEST_COLUMNS)
+    return tuple(unplaced[k : k + columns] for k in range(0, len(unplaced), columns))
+
+
+def palmar_size(rows: Rows, metrics: QFontMetricsF) -> QSizeF:
+    """Size of the group of unplaced outputs; nothing where there are none."""
+    if not rows:
+        return QSizeF(0.0, 0.0)
     line = metrics.height()
-    width = max(metrics.horizontalAdvance(PALM_SIDE), 3.4 * line) + 0.9 * line
-    return QSizeF(width, (1.6 + 1.75 * len(PALMAR_ROWS)) * line)
+    columns = max(map(len, rows))
+    width = max(metrics.horizontalAdvance(PALM_SIDE), 1.7 * columns * line) + 0.9 * line
+    return QSizeF(width, (1.6 + 1.75 * len(rows)) * line)
 
 
-def fitted_beside_cards(bounds: QRectF, room: QRectF, metrics: QFontMetricsF) -> Frame:
+def fitted_beside_cards(
+    limb_map: LimbMap, bounds: QRectF, room: QRectF, metrics: QFontMetricsF
+) -> Frame:
     """The frame that fits ``bounds`` into ``room`` without the cards in its way."""
-    beside, above = _fits(bounds, room, metrics)
+    beside, above = _fits(limb_map, bounds, room, metrics)
     return beside if beside.scale >= above.scale else above
 
 
-def _fits(bounds: QRectF, room: QRectF, metrics: QFontMetricsF) -> tuple[Frame, Frame]:
+def _fits(
+    limb_map: LimbMap, bounds: QRectF, room: QRectF, metrics: QFontMetricsF
+) -> tuple[Frame, Frame]:
     """The frame beside a column of cards, and the one above a row of them."""
     top = max(_MARGIN_PX, WORDS_LINES * metrics.height())
     inner = room.adjusted(_MARGIN_PX, top, -_MARGIN_PX, -_MARGIN_PX)
-    palm, triad = palmar_size(metrics), triad_size(metrics)
+    palm, triad = _sizes(limb_map, metrics)
     width, height = max(palm.width(), triad.width()), max(palm.height(), triad.height())
     return (
         fitted(bounds, inner.adjusted(0, 0, -width, 0), up=True),
@@ -98,17 +125,24 @@ def _cards(
 ) -> tuple[QRectF, QRectF]:
     """Areas of palmar group and axes: in the lower right corner, where they stay while zooming."""
     edge = 4 * unit
-    palm, triad = palmar_size(metrics), triad_size(metrics)
+    palm, triad = _sizes(limb_map, metrics)
     corner = QPointF(room.right() - palm.width() - edge, room.bottom() - palm.height() - edge)
     palm_card = QRectF(corner, palm)
-    beside, above = _fits(outline_bounds(limb_map), room, metrics)
+    beside, above = _fits(limb_map, outline_bounds(limb_map), room, metrics)
     if beside.scale >= above.scale:
         at = QPointF(room.right() - triad.width() - edge, corner.y() - triad.height() - edge)
     else:
         at = QPointF(corner.x() - triad.width() - edge, room.bottom() - triad.height() - edge)
     triad_card = QRectF(at, triad)
     free = room.adjusted(edge, WORDS_LINES * metrics.height(), 0, 0)
+    if triad.isEmpty():
+        return palm_card, QRectF()
     return palm_card, triad_card if free.contains(triad_card) else QRectF()
+
+
+def _sizes(limb_map: LimbMap, metrics: QFontMetricsF) -> tuple[QSizeF, QSizeF]:
+    palm = palmar_size(unplaced_rows(limb_map), metrics)
+    return palm, triad_size(metrics) if limb_map.axes_shown else QSizeF(0.0, 0.0)
 
 
 def map_layout(limb_map: LimbMap, frame: Frame, room: QRectF, metrics: QFontMetricsF) -> MapLayout:
@@ -117,10 +151,12 @@ def map_layout(limb_map: LimbMap, frame: Frame, room: QRectF, metrics: QFontMetr
     unit = line / _USUAL_LINE_PX
     card, triad_card = _cards(limb_map, room, metrics, unit)
     points = frame.to_screen(limb_map.output_positions)
-    for row, numbers in enumerate(PALMAR_ROWS):
-        for side, number in zip((-1, 1), numbers, strict=True):
+    rows = unplaced_rows(limb_map)
+    for row, numbers in enumerate(rows):
+        for column, number in enumerate(numbers):
+            aside = 2 * column + 1 - max(map(len, rows))
             points[number - 1] = (
-                card.center().x() + side * 0.95 * line,
+                card.center().x() + aside * 0.95 * line,
                 card.top() + (2.1 + 1.75 * row) * line,
             )
     spacing = smallest_spacing(limb_map.output_positions) * frame.scale
@@ -128,6 +164,8 @@ def map_layout(limb_map: LimbMap, frame: Frame, room: QRectF, metrics: QFontMetr
         room=room,
         frame=frame,
         points=points,
+        unplaced=limb_map.unplaced,
+        card_title=PALM_SIDE if rows == PALMAR_ROWS else NO_PLACE,
         dot_radius=min(max(0.18 * spacing, 1.6 * unit), 3.5 * unit),
         disc_radius=min(max(0.46 * spacing, 3.6 * unit), 12.0 * unit),
         palmar_radius=0.72 * line,
@@ -138,12 +176,10 @@ def map_layout(limb_map: LimbMap, frame: Frame, room: QRectF, metrics: QFontMetr
 
 
 def smallest_spacing(positions: Floats) -> float:
-    """Smallest distance between two dorsal outputs, in outline pixels."""
-    dorsal = np.array(
-        [place for k, place in enumerate(positions, start=1) if k not in VOLAR_OUTPUTS]
-    )
+    """Smallest distance between two outputs on the map, in outline pixels; 0: there are no two."""
+    dorsal = positions[np.isfinite(positions[:, 0])]
     apart = np.linalg.norm(dorsal[:, None] - dorsal[None], axis=-1)
-    return float(apart[apart > 0].min())
+    return float(apart[apart > 0].min(initial=np.inf)) if apart.any() else 0.0
 
 
 def _box(points: Floats) -> QRectF:

@@ -14,8 +14,7 @@ from PySide6.QtGui import (
     QPolygonF,
 )
 
-from skinsource.choice_words import PALM_SIDE
-from skinsource.limb import VOLAR_OUTPUTS, LimbMap
+from skinsource.limb import LimbMap
 from skinsource_gui.panels.skin.inputs.marks import paint_marks
 from skinsource_gui.panels.skin.length_bar import paint_length_bar
 from skinsource_gui.panels.skin.map_content import MapContent
@@ -141,7 +140,7 @@ class MapPainter:
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
     ) -> None:
         painter.setPen(QPen(QColor(theme.skin_line), 1))
-        dorsal = dorsal_outputs(layout.points)
+        dorsal = dorsal_outputs(layout.points, layout.unplaced)
         fills = self._fills(dorsal, content, theme)
         radius = layout.disc_radius
         for number, fill in zip(dorsal, fills, strict=True):
@@ -152,9 +151,9 @@ class MapPainter:
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
     ) -> None:
         radius = layout.palmar_radius
-        fills = self._fills(VOLAR_OUTPUTS, content, theme)
+        fills = self._fills(layout.unplaced, content, theme)
         outline = QPen(QColor(theme.skin_line), 1)
-        for number, fill in zip(VOLAR_OUTPUTS, fills, strict=True):
+        for number, fill in zip(layout.unplaced, fills, strict=True):
             centre = QPointF(*layout.points[number - 1])
             painter.setPen(outline)
             painter.setBrush(fill)
@@ -168,12 +167,12 @@ class MapPainter:
         if levels is None:
             return [QColor(theme.base)] * len(outputs)
         table = colour_table(content.colours)
-        return level_colours(levels[np.array(outputs) - 1], content.value_range, table)
+        return level_colours(levels[np.array(outputs, int) - 1], content.value_range, table)
 
 
 def ring_radius(number: int, content: MapContent, layout: MapLayout) -> float:
     """Radius of the ring around an output, px."""
-    if number in VOLAR_OUTPUTS:
+    if number in layout.unplaced:
         return layout.palmar_radius + 2 * layout.unit
     if content.shown_field is None:
         return layout.disc_radius + 1.5 * layout.unit
@@ -228,11 +227,12 @@ def small_font(font: QFont, factor: float = 0.86) -> QFont:
 def _paint_cards(painter: QPainter, layout: MapLayout, theme: Theme) -> None:
     """Draw the ground of the palmar group, and the sensors' axes."""
     card = layout.palmar_card
-    _paint_card(painter, card, layout, theme)
-    painter.setPen(QColor(theme.dim))
-    line = painter.fontMetrics().height()
-    head = QRectF(card.left(), card.top(), card.width(), 1.4 * line)
-    painter.drawText(head, Qt.AlignmentFlag.AlignCenter, PALM_SIDE)
+    if not card.isEmpty():
+        _paint_card(painter, card, layout, theme)
+        painter.setPen(QColor(theme.dim))
+        line = painter.fontMetrics().height()
+        head = QRectF(card.left(), card.top(), card.width(), 1.4 * line)
+        painter.drawText(head, Qt.AlignmentFlag.AlignCenter, layout.card_title)
     if not layout.triad_card.isEmpty():
         _paint_card(painter, layout.triad_card, layout, theme)
         paint_triad(painter, layout.triad_card, theme)
@@ -249,7 +249,7 @@ def _paint_card(painter: QPainter, card: QRectF, layout: MapLayout, theme: Theme
 def _paint_dots(painter: QPainter, layout: MapLayout) -> None:
     painter.setPen(QPen(QColor(0, 0, 0, 150), layout.unit))
     painter.setBrush(QColor(255, 255, 255, 230))
-    for number in dorsal_outputs(layout.points):
+    for number in dorsal_outputs(layout.points, layout.unplaced):
         centre = QPointF(*layout.points[number - 1])
         painter.drawEllipse(centre, layout.dot_radius, layout.dot_radius)
 
@@ -268,7 +268,7 @@ def _paint_rings(painter: QPainter, content: MapContent, layout: MapLayout, them
 
 def _paint_labels(painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme) -> None:
     """Numbers beside the rings of dorsal outputs; palmar ones carry theirs anyway."""
-    drawn = dorsal_outputs(layout.points)
+    drawn = dorsal_outputs(layout.points, layout.unplaced)
     dorsal = [number for number in content.outputs if number in drawn]
     if not dorsal:
         return

@@ -132,7 +132,7 @@ def _paint_heading(
 def _paint_map(painter: QPainter, content: MapContent, room: QRectF, theme: Theme) -> MapLayout:
     metrics = QFontMetricsF(painter.font())
     bounds = outline_bounds(content.limb_map)
-    frame = fitted_beside_cards(bounds, room, metrics)
+    frame = fitted_beside_cards(content.limb_map, bounds, room, metrics)
     layout = map_layout(content.limb_map, frame, room, metrics)
     map_painter = MapPainter(content.limb_map, PaintedAnew)
     map_painter.paint(painter, content, layout, theme)

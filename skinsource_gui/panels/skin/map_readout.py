@@ -11,7 +11,7 @@ from skinsource_gui.widgets.fields.level_text import level_text, output_text
 def output_readout(content: MapContent, number: int) -> str:
     """Number and place of an output, and in a second line its value."""
     values = content.coloured_values
-    words = output_text(number)
+    words = output_text(number, content.limb)
     return (
         words if values is None else f"{words}\n{_value_text(float(values[number - 1]), content)}"
     )

@@ -18,7 +18,7 @@ def paint_hatch(
 
     On the back of the hand inside of the outline; on the palm side their discs.
     """
-    dorsal = dorsal_outputs(layout.points)
+    dorsal = dorsal_outputs(layout.points, layout.unplaced)
     area, discs = QPainterPath(), QPainterPath()
     # Where discs overlap they are one.
     for path in (area, discs):

@@ -48,7 +48,14 @@ class OutputKeys(QObject):
         """Whether a shortcut of the window must not take this key."""
         return bool(meant("skin", event))
 
-    def press(self, event: QKeyEvent, points: Floats, outputs: Outputs, middle: QPointF) -> bool:
+    def press(
+        self,
+        event: QKeyEvent,
+        points: Floats,
+        unplaced: Outputs,
+        outputs: Outputs,
+        middle: QPointF,
+    ) -> bool:
         """Act on a key; return whether it means anything to outputs.
 
         Parameters
@@ -57,6 +64,8 @@ class OutputKeys(QObject):
             The press.
         points : (n_outputs, 2)
             Screen places of the outputs.
+        unplaced
+            Those beside the map.
         outputs
             Those that are selected.
         middle
@@ -74,7 +83,7 @@ class OutputKeys(QObject):
             self.cursor_output = number
             self.meant.emit(toggled(outputs, number) if wanted == "toggle" else (number,))
         elif wanted == "select_all":
-            self.meant.emit(dorsal_outputs(points))
+            self.meant.emit(dorsal_outputs(points, unplaced))
         else:
             return False
         self.used = True

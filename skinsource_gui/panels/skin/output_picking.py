@@ -4,14 +4,13 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF
 
 from skinsource.arrays import Floats
-from skinsource.limb import VOLAR_OUTPUTS
 
 Outputs = tuple[int, ...]
 
 
-def dorsal_outputs(points: Floats) -> Outputs:
+def dorsal_outputs(points: Floats, unplaced: Outputs) -> Outputs:
     """Numbers of the outputs on the back of hand and arm; ``points`` is (n_outputs, 2)."""
-    return tuple(k for k in range(1, len(points) + 1) if k not in VOLAR_OUTPUTS)
+    return tuple(k for k in range(1, len(points) + 1) if k not in unplaced)
 
 
 def output_at(points: Floats, at: QPointF, reach_px: float) -> int | None:

@@ -10,6 +10,7 @@ from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from skinsource.design import Design
+from skinsource.own_limbs import facts_of
 from skinsource.surface import SurfaceOperator
 from skinsource.view import View
 from skinsource_gui.panel import Panel
@@ -46,7 +47,7 @@ class SkinPanel(Panel):
         self._view = View()
         self._choices = MapChoices(self.name, self)
         self._theme, self._content = LIGHT, MapContent()
-        self._shown_limb, self._covered = "", False
+        self._covered = False
         self._surface: SurfaceOperator | None = None
         self._lateness = Lateness(self)
         self._lateness.changed.connect(self._mark_outdated)
@@ -122,13 +123,13 @@ class SkinPanel(Panel):
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._lateness.set_stale(False)
-        self._shown_limb = "" if self._design is None else self._design.limb
         surface = results.get("surface") if "surface" in self.needs else None
         if surface is not None and surface is not self._surface:
             self._surface = surface
             self._change(field=field_image(surface, results["limb_data"]))
         self._change(
             limb_map=results["limb_map"],
+            limb="" if self._design is None else self._design.limb,
             px_per_mm=px_per_mm_of(results["limb_data"]),
             note=still_values.limits_and(
                 note_of(surface, results["limb_data"]), self._choices.settings.quantity
@@ -245,13 +246,12 @@ class SkinPanel(Panel):
             self._lateness.set_stale(True)
 
     def _show_choice(self) -> None:
-        """Draw results the way the view wants them."""
-        limbs = (self._shown_limb, "" if self._design is None else self._design.limb)
+        limbs = (self._content.limb, "" if self._design is None else self._design.limb)
         self._change(
             outputs=self._view.outputs,
             inputs=() if self._design is None else marks_of(self._design, self._view),
             sensors_shown=self._choices.settings.sensors_shown,
-            synthetic=any(limb.startswith("synthetic") for limb in limbs),
+            synthetic=any(facts_of(limb).synthetic for limb in limbs),
         )
         if not self._moves:
             settings = self._choices.settings

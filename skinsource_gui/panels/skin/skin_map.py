@@ -235,7 +235,7 @@ class SkinMap(QWidget):
             self.pan_zoom.show(HAND)
         elif not (
             self.pan_zoom.step(wanted)
-            or self.keys.press(event, layout.points, self.content.outputs, middle)
+            or self.keys.press(event, layout.points, layout.unplaced, self.content.outputs, middle)
         ):
             super().keyPressEvent(event)
 
@@ -267,8 +267,8 @@ class SkinMap(QWidget):
             return
         metrics = QFontMetricsF(small_font(self.font()))
         fits = {
-            WHOLE: fitted_beside_cards(outline_bounds(limb_map), room, metrics),
-            HAND: fitted_beside_cards(hand_bounds(limb_map), room, metrics),
+            WHOLE: fitted_beside_cards(limb_map, outline_bounds(limb_map), room, metrics),
+            HAND: fitted_beside_cards(limb_map, hand_bounds(limb_map), room, metrics),
         }
         self.pan_zoom.arrange(fits, limb_map.outline, room)
 

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.decibels import decibels
 from skinsource.design import Design
-from skinsource.limb import SAMPLE_RATE_HZ
+from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.signals import BAND_HZ
 from skinsource.spectra import HOLD_WINDOW_S
@@ -30,7 +30,7 @@ _LINEAR_AXIS = XAxis(
     ),
     unit="Hz",
     column="frequency_hz",
-    extent=(0.0, SAMPLE_RATE_HZ / 2),
+    extent=(0.0, facts_of("").sample_rate_hz / 2),
     band=BAND_HZ,
 )
 # What the height of a curve means, longest first.
@@ -60,7 +60,7 @@ class SpectraPanel(SignalPanel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("spectra-plot", "Spectra of the selected outputs", parent)
         self._view, self._settings = View(), SpectraSettings()
-        self._axis, self._log_axis = _axes(SAMPLE_RATE_HZ)
+        self._axis, self._log_axis = _axes(facts_of("").sample_rate_hz)
         self._results: Mapping[str, Any] | None = None
         self._log_frequency = self._plot.toolbar.add_switch(
             "log-frequency",
@@ -104,7 +104,7 @@ class SpectraPanel(SignalPanel):
     def show_results(self, results: Mapping[str, Any]) -> None:
         if results["outputs"]:
             self._results = dict(results)
-            axes = _axes(results["sample_rate_hz"])
+            axes = _axes(results["sample_rate_hz"], own=facts_of(results["limb"]).own)
             if axes != (self._axis, self._log_axis):
                 self._axis, self._log_axis = axes
                 self._show_axis()
@@ -134,13 +134,13 @@ class SpectraPanel(SignalPanel):
             Curves(
                 x=frequency_hz,
                 y=decibels(magnitude) if level else magnitude,
-                names=output_names(results["outputs"]),
+                names=output_names(results["outputs"], results["limb"]),
                 kind="level" if level else "amplitude",
                 scaling=_SCALINGS[span],
                 about=lines_later(results, f"spectrum: {_SCALINGS[span][0]}"),
                 heading=heading_of(results),
             ),
-            synthetic=results["limb"].startswith("synthetic"),
+            synthetic=facts_of(results["limb"]).synthetic,
             notes=_RECTIFIED if rectified else (),
         )
 
@@ -163,8 +163,13 @@ class SpectraPanel(SignalPanel):
 
 
 @cache
-def _axes(sample_rate_hz: float) -> tuple[XAxis, XAxis]:
-    """The linear and the logarithmic axis of a limb of this rate."""
+def _axes(sample_rate_hz: float, *, own: bool = False) -> tuple[XAxis, XAxis]:
+    """The linear and the logarithmic axis of a limb of this rate.
+
+    In which band a lab measured its ``own`` one is not known.
+    """
     highest_hz = sample_rate_hz / 2
     linear = replace(_LINEAR_AXIS, extent=(0.0, highest_hz))
-    return linear, replace(_LINEAR_AXIS, extent=(_LOWEST_HZ, highest_hz), log=True)
+    if own:
+        linear = replace(linear, titles=("Frequency (Hz)",), band=None)
+    return linear, replace(linear, extent=(_LOWEST_HZ, highest_hz), log=True)

@@ -8,7 +8,8 @@ from PySide6.QtWidgets import QInputDialog, QMenu, QWidget
 
 from skinsource import edits
 from skinsource.edits import Edit, Refusal
-from skinsource.locations import INPUTS
+from skinsource.locations import input_words
+from skinsource.own_limbs import facts_of
 from skinsource_gui.panels.timeline.content import Content
 from skinsource_gui.panels.timeline.gain.gain_points import GainPoints
 from skinsource_gui.panels.timeline.gain.gain_strip import GainStrip
@@ -114,11 +115,12 @@ class LanesMenu(QObject):
     def _fill_places(self, menu: QMenu, words: str) -> None:
         places = menu.addMenu(words)
         places.setObjectName("lanes_places")
-        taken = {one.location for one in self._content().design.inputs}
-        for place in INPUTS:
-            track = "" if place.number in taken else " (new track)"
-            title = f"{place.number} · {place.name}{track}"
-            self._act(places, title, "", edits.move_clips_to_place, place.number)
+        design = self._content().design
+        taken = {one.location for one in design.inputs}
+        for number in range(1, facts_of(design.limb).n_inputs + 1):
+            track = "" if number in taken else " (new track)"
+            title = f"{number} · {input_words(number, design.limb).name}{track}"
+            self._act(places, title, "", edits.move_clips_to_place, number)
 
     def _fill_ground(self, menu: QMenu, content: Content, place: QPointF, time_s: float) -> None:
         lane = content.lane_at(place.y())

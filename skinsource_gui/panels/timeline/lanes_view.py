@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QToolTip, QWidget
 
 from skinsource.arrays import Floats
 from skinsource.design import Design
-from skinsource.limb import SAMPLE_RATE_HZ
+from skinsource.own_limbs import facts_of
 from skinsource.view import View
 from skinsource_gui.panels.timeline.clip_lengths import ClipLengths
 from skinsource_gui.panels.timeline.content import Content, ruler_px
@@ -69,7 +69,7 @@ class LanesView(Canvas):
         self.addItem(self.gains)
         self.addItem(self.playhead)
         self.addItem(self.over)
-        self.sample_rate_hz = SAMPLE_RATE_HZ
+        self.sample_rate_hz = facts_of("").sample_rate_hz
         self._design, self._view = Design(limb=""), View()
         self._lanes: tuple[Lane, ...] = ()
         self._waveforms: Mapping[int, Floats] = {}

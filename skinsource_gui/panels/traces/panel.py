@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource import edits
 from skinsource.design import Design
-from skinsource.limb import PRE_TRIGGER_DELAY_S
+from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.panels.traces.settings import TracesSettings
@@ -20,16 +20,8 @@ from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
 from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_later
 from skinsource_gui.widgets.time.playhead_keys import moved_playhead
+from skinsource_gui.widgets.tooltips import tooltip
 
-_DELAY = f"{PRE_TRIGGER_DELAY_S * 1e3:.0f} ms"
-#: What is said after the unit, longest first.
-_DELAYED = (
-    f" · responses start ~{_DELAY} late (pre-trigger of the measurement)",
-    f" · starts ~{_DELAY} late (pre-trigger)",
-    f", ~{_DELAY} late",
-    "",
-)
-_DELAY_REMOVED = (f", {_DELAY} pre-trigger removed", f", {_DELAY} removed", "")
 # Readings tell samples of 1300 Hz apart.
 _DECIMALS = {"ms": 2, "s": 5}
 
@@ -46,9 +38,7 @@ class TracesPanel(SignalPanel):
         self._view, self._settings = View(), TracesSettings()
         self._delay = self._plot.toolbar.add_switch(
             "remove-delay",
-            f"Remove {_DELAY} delay",
-            f"Responses start about {_DELAY} late: they carry the pre-trigger time of the "
-            "measurement. Shift it away",
+            *_switch_words(facts_of("").pre_trigger_delay_s),
             self._remove_delay,
         )
         self._plot.toolbar.layout_chosen.connect(self._choose_layout)
@@ -57,6 +47,7 @@ class TracesPanel(SignalPanel):
         self._plot.plot.playhead_key.connect(self._press)
         # Which delay the curves on screen have, and when they end.
         self._drawn_removed, self._end_s = False, 0.0
+        self._delay_s = facts_of("").pre_trigger_delay_s
 
     @property
     def needs(self) -> frozenset[str]:
@@ -70,6 +61,7 @@ class TracesPanel(SignalPanel):
         self._design = design
         self._view, self._settings = view, settings_of(view, self.name, TracesSettings)
         self._delay.setChecked(view.delay_removed)
+        self._show_delay(facts_of(design.limb).pre_trigger_delay_s)
         zoomed = view.time_range_s is not None
         self._plot.toolbar.show_state(layout=self._settings.layout, zoomed=zoomed)
         self._plot.plot.playhead.show_at(view.playhead_s)
@@ -94,20 +86,30 @@ class TracesPanel(SignalPanel):
         curves = Curves(
             x=results["response_time_s"],
             y=results["selected_traces"],
-            names=output_names(results["outputs"]),
+            names=output_names(results["outputs"], results["limb"]),
             about=lines_later(results),
             heading=heading_of(results),
         )
         self._plot.show_curves(
             curves,
-            synthetic=results["limb"].startswith("synthetic"),
+            synthetic=facts_of(results["limb"]).synthetic,
             notes=_axis_notes(_heard(results.get("selected_without_main_axis", ()), results)),
         )
+
+    def _show_delay(self, delay_s: float) -> None:
+        """Take over how late the responses of the limb are."""
+        if delay_s == self._delay_s:
+            return
+        self._delay_s = delay_s
+        words, hint = _switch_words(delay_s)
+        self._delay.setText(words)
+        self._delay.setToolTip(tooltip(words, hint))
+        self._delay.setVisible(delay_s > 0.0)
 
     def _apply_view(self) -> None:
         view = self._view
         seen_until_s = self._end_s if view.time_range_s is None else view.time_range_s[1]
-        axis = _axis(axis_unit(seen_until_s)[0], removed=self._drawn_removed)
+        axis = _axis(axis_unit(seen_until_s)[0], self._delay_s, removed=self._drawn_removed)
         self._plot.set_view(axis, view.time_range_s, stacked=self._settings.layout == "stacked")
 
     def _choose_layout(self, layout: str) -> None:
@@ -136,10 +138,35 @@ class TracesPanel(SignalPanel):
             self.view_changed.emit(changed)
 
 
+def _switch_words(delay_s: float) -> tuple[str, str]:
+    """What the switch of the delay says, and its hint."""
+    delay = f"{delay_s * 1e3:.3g} ms"
+    return (
+        f"Remove {delay} delay",
+        f"Responses start about {delay} late: they carry the pre-trigger time of the "
+        "measurement. Shift it away",
+    )
+
+
+def _said(delay_s: float, *, removed: bool) -> tuple[str, ...]:
+    """What is said of the delay after the unit, longest first."""
+    delay = f"{delay_s * 1e3:.3g} ms"
+    if delay_s == 0.0:
+        return ("",)
+    if removed:
+        return f", {delay} pre-trigger removed", f", {delay} removed", ""
+    return (
+        f" · responses start ~{delay} late (pre-trigger of the measurement)",
+        f" · starts ~{delay} late (pre-trigger)",
+        f", ~{delay} late",
+        "",
+    )
+
+
 @cache
-def _axis(unit: str, *, removed: bool) -> XAxis:
+def _axis(unit: str, delay_s: float, *, removed: bool) -> XAxis:
     """The time axis in ms or s, which says what became of the delay."""
-    said = _DELAY_REMOVED if removed else _DELAYED
+    said = _said(delay_s, removed=removed)
     return XAxis(
         titles=tuple(f"Time ({unit}){words}" for words in said),
         unit=unit,

@@ -55,6 +55,14 @@ FILE: tuple[ActionSpec, ...] = (
         keywords="open load wav flac aiff ogg csv tsv npy npz mat matlab hdf5 audio",
     ),
     action(
+        "own_limbs",
+        "File",
+        "Own limbs…",
+        "Import impulse responses that you measured yourself, with outline and places",
+        command="pages.show_limbs",
+        keywords="import limb lab responses hdf5 outline svg photograph mirror left hand",
+    ),
+    action(
         "save_design",
         "File",
         "Save",

@@ -3,7 +3,6 @@
 from skinsource import edits
 from skinsource.design import Design
 from skinsource.edits import Edit, Refusal
-from skinsource.limb import PRE_TRIGGER_DELAY_S
 from skinsource.view import View
 from skinsource_gui.shell.action_spec import ActionSpec, action
 from skinsource_gui.shell.docks.arrangements import ARRANGEMENTS
@@ -21,7 +20,7 @@ VIEW: tuple[ActionSpec, ...] = (
     action(
         "remove_delay",
         "View",
-        f"Remove {PRE_TRIGGER_DELAY_S * 1e3:.0f} ms pre-trigger delay",
+        "Remove pre-trigger delay",
         "Shift time axes so that the response starts with the stimulus",
         "Ctrl+T",
         edit=_toggle_delay,

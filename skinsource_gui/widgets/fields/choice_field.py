@@ -34,8 +34,7 @@ class ChoiceField(QComboBox):
         super().__init__(parent)
         self._burst = Burst(self)
         self._strange = ""
-        for option, words in spec.options:
-            self.addItem(words, option)
+        self.offer(spec)
         self.setAccessibleName(spec.label)
         self.setToolTip(tooltip(spec.label, spec.hint))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -45,6 +44,18 @@ class ChoiceField(QComboBox):
         # A drop-down list of Qt takes the focus from the wheel, and then acts on it.
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.activated.connect(self._choose)
+
+    def offer(self, spec: ChoiceSpec) -> None:
+        """Offer other options; what is chosen stays so, whether or not it is among them."""
+        value = self.value
+        self.blockSignals(True)
+        self.clear()
+        for option, words in spec.options:
+            self.addItem(words, option)
+        self.blockSignals(False)
+        index = self.findData(value) if value else self.currentIndex()
+        self._strange = "" if index >= 0 else value
+        self.setCurrentIndex(index)
 
     @property
     def value(self) -> str:

@@ -125,7 +125,7 @@ class ChoiceEditor(_Plain):
         super().__init__(parent)
         self.field = ChoiceField(spec, parent)
         self.field.chosen.connect(self.edited.emit)
-        self.set_value = self.field.set_value
+        self.set_value, self.set_spec = self.field.set_value, self.field.offer
 
 
 class KindEditor(_Plain):

@@ -24,8 +24,10 @@ def level_text(level_db: float, span: str) -> str:
     return minus(f"{level_db:.1f} dB re 1 m/s²  ({amount} RMS, {span_words(span)})")
 
 
-def output_text(number: int) -> str:
+def output_text(number: int, limb: str = "") -> str:
     """Number and place of an output."""
-    place = output_words(number)
-    name = place.name if place.kind else place.short_name
+    place = output_words(number, limb)
+    if place.name == f"Output {number}":
+        return place.name
+    name = place.name if place.kind or limb else place.short_name
     return f"Output {number}, {name}"

@@ -6,7 +6,7 @@ from functools import partial
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
-from skinsource.choice_words import LIMBS, SCALINGS, word_of
+from skinsource.choice_words import SCALINGS, limb_word, word_of
 from skinsource.clips import Clip
 from skinsource.design import Design, Input, amplitude_unit, audible_inputs
 from skinsource_gui.theme import LIGHT, Theme
@@ -33,7 +33,7 @@ def caption_of(design: Design) -> str:
     stimulus = "; ".join(said) or "Silent: nothing is driven"
     title = f"{design.title}. " if design.title else ""
     scaling = word_of(SCALINGS, design.scaling).title.lower()
-    limb = word_of(LIMBS, design.limb).title
+    limb = limb_word(design.limb).title
     return minus(f"{title}{stimulus}. Limb: {limb}; scaling: {scaling}.")
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from skinsource.arrays import Floats
-from skinsource.locations import output_words
+from skinsource.locations import PlaceWords, output_words
 from skinsource_gui.widgets.plot.ranges import Kind
 
 #: What levels are, where nothing else is said.
@@ -73,9 +73,14 @@ class Curves:
         return right - 1 if x - self.x[right - 1] <= self.x[right] - x else right
 
 
-def output_names(outputs: tuple[int, ...]) -> tuple[CurveName, ...]:
-    """Names of the curves of ``outputs``."""
-    places = [output_words(output) for output in outputs]
+def output_names(outputs: tuple[int, ...], limb: str) -> tuple[CurveName, ...]:
+    """Names of the curves of ``outputs`` of a limb."""
+    places = [output_words(output, limb) for output in outputs]
     return tuple(
-        CurveName(number=place.number, short=place.short_name, full=place.name) for place in places
+        CurveName(number=place.number, short=_beside(place), full=place.name) for place in places
     )
+
+
+def _beside(place: PlaceWords) -> str:
+    """What stands beside the number; nothing where a lab gave its output no name."""
+    return "" if place.short_name == f"output {place.number}" else place.short_name

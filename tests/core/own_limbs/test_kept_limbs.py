@@ -229,7 +229,7 @@ def test_responses_replaced_while_the_limb_is_open_are_noticed(lab):
     ("changes", "words"),
     [
         ({"name": "Lab 1"}, "small letters, digits"),
-        ({"name": "measured-1"}, "none of measured-1"),
+        ({"name": "measured-1"}, "not beginning with measured-"),
         ({"name": "../a"}, "small letters"),
         ({"axes": "zx"}, "axes 'zx' is not known"),
         ({"sample_rate_hz": float("nan")}, "100 to 768000 Hz"),

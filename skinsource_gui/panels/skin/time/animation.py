@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QSizeF
 from PySide6.QtGui import QGuiApplication, QImage, QPainter
 
-from skinsource.choice_words import LIMBS, word_of
+from skinsource.choice_words import limb_word
 from skinsource.design import Design
 from skinsource.errors import InvalidInputError
 from skinsource.export.exported_design import ExportedDesign
@@ -157,7 +157,7 @@ class _Camera:
 
     def words(self, film: Film) -> str:
         """How fast time runs, and of whom this is."""
-        limb = word_of(LIMBS, self._exported.design.limb).title
+        limb = limb_word(self._exported.design.limb).title
         return f"{limb} · 1/{film.slow_motion:g} of real time"
 
     def frame(self, film: Film, number: int) -> NDArray[np.uint8]:

@@ -52,6 +52,7 @@ class Heads(QObject):
                     list_focused=False,
                     unit=unit,
                     clip=clip_of(one, view),
+                    limb=design.limb,
                 )
                 for one in design.inputs
             ]

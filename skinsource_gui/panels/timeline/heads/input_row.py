@@ -74,7 +74,7 @@ class InputRow(QWidget):
         self.solo.setChecked(shown.solo)
         if old is None or old.last != state.last:
             self._let_keyboard_in(state.last)
-        place = input_words(shown.location)
+        place = input_words(shown.location, state.limb)
         self.setAccessibleName(
             f"Input at {place.number}, {place.name}: {state.title}"
             f"{', silent' if state.silent else ''}"

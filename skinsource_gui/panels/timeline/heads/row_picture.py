@@ -30,7 +30,7 @@ def paint_row(painter: QPainter, state: RowState, places: RowPlaces, theme: Them
     font = QFont(usual)
     font.setWeight(QFont.Weight.Medium)
     painter.setFont(font)
-    place = input_words(shown.location)
+    place = input_words(shown.location, state.limb)
     fits = painter.fontMetrics().horizontalAdvance(place.name) <= places.name.width()
     short_name = place.short_name[0].upper() + place.short_name[1:]
     _write(painter, places.name, place.name if fits else short_name)

@@ -29,6 +29,8 @@ class RowState:
         Of the amplitude.
     clip
         The clip that stands for all of them: the selected one, or the first.
+    limb
+        Whose places have which names.
     """
 
     shown: Input
@@ -38,6 +40,7 @@ class RowState:
     list_focused: bool
     unit: str
     clip: Clip | None
+    limb: str = ""
 
     @property
     def figure(self) -> str:

@@ -1,0 +1,1 @@
+"""File > Own limbs: what a lab measured itself, imported, listed, mirrored, removed."""

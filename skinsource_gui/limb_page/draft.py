@@ -1,0 +1,99 @@
+"""The limb that is being put together on the page."""
+
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from skinsource.arrays import Floats
+from skinsource.limb_import import LimbSource
+
+_NO_POINTS = np.empty((0, 2))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Draft:
+    """Files and values as they are chosen.
+
+    Attributes
+    ----------
+    responses
+        Where the responses are; None: not chosen yet.
+    shape
+        Of the responses, inputs, outputs, axes and taps, as far as the file says; None: unknown.
+    in_layout
+        Whether the file says all that is needed.
+    outline, inputs, outputs
+        Points, (n, 2), as they are drawn: x right, y down where there is a photograph, else up.
+    hand
+        The two ends of the length of the hand, (n, 2), clicked on a photograph.
+    y_down
+        Whether y points down: points are pixels of a photograph.
+    input_names, output_names
+        From tables.
+    values
+        What is typed: fields of `skinsource.own_limbs.OwnLimb`.
+    """
+
+    responses: Path | None = None
+    shape: tuple[int, ...] | None = None
+    in_layout: bool = False
+    outline: Floats = field(default_factory=_NO_POINTS.copy)
+    inputs: Floats = field(default_factory=_NO_POINTS.copy)
+    outputs: Floats = field(default_factory=_NO_POINTS.copy)
+    hand: Floats = field(default_factory=_NO_POINTS.copy)
+    y_down: bool = False
+    order: str = ""
+    input_names: tuple[str, ...] = ()
+    output_names: tuple[str, ...] = ()
+    values: dict[str, Any] = field(default_factory=dict)
+
+    def with_point(self, what: str, point: tuple[float, float]) -> "Draft":
+        """With one more point of ``what``: a third end of the hand takes the place of the first."""
+        points = np.vstack((getattr(self, what), [point]))
+        return replace(self, **{what: points[-2:] if what == "hand" else points})
+
+    def without_last(self, what: str) -> "Draft":
+        """Without the last point of ``what``."""
+        return replace(self, **{what: getattr(self, what)[:-1]})
+
+    def source(self) -> LimbSource:
+        """What is imported; where nothing was chosen, the file's own values stand."""
+        if self.responses is None:
+            raise ValueError("no responses are chosen")
+        values = dict(self.values)
+        if len(self.hand) == 2:
+            values["hand_length_px"] = float(np.linalg.norm(self.hand[1] - self.hand[0]))
+        for name in ("input_names", "output_names"):
+            if getattr(self, name):
+                values[name] = getattr(self, name)
+        return LimbSource(
+            responses=self.responses,
+            order=self.order,
+            outline=self.outline if len(self.outline) else None,
+            inputs=self.inputs if len(self.inputs) else None,
+            outputs=self.outputs if len(self.outputs) else None,
+            y_down=self.y_down,
+            values=values,
+        )
+
+    def missing(self) -> str:
+        """What is still to be done, in a sentence; empty: it can be tried."""
+        if self.responses is None:
+            return "Choose the file of the responses."
+        if self.in_layout:
+            return ""
+        if not self.values.get("name"):
+            return "Give the limb a name."
+        axes = self.values.get("axes", "")
+        if self.shape and len(axes) != self.shape[2]:
+            axes_there = f"{self.shape[2]} ax{'is' if self.shape[2] == 1 else 'es'}"
+            return f"The responses have {axes_there}; choose as many."
+        for what, index in (("inputs", 0), ("outputs", 1)):
+            n, wanted = len(getattr(self, what)), self.shape[index] if self.shape else 0
+            if wanted and n != wanted:
+                return f"{n} of {wanted} {what} have a place: click them, or open a table."
+        if self.y_down and len(self.hand) != 2:
+            return "Click both ends of the hand's length: fingertip and wrist."
+        return ""

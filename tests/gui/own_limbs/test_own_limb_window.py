@@ -1,0 +1,170 @@
+"""A limb of 7 places and 31 outputs along x and z at 4 kHz, in the whole window."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, QPointF
+from PySide6.QtWidgets import QApplication
+
+from skinsource import edits
+from skinsource.design import Design, track
+from skinsource.own_limbs import facts_of, install_limb, mirror_limb, remove_limb
+from skinsource.view import View
+from skinsource.waveforms import Noise, Tone
+from skinsource_gui.status.limb_note import LimbNote
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed, own_limb, response
+
+PLAYED = Design(
+    limb="synthetic-1",
+    inputs=(track(5, Tone(frequency_hz=1500.0, duration_s=0.1)), track(2, Noise(seed=1))),
+)
+
+
+@pytest.fixture
+def lab(user_data):
+    return installed()
+
+
+@pytest.fixture
+def lab_window(lab, make_window):
+    edit = edits.change_limb(PLAYED, View(method="mag", outputs=(3, 31, 5)), "lab-1")
+    return make_window(edit.design, edit.view)
+
+
+def rested(window, qtbot):
+    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
+    window.catch_up()
+
+
+def test_every_panel_shows_it_or_says_plainly_why_not(lab_window, qtbot):
+    for panel in lab_window.panels:
+        lab_window.docks[panel.name].show()
+        lab_window.docks[panel.name].raise_()
+    rested(lab_window, qtbot)
+    assert lab_window.notice.text == ""
+    for panel in lab_window.panels:
+        assert not panel.grab().isNull()
+    content = lab_window.panel("skin").map.content
+    assert content.message == ""
+    assert content.coloured_values.shape == (N_OUTPUTS,)
+    assert np.isfinite(content.field_values).any()
+
+
+def test_names_places_and_axes_are_those_of_the_limb(lab_window, lab):
+    window = lab_window
+    limb = window.findChild(ChoiceField, "limb")
+    assert limb.shown_text == "Lab 1"
+    axes = window.findChild(ChoiceField, "axes")
+    assert axes.shown_text == "x, z"
+    enabled = [axes.itemData(k) for k in range(axes.count()) if axes.model().item(k).isEnabled()]
+    assert enabled == ["x", "z", "xz"]
+    place = window.panel("inspector").findChild(ChoiceField, "location") or next(
+        one
+        for one in window.panel("inspector").findChildren(ChoiceField)
+        if one.accessibleName() == "Place"
+    )
+    assert place.count() == N_INPUTS
+    assert place.shown_text == "5 · site 5"
+    hand = window.panel("hand").diagram
+    assert hand.hand.n_sites == N_INPUTS
+    assert "site 3" in hand.stage.words(3)
+    drawn = window.panel("skin").map.map_layout()
+    assert drawn.unplaced == (5,)
+    assert drawn.card_title == "No place"
+    assert drawn.triad_card.isEmpty()
+    assert not window.findChild(LimbNote).isHidden()
+    assert "OWN LIMB" in window.findChild(LimbNote).text()
+
+
+def test_it_is_chosen_like_any_other_and_left_again(lab, window, qtbot):
+    limb = window.findChild(ChoiceField, "limb")
+    limb.choose("lab-1")
+    rested(window, qtbot)
+    assert window.document.design.limb_digest == facts_of("lab-1").digest
+    assert window.document.view.axes == "xz"
+    assert window.panel("hand").diagram.hand.n_sites == N_INPUTS
+    limb.choose("synthetic-1")
+    rested(window, qtbot)
+    assert window.document.design.limb_digest == ""
+    assert window.document.view.axes == "xyz"
+    assert window.panel("hand").diagram.hand.n_sites == 20
+    assert window.panel("skin").map.map_layout().card_title == "Palm side"
+
+
+def test_a_limb_that_goes_locks_its_design_until_it_is_back(lab_window, qtbot):
+    window = lab_window
+    before = window.document.design
+    remove_limb("lab-1")
+    QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
+    window.do("mute") if "mute" in window.actions_by_name else None
+    window.document.edit("Mute", before.with_input(0, muted=True))
+    assert window.document.design is before
+    assert "This design is read-only. The limb 'lab-1' of this design is not here" in (
+        window.notice.text
+    )
+    assert window.findChild(ChoiceField, "limb").shown_text == "lab-1 (not available)"
+    installed(hand_length_mm=181.0)
+    window.document.edit("Mute", before.with_input(0, muted=True))
+    assert "other numbers" in window.notice.text
+    installed()
+    window.document.edit("Mute", before.with_input(0, muted=True))
+    assert window.document.design.inputs[0].muted
+
+
+def test_another_limb_unlocks_a_design_whose_limb_is_gone(lab_window, qtbot):
+    remove_limb("lab-1")
+    design = replace(lab_window.document.design)
+    lab_window.findChild(ChoiceField, "limb").choose("synthetic-2")
+    assert lab_window.document.design.limb == "synthetic-2"
+    lab_window.document.edit("Mute", lab_window.document.design.with_input(0, muted=True))
+    assert lab_window.document.design.inputs[0].muted
+    assert design.limb == "lab-1"
+
+
+def test_a_left_hand_is_mirrored_in_every_panel_on_request(lab_window, lab, qtbot):
+    hand = lab_window.panel("hand").diagram
+    before = hand.hand.centres[:, 0].copy()
+    mirror_limb("lab-1", True)
+    QApplication.sendEvent(lab_window, QEvent(QEvent.Type.WindowActivate))
+    rested(lab_window, qtbot)
+    order = np.argsort(before)
+    assert (np.argsort(hand.hand.centres[:, 0]) == order[::-1]).all()
+    both = lab.outline[:, 0].min() + lab.outline[:, 0].max()
+    shown = lab_window.panel("skin").map.content.limb_map
+    np.testing.assert_allclose(shown.output_positions[:, 0], both - lab.output_positions[:, 0])
+
+
+@pytest.mark.parametrize("n_unplaced", [0, 13, 30])
+def test_outputs_without_a_place_stand_beside_the_map_however_many(
+    user_data, make_window, qtbot, n_unplaced
+):
+    places = np.random.default_rng(2).uniform(-30, 30, (N_OUTPUTS, 2))
+    places[:n_unplaced] = np.nan
+    installed(output_positions=places)
+    edit = edits.change_limb(PLAYED, View(outputs=(1, 31)), "lab-1")
+    window = make_window(edit.design, edit.view)
+    rested(window, qtbot)
+    skin = window.panel("skin").map
+    layout = skin.map_layout()
+    assert layout.unplaced == tuple(range(1, n_unplaced + 1))
+    assert np.isfinite(layout.points).all()
+    beside = layout.points[:n_unplaced]
+    assert layout.palmar_card.isEmpty() == (n_unplaced == 0)
+    assert all(layout.palmar_card.contains(QPointF(*one)) for one in beside)
+    assert not skin.grab().isNull()
+    assert window.notice.text == ""
+
+
+def test_a_limb_too_large_to_follow_edits_says_what_computes_it(user_data, make_window, qtbot):
+    rng = np.random.default_rng(1)
+    limb = own_limb(
+        input_positions=rng.uniform(-30, 30, (65, 2)), input_names=(), axes="z", n_taps=20
+    )
+    install_limb(limb, (response(1, "z")[..., :20] for _ in range(65)))
+    edit = edits.change_limb(PLAYED, View(outputs=(3,)), "lab-1")
+    window = make_window(edit.design, edit.view)
+    message = window.panel("skin").map.content.message
+    assert "65 places and 31 outputs" in message
+    assert "Export and sweeps compute it" in message
