@@ -1,12 +1,14 @@
 """A design with all that belongs to it, as one zip file."""
 
 import hashlib
+import importlib
 import json
 import platform
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 import numpy as np
 import scipy
@@ -18,7 +20,6 @@ from skinsource.files import replacing
 from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.packing.citation import citation, data_of
 from skinsource.rigs import Rig, save_rig
-from skinsource.stimulus_export import export_stimulus
 from skinsource.version import __version__
 from skinsource.view import View
 
@@ -36,6 +37,11 @@ rig.skinrig            what was wired to what, where that was said
 citation.txt           what to cite
 about.json             versions, limb, digests of the data and of each of these files
 """
+
+
+def _stimuli() -> Any:
+    # Imported when something is packed: the studio starts without it.
+    return importlib.import_module("skinsource.stimulus_export")
 
 
 def pack(
@@ -105,7 +111,7 @@ def _writers(
         found["traces.csv"] = lambda path: export_traces(path, design, view, stop=stop)
     if audible_inputs(design.inputs):
         # Full scale is the largest sample: nothing clips, and nothing needs to be confirmed.
-        found["stimulus.wav"] = lambda path: export_stimulus(
+        found["stimulus.wav"] = lambda path: _stimuli().export_stimulus(
             design, path, "wav", _RATE_HZ, stop=stop
         )
     if rig is not None:
