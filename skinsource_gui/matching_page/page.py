@@ -239,8 +239,8 @@ class MatchingPage(QDialog):
         if run is None:
             return
         procedure, trial = run.procedure, run.trial
-        reference = _words(procedure.reference_hz, procedure.reference_place)
-        test = "" if trial is None else _words(trial.frequency_hz, trial.place)
+        reference = _words(procedure.reference_hz, procedure.reference_place, self._limb)
+        test = "" if trial is None else _words(trial.frequency_hz, trial.place, self._limb)
         self.view.show_trial(run.done, len(procedure), reference, test)
         self._show_playing()
 
@@ -258,5 +258,5 @@ class MatchingPage(QDialog):
         self.view.light(("reference", "test")[int(which) % 2] if lit else "")
 
 
-def _words(frequency_hz: float, place: int) -> str:
-    return f"{frequency_hz:g} Hz at place {place}, {input_words(place).name}"
+def _words(frequency_hz: float, place: int, limb: str) -> str:
+    return f"{frequency_hz:g} Hz at place {place}, {input_words(place, limb).name}"

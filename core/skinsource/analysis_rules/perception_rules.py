@@ -83,7 +83,7 @@ def sensation(
         found[channel] = np.maximum(level - offsets.get(channel, 0.0), SILENT_DB)
     return Sensation(
         by_channel=found,
-        level_db=np.max(list(found.values()), axis=0),
+        level_db=np.array(list(found.values())).max(axis=0),
         strength=None if table else sensation_magnitude(found),
     )
 
