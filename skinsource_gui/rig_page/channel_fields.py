@@ -67,8 +67,8 @@ class ChannelFields(QObject):
         """Show these values; None: there is no channel."""
         self._channel = channel
         self.widget.setEnabled(channel is not None)
-        if channel is None:
-            return
+        # Without one, what the first would begin with.
+        channel = channel or RigChannel(place=1, output=1)
         for name, cell in self._cells.items():
             cell.set_value(_shown(_value(channel, name)))
         points = () if channel.measured is None else channel.measured.points

@@ -96,7 +96,8 @@ ARRANGEMENTS: tuple[ArrangementSpec, ...] = (
         hint="The skin, traces and spectra, large",
         keys=("Alt+3",),
         columns=(32, 68),
-        host="skin",
+        # Not the skin: outputs are chosen there.
+        host="spectra",
     ),
     ArrangementSpec(
         name="presentation",
