@@ -48,7 +48,7 @@ _NUMBERS = {
 _FIRST = {"reference_hz": 100.0, "reference_place": 7, "amplitude": 0.25, "seed": 1}
 _TEXTS = {
     "person": ("Person", "", "Letters and digits; a number will do"),
-    "frequencies": ("Frequencies (Hz)", "50, 100, 200, 300", "Of the tests, Hz, with commas between"),
+    "frequencies": ("Frequencies (Hz)", "50, 100, 200, 300", "Of the tests, with commas between"),
     "places": ("Places", "7, 12, 17", "Of the tests: input places, with commas between"),
 }
 _MOST = 200

@@ -76,6 +76,8 @@ class PerceptionPanel(Panel):
         self.message.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._lateness = Lateness(self)
         self._lateness.changed.connect(self.table.setDisabled)
+        # Its colour is fixed: words that are late are left out, not dimmed.
+        self._lateness.changed.connect(self.contact.setHidden)
         self._lay_out()
         self._connect()
         self.setFocusProxy(self.table)
@@ -124,6 +126,7 @@ class PerceptionPanel(Panel):
         self._lateness.set_stale(stale)
 
     def show_problem(self, reason: str) -> None:
+        self._lateness.set_stale(False)
         self._say(reason)
         self.contact.setText("")
 
@@ -180,7 +183,6 @@ class PerceptionPanel(Panel):
             self.take_thresholds(Path(chosen))
 
     def _say(self, message: str) -> None:
-        self._lateness.set_stale(False)
         self._found = None
         self.table.hide()
         self.message.setText(message)

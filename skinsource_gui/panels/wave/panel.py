@@ -115,7 +115,9 @@ def wave_words(wave: TravellingWave) -> str:
         return "fewer than two outputs are more than noise"
     if wave.timed.sum() < 2:
         speed = "none: the shapes are too unlike"
-    if np.isfinite(wave.speed_m_per_s):
+    if wave.speed_deviation_m_per_s >= abs(wave.speed_m_per_s):
+        speed = "none: delays do not grow in step with the way"
+    elif np.isfinite(wave.speed_m_per_s):
         speed = f"{wave.speed_m_per_s:.1f}{_spread(wave.speed_deviation_m_per_s, 1)} m/s"
     loss = f"{wave.attenuation_db_per_cm:.2f}{_spread(wave.attenuation_deviation_db_per_cm, 2)}"
     return f"Speed {speed} · attenuation {loss} dB/cm, spreading included".replace("-", "−")

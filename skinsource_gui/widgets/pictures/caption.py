@@ -82,8 +82,7 @@ def _input_words(one: Input, unit: str) -> str:
 
 
 def _clip_words(clip: Clip) -> str:
-    waveform = clip.waveform
-    parts = figure_text(waveform), duration_text(waveform)
+    parts = figure_text(clip.waveform), duration_text(clip.duration_s)
     onset = f"at {clip.onset_s * 1e3:g} ms" if clip.onset_s else ""
     gain = f"gain {clip.gain:g}" if clip.gain != 1.0 else ""
     return " ".join(part for part in (", ".join(parts), onset, gain) if part)

@@ -83,3 +83,18 @@ def test_the_map_shows_levels_above_threshold_with_their_limits(window, settle, 
     settle()
     assert skin._content.message == ""
     assert skin._content.quantity.name == "levels"
+
+
+def test_words_on_the_contact_go_while_they_are_late_even_with_nothing_selected(
+    window, settle, qtbot
+):
+    window.docks["perception"].bring_forward()
+    settle()
+    panel = window.panel("perception")
+    assert "place 7" in panel.contact.text()
+    assert panel.contact.isVisible()
+    panel.show_stale(True)
+    panel.show_state(window.document.design, window.document.view)
+    qtbot.waitUntil(lambda: not panel.contact.isVisible())
+    panel.show_stale(False)
+    assert panel.contact.isVisible()

@@ -1,0 +1,30 @@
+"""What the Wave panel says of a speed that the delays do not bear out."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from skinsource.analysis.travelling import travelling_wave
+from skinsource_gui.panels.wave.panel import wave_words
+
+
+def the_wave():
+    """A tone burst that passes four points at 10 m/s."""
+    rate, way_mm = 4000.0, np.array([0.0, 20.0, 40.0, 60.0])
+    time = np.arange(2000) / rate
+    burst = [np.exp(-(((time - 0.2 - d / 1e4) * 60.0) ** 2)) for d in way_mm]
+    carried = [
+        b * np.sin(2 * np.pi * 150.0 * (time - d / 1e4)) for b, d in zip(burst, way_mm, strict=True)
+    ]
+    return travelling_wave(np.array(carried), way_mm, rate)
+
+
+def test_a_speed_is_said_where_delays_grow_with_the_way():
+    assert wave_words(the_wave()).startswith("Speed 10.0 ± ")
+
+
+def test_a_speed_less_sure_than_itself_is_none():
+    unsure = replace(the_wave(), speed_m_per_s=688.1, speed_deviation_m_per_s=3090.9)
+    assert wave_words(unsure).startswith("Speed none: delays do not grow in step with the way")
+    negative = replace(unsure, speed_m_per_s=-20.0, speed_deviation_m_per_s=30.0)
+    assert wave_words(negative).startswith("Speed none")
