@@ -186,6 +186,7 @@ def test_a_running_export_is_reached_and_cancelled_with_tab(
 
 def test_the_way_to_the_measured_limbs_is_followed_with_enter(at_work):
     at_work.panel("spectra").setFocus()
+    assert press(at_work, KEY.Key_Tab).objectName() == "validity_lamps"
     assert press(at_work, KEY.Key_Tab).objectName() == "limb_note"
     press(at_work, KEY.Key_Return)
     page = next(one for one in at_work.findChildren(QDialog) if one.isVisible())
@@ -196,7 +197,7 @@ def test_the_way_to_the_measured_limbs_is_followed_with_enter(at_work):
 def test_a_note_without_a_link_is_no_stop(at_work):
     at_work._limb_note.show_available(("measured-1", "synthetic-1"))
     assert at_work._limb_note.isVisible()
-    assert "status" not in in_turn(walk(at_work))
+    assert ("status", "limb_note") not in walk(at_work)
 
 
 def test_f6_goes_from_panel_to_panel_in_the_same_order(at_work):
