@@ -124,9 +124,12 @@ def test_a_curve_that_cannot_be_drawn_is_refused_in_words(clip_id, column, curve
 
 
 def test_what_has_a_frequency_becomes_a_glide_of_it():
-    assert as_kind(Tone(123.0, duration_s=0.4), Glide).points == (
+    assert as_kind(Tone(123.0, duration_s=0.4), Glide, 1300.0).points == (
         (0.0, 123.0, 1.0),
         (0.4, 123.0, 1.0),
     )
-    assert as_kind(Chirp(30.0, 500.0, 0.3), Glide).points == ((0.0, 30.0, 1.0), (0.3, 500.0, 1.0))
-    assert as_kind(Noise(), Glide) == as_kind(Tap(), Glide) == Glide()
+    assert as_kind(Chirp(30.0, 500.0, 0.3), Glide, 1300.0).points == (
+        (0.0, 30.0, 1.0),
+        (0.3, 500.0, 1.0),
+    )
+    assert as_kind(Noise(), Glide, 1300.0) == as_kind(Tap(), Glide, 1300.0) == Glide()

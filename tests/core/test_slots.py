@@ -127,6 +127,8 @@ def test_operators_of_maps_are_few_enough_to_be_kept():
     held = []
     for limb in ("synthetic-1", "synthetic-2"):
         graph = new_graph()
-        weights = graph.evaluate({"surface"}, {"limb": limb})["surface"].weights
+        weights = graph.evaluate({"surface"}, sources(replace(ONE, limb=limb), VIEW))[
+            "surface"
+        ].weights
         held.append(weights.data.nbytes + weights.indices.nbytes + weights.indptr.nbytes)
     assert sum(held) <= SURFACES_BYTES

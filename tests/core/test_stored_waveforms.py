@@ -132,12 +132,12 @@ def _input(waveform):
 @pytest.mark.parametrize("kind", BOTH)
 def test_a_waveform_that_becomes_samples_plays_on_as_it_did(kind):
     for waveform in (Tone(90.0, duration_s=0.3), Tap(), Drawn([0.5, 1.0])):
-        found = as_kind(waveform, kind)
+        found = as_kind(waveform, kind, 1300.0)
         assert type(found) is kind
         np.testing.assert_array_equal(found.samples(1300.0), waveform.samples(1300.0))
     metres = Samples(values=[1.0, 2.0], sample_rate_hz=48000.0, unit="m/s²")
-    assert as_kind(Recording(metres), Drawn).samples == replace(metres, unit="")
-    assert as_kind(Tone(frequency_hz=700.0), kind) == kind()
+    assert as_kind(Recording(metres), Drawn, 1300.0).samples == replace(metres, unit="")
+    assert as_kind(Tone(frequency_hz=700.0), kind, 1300.0) == kind()
 
 
 @pytest.mark.parametrize("kind", BOTH)

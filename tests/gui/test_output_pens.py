@@ -71,7 +71,7 @@ def test_the_legend_shows_the_strokes(qtbot):
     legend = LegendStrip()
     qtbot.addWidget(legend)
     legend.resize(2000, 22)
-    legend.say(LegendText(names=output_names(tuple(range(1, 18)))))
+    legend.say(LegendText(names=output_names(tuple(range(1, 18)), "synthetic-1")))
     picture = legend.grab().toImage()
     ink, middle = theme.output_colour(0).name(), picture.height() // 2
     found = [picture.pixelColor(x, middle).name() == ink for x in range(picture.width())]

@@ -171,7 +171,7 @@ def test_no_value_is_too_small_or_too_large_to_be_drawn(peak):
 def test_the_crosshair_snaps_to_the_nearest_sample(seed):
     random = np.random.default_rng(seed)
     x = np.sort(random.uniform(0, 1, random.integers(1, 40)))
-    curves = Curves(x=x, y=np.zeros((1, x.size)), names=output_names((1,)))
+    curves = Curves(x=x, y=np.zeros((1, x.size)), names=output_names((1,), "synthetic-1"))
     for at in random.uniform(-0.2, 1.2, 20):
         found = curves.nearest(at)
         assert abs(x[found] - at) == abs(x - at).min(), f"seed {seed}, x {at}"

@@ -123,10 +123,16 @@ def moved(points: Points, indices: Iterable[int], by_x: float, by_y: float) -> P
         if k + 1 < len(points) and k + 1 not in chosen:
             forth = min(forth, points[k + 1][0] - x)
     step = float(np.clip(by_x, min(back, 0.0), max(forth, 0.0)))
-    return tuple(
-        _at(x + step, y + by_y, segment) if k in chosen else (x, y, segment)
-        for k, (x, y, segment) in enumerate(points)
-    )
+    found: list[Breakpoint] = []
+    for k, (x, y, segment) in enumerate(points):
+        if k not in chosen:
+            found.append((x, y, segment))
+            continue
+        # The sum may pass a point that stays by its last digit.
+        stays = next((points[m][0] for m in range(k, len(points)) if m not in chosen), np.inf)
+        least = found[-1][0] if found else 0.0
+        found.append(_at(min(max(x + step, least), stays), y + by_y, segment))
+    return tuple(found)
 
 
 def scaled(

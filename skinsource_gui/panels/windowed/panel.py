@@ -47,14 +47,14 @@ class WindowedPanel(Panel):
             "window_s": FieldCell("window_s", WINDOW_LENGTH, self),
         }
         row = QHBoxLayout()
-        row.setSpacing(UNIT_PX)
+        row.setSpacing(UNIT_PX // 2)
         for cell in self.cells.values():
             row.addWidget(cell.label)
             row.addWidget(cell)
             cell.edited.connect(self._change)
         row.addStretch(1)
         column = QVBoxLayout(self)
-        column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
+        column.setContentsMargins(UNIT_PX // 2, UNIT_PX // 2, UNIT_PX // 2, UNIT_PX // 2)
         column.setSpacing(UNIT_PX // 2)
         column.addLayout(row)
         column.addWidget(self.strip, 1)

@@ -9,6 +9,8 @@ from skinsource_gui.state.document import Document
 
 # Sixty times a second.
 _STEP_MS = 16
+# At least as long as what fades in before the place where it begins.
+_FADE_IN_S = 0.01
 
 
 class RunningPlayhead(QObject):
@@ -59,7 +61,8 @@ class RunningPlayhead(QObject):
     def _step(self) -> None:
         time_s = None if self._position is None else self._position()
         if time_s is not None:
-            self._put(time_s)
+            fades_in = 0.0 < self._from_s - time_s < _FADE_IN_S
+            self._put(self._from_s if fades_in else time_s)
         self.stepped.emit()
 
     def _put(self, time_s: float) -> None:

@@ -72,6 +72,7 @@ def test_the_limit_is_told_apart_from_what_is_no_number():
         ("names", ("place 1",)),
         ("loop", None),
         ("seam", broken[:, :0]),
+        ("most_gain", np.inf),
     ):
         object.__setattr__(live.mix, name, value)
     heard = block(live, 100)

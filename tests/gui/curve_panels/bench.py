@@ -14,7 +14,13 @@ def whose(limb):
     """What says whose curves they are."""
     loaded = SimpleNamespace(note="made from files of one's own")
     design = start_design(limb)
-    return {"limb": limb, "limb_data": loaded, "scaling": "upstream", "inputs": design.inputs}
+    return {
+        "limb": limb,
+        "limb_data": loaded,
+        "scaling": "upstream",
+        "actuation": None,
+        "inputs": design.inputs,
+    }
 
 
 def plot_of(panel):

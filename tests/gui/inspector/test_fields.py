@@ -89,13 +89,13 @@ def test_another_kind_of_waveform_keeps_what_both_share(bench):
 
 
 def test_a_shared_number_that_is_not_allowed_becomes_the_nearest_that_is():
-    assert as_kind(Tone(duration_s=0.002), Noise).duration_s == 0.01
+    assert as_kind(Tone(duration_s=0.002), Noise, 1300.0).duration_s == 0.01
 
 
 def test_every_kind_can_become_every_other():
     for one in KINDS:
         for other in KINDS:
-            assert type(as_kind(one(), other)) is other
+            assert type(as_kind(one(), other, 1300.0)) is other
 
 
 def test_a_whole_number_stays_whole(bench):

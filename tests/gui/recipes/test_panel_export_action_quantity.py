@@ -218,7 +218,7 @@ def facts(make_copy, tmp_path_factory):
         panels, imported, "from skinsource_gui.panels.loudest.settings import LoudestSettings\n"
     )
     line = "    PanelSpec(panel=LoudestPanel, settings=LoudestSettings),\n"
-    copy.insert(panels, "    PanelSpec(panel=FrequencyAndAmplitudePanel", line)
+    copy.insert(panels, "    PanelSpec(panel=InspectorPanel", line)
     # A module, its name in the package, and a line.
     export = copy.library / "export"
     copy.write(export / "loudest.py", EXPORT)

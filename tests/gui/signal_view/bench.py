@@ -19,7 +19,9 @@ FREQUENCY = XAxis(titles=("Frequency (Hz)",), unit="Hz", extent=(10.0, 650.0), l
 def waves(n_curves=2, n_points=651, amplitude=0.3):
     x = np.arange(n_points) / 1300
     y = [amplitude / (1 + k) * np.sin(2 * np.pi * 20 * x + k) for k in range(n_curves)]
-    return Curves(x=x, y=np.array(y), names=output_names(tuple(range(1, n_curves + 1))))
+    return Curves(
+        x=x, y=np.array(y), names=output_names(tuple(range(1, n_curves + 1)), "synthetic-1")
+    )
 
 
 def turn_wheel(signals, x, modifiers, turned=120, *, aside=False):

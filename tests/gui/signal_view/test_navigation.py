@@ -160,7 +160,8 @@ def test_double_click_0_and_a_show_everything_and_plus_and_minus_zoom(signals):
 def test_a_logarithmic_axis_zooms_evenly_in_octaves(signals, qtbot):
     x = np.arange(326) * 2.0
     signals.show_curves(
-        Curves(x=x, y=np.ones((1, x.size)), names=output_names((1,))), synthetic=False
+        Curves(x=x, y=np.ones((1, x.size)), names=output_names((1,), "synthetic-1")),
+        synthetic=False,
     )
     signals.set_view(FREQUENCY, (50.0, 200.0), stacked=False)
     signals.plot.crosshair.put(50)

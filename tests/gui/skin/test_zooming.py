@@ -129,6 +129,7 @@ def test_the_right_button_offers_fits_and_pictures(window, qtbot):
     assert [name for name in actions if name] == [
         "Fit hand",
         "Fit hand and arm",
+        "Colours",
         "Copy picture",
         "Save picture as…",
         "Export data…",
