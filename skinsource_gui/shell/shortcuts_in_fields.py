@@ -7,6 +7,7 @@ pressed with it, and on a list until something was chosen from it.
 
 from collections.abc import Iterable
 
+import shiboken6
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
@@ -117,7 +118,8 @@ class ShortcutsInFields(QObject):
 
 def _is_popup_of(field: QComboBox | None, widget: QWidget) -> bool:
     """Whether a widget belongs to the list that drops down from a field."""
-    return field is not None and field.isAncestorOf(widget)
+    # A field may be gone that was used last, and is watched no more.
+    return field is not None and shiboken6.isValid(field) and field.isAncestorOf(widget)
 
 
 def _is_typed(event: QKeyEvent) -> bool:

@@ -3,10 +3,13 @@
 import dataclasses
 from dataclasses import replace
 from functools import cache
+from math import isfinite
 
+from hypothesis import assume
 from hypothesis import strategies as st
 
 from skinsource import fields
+from skinsource.chain import Actuation
 from skinsource.design import Design, Input
 from skinsource.errors import InvalidInputError
 from skinsource.fields import (
@@ -34,7 +37,8 @@ from skinsource.samples import Samples
 def numbers(spec: NumberSpec) -> st.SearchStrategy:
     if spec.whole:
         return st.integers(int(spec.minimum), int(spec.maximum))
-    return st.floats(spec.minimum, spec.maximum, allow_nan=False)
+    least, most = (x if isfinite(x) else None for x in (spec.minimum, spec.maximum))
+    return st.floats(least, most, allow_nan=False, allow_infinity=False)
 
 
 def texts(spec: TextSpec) -> st.SearchStrategy:
@@ -152,4 +156,8 @@ def made(kind: type, given: dict):
             for one in dataclasses.fields(kind)
             if one.default is one.default_factory is dataclasses.MISSING
         }
-        return kind(**{name: value for name, value in given.items() if name in needed})
+        few = {name: value for name, value in given.items() if name in needed}
+        if kind is Actuation:  # one for each place, and one at least
+            assume(few["actuators"])
+            few["actuators"] = few["actuators"][:1]
+        return kind(**few)

@@ -200,7 +200,9 @@ class Monkey:
 
     def _compare_levels(self) -> None:
         self.hands.close_what_opened()
+        # An arrangement comes back as it was left, with something in front of the map perhaps.
         self.window.do("arrange_design")
+        self.window.arrangements.bring("skin")
         self._show_levels()
         self._settle()
         design, view = self.document.design, self.document.view
@@ -228,7 +230,9 @@ class Monkey:
         )
 
     def _show_levels(self) -> None:
-        """Where the map shows the skin in time, have it show levels again."""
+        """Where the map is covered, or shows the skin in time, have it show levels again."""
+        if self.window.panel("skin").map.content.message == "Covered":
+            self.window.do("cover_map")
         view = self.document.view
         settings = settings_of(view, "skin", SkinSettings)
         if settings.quantity != LEVELS:
