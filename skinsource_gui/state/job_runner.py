@@ -64,7 +64,7 @@ class JobRunner(QObject):
         super().__init__(parent)
         self._waiting: deque[Job[Any]] = deque()
         self._running: Job[Any] | None = None
-        self._stop = Event()
+        self._stop, self._closed = Event(), False
         # No thread before there is something to do.
         self._worker: ThreadPoolExecutor | None = None
         self.current: Job[Any] | None = None
@@ -80,7 +80,9 @@ class JobRunner(QObject):
 
     @property
     def unfinished(self) -> tuple[Job[Any], ...]:
-        """The job that is being carried out, if any, and those that wait."""
+        """The job that is being carried out, if any, and those that wait; none once closed."""
+        if self._closed:
+            return ()
         return (*([self.current] if self.current else []), *self._waiting)
 
     def add(self, job: Job[Any]) -> None:
@@ -104,6 +106,8 @@ class JobRunner(QObject):
         """Forget all jobs, stop the present one, and wait until nothing is left of it."""
         self._waiting.clear()
         self._stop.set()
+        # What the thread says at its end is heard only once events are looked at again.
+        self._closed = True
         if self._worker is not None:
             self._worker.shutdown(wait=True)
 

@@ -67,6 +67,14 @@ def test_orders_are_carried_out_one_after_another_away_from_this_thread(qtbot, j
     assert QThread.currentThread() not in writers[0].threads + writers[1].threads
 
 
+def test_once_closed_nothing_is_unfinished_though_no_event_was_looked_at_since(jobs, tmp_path):
+    writer = Writer()
+    jobs.add(order(tmp_path / "a", writer))
+    assert writer.started.wait(5)
+    jobs.close()
+    assert jobs.unfinished == ()
+
+
 def test_cancel_stops_the_present_order_alone(qtbot, jobs, tmp_path):
     first, second = Writer(), Writer()
     jobs.add(order(tmp_path / "a", first))

@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import cache
 from math import isfinite
 
-from hypothesis import assume
+from hypothesis import reject
 from hypothesis import strategies as st
 
 from skinsource import fields
@@ -148,16 +148,17 @@ def alone(inputs: list[Input]) -> tuple[Input, ...]:
 
 def made(kind: type, given: dict):
     """A recipe; one of defaults where these values, each for itself allowed, do not go together."""
-    try:
-        return kind(**given)
-    except InvalidInputError:
-        needed = {
-            one.name
-            for one in dataclasses.fields(kind)
-            if one.default is one.default_factory is dataclasses.MISSING
-        }
-        few = {name: value for name, value in given.items() if name in needed}
-        if kind is Actuation:  # one for each place, and one at least
-            assume(few["actuators"])
-            few["actuators"] = few["actuators"][:1]
-        return kind(**few)
+    needed = {
+        one.name
+        for one in dataclasses.fields(kind)
+        if one.default is one.default_factory is dataclasses.MISSING
+    }
+    few = {name: value for name, value in given.items() if name in needed}
+    if kind is Actuation:  # one for each place, and one at least
+        few["actuators"] = few["actuators"][:1]
+    for values_of_fields in (given, few):
+        try:
+            return kind(**values_of_fields)
+        except InvalidInputError:
+            continue
+    return reject()

@@ -1,4 +1,7 @@
-"""Two thousand deeds at random: nothing fails, and what is shown is what is predicted."""
+"""Hundreds of deeds at random: nothing fails, and what is shown is what is predicted.
+
+Twenty thousand are done at night: ``python -m tests.nightly.monkey``.
+"""
 
 import os
 import sys
@@ -9,7 +12,7 @@ import soundfile
 from tests.gui.monkey.deeds_in_fields import import_recording
 from tests.gui.monkey.monkey import DEEDS, Monkey
 
-COUNT = 2000
+COUNT = 500
 #: Another one: MONKEY_SEED=7 pytest tests/gui/monkey
 SEED = int(os.environ.get("MONKEY_SEED", "20"))
 
