@@ -58,7 +58,11 @@ class Reports(QObject):
     def report(self, words: str) -> None:
         """Show what went well, for some seconds."""
         self._notice.be_quiet()
-        self._status_bar.showMessage(words, PASSING_MS)
+        if self._status_bar.isHidden():  # while presenting
+            self._said_of = self._document.design
+            self._notice.say(words, "info", passes=True)
+        else:
+            self._status_bar.showMessage(words, PASSING_MS)
 
     def show_impossible(self, reason: str) -> None:
         """Say why there are no results."""

@@ -31,15 +31,16 @@ from skinsource_gui.shell.notice import Notice
 from skinsource_gui.shell.pages import Pages, late, limb_pages
 from skinsource_gui.shell.panel_focus import PanelFocus
 from skinsource_gui.shell.panels import PANELS
-from skinsource_gui.shell.pictures import picture_of
+from skinsource_gui.shell.pictures import PanelPictures
 from skinsource_gui.shell.playing.playback import Playback
-from skinsource_gui.shell.presenting.frame import frame_capabilities
+from skinsource_gui.shell.presenting.presenter import Presenter
 from skinsource_gui.shell.recent_menu import RecentMenu
 from skinsource_gui.shell.reports import Reports
 from skinsource_gui.shell.running_jobs import RunningJobs
 from skinsource_gui.shell.setup_bar import SetupBar
 from skinsource_gui.shell.shortcuts_in_fields import ShortcutsInFields
 from skinsource_gui.shell.validity import Validity
+from skinsource_gui.shell.window_frame import WindowFrame
 from skinsource_gui.state.comparison import Comparison
 from skinsource_gui.state.conductor import Conductor
 from skinsource_gui.state.document import Document
@@ -55,7 +56,6 @@ from skinsource_gui.status.limb_note import LimbNote
 from skinsource_gui.status.status_line import StatusLine
 from skinsource_gui.stimulus_page.stimulus_actions import StimulusActions
 from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.pictures.whole_picture import WholePicture
 
 _LARGEST_AT_FIRST = (1600, 940)
 _PREPARING = "Preparing…"
@@ -144,7 +144,9 @@ class MainWindow(QMainWindow):
             self.document, self.preferences, self, self.layout_of_docks.content
         )
         saving = self.document, self.preferences, self.files
-        self.exports = ExportActions(*saving, self.runner, self._drawer_of, self)
+        own = self.document, self.panels, self.appearance, self.catch_up
+        self.pictures = PanelPictures(self, *own)
+        self.exports = ExportActions(*saving, self.runner, self.pictures.picture_of, self)
         self.stimuli = StimulusActions(*saving, self.runner, lambda: self.theme, self)
         arranged = self.arrangements.show, self.docks
         self.scenes = SceneActions(*saving, self.limbs, *arranged, lambda: self.theme, self)
@@ -156,6 +158,9 @@ class MainWindow(QMainWindow):
         self.playback = Playback(self.document, self.preferences, self)
         self.running_jobs = RunningJobs(self.runner, self)
         self.levelling = WaveletLevelling(self.document, self.runner, self)
+        desk = self.docks, self.arrangements, self.layout_of_docks
+        keys = self.document, self.preferences, self.files, *desk
+        self.presenter = Presenter(self, *keys, lambda: self.actions_by_name)
         self.pages = Pages(
             self,
             ACTIONS,
@@ -194,7 +199,8 @@ class MainWindow(QMainWindow):
             "panel_focus": PanelFocus(self.panels, self.arrangements.bring, self),
             "appearance": self.appearance,
             "pages": self.pages,
-            **frame_capabilities(self),
+            "frame": WindowFrame(self, self.document),
+            "presenter": self.presenter,
         }
 
     def _build(self) -> None:
@@ -220,7 +226,7 @@ class MainWindow(QMainWindow):
         self.arrangements.text_scaled.connect(self.appearance.fit_room)
         self.setup_bar.edited.connect(document.apply)
         self.files.opened.connect(self.layout_of_docks.show_panels)
-        saving = self.files, self.scenes, self.library
+        saving = self.files, self.scenes, self.library, self.presenter
         for fails in (*saving, self.exports, self.stimuli, self.levelling):
             fails.failed.connect(reports.complain)
         for works in (*saving, self.imports, self.comparison, self.dock_tabs, self.layout_of_docks):
@@ -258,9 +264,6 @@ class MainWindow(QMainWindow):
         others = [one for name, one in self.actions_by_name.items() if name != "find_action"]
         panels = docks.toggles(self.docks.values())
         return [*others, *panels, *self.setup_bar.choices(None), *kind_choices(self.document)]
-
-    def _drawer_of(self, panel: str) -> WholePicture:
-        return picture_of(self, panel)
 
     def _show_state(self) -> None:
         design, view = self.document.design, self.document.view

@@ -18,13 +18,10 @@ from PySide6.QtWidgets import (
 
 from skinsource.design import Design, track
 from skinsource.errors import Stopped
-from skinsource.job import Job
 from skinsource.rendering import trace_rules
 from skinsource.rendering.check import TraceError
 from skinsource.waveforms import Noise, Tone
 from skinsource_gui.files import export_actions
-from skinsource_gui.state.job_runner import JobProgress, JobRunner
-from skinsource_gui.status.job_bar import JobBar
 
 YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
 #: Written in some seconds.
@@ -119,21 +116,6 @@ def test_traces_levels_and_field_hold_the_present_design(window, wait, answers, 
         assert archive["acceleration_m_per_s2"].shape[:2] == (72, 3)
     assert "field.npz" in window.statusBar().currentMessage()
     assert window.preferences.folder == tmp_path
-
-
-def test_a_bar_is_shown_only_when_it_is_known_how_far_a_job_is(qtbot):
-    runner = JobRunner()
-    bar = JobBar(runner)
-    qtbot.addWidget(bar)
-    runner.current = Job("Exporting field.npz", None)
-    runner.changed.emit()
-    assert part(bar, QLabel, "job_percent").text() == "computing…"
-    assert not part(bar, QProgressBar, "job_progress").isVisible()
-    runner.progressed.emit(runner.current, JobProgress(1, 4, "Writing", 0.1))
-    assert part(bar, QLabel, "job_percent").text() == "25 %"
-    assert part(bar, QProgressBar, "job_progress").isVisible()
-    runner.progressed.emit(runner.current, JobProgress(1, 4, "Writing", 5.0))
-    assert part(bar, QLabel, "job_percent").text() == "25 % · about 15 s left"
 
 
 def test_traces_of_no_outputs_cannot_be_exported(window, answers):

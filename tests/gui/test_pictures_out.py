@@ -83,7 +83,7 @@ def test_a_layout_gives_size_and_resolution_and_another_size_leaves_it(qtbot):
 @pytest.mark.parametrize("name", ["skin", "traces", "hand", ALL_IN_SIGHT, IN_USE])
 def test_each_picture_has_real_words_and_the_stimulus(make_window, tmp_path, name):
     window = make_window(DESIGN)
-    picture = window._drawer_of(name)
+    picture = window.pictures.picture_of(name)
     path = tmp_path / "a.svg"
     save_drawing(path, picture.draw, *(picture.size_px or (600, 900)))
     words = texts_of(path)
@@ -100,7 +100,7 @@ def test_pictures_are_on_light_ground_and_the_studio_stays_dark(make_window):
     window = make_window(DESIGN)
     window.do("use_dark_theme")
     before = window.grab().toImage()
-    draw = window._drawer_of(ALL_IN_SIGHT).draw
+    draw = window.pictures.picture_of(ALL_IN_SIGHT).draw
     picture = drawn_image(draw, 900, 600)
     assert QColor(picture.pixel(899, 599)).name() == LIGHT.base
     assert window.theme == DARK
@@ -113,7 +113,7 @@ def test_what_is_in_use_is_the_panel_with_the_keyboard(make_window, qtbot):
     panel = window.panel("traces")
     panel.setFocus()
     qtbot.waitUntil(lambda: panel.isAncestorOf(window.focusWidget()))
-    size = window._drawer_of(IN_USE).size_px
+    size = window.pictures.picture_of(IN_USE).size_px
     assert size == (2 * panel.width(), 2 * panel.height())
 
 

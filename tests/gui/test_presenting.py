@@ -154,6 +154,19 @@ def test_notes_follow_the_scenes(studio):
     notes.close()
 
 
+def test_while_the_bars_are_away_words_lie_over_the_window(studio):
+    studio.do("present")
+    assert "F9: leave" in studio.notice.text
+    studio.do("next_scene")
+    assert studio.notice.text == "Scene 3 of 3: 3 both"
+    studio.do("next_scene")
+    assert studio.notice.text == "This is the last scene"
+    studio.do("present")
+    studio.do("previous_scene")
+    assert studio.statusBar().currentMessage() == "Scene 2 of 3: 2 tone"
+    assert not studio.notice.text
+
+
 def test_inputs_are_marked_on_the_map_where_they_are_behind(make_window):
     window = make_window(DESIGN)
     skin = window.panel("skin")

@@ -1,20 +1,48 @@
 """A design as HTML: its words, a drawing of its tracks, and a table of its clips."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from html import escape
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from skinsource.choice_words import LIMBS, SCALINGS, word_of
-from skinsource.displaying.track_svg import tracks_svg
+from skinsource.clips import Clip
+from skinsource.displaying.track_svg import Track, tracks_svg
 from skinsource.locations import INPUTS, input_words
-
-if TYPE_CHECKING:
-    from skinsource.design import Design
+from skinsource.scaling.response_scaling import Scaling
 
 _MOST_TRACKS, _MOST_CLIPS = 20, 40
 
 
-def html_of(design: "Design", heard: Collection[int], unit: str) -> str:
+class _Input(Track, Protocol):
+    @property
+    def amplitude(self) -> float: ...
+
+
+class Shown(Protocol):
+    """What is shown of a design, which shows itself by this."""
+
+    @property
+    def title(self) -> str:
+        """What it is called."""
+
+    @property
+    def limb(self) -> str:
+        """On whom it is felt."""
+
+    @property
+    def scaling(self) -> Scaling:
+        """What its amplitudes are."""
+
+    @property
+    def inputs(self) -> Sequence[_Input]:
+        """Its tracks."""
+
+    @property
+    def clips(self) -> Sequence[Clip]:
+        """What all of them play."""
+
+
+def html_of(design: Shown, heard: Collection[int], unit: str) -> str:
     """Return a piece of HTML that needs nothing else.
 
     Parameters
@@ -41,7 +69,7 @@ def html_of(design: "Design", heard: Collection[int], unit: str) -> str:
     return "".join(parts)
 
 
-def _table(design: "Design", unit: str) -> str:
+def _table(design: Shown, unit: str) -> str:
     rows = [
         (one.location, one.amplitude, clip)
         for one in design.inputs[:_MOST_TRACKS]

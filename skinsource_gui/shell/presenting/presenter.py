@@ -1,20 +1,20 @@
 """Presenting: the window without its bars, scenes by one key, a map that can be covered."""
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Mapping
 
-from PySide6.QtCore import QByteArray, QEvent, QObject, Qt
-from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QToolBar, QWidget
+from PySide6.QtCore import QByteArray, QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QAction, QKeySequence, QShortcut
+from PySide6.QtWidgets import QMainWindow, QToolBar, QWidget
 from shiboken6 import isValid
 
 from skinsource.errors import SkinSourceError
+from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.panels.skin.panel import SkinPanel
+from skinsource_gui.shell.docks import Arrangements, Dock, DockLayout
 from skinsource_gui.shell.presenting.notes_window import NotesWindow
 from skinsource_gui.shell.presenting.scene_list import Step, steps_of_folder, steps_of_paper
-
-if TYPE_CHECKING:
-    from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.preferences import Preferences
 
 _ARRANGEMENT = "presentation"
 #: What clickers send, beside the keys of the table of actions.
@@ -28,6 +28,16 @@ class Presenter(QObject):
     ----------
     window
         What is presented in; also the parent.
+    document
+        What scenes are opened into.
+    preferences
+        Say how the panels stand.
+    files
+        Ask what becomes of the present design.
+    docks, arrangements, layout
+        Where the panels stand.
+    actions
+        What has a key, once it is known.
 
     Attributes
     ----------
@@ -37,9 +47,26 @@ class Presenter(QObject):
         Whether the map is.
     """
 
-    def __init__(self, window: "MainWindow") -> None:
+    #: What shall be said: of a scene, or how to leave.
+    done = Signal(str)
+    #: Why a scene does not open.
+    failed = Signal(str)
+
+    def __init__(
+        self,
+        window: QMainWindow,
+        document: Document,
+        preferences: Preferences,
+        files: FileActions,
+        docks: Mapping[str, Dock],
+        arrangements: Arrangements,
+        layout: DockLayout,
+        actions: Callable[[], Mapping[str, QAction]],
+    ) -> None:
         super().__init__(window)
-        self._window = window
+        self._window, self._document, self._preferences = window, document, preferences
+        self._files, self._actions = files, actions
+        self._docks, self._arrangements, self._layout = docks, arrangements, layout
         self.presenting = self.covered = False
         self._before, self._size = QByteArray(), window.size()
         self._focused: QWidget | None = None
@@ -50,7 +77,7 @@ class Presenter(QObject):
         self._is_scene = self._opening = False
         self._notes: NotesWindow | None = None
         self._keys: list[QShortcut] = []
-        window.document.jumped.connect(self._look)
+        document.jumped.connect(self._look)
 
     def toggle(self) -> None:
         """Begin to present, or end."""
@@ -60,21 +87,23 @@ class Presenter(QObject):
         """Take the bars away, and arrange the panels for people further off."""
         window = self._window
         self.presenting = True
-        self._before, self._arranged = window.saveState(), window.preferences.arrangement
+        self._before, self._arranged = window.saveState(), self._preferences.arrangement
         self._size, self._focused = window.size(), window.focusWidget()
-        window.arrangements.show(_ARRANGEMENT)
+        self._arrangements.show(_ARRANGEMENT)
         for bar in self._bars():
             bar.hide()
         # Keys of menus that are away would be dead.
-        window.addActions(list(window.actions_by_name.values()))
+        window.addActions(list(self._actions().values()))
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
         self._listen(window)
+        leave = self._actions()["present"].shortcut().toString()
+        self.done.emit(f"Page Down: next scene · B: cover the map · {leave}: leave")
 
     def end(self) -> None:
         """Bring the bars back, the panels where they stood, and the map."""
         window = self._window
         self.presenting = False
-        for action in window.actions_by_name.values():
+        for action in self._actions().values():
             window.removeAction(action)
         for key in self._keys:
             key.setEnabled(False)
@@ -85,7 +114,7 @@ class Presenter(QObject):
         window.statusBar().clearMessage()
         for bar in self._bars():
             bar.show()
-        window.arrangements.show(self._arranged)
+        self._arrangements.show(self._arranged)
         # Widths of columns are put back into a window as wide as it was, once it is.
         window.installEventFilter(self)
         self._put_back()
@@ -99,9 +128,8 @@ class Presenter(QObject):
     def cover(self) -> None:
         """Cover the map, so that people guess first; or reveal it."""
         self.covered = not self.covered
-        for panel in self._window.panels:
-            if isinstance(panel, SkinPanel):
-                panel.cover(self.covered)
+        for panel in self._window.findChildren(SkinPanel):
+            panel.cover(self.covered)
 
     def next_scene(self) -> None:
         """Go to the next scene."""
@@ -130,7 +158,7 @@ class Presenter(QObject):
             self._window.removeEventFilter(self)
         elif self._window.size() == self._size:
             self._window.removeEventFilter(self)
-            self._window.layout_of_docks.put(self._before.data())
+            self._layout.put(self._before.data())
 
     def _bars(self) -> list[QWidget]:
         window = self._window
@@ -149,49 +177,46 @@ class Presenter(QObject):
                 self._keys.append(key)
 
     def _go(self, by: int) -> None:
-        window = self._window
-        if not self._is_scene and not window.files.may_lose_changes():
+        if not self._is_scene and not self._files.may_lose_changes():
             return
         if not self._steps:
-            path = window.document.path
+            path = self._document.path
             self._steps = (() if path is None else steps_of_folder(path.parent)) or steps_of_paper()
             titles = [one.title for one in self._steps]
             here = "" if path is None else path.stem
             self._at = titles.index(here) if here in titles else -1
         wanted = self._at + by
         if not 0 <= wanted < len(self._steps):
-            window.files.done.emit(
-                "This is the last scene" if by > 0 else "This is the first scene"
-            )
+            self.done.emit("This is the last scene" if by > 0 else "This is the first scene")
             return
         self._open(wanted)
 
     def _open(self, number: int) -> None:
-        window, step = self._window, self._steps[number]
+        step = self._steps[number]
         try:
             shown = step.open()
         except SkinSourceError as error:
-            window.files.failed.emit(str(error))
+            self.failed.emit(str(error))
             return
         self._at, self._opening = number, True
-        window.document.start_over(shown.design, shown.view, None)
-        window.files.leave_file()
+        self._document.start_over(shown.design, shown.view, None)
+        self._files.leave_file()
         self._opening, self._is_scene = False, True
         for name in shown.panels:
-            if name in window.docks:
-                window.docks[name].bring_forward()
-        window.files.done.emit(f"Scene {number + 1} of {len(self._steps)}: {step.title}")
+            if name in self._docks:
+                self._docks[name].bring_forward()
+        self.done.emit(f"Scene {number + 1} of {len(self._steps)}: {step.title}")
         self._show_notes()
 
     def _look(self) -> None:
         # With another design the history is empty; with a step of it, it is not.
-        if not self._opening and self._window.document.undo_stack.count() == 0:
+        if not self._opening and self._document.undo_stack.count() == 0:
             self._is_scene = False
 
     def _show_notes(self) -> None:
         if self._notes is None:
             return
-        design, following = self._window.document.design, self._at + 1
+        design, following = self._document.design, self._at + 1
         titles = [one.title for one in self._steps]
         heading = titles[self._at] if 0 <= self._at < len(titles) else design.title or "Notes"
         after = titles[following] if 0 < following < len(titles) else ""
