@@ -84,7 +84,10 @@ class Drag(QObject):
         self._outcome: Outcome | None = None
         self._arrived_s = self._delivered_s = 0.0
         self.shown: list[tuple[Outcome, float]] = []
-        window.engine.installEventFilter(self)
+        # Told first, to know when the panels begin to take over results.
+        window.engine.finished.disconnect(window.conductor._deliver)
+        window.engine.finished.connect(self._arrive)
+        window.engine.finished.connect(window.conductor._deliver)
         window.conductor.delivered.connect(self._note)
         self._send(_PRESS, Qt.MouseButton.LeftButton)
 
@@ -116,11 +119,8 @@ class Drag(QObject):
         """Let go."""
         self._send(_RELEASE, Qt.MouseButton.LeftButton)
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Note when the engine is told of results."""
-        if event.type() == QEvent.Type.MetaCall:
-            self._arrived_s = perf_counter()
-        return super().eventFilter(watched, event)
+    def _arrive(self) -> None:
+        self._arrived_s = perf_counter()
 
     def _painted(self) -> bool:
         paints = self._window.paints

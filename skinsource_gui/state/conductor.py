@@ -52,6 +52,7 @@ class Conductor(QObject):
         self._document, self._engine, self._panels = document, engine, panels
         self._also = also
         self._asked: Request | None = None
+        self._awaited = False
         self._shown: dict[Panel, tuple[Any, ...]] = {}
         # What they needed, and the values it was computed from.
         self._answered: dict[Panel, tuple[frozenset[str], Mapping[str, Any]]] = {}
@@ -59,6 +60,7 @@ class Conductor(QObject):
         self._anew: set[Panel] = set()
         document.jumped.connect(self._begin_anew)
         document.changed.connect(self._follow)
+        document.settled.connect(self._wait_for_results)
         document.playhead_moved.connect(self._follow_playhead)
         engine.finished.connect(self._deliver)
         for panel in panels:
@@ -73,7 +75,12 @@ class Conductor(QObject):
         since_s = perf_counter()
         for panel in self._panels:
             panel.show_state(self._document.design, self._document.view)
-        if self._ask(since_s):
+        self._ask(since_s)
+
+    def _wait_for_results(self) -> None:
+        """Let results that are quick be there before anything is painted."""
+        awaited, self._awaited = self._awaited, False
+        if awaited:
             self._engine.wait(WAIT_FOR_RESULTS_S)
 
     def _follow_playhead(self) -> None:
@@ -105,30 +112,30 @@ class Conductor(QObject):
     def _begin_anew(self) -> None:
         self._anew.update(self._panels)
 
-    def _ask(self, since_s: float | None = None) -> bool:
-        """Ask for what is not known yet; whether there is any."""
+    def _ask(self, since_s: float | None = None) -> None:
+        """Ask for what is not known yet."""
         visible = [panel for panel in self._panels if panel.isVisible()]
         for panel in self._panels:
             if panel not in visible:
                 self._shown.pop(panel, None)
         wanted = frozenset().union(*(panel.needs for panel in visible))
         if not wanted:
-            return False
+            return
         if not facts_of(self._document.design.limb).live:
             self._explain(visible, _too_large(self._document.design.limb))
-            return False
+            return
         given = sources(self._document.design, self._document.view)
         wanted |= self._also
         request = Request(wanted, given, perf_counter() if since_s is None else since_s)
         if self._asked == request and not self._behind(visible):
-            return False
+            return
         self._asked = request
         for panel in visible:
             if panel.needs:
                 panel.show_stale(self._is_stale(panel))
         self.stale.emit(True)
         self._engine.request(request)
-        return True
+        self._awaited = True
 
     def _is_stale(self, panel: Panel) -> bool:
         """Whether what a panel shows would be computed from something else now."""

@@ -25,6 +25,8 @@ class Document(QObject):
     """
 
     changed = Signal()
+    #: An edit or a look is done, and everybody was told.
+    settled = Signal()
     #: The playhead alone has moved; then `changed` is not emitted.
     playhead_moved = Signal()
     #: What comes does not go on from what was: a step was taken back or done again, or another file
@@ -100,6 +102,7 @@ class Document(QObject):
             self.look(view)
         else:
             self.undo_stack.push(_Swap(self, outcome.label, before, after, gesture))
+            self.settled.emit()
 
     def edit(self, label: str, design: Design, gesture: int | None = None) -> None:
         """Replace the design, as `apply` does."""
@@ -108,6 +111,7 @@ class Document(QObject):
     def look(self, view: View) -> None:
         """Replace the view."""
         self._show(self._design, view)
+        self.settled.emit()
 
     def start_over(
         self, design: Design, view: View, path: Path | None, *, read_only: bool = False

@@ -1,10 +1,11 @@
 """Evaluates quantities away from the GUI thread."""
 
+from collections import deque
 from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from enum import IntEnum
-from threading import Event
+from threading import Event, Lock
 from time import perf_counter
 from typing import Any
 
@@ -90,7 +91,7 @@ class Engine(QObject):
 
     finished = Signal(object)  # Outcome, in the GUI thread
     rested = Signal()  # nothing is evaluated and nothing waits
-    _landed = Signal(object)  # Outcome or None, from the worker thread
+    _landed = Signal()  # from the worker thread
 
     def __init__(self, new_graph: Callable[[], Graph], parent: QObject | None = None):
         super().__init__(parent)
@@ -105,8 +106,11 @@ class Engine(QObject):
         self._running: Request | None = None
         self._newest: Request | None = None
         self._waiting: dict[tuple[Slot, Purpose], Request] = {}
+        # Of evaluations that have ended and are not told yet; None: abandoned.
+        self._ended: deque[Outcome | None] = deque()
+        self._lock, self._awaited = Lock(), False
         self._worker = ThreadPoolExecutor(max_workers=1, thread_name_prefix="skinsource-engine")
-        self._landed.connect(self._on_landed, Qt.ConnectionType.QueuedConnection)
+        self._landed.connect(self._land, Qt.ConnectionType.QueuedConnection)
 
     @property
     def busy(self) -> bool:
@@ -145,11 +149,17 @@ class Engine(QObject):
     def wait(self, longest_s: float) -> None:
         """Sleep until the newest request is evaluated, if nothing else has to be before.
 
-        Results are told by `finished` as ever, once the event loop runs again; it tells them
-        before it paints.
+        Its results are told by `finished` before this returns: scenes of graphics views have
+        themselves painted as soon as the event loop runs, each for itself.
         """
-        if self._running is not None and self._running is self._newest:
-            self._done.wait(longest_s)
+        if self._running is None or self._running is not self._newest:
+            return
+        with self._lock:
+            self._awaited = True
+        self._done.wait(longest_s)
+        with self._lock:
+            self._awaited = False
+        self._land()
 
     def close(self) -> None:
         """Stop at the next rule and wait for the worker to end; what it had is told to nobody."""
@@ -179,18 +189,24 @@ class Engine(QObject):
         else:
             took_s = perf_counter() - start
             outcome = Outcome(request, values, compute_s=took_s, work=replace(graph.work))
-        self._landed.emit(outcome)
+        with self._lock:
+            self._ended.append(outcome)
+            # To tell who looks for himself would leave an event to an engine that may be gone.
+            alone = not self._awaited
         self._done.set()
+        if alone:
+            self._landed.emit()
 
     def _should_stop(self) -> bool:
         if self._closing.is_set():
             return True
         return self._superseded.is_set() and perf_counter() - self._started_s > _ABANDONED_AFTER_S
 
-    def _on_landed(self, outcome: Outcome | None) -> None:
-        if self._closing.is_set():
-            # Who would show it may be gone.
+    def _land(self) -> None:
+        if self._closing.is_set() or not self._ended:
+            # Who would show it may be gone; or it was shown to one who waited.
             return
+        outcome = self._ended.popleft()
         ended, self._running = self._running, None
         if outcome is None and ended is not None:
             # Abandoned: it goes on later, unless a newer one has its place.

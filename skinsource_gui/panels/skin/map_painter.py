@@ -47,13 +47,17 @@ class MapPainter:
         limb_map: LimbMap,
         kept: type[KeptPicture | PaintedAnew] = KeptPicture,
     ) -> None:
-        self._outline = QPainterPath()
+        self._limb_map, self._outline = limb_map, QPainterPath()
         self._outline.addPolygon(QPolygonF([QPointF(x, y) for x, y in limb_map.outline]))
         self._outline.closeSubpath()
         self._kept = kept
         self._layout: MapLayout | None = None
         self._screen_outline = QPainterPath()
-        self._still, self._selection, self._hatch = self._kept(), self._kept(), self._kept()
+        self._forget_pictures()
+
+    def _forget_pictures(self) -> None:
+        self._still, self._selection = self._kept(), self._kept()
+        self._hatch, self._marks = self._kept(), self._kept()
 
     def paint(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
@@ -62,7 +66,7 @@ class MapPainter:
         if layout is not self._layout:
             self._layout = layout
             self._screen_outline = layout.frame.transform().map(self._outline)
-            self._still, self._selection, self._hatch = self._kept(), self._kept(), self._kept()
+            self._forget_pictures()
         painter.setRenderHints(_HINTS)
         self._paint_ground(painter, content, layout, theme)
         self._paint_still(painter, content, layout, theme)
@@ -72,9 +76,8 @@ class MapPainter:
         self._paint_palmar(painter, content, layout, theme)
         if content.noisy and not content.message:
             self._paint_hatch(painter, content, layout)
-        if content.limb_map is not None:
-            marks = content.inputs, content.limb_map
-            paint_marks(painter, *marks, layout, theme, content.pointed_at)
+        if content.inputs:
+            self._paint_inputs(painter, content, layout, theme)
         self._paint_selection(painter, content, layout, theme)
         paint_length_bar(painter, layout, content.px_per_mm, theme)
 
@@ -120,6 +123,13 @@ class MapPainter:
             paint_hatch(on_image, content.noisy, layout, self._screen_outline)
 
         self._hatch.paint(painter, layout.room, (content.noisy,), paint)
+
+    def _paint_inputs(
+        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+    ) -> None:
+        shown = content.inputs, self._limb_map, layout, theme, content.pointed_at
+        key = (theme.name, content.inputs, content.pointed_at)
+        self._marks.paint(painter, layout.room, key, lambda one: paint_marks(one, *shown))
 
     def _paint_selection(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
