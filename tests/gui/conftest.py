@@ -5,9 +5,10 @@ import threading
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtGui import QCursor
-from PySide6.QtWidgets import QApplication
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QWidget
 
 from skinsource.catalogue import available_limbs
 from skinsource.design import start_design
@@ -16,18 +17,34 @@ from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
 
 
+class _Tidy:
+    """Whether the test before made widgets; whether modules are left out of the search."""
+
+    due, frozen = True, False
+
+
+_TIDY = _Tidy()
+
+
+def _makes_widgets(request):
+    return "qtbot" in request.fixturenames
+
+
 @pytest.fixture(autouse=True)
-def _garbage_is_collected_in_this_thread(qapp):
+def _garbage_is_collected_in_this_thread(qapp, request):
     """As in the studio: elsewhere, widgets would be destroyed while this thread paints them.
 
     The window of the test before is let go of by pytest only now.  Modules are not looked through.
     """
     automatic = gc.isenabled()
     gc.disable()
-    gc.collect()
-    if not gc.get_freeze_count():
-        gc.freeze()
+    if _TIDY.due:
+        gc.collect()
+        if not _TIDY.frozen:  # to ask how much is frozen takes as long as collecting
+            gc.freeze()
+        _TIDY.due, _TIDY.frozen = False, True
     yield
+    _TIDY.due = _makes_widgets(request) or _TIDY.due
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     if automatic:
         gc.enable()
@@ -35,8 +52,18 @@ def _garbage_is_collected_in_this_thread(qapp):
 
 @pytest.fixture(autouse=True)
 def _every_test_finds_the_same_desk(qapp):
-    """Put the pointer into a corner, and back the font that windows with larger text change."""
+    """Put the pointer into a corner, and back the font that windows with larger text change.
+
+    No button is down either, whatever the test before left.
+    """
     QCursor.setPos(0, 0)
+    for button in (
+        Qt.MouseButton.LeftButton,
+        Qt.MouseButton.MiddleButton,
+        Qt.MouseButton.RightButton,
+    ):
+        if QApplication.mouseButtons() & button:
+            QTest.mouseRelease(QWidget(), button)
     font = qapp.font()
     yield
     if qapp.font() != font:

@@ -68,8 +68,9 @@ def test_other_panels_of_fields_too(window, settle, name):
     window.docks[name].bring_forward()
     settle()
     panel = window.panel(name)
-    centres = [stop.mapTo(panel, stop.rect().center()).y() for stop in tab_stops(panel, (panel,))]
-    assert all(after >= before - 4 for before, after in pairwise(centres))
+    stops = tab_stops(panel, (panel,))
+    places = [(one.objectName(), one.mapTo(panel, one.rect().center()).y()) for one in stops]
+    assert all(after[1] >= before[1] - 4 for before, after in pairwise(places)), places
 
 
 def corner(window):

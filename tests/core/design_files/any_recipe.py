@@ -91,7 +91,7 @@ def any_of(spec: RecipeSpec) -> st.SearchStrategy:
 def most(spec: ListSpec) -> int:
     """Parts of the longest list that is tried; none of kinds of which there are none."""
     empty = isinstance(spec.of, RecipeSpec) and not spec.of.kinds()
-    return 0 if empty else min(spec.most, 6)
+    return 0 if empty else min(spec.most, 3)
 
 
 def values(spec: fields.Spec) -> st.SearchStrategy:
@@ -132,7 +132,7 @@ def values(spec: fields.Spec) -> st.SearchStrategy:
 def recipes(kind: type) -> st.SearchStrategy:
     if kind is Design:
         own = {name: values(spec) for name, spec in specs_of(Design).items() if name != "inputs"}
-        inputs = st.lists(recipes(Input), max_size=6, unique_by=lambda one: one.id).map(alone)
+        inputs = st.lists(recipes(Input), max_size=3, unique_by=lambda one: one.id).map(alone)
         limbs = st.sampled_from(LIMB_NAMES)
         return st.builds(Design, **{**own, "inputs": inputs, "limb": limbs})
     parts = {name: values(spec) for name, spec in specs_of(kind).items()}

@@ -31,8 +31,8 @@ DEEDS = (
     *(8 * [fields.in_numbers] + 4 * [fields.in_lists] + 4 * [fields.on_buttons]),
     *(2 * [fields.in_rows] + [fields.on_docks, fields.on_window, fields.in_pages]),
 )
-COMPARED_EVERY = 125
-_IMPORTED_EVERY = 200
+COMPARED_EVERY = 100
+_IMPORTED_EVERY = 150
 #: Painting takes longest; what is done between two paintings is what a quick hand does.
 _PAINTED_EVERY = 5
 #: Each panel in sight takes its time.

@@ -12,7 +12,7 @@ import soundfile
 from tests.gui.monkey.deeds_in_fields import import_recording
 from tests.gui.monkey.monkey import DEEDS, Monkey
 
-COUNT = 500
+COUNT = 400
 #: Another one: MONKEY_SEED=7 pytest tests/gui/monkey
 SEED = int(os.environ.get("MONKEY_SEED", "20"))
 
