@@ -127,7 +127,8 @@ class Conductor(QObject):
         given = sources(self._document.design, self._document.view)
         wanted |= self._also
         request = Request(wanted, given, perf_counter() if since_s is None else since_s)
-        if self._asked == request and not self._behind(visible):
+        behind = any(panel.needs and panel not in self._shown for panel in visible)
+        if self._asked == request and not behind:
             return
         self._asked = request
         for panel in visible:
@@ -146,9 +147,6 @@ class Conductor(QObject):
         return needs != panel.needs or any(
             then[name] != now[name] for name in self._engine.sources_of(needs)
         )
-
-    def _behind(self, visible: list[Panel]) -> bool:
-        return any(panel.needs and panel not in self._shown for panel in visible)
 
     def _deliver(self, outcome: Outcome) -> None:
         if outcome.request.place != (FIRST_SLOT, Purpose.SHOW):
