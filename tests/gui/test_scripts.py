@@ -26,13 +26,13 @@ print("all", len(sys.argv) - 1)
 """
 
 
-def run(*arguments, paths=()):
+def run(*arguments, paths=(), folder=ROOT):
     found = os.pathsep.join(str(one) for one in (ROOT / "core", ROOT, *paths))
     return subprocess.run(
         [sys.executable, *map(str, arguments)],
         capture_output=True,
         text=True,
-        cwd=ROOT,
+        cwd=folder,
         env={**os.environ, "PYTHONPATH": found, "QT_QPA_PLATFORM": "offscreen"},
         timeout=300,
     )
@@ -47,8 +47,8 @@ def test_every_benchmark_can_be_imported():
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
-def test_every_example_runs(path):
-    done = run(path)
+def test_every_example_runs(path, tmp_path):
+    done = run(path, folder=tmp_path)
     assert done.returncode == 0, done.stderr
     assert done.stdout
 
