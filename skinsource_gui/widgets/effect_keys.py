@@ -1,4 +1,4 @@
-"""Keys on the chain of effects of a clip, and on a small curve."""
+"""Keys on the chain of effects of a clip, on a list of parts, and on a small curve."""
 
 from skinsource_gui.widgets.key_hint import KeyHint
 
@@ -71,4 +71,19 @@ EFFECTS: tuple[KeyHint, ...] = (
         means="remove the effect",
         keys=("Del", "Backspace"),
     ),
+)
+PARTS: tuple[KeyHint, ...] = (
+    KeyHint(name="up", words="Up", means="go to the part before", keys=("Up",)),
+    KeyHint(name="down", words="Down", means="go to the part after", keys=("Down",)),
+    KeyHint(name="first", words="Home", means="go to the first part", keys=("Home",)),
+    KeyHint(name="last", words="End", means="go to the last part", keys=("End",)),
+    KeyHint(name="shift_up", words="Alt+Up", means="move the part up", keys=("Alt+Up",)),
+    KeyHint(name="shift_down", words="Alt+Down", means="move the part down", keys=("Alt+Down",)),
+    KeyHint(
+        name="open",
+        words="Enter or Space",
+        means="show or hide the settings of the part",
+        keys=("Return", "Enter", "Space"),
+    ),
+    KeyHint(name="remove", words="Delete", means="remove the part", keys=("Del", "Backspace")),
 )

@@ -10,7 +10,7 @@ from functools import cache
 from PySide6.QtCore import QKeyCombination, Qt
 from PySide6.QtGui import QKeyEvent, QKeySequence
 
-from skinsource_gui.widgets.effect_keys import CURVE, EFFECTS
+from skinsource_gui.widgets.effect_keys import CURVE, EFFECTS, PARTS
 from skinsource_gui.widgets.key_hint import KeyHint
 from skinsource_gui.widgets.library_keys import LIBRARY
 from skinsource_gui.widgets.timeline_keys import CLIP_EDITOR, GAIN_CURVE, PLAYHEAD, TIMELINE
@@ -201,6 +201,7 @@ WIDGET_KEYS: dict[str, tuple[str, tuple[KeyHint, ...]]] = {
     ),
     "curve": ("On a small curve", CURVE),
     "effects": ("On an effect of a clip", EFFECTS),
+    "parts": ("On a part of layers", PARTS),
     "history": (
         "In the history",
         (

@@ -1,5 +1,6 @@
 """Curves through breakpoints, and what is done to their points."""
 
+import copy
 import itertools
 
 import numpy as np
@@ -12,13 +13,15 @@ from skinsource.effects import Envelope
 from skinsource.effects.breakpoints import (
     curve_at,
     moved,
+    place_of,
     scaled,
     with_point,
     with_segment,
     without,
 )
+from skinsource.effects.envelope import POINTS
 from skinsource.errors import InvalidInputError
-from skinsource.fields import SEGMENTS
+from skinsource.fields import SEGMENTS, Address, SlopedPoint, slope_of
 
 LEVELS = st.floats(0.0, 5.0).map(lambda value: round(value, 6))
 KINDS = st.sampled_from(SEGMENTS)
@@ -90,7 +93,8 @@ def test_two_points_at_one_time_are_a_jump(kind, apart):
     [
         *[(), ((0.5, 1.0), (0.4, 1.0)), ((-0.1, 1.0),), ((0.0, -0.1),), ((0.0, 1001.0),)],
         *[((0.0,),), ((0.0, 1.0, "round"),), ((0.0, 1.0, None),), (("0", 1.0),), 3, [[0, 1]]],
-        *[((0.0, float("nan")),), ((float("inf"), 1.0),), ((0.0, 1.0, "held", 2),), ("ab",)],
+        *[((0.0, float("nan")),), ((float("inf"), 1.0),), ((0.0, 1.0, "held", "2"),), ("ab",)],
+        *[((0.0, 1.0, "held", float("inf")),), ((0.0, 1.0, "held", 2.0, 0.0),)],
         tuple((0.0, 1.0) for _ in range(10_001)),
     ],
 )
@@ -107,27 +111,83 @@ def test_ten_thousand_points_are_a_curve():
     assert found == pytest.approx(np.abs(np.sin(np.linspace(0.0, 600.0, 100_000))), abs=4e-2)
 
 
-@given(drawn(st.sampled_from(["straight", "held"]), apart=0.001), st.floats(0.0, 1.2))
-def test_a_point_is_added_without_changing_the_curve(points, time_s):
-    after = with_point(points, time_s)
-    assert len(after) == len(points) + 1
+@given(drawn(apart=0.001), st.lists(st.floats(0.0, 1.2), min_size=1, max_size=4))
+def test_points_are_added_without_changing_the_curve(points, times_s):
+    after = points
+    for time_s in times_s:
+        place = place_of(after, time_s)
+        after = with_point(after, time_s)
+        assert after[place][0] == time_s
+    assert len(after) == len(points) + len(times_s)
     assert curve_at(after, GRID) == pytest.approx(curve_at(points, GRID), abs=1e-9)
     assert Envelope(after).points == after
 
 
-@given(drawn(st.just("smooth"), apart=0.01), st.floats(0.0, 1.2))
-def test_a_point_on_a_smooth_curve_lies_on_it(points, time_s):
-    after = with_point(points, time_s)
-    at = np.array([time_s])
-    assert curve_at(after, at) == pytest.approx(curve_at(points, at), abs=1e-9)
-    assert Envelope(after).points == after
+def test_a_point_on_a_smooth_curve_keeps_the_slopes_around_it_and_no_others():
+    times = [0.0, 0.1, 0.3, 0.4, 0.6, 0.7, 0.9]
+    levels = [0.0, 0.5, 0.7, 0.6, 0.8, 2.0, 2.5]
+    points = tuple((time, level, "smooth") for time, level in zip(times, levels, strict=True))
+    slope = PchipInterpolator(times, levels).derivative()
+    after = with_point(points, 0.65)
+    own = {point[0]: slope_of(point) for point in after if slope_of(point) is not None}
+    assert own == pytest.approx({time: float(slope(time)) for time in (0.6, 0.65, 0.7)})
+    # What was added can be taken out again.
+    assert curve_at(without(after, {5}), GRID) == pytest.approx(curve_at(points, GRID), abs=1e-12)
 
 
-def test_a_point_on_a_smooth_curve_bends_it_little():
-    points = ((0.0, 0.0, "smooth"), (0.4, 1.0, "smooth"), (1.0, 0.2, "smooth"))
-    for time_s in (0.1, 0.2, 0.7):
-        change = curve_at(with_point(points, time_s), GRID) - curve_at(points, GRID)
-        assert np.abs(change).max() < 0.05
+def test_a_slope_of_its_own_is_kept_by_files_copies_and_equality():
+    plain, sloped = (0.5, 1.0, "smooth"), SlopedPoint(0.5, 1.0, "smooth", 2.0)
+    time_s, level, segment = sloped
+    assert (time_s, level, segment) == plain
+    assert sloped != plain
+    assert plain != sloped
+    assert sloped != SlopedPoint(0.5, 1.0, "smooth", 1.0)
+    assert hash(sloped) != hash(plain)
+    assert copy.deepcopy(sloped) == sloped
+    assert repr(sloped) == "(0.5, 1.0, 'smooth', 2.0)"
+    with pytest.raises(AttributeError, match="make another one"):
+        sloped.slope = 3.0
+    both = ((0.0, 0.0, "smooth"), sloped, (1.0, 3.0, "straight"))
+    assert Envelope(((0, 0, "smooth"), [0.5, 1, "smooth", 2], (1, 3))).points == both
+    assert Envelope(((0.5, 1.0, "smooth", None),)).points == (plain,)
+    written = POINTS.encoded(both)
+    assert written == [[0.0, 0.0, "smooth"], [0.5, 1.0, "smooth", 2.0], [1.0, 3.0, "straight"]]
+    assert Envelope(POINTS.decoded(written, Address())).points == both
+
+
+def test_a_slope_of_its_own_is_that_of_the_curve():
+    points = Envelope(((0.0, 0.0, "smooth"), (0.5, 1.0, "smooth", 1.5), (1.0, 2.0))).points
+    beside = curve_at(points, np.array([0.5 - 1e-6, 0.5, 0.5 + 1e-6]))
+    assert np.diff(beside) / 1e-6 == pytest.approx([1.5, 1.5], rel=1e-4)
+
+
+@given(
+    drawn(st.just("smooth"), apart=0.05),
+    st.floats(0.0, 1.0),
+    st.floats(-0.3, 0.3),
+    st.floats(-2, 2),
+)
+def test_a_split_curve_that_is_moved_rises_or_falls_throughout_between_its_points(
+    points, time_s, by_s, by_value
+):
+    added, place = with_point(points, time_s), place_of(points, time_s)
+    assert moved(added, {place}, 0.0, 0.0) == added
+    after = moved(added, {place}, by_s, by_value)
+    assert [slope_of(one) is None for one in after] == [slope_of(one) is None for one in added]
+    for (x0, y0, _), (x1, y1, _) in itertools.pairwise(after):
+        course = np.diff(curve_at(after, np.linspace(x0, np.nextafter(x1, x0), 60)))
+        steps = course * np.sign(y1 - y0)
+        assert (steps >= -1e-9).all()
+        # Not cut off at the level of an end.
+        if abs(y1 - y0) > 0.01 and x1 - x0 > 0.01:
+            assert (np.abs(course) > 0.0).sum() >= 57
+
+
+def test_scaled_slopes_are_scaled_too():
+    points = ((0.0, 0.0, "smooth"), (0.4, 1.0, "smooth"), (1.0, 3.0, "straight"))
+    added = with_point(points, 0.2)
+    after = scaled(added, {0, 1, 2, 3}, (0.0, 0.0), 0.5, 2.0)
+    assert curve_at(after, GRID / 2) == pytest.approx(2 * curve_at(points, GRID), abs=1e-9)
 
 
 @given(drawn(), st.sets(st.integers(-1, 9)), st.floats(-2, 2), st.floats(-9, 9))

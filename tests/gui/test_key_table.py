@@ -46,7 +46,7 @@ def claims(place, parent):
     if place == "colour_bar":
         return lambda event: bool(key_step_db(event))
     others = ("history", "snapshot", "effects", "curve", "timeline", "clip_editor", "library")
-    others += ("playhead",)
+    others += ("parts", "playhead")
     return partial(meant, place if place in others else "plot")
 
 

@@ -9,6 +9,7 @@ from skinsource.clips.clip import LABEL
 from skinsource.design import AMPLITUDE, GAIN_CURVE, Design, Input
 from skinsource.edits.edit import NOTHING_CHOSEN, Edit, Refusal, changed, present, refused
 from skinsource.edits.kinds import as_kind, nearest
+from skinsource.edits.parts import changing_words
 from skinsource.edits.selection import clip_of, clips_of
 from skinsource.errors import InvalidInputError
 from skinsource.fields import NumberSpec, Spec, specs_of
@@ -152,7 +153,8 @@ def _set(
                 of_clips[target.clip.id] = setting
     except InvalidInputError as error:
         return refused(error)
-    verb = f"Change {values[0][0].spec(name).label.lower()} of"
+    target, value = values[0]
+    verb = changing_words(target.spec(name), target.value(name), value)
     return changed(design, view, verb, changes, of_clips)
 
 

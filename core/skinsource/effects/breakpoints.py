@@ -13,7 +13,7 @@ import scipy
 
 from skinsource.arrays import Booleans, Floats
 from skinsource.errors import InvalidInputError
-from skinsource.fields import SEGMENTS, Breakpoint, Segment
+from skinsource.fields import SEGMENTS, Breakpoint, Segment, SlopedPoint, slope_of
 from skinsource.quoting import quoted
 
 Points = tuple[Breakpoint, ...]
@@ -26,13 +26,17 @@ LOWEST, HIGHEST = 0.0, 1000.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Pieces:
-    """What is between the points: ends, (n,), and slopes there; which are smooth, which held."""
+    """What is between the points: ends, (n,), and slopes there; which are smooth, which held.
+
+    ``bent`` are those whose slope counts: an end of something smooth.
+    """
 
     x: Floats
     y: Floats
     slope: Floats
     smooth: Booleans
     held: Booleans
+    bent: Booleans
 
 
 def curve_at(points: Points, x: Floats) -> Floats:
@@ -62,16 +66,34 @@ def curve_at(points: Points, x: Floats) -> Floats:
 
 
 def with_point(points: Points, x: float) -> Points:
-    """The points with one more at ``x``, on the curve.
+    """The points with one more at ``x``, on the curve, which stays as it was but for rounding.
 
-    A straight or held curve stays as it was to the last bit but rounding.  A smooth one goes
-    through the new point too, and changes beside it by a little, because its slopes follow from
-    its points.
+    What is smooth keeps its course by slopes: the new point takes that of the curve, and those
+    whose slope would follow from it keep the one that they had.  Beyond the last point it goes on
+    straight, as level as it was.
     """
-    before = [point for point in points if point[0] <= x]
-    segment = before[-1][2] if before else SEGMENTS[0]
+    x = float(x)
+    place = place_of(points, x)
+    segment = points[place - 1][2] if place else SEGMENTS[0]
     y = float(curve_at(points, np.array([x]))[0])
-    return (*before, (float(x), y, segment), *points[len(before) :])
+    new: Breakpoint = (x, y, segment)
+    if segment == "smooth" and place < len(points):
+        new = SlopedPoint(x, y, segment, _slope_at(points, place - 1, x))
+    found = [*points[:place], new, *points[place:]]
+    if place == len(points) and segment == "smooth":
+        found[-2] = _like(points[-1], *points[-1][:2], "straight")
+    was, now = _pieces(points), _pieces(tuple(found))
+    rounding = 1e-12 * float(np.abs(was.slope).max())
+    for k in np.flatnonzero(was.bent).tolist():
+        at, slope = (k if k < place else k + 1), float(was.slope[k])
+        if abs(now.slope[at] - slope) > rounding:
+            found[at] = SlopedPoint(*found[at], slope=slope)
+    return tuple(found)
+
+
+def place_of(points: Points, x: float) -> int:
+    """Where in the list a point at ``x`` is put: behind those that are not later."""
+    return sum(point[0] <= x for point in points)
 
 
 def with_point_after(points: Points, index: int, end_x: float) -> tuple[Points, int]:
@@ -90,7 +112,10 @@ def with_point_after(points: Points, index: int, end_x: float) -> tuple[Points, 
 def without(points: Points, indices: Iterable[int]) -> Points:
     """The points without some; of all of them the first one stays."""
     gone = set(indices)
-    return tuple(point for k, point in enumerate(points) if k not in gone) or points[:1]
+    stay = [k for k in range(len(points)) if k not in gone] or [0]
+    # Those beside a gap.
+    beside = {k for k in range(1, len(stay)) if stay[k] - stay[k - 1] > 1}
+    return _settled(tuple(points[k] for k in stay), beside)
 
 
 def with_segment(points: Points, index: int, segment: Segment) -> Points:
@@ -106,7 +131,7 @@ def with_segment(points: Points, index: int, segment: Segment) -> Points:
             f"segment {quoted(segment)} is not known; choose from {', '.join(SEGMENTS)}"
         )
     return tuple(
-        (x, y, segment) if k == index else (x, y, own) for k, (x, y, own) in enumerate(points)
+        _like(point, *point[:2], segment) if k == index else point for k, point in enumerate(points)
     )
 
 
@@ -124,15 +149,16 @@ def moved(points: Points, indices: Iterable[int], by_x: float, by_y: float) -> P
             forth = min(forth, points[k + 1][0] - x)
     step = float(np.clip(by_x, min(back, 0.0), max(forth, 0.0)))
     found: list[Breakpoint] = []
-    for k, (x, y, segment) in enumerate(points):
+    for k, point in enumerate(points):
+        x, y, _ = point
         if k not in chosen:
-            found.append((x, y, segment))
+            found.append(point)
             continue
         # The sum may pass a point that stays by its last digit.
         stays = next((points[m][0] for m in range(k, len(points)) if m not in chosen), np.inf)
         least = found[-1][0] if found else 0.0
-        found.append(_at(min(max(x + step, least), stays), y + by_y, segment))
-    return tuple(found)
+        found.append(_at(point, min(max(x + step, least), stays), y + by_y))
+    return _settled(tuple(found), chosen)
 
 
 def scaled(
@@ -146,22 +172,80 @@ def scaled(
     chosen = _present(points, indices)
     found = list(points)
     least = 0.0
-    for k, (x, y, segment) in enumerate(points):
+    for k, point in enumerate(points):
+        x, y, _ = point
         if k in chosen:
             most = next((points[m][0] for m in range(k, len(points)) if m not in chosen), np.inf)
             to_x = about[0] + max(factor_x, 0.0) * (x - about[0])
             to_y = about[1] + factor_y * (y - about[1])
-            found[k] = _at(min(max(to_x, least), most), to_y, segment)
+            found[k] = _at(point, min(max(to_x, least), most), to_y)
+            slope = slope_of(point)
+            if slope is not None and factor_x > 0.0:
+                found[k] = SlopedPoint(*found[k], slope=slope * factor_y / factor_x)
         least = found[k][0]
-    return tuple(found)
+    return _settled(tuple(found), chosen)
 
 
 def _present(points: Points, indices: Iterable[int]) -> set[int]:
     return {k for k in indices if 0 <= k < len(points)}
 
 
-def _at(x: float, y: float, segment: Segment) -> Breakpoint:
-    return max(float(x), 0.0), float(min(max(y, LOWEST), HIGHEST)), segment
+def _at(point: Breakpoint, x: float, y: float) -> Breakpoint:
+    """A point at another place."""
+    return _like(point, max(float(x), 0.0), float(min(max(y, LOWEST), HIGHEST)), point[2])
+
+
+def _like(point: Breakpoint, x: float, y: float, segment: Segment) -> Breakpoint:
+    """Another point with the slope, if any, of ``point``."""
+    slope = slope_of(point)
+    return (x, y, segment) if slope is None else SlopedPoint(x, y, segment, slope)
+
+
+def _settled(points: Points, moved_ones: Iterable[int]) -> Points:
+    """The points, with slopes of their own as steep as the curve can be where some were moved.
+
+    Beside a moved point a slope that was kept may lead beyond the level of the next one; it is
+    made as steep as a cubic surely can be that rises, or falls, throughout.
+    """
+    if not any(isinstance(point, SlopedPoint) for point in points):
+        return points
+    found = list(points)
+    pieces = _pieces(points)
+    for k in sorted({k + d for k in moved_ones for d in (-1, 0)}):
+        if not 0 <= k < len(points) - 1 or not pieces.smooth[k]:
+            continue
+        length = pieces.x[k + 1] - pieces.x[k]
+        rise = (pieces.y[k + 1] - pieces.y[k]) / max(length, CLOSEST)
+        if length < CLOSEST or _is_monotone(rise, pieces.slope[k], pieces.slope[k + 1]):
+            continue
+        for end in (k, k + 1):
+            slope = slope_of(found[end])
+            if slope is not None:
+                within = float(np.clip(slope, min(0.0, 3.0 * rise), max(0.0, 3.0 * rise)))
+                found[end] = SlopedPoint(*found[end], slope=within)
+    return tuple(found)
+
+
+def _is_monotone(rise: float, slope0: float, slope1: float) -> bool:
+    """Whether the cubic of these slopes at its ends rises, or falls, throughout."""
+    if rise == 0.0:
+        return slope0 == slope1 == 0.0
+    a, b = slope0 / rise, slope1 / rise
+    # The region of Fritsch and Carlson: a triangle and an ellipse.
+    return min(a, b) >= 0.0 and (a + b <= 3.0 or a * a + a * (b - 6.0) + (b - 3.0) ** 2 <= 1e-9)
+
+
+def _slope_at(points: Points, left: int, x: float) -> float:
+    """The slope of the smooth curve after a point, at an ``x`` before the next one."""
+    pieces = _pieces(points)
+    length = float(pieces.x[left + 1] - pieces.x[left])
+    if length < CLOSEST:
+        return 0.0
+    share = (x - float(pieces.x[left])) / length
+    rise = float(pieces.y[left + 1] - pieces.y[left]) / length
+    d0, d1 = float(pieces.slope[left]), float(pieces.slope[left + 1])
+    steep = 6.0 * share * (1.0 - share) * rise
+    return steep + (1.0 - share) * (1.0 - 3.0 * share) * d0 + share * (3.0 * share - 2.0) * d1
 
 
 def _hermite(share: Any, y0: Any, y1: Any, d0: Any, d1: Any) -> Any:
@@ -181,4 +265,11 @@ def _pieces(points: Points) -> _Pieces:
     for run in np.split(np.arange(len(points)), breaks):
         if len(run) > 1 and (kinds[run[:-1]] == "smooth").any():
             slope[run] = scipy.interpolate.PchipInterpolator(x[run], y[run]).derivative()(x[run])
-    return _Pieces(x, y, slope, kinds == "smooth", kinds == "held")
+    for k, point in enumerate(points):
+        own = slope_of(point)
+        if own is not None:
+            slope[k] = own
+    smooth = kinds == "smooth"
+    before_smooth = np.append(smooth[:-1], False)
+    bent = before_smooth | np.append(False, before_smooth[:-1])
+    return _Pieces(x, y, slope, smooth, kinds == "held", bent)

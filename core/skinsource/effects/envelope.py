@@ -27,13 +27,16 @@ class Envelope(KeepsTime):
     point is one level throughout.  Two points at one time, or closer than a nanosecond, are a
     jump: the earlier one ends what comes before, from that time on counts the last one.
     Points that go back in time are refused.  A smooth segment is the monotone cubic of Fritsch
-    and Carlson: it never passes the levels of its two ends.
+    and Carlson: it never passes the levels of its two ends.  Its slope at a point follows from
+    the points beside, or is the point's own: so a smooth segment can be split and stay as it is.
 
     Attributes
     ----------
     points
         (time in s, level from 0 to 1000, ``"straight"``, ``"smooth"`` or ``"held"``) each; the
-        third may be left out.  Level 1 changes nothing.
+        third may be left out, and a fourth, the point's own slope in levels per second, be added:
+        it is then kept as a `SlopedPoint`, which unpacks as the others do.  Level 1 changes
+        nothing.
 
     References
     ----------

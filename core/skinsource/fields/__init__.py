@@ -12,7 +12,14 @@ differently asks `made_for` with a table by class.
 
 from typing import Any
 
-from skinsource.fields.breakpoints import SEGMENTS, Breakpoint, BreakpointsSpec, Segment
+from skinsource.fields.breakpoints import (
+    SEGMENTS,
+    Breakpoint,
+    BreakpointsSpec,
+    Segment,
+    SlopedPoint,
+    slope_of,
+)
 from skinsource.fields.choices_and_texts import BytesSpec, ChoiceSpec, SwitchSpec, TextSpec
 from skinsource.fields.numbers import (
     SMALLEST,
@@ -73,6 +80,7 @@ __all__ = [
     "RecipeSpec",
     "SamplesSpec",
     "Segment",
+    "SlopedPoint",
     "Spec",
     "SwitchSpec",
     "TextSpec",
@@ -83,6 +91,7 @@ __all__ = [
     "interval",
     "made_for",
     "number",
+    "slope_of",
     "specs_of",
     "switch",
     "text",

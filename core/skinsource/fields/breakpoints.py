@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import isfinite
 from operator import is_
-from typing import Any, Literal, get_args
+from typing import Any, Literal, Self, get_args
 
 from skinsource.fields.numbers import NumberSpec
 from skinsource.fields.spec import Address, Misfit, Spec, Tree
@@ -15,6 +15,50 @@ Segment = Literal["straight", "smooth", "held"]
 SEGMENTS: tuple[Segment, ...] = get_args(Segment)
 #: x, y, and how the curve goes on.
 Breakpoint = tuple[float, float, Segment]
+
+
+class SlopedPoint(tuple[float, float, Segment]):
+    """A breakpoint, x, y and segment, with a slope of its own: what is smooth leaves it so.
+
+    It unpacks as any other breakpoint.  Of one without, the slope follows from its neighbours.
+
+    >>> x, y, segment = SlopedPoint(0.1, 0.5, "smooth", slope=2.0)
+    """
+
+    slope: float
+
+    def __new__(cls, x: float, y: float, segment: Segment, slope: float) -> Self:
+        """Make a point; what its values may be is for `BreakpointsSpec` to say."""
+        made = super().__new__(cls, (x, y, segment))
+        object.__setattr__(made, "slope", slope)
+        return made
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError(f"{name} of a breakpoint cannot be changed; make another one")
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, SlopedPoint):
+            return False if isinstance(other, tuple) else NotImplemented
+        return tuple(self) == tuple(other) and self.slope == other.slope
+
+    def __ne__(self, other: object) -> bool:
+        # Without this one the tuple's own would be asked.
+        found = self.__eq__(other)
+        return found if found is NotImplemented else not found
+
+    def __hash__(self) -> int:
+        return hash((*self, self.slope))
+
+    def __repr__(self) -> str:
+        return repr((*self, self.slope))
+
+    def __getnewargs__(self) -> tuple[Any, ...]:
+        return (*self, self.slope)
+
+
+def slope_of(point: Breakpoint) -> float | None:
+    """The slope of its own that a breakpoint has, or None."""
+    return point.slope if isinstance(point, SlopedPoint) else None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -34,10 +78,13 @@ class BreakpointsSpec(Spec):
     most: int = 10_000
 
     def checked(self, value: Any) -> tuple[Breakpoint, ...]:
-        """Return a tuple of points; the segment after one of two numbers is straight."""
+        """Return a tuple of points; the segment after one of two numbers is straight.
+
+        A fourth number is the slope of a point's own, in units of y per unit of x.
+        """
         expected = (
             f"1 to {self.most} points (x, y, segment), x {self.x.expected} and never falling, "
-            f"y {self.y.expected}, segment {', '.join(SEGMENTS)}"
+            f"y {self.y.expected}, segment {', '.join(SEGMENTS)}, and perhaps a finite slope"
         )
         if not isinstance(value, tuple) or not 1 <= len(value) <= self.most:
             raise Misfit(expected)
@@ -53,8 +100,11 @@ class BreakpointsSpec(Spec):
         return value if all(map(is_, points, value)) else points
 
     def encoded(self, value: tuple[Breakpoint, ...]) -> Tree:
-        """Return a list of lists."""
-        return [list(point) for point in value]
+        """Return a list of lists of three values, or of four where a point has its own slope."""
+        return [
+            [*point, point.slope] if isinstance(point, SlopedPoint) else list(point)
+            for point in value
+        ]
 
     def decoded(self, tree: Tree, at: Address) -> Any:
         """Return a tuple of tuples; of too long a list, unread."""
@@ -65,7 +115,10 @@ class BreakpointsSpec(Spec):
 
     def _is_kept(self, point: Any) -> bool:
         """Whether a point is in the form that points are kept in; most are, when one is dragged."""
-        if type(point) is not tuple or len(point) != 3:
+        if type(point) is SlopedPoint:
+            if type(point.slope) is not float or not isfinite(point.slope):
+                return False
+        elif type(point) is not tuple or len(point) != 3:
             return False
         x, y, segment = point
         return (
@@ -80,9 +133,16 @@ class BreakpointsSpec(Spec):
         )
 
     def _point(self, point: Any, expected: str) -> Breakpoint:
-        if not isinstance(point, Sequence) or isinstance(point, str) or len(point) not in (2, 3):
+        if not isinstance(point, Sequence) or isinstance(point, str) or not 2 <= len(point) <= 4:
             raise Misfit(expected)
-        segment = point[2] if len(point) == 3 else SEGMENTS[0]
-        if segment not in SEGMENTS:
+        segment = point[2] if len(point) > 2 else SEGMENTS[0]
+        if not isinstance(segment, str) or segment not in SEGMENTS:
             raise Misfit(expected)
-        return float(self.x.checked(point[0])), float(self.y.checked(point[1])), segment
+        x, y = float(self.x.checked(point[0])), float(self.y.checked(point[1]))
+        slope = point.slope if isinstance(point, SlopedPoint) else None
+        slope = point[3] if len(point) == 4 else slope
+        return (x, y, segment) if slope is None else SlopedPoint(x, y, segment, _slope(slope))
+
+
+def _slope(value: Any) -> float:
+    return float(NumberSpec(label="Slope").checked(value))

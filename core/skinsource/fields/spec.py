@@ -48,10 +48,13 @@ class Spec(ABC):
     ----------
     label, hint
         Words for the user.
+    asked
+        Whether a user can be asked for it; what only tells things apart is for nobody to choose.
     """
 
     label: str
     hint: str = ""
+    asked: bool = True
 
     @abstractmethod
     def checked(self, value: Any) -> Any:

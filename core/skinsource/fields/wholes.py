@@ -115,9 +115,12 @@ class RecipeSpec(Spec):
     kinds
         Gives the classes that are allowed, and those made from them, which are computed but not
         written.  Asked anew each time, so that a kind can be added.
+    rate_hz
+        Sample rate of the limb on which it is played; None: not said.
     """
 
     kinds: Callable[[], tuple[type, ...]]
+    rate_hz: float | None = None
 
     def checked(self, value: Any) -> Any:
         """Return ``value`` itself."""
@@ -126,6 +129,10 @@ class RecipeSpec(Spec):
         if self.depth(value) > MAX_DEPTH:
             raise Misfit(f"recipes within recipes at most {MAX_DEPTH} deep")
         return value
+
+    def at_rate(self, sample_rate_hz: float) -> "RecipeSpec":
+        """The same, for a limb of this rate: what its fields allow follows from that."""
+        return replace(self, rate_hz=sample_rate_hz)
 
     def encoded(self, value: Any) -> Tree:
         """Return the fields by name, and the kind."""

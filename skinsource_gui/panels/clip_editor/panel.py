@@ -18,6 +18,7 @@ from skinsource.own_limbs import facts_of
 from skinsource.spectra import share_outside_band
 from skinsource.view import View
 from skinsource_gui.panel import Panel
+from skinsource_gui.panels.clip_editor.body import EditorBody
 from skinsource_gui.panels.clip_editor.drawing import Drawing
 from skinsource_gui.panels.clip_editor.editor_toolbar import EditorToolbar
 from skinsource_gui.panels.clip_editor.editor_view import EditorView
@@ -67,8 +68,7 @@ class ClipEditorPanel(Panel):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(self._toolbar)
-        column.addWidget(self._canvas, 3)
-        column.addWidget(self._spectrum, 1)
+        column.addWidget(EditorBody(self._canvas, self._spectrum), 1)
         self._stack = QStackedLayout(self)
         self._stack.addWidget(self._empty)
         self._stack.addWidget(inside)
@@ -123,15 +123,20 @@ class ClipEditorPanel(Panel):
     def use(self, tool: str) -> None:
         """Take a tool; a clip that is not drawn asks once whether it may become samples."""
         clip = self.clip
-        if tool == "pen" and clip is not None and not self._drawing.is_allowed(clip):
-            tool = "look"
+        if tool == "pen" and clip is not None and not self._drawing.may_draw(clip):
+            # While it is asked nothing of another tool is seen, or can be done.
+            self._take("look")
+            tool = "pen" if self._drawing.is_allowed(clip) else "look"
         if tool == "glide" and not self._gliding.can_edit(clip):
             self.edited.emit(_NO_GLIDE, None)
             tool = "look"
-        self._canvas.use(self._tools[tool])
-        self._toolbar.show_tool(tool)
+        self._take(tool)
         # A question may have taken the keyboard away.
         self._canvas.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def _take(self, tool: str) -> None:
+        self._canvas.use(self._tools[tool])
+        self._toolbar.show_tool(tool)
 
     def _connect(self) -> None:
         self._toolbar.tool_wanted.connect(self.use)
@@ -197,6 +202,8 @@ class ClipEditorPanel(Panel):
         elif wanted == "give_up":
             self.use("look")
         else:
-            glides = self._canvas.tool is self._gliding.tool
-            (self._gliding if glides else self._shaping).press(wanted, event)
+            # Points that are not seen are not changed.
+            for one in (self._gliding, self._shaping):
+                if self._canvas.tool is one.tool:
+                    one.press(wanted, event)
             self._canvas.lay_out()

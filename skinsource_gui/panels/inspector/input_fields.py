@@ -14,7 +14,8 @@ from skinsource.own_limbs import facts_of
 from skinsource.view import View
 from skinsource.waveforms import Waveform
 from skinsource_gui.theme import LIGHT, Theme
-from skinsource_gui.widgets.fields.field_cell import FieldCell, LabelledCell, WordsCell
+from skinsource_gui.widgets.fields.edited_cell import LabelledCell, WordsCell
+from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
 from skinsource_gui.widgets.inputs.input_words import fixed_length_text, played_length_text
 

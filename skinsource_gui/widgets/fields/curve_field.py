@@ -12,7 +12,14 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
 
-from skinsource.effects.breakpoints import Points, moved, with_point, with_segment, without
+from skinsource.effects.breakpoints import (
+    Points,
+    moved,
+    place_of,
+    with_point,
+    with_segment,
+    without,
+)
 from skinsource.fields import SEGMENTS, BreakpointsSpec, Segment
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.fields.burst import Burst
@@ -114,10 +121,8 @@ class CurveField(QWidget):
         near = self._near(event.position())
         if near is None:
             x, _ = self._scale.value(event.position(), self._inside())
-            after = with_point(before, self._rounded(x))
-            near = next(
-                k for k, point in enumerate(after) if k >= len(before) or point != before[k]
-            )
+            x = self._rounded(x)
+            after, near = with_point(before, x), place_of(before, x)
             self._tell(after, near, gesture)
         self._chosen = near
         self._drag = (gesture, self._points, event.position())

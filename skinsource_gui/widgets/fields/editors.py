@@ -1,7 +1,7 @@
 """What edits a field of a recipe: one editor for each kind of specification."""
 
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QCheckBox, QLabel, QLineEdit, QWidget
@@ -15,6 +15,7 @@ from skinsource.fields import (
     NumberSpec,
     OptionalSpec,
     PointsSpec,
+    RecipeSpec,
     Spec,
     SwitchSpec,
     TextSpec,
@@ -25,9 +26,11 @@ from skinsource.signals import BAND_HZ
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.curve_field import CurveField
+from skinsource_gui.widgets.fields.editor import Editor
 from skinsource_gui.widgets.fields.list_editors import CurveText, NumbersEditor
 from skinsource_gui.widgets.fields.live_text import LiveText
 from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.fields.parts.parts_editor import PartsEditor
 from skinsource_gui.widgets.fields.points_editor import PointsEditor
 from skinsource_gui.widgets.fields.units import value_text
 from skinsource_gui.widgets.inputs.kind_field import KindField
@@ -36,47 +39,12 @@ from skinsource_gui.widgets.tooltips import tooltip
 _OUTSIDE_BAND = f"outside the measured band ({BAND_HZ[0]:g} to {BAND_HZ[1]:g} Hz)"
 
 
-class Editor(Protocol):
-    """A widget that edits one value, and what a cell has to know of it.
-
-    Attributes
-    ----------
-    field
-        The widget.
-    edited
-        Signal: the new value, number of the gesture or None.
-    problem_changed
-        Signal: why what is entered is not allowed, or "".
-    """
-
-    field: QWidget
-    edited: Any
-    problem_changed: Any
-
-    def set_value(self, value: Any) -> None:
-        """Show a value, and tell nobody."""
-
-    def set_spec(self, spec: Any) -> None:
-        """Change what is allowed."""
-
-    def advice(self) -> str:
-        """What one should know about the present value, or ""."""
-
-    def refuse(self, reason: str) -> None:
-        """Show where in what is entered the reason lies for which it was refused."""
-
-    def cancel(self) -> None:
-        """Forget what is being entered."""
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-
-
 class NumberEditor(QObject):
     """Edits a number."""
 
     edited = Signal(object, object)
     problem_changed = Signal(str)
+    label = None
 
     def __init__(self, spec: NumberSpec, parent: QWidget) -> None:
         super().__init__(parent)
@@ -100,6 +68,7 @@ class _Plain(QObject):
 
     edited = Signal(object, object)
     problem_changed = Signal(str)
+    label = None
 
     def set_spec(self, spec: Spec) -> None:
         """Nothing about it changes with the design."""
@@ -185,6 +154,7 @@ class LiveTextEditor(QObject):
 
     edited = Signal(object, object)
     problem_changed = Signal(str)
+    label = None
 
     def __init__(self, spec: TextSpec, parent: QWidget) -> None:
         super().__init__(parent)
@@ -240,7 +210,9 @@ def text_editor(spec: TextSpec, parent: QWidget) -> Editor:
 
 
 def list_editor(spec: ListSpec, parent: QWidget) -> Editor:
-    """Make the editor of a list of numbers; other lists are shown."""
+    """Make the editor of a list of numbers, or of recipes; other lists are shown."""
+    if isinstance(spec.of, RecipeSpec):
+        return PartsEditor(spec, new_editor, parent)
     return (NumbersEditor if isinstance(spec.of, NumberSpec) else ShownOnly)(spec, parent)
 
 

@@ -1,137 +1,14 @@
-"""A labelled field of a recipe, with room for a remark under it."""
+"""A labelled field with the editor that goes with its kind."""
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from skinsource.fields import Spec
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.widgets.fields.edited_cell import EditedCell
 from skinsource_gui.widgets.fields.editors import new_editor
-from skinsource_gui.widgets.tooltips import tooltip
-
-#: Height of a label, and of one line of a field.
-LABEL_PX = 26
-
-_DIFFERS = tooltip(
-    "The selected inputs differ here; shown is the one that was selected last. Typing sets all, "
-    "dragging moves all by as much."
-)
 
 
-class LabelledCell(QWidget):
-    """Something with a label; `FieldGrid` puts the label beside it."""
-
-    def __init__(self, words: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.label = QLabel(words)
-        self.label.setMinimumHeight(LABEL_PX)
-        self.label.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        self.stack = QVBoxLayout(self)
-        self.stack.setContentsMargins(0, 0, 0, 0)
-        self.stack.setSpacing(2)
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.label.setStyleSheet(f"color: {theme.dim};")
-
-
-class WordsCell(LabelledCell):
-    """A label and words that cannot be edited."""
-
-    def __init__(self, label: str, words: str, parent: QWidget | None = None) -> None:
-        super().__init__(label, parent)
-        self.words = QLabel(words)
-        self.words.setObjectName("fixed_length")
-        self.words.setWordWrap(True)
-        self.words.setMinimumHeight(LABEL_PX)
-        self.stack.addWidget(self.words)
-
-
-class FieldCell(LabelledCell):
+class FieldCell(EditedCell):
     """The field of a recipe that ``spec`` describes."""
 
-    #: Name of the field, its new value, number of the gesture or None.
-    edited = Signal(str, object, object)
-
     def __init__(self, name: str, spec: Spec, parent: QWidget | None = None) -> None:
-        super().__init__(spec.label, parent)
-        self.name, self._words = name, spec.label
-        self._theme = LIGHT
-        self._warns = False
-        self._problem = ""
-        self._editor = new_editor(spec, self)
-        self._editor.edited.connect(self._edit)
-        self._editor.problem_changed.connect(self._show_problem)
-        self.field = self._editor.field
-        self.field.setObjectName(f"{name}_field")
-        if isinstance(self.field, QLabel):
-            self.field.setMinimumHeight(LABEL_PX)
-        self.label.setBuddy(self.field)
-        self.setFocusProxy(self.field)
-        self._note = QLabel()
-        self._note.setObjectName(f"{name}_note")
-        self._note.setWordWrap(True)
-        self._note.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
-        self._note.hide()
-        self.stack.addWidget(self.field)
-        self.stack.addWidget(self._note)
-
-    @property
-    def note(self) -> str:
-        """The remark under the field, or ""."""
-        return self._note.text()
-
-    def set_spec(self, spec: Spec) -> None:
-        """Change the unit or range."""
-        self._editor.set_spec(spec)
-
-    def set_value(self, value: object) -> None:
-        """Show a value, and tell nobody."""
-        self._editor.set_value(value)
-        self._advise()
-
-    def show_differs(self, differs: bool) -> None:
-        """Say whether the value shown is only that of one of several inputs."""
-        self.label.setText(f"{self._words} ≠" if differs else self._words)
-        self.label.setToolTip(_DIFFERS if differs else "")
-
-    def forget_typing(self) -> None:
-        """Close an open editor without committing."""
-        self._editor.cancel()
-        self._advise()
-
-    def show_reason(self, reason: str) -> None:
-        """Say in red why the last edit was refused."""
-        self._editor.refuse(reason)
-        self._set_note(reason, warns=False)
-
-    def show_theme(self, theme: Theme) -> None:
-        super().show_theme(theme)
-        self._theme = theme
-        self._editor.show_theme(theme)
-        self._colour_note()
-
-    def _edit(self, value: object, gesture: int | None) -> None:
-        self._advise()
-        self.edited.emit(self.name, value, gesture)
-
-    def _show_problem(self, problem: str) -> None:
-        self._problem = problem
-        if problem:
-            self._set_note(problem, warns=False)
-        else:
-            self._advise()
-
-    def _advise(self) -> None:
-        if not self._problem:
-            self._set_note(self._editor.advice(), warns=True)
-
-    def _set_note(self, words: str, *, warns: bool) -> None:
-        if (words, warns) != (self.note, self._warns):
-            self._warns = warns
-            self._note.setText(words)
-            self._note.setVisible(bool(words))
-            self._colour_note()
-
-    def _colour_note(self) -> None:
-        colour = self._theme.warning if self._warns else self._theme.error
-        self._note.setStyleSheet(f"color: {colour};")
+        super().__init__(name, spec, new_editor, parent)

@@ -8,7 +8,7 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from skinsource_gui.theme import UNIT_PX
-from skinsource_gui.widgets.fields.field_cell import LabelledCell
+from skinsource_gui.widgets.fields.edited_cell import LabelledCell
 
 #: From this width on, two fields stand side by side.
 WIDE_PX = 440
@@ -64,11 +64,18 @@ class FieldGrid(QWidget):
             self._arrange()
 
     def _arrange(self) -> None:
+        # One that is across holds its label, which stands in no layout of the grid.
         for part in (widget for cell in self._cells for widget in (cell.label, cell)):
             self._grid.removeWidget(part)
-        for position, cell in enumerate(self._cells):
-            row, pair = divmod(position, self._pairs)
+        row, pair = 0, 0
+        for cell in self._cells:
+            if cell.across:
+                row += pair > 0
+                self._grid.addWidget(cell, row, 0, 1, 2 * self._pairs)
+                row, pair = row + 1, 0
+                continue
             self._grid.addWidget(cell.label, row, 2 * pair, Qt.AlignmentFlag.AlignTop)
             self._grid.addWidget(cell, row, 2 * pair + 1, Qt.AlignmentFlag.AlignTop)
+            row, pair = (row, pair + 1) if pair + 1 < self._pairs else (row + 1, 0)
         for pair in range(_MOST_PAIRS):
             self._grid.setColumnStretch(2 * pair + 1, 1 if pair < self._pairs else 0)

@@ -27,6 +27,7 @@ class Listed(QObject):
 
     edited = Signal(object, object)
     problem_changed = Signal(str)
+    label = None
 
     def __init__(self, spec: Any, parent: QWidget, hint: str) -> None:
         super().__init__(parent)

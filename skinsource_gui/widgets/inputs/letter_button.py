@@ -9,6 +9,8 @@ from skinsource_gui.widgets.inputs.swatch import words_on
 from skinsource_gui.widgets.key_table import key_text
 
 BUTTON_PX = 22
+# Of one that cannot be pressed now.
+_FAINT = 0.35
 _ARROWS = frozenset({Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_Left, Qt.Key.Key_Right})
 
 
@@ -55,10 +57,11 @@ class LetterButton(QAbstractButton):
     def paintEvent(self, event) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setOpacity(1.0 if self.isEnabled() else _FAINT)
         place = QRectF(self.rect()).adjusted(1.5, 1.5, -1.5, -1.5)
         lit = self.isChecked()
         fill = QColor(getattr(self._theme, self._colour_name)) if lit else None
-        if fill is None and (self.underMouse() or self.isDown()):
+        if fill is None and self.isEnabled() and (self.underMouse() or self.isDown()):
             fill = QColor(self._theme.grid)
         if fill is not None:
             painter.setPen(Qt.PenStyle.NoPen)

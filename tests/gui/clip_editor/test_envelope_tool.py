@@ -114,3 +114,18 @@ def test_insert_adds_a_point_that_changes_nothing_and_arrows_move_it(tone):
     tone.key(Qt.Key.Key_Insert)
     assert [round(time_s, 9) for time_s, *_ in points(tone)] == [0.0, 0.05, 0.1, 0.15]
     assert tone.panel._shaping.tool.chosen == (1,)
+
+
+def test_a_click_on_a_smooth_segment_splits_it_without_bending_it(tone):
+    shape = Envelope(((0.0, 0.2, "smooth"), (0.05, 0.9, "smooth"), (0.2, 0.4)))
+    tone.design = tone.design.with_clip(1, effects=(shape,))
+    tone.show()
+    times = np.linspace(0, 0.2, 400)
+    for time_s in (0.1, 0.03):
+        place = tone.at(time_s, float(shape.values_at(np.array([time_s]))[0]))
+        tone.press(place)
+        QTest.mouseRelease(tone.canvas.viewport(), LEFT, NONE, whole(place))
+    assert len(points(tone)) == 5
+    assert tone.panel._shaping.tool.chosen == (1,)
+    after = Envelope(points(tone)).values_at(times)
+    assert after == pytest.approx(shape.values_at(times), abs=1e-12)

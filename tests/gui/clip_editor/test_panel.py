@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPointF
+from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QMessageBox
 
 from skinsource.design import Design
 from skinsource.view import View
@@ -31,3 +32,37 @@ def test_the_value_under_the_pointer_is_read(tone):
     QTest.mouseMove(tone.canvas.viewport(), whole(tone.at(0.1, 0.0)))
     tone.canvas._tool.move(tone.canvas.content, QPointF(tone.at(0.1, 0.0)), NONE)
     assert not tone.panel.grab().isNull()
+
+
+def test_only_the_tool_that_is_taken_shows_and_changes_points(tone, monkeypatch):
+    tone.drag((0.0, 1.0), (0.0, 0.5))
+    tone.panel.use("envelope")
+    tone.key(Qt.Key.Key_Home)
+    tone.panel.use("look")
+    shaped, steps = tone.design, len(tone.steps)
+    for key in (Qt.Key.Key_Insert, Qt.Key.Key_PageDown, Qt.Key.Key_Delete, Qt.Key.Key_Up):
+        tone.key(key)
+    assert (tone.design, len(tone.steps)) == (shaped, steps)
+    seen = []
+
+    def ask(*_):
+        seen.append((tone.canvas.tool, tone.panel._toolbar._tools["look"].isChecked()))
+        return QMessageBox.StandardButton.Ok
+
+    monkeypatch.setattr(QMessageBox, "question", ask)
+    tone.panel.use("envelope")
+    tone.panel.use("pen")
+    # While it was asked, no point could be seen.
+    assert seen == [(tone.panel._look, True)]
+    assert tone.canvas.tool is tone.panel._pen
+
+
+def test_a_low_wide_editor_has_its_spectrum_beside_the_curve(tone):
+    canvas, spectrum = tone.canvas, tone.panel._spectrum
+    tone.panel.resize(700, 420)
+    assert spectrum.y() >= canvas.geometry().bottom()
+    assert spectrum.width() == canvas.width()
+    tone.panel.resize(1300, 200)
+    assert spectrum.x() >= canvas.geometry().right()
+    assert spectrum.height() == canvas.height() > 140
+    assert canvas.width() > 2.5 * spectrum.width()

@@ -132,7 +132,7 @@ class EnvelopeTool(QObject):
             self.changed.emit(drag.points, None)
         elif drag.upright:
             points = algebra.with_point(drag.points, drag.start[0])
-            self.chosen = tuple(k for k, one in enumerate(points) if one not in drag.points)
+            self.chosen = (algebra.place_of(drag.points, drag.start[0]),)
             self.changed.emit(points, None)
         elif drag.box is not None:
             self.chosen = ()
@@ -142,8 +142,8 @@ class EnvelopeTool(QObject):
         if _point_at(content, self._points(), at) is not None:
             return
         time_s, value = content.place(at)
-        added = algebra.with_point(self._points(), max(time_s, 0.0))
-        index = sum(one[0] < max(time_s, 0.0) - 1e-9 for one in added)
+        points, time_s = self._points(), max(time_s, 0.0)
+        added, index = algebra.with_point(points, time_s), algebra.place_of(points, time_s)
         by_value = min(max(value, 0.0), self._look.highest) - added[index][1]
         self.chosen = (index,)
         self.changed.emit(algebra.moved(added, (index,), 0.0, by_value), None)

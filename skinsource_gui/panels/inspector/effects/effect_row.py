@@ -5,10 +5,10 @@ from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QVBoxLayout, QWidget
 
 from skinsource.effects import ON, Effect
 from skinsource.fields import specs_of
-from skinsource_gui.panels.inspector.effects.effect_title import EffectTitle
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
+from skinsource_gui.widgets.fields.parts.row_title import RowTitle
 from skinsource_gui.widgets.inputs.letter_button import remove_button
 from skinsource_gui.widgets.tooltips import tooltip
 
@@ -32,7 +32,7 @@ class EffectRow(QWidget):
     def __init__(self, effect: Effect, theme: Theme, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.effect, self._theme = effect, theme
-        self.title = EffectTitle(effect.title)
+        self.title = RowTitle(effect.title, "effects", "in the chain")
         self._switch = QCheckBox()
         self._switch.setObjectName("effect_switch")
         self._switch.setAccessibleName(f"{effect.title} on")
@@ -59,6 +59,11 @@ class EffectRow(QWidget):
         self._remove.clicked.connect(self.removed)
         self.show_theme(theme)
         self.show_effect(effect)
+
+    @property
+    def stops(self) -> tuple[QWidget, ...]:
+        """Where the Tab key stops first."""
+        return (self.title,)
 
     @property
     def open(self) -> bool:

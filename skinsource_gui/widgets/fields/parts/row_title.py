@@ -1,15 +1,27 @@
-"""The name of an effect: opens it, is dragged, takes the keys."""
+"""The name of a part in a list: opens it, is dragged, takes the keys."""
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QApplication, QSizePolicy, QToolButton, QWidget
 
 from skinsource_gui.widgets.key_table import key_text, meant
 from skinsource_gui.widgets.tooltips import tooltip
 
+# The arrow and the edges.
+_BESIDE_PX = 30
 
-class EffectTitle(QToolButton):
-    """Shows or hides the fields of an effect; drags it to another place.
+
+class RowTitle(QToolButton):
+    """Shows or hides the fields of a part; drags it to another place.
+
+    Parameters
+    ----------
+    words
+        What the part is called; what is too long ends with dots.
+    place
+        Where the keys are listed that it takes.
+    where
+        Where it is moved, for the tooltip: "in the chain".
 
     Attributes
     ----------
@@ -27,26 +39,30 @@ class EffectTitle(QToolButton):
     #: The drag was given up.
     given_up = Signal()
 
-    def __init__(self, words: str, parent: QWidget | None = None) -> None:
+    def __init__(self, words: str, place: str, where: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._words, self._place = "", place
         self._start_y: int | None = None
         self._dragging = False
         self.open = False
-        self.setText(words)
-        self.setAccessibleName(words)
-        self.setObjectName("effect_title")
+        self.setObjectName(f"{place}_title")
         self.setAutoRaise(True)
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        keys = f"{key_text('effects', 'shift_up')}, {key_text('effects', 'shift_down')}"
-        self.setToolTip(
-            tooltip(
-                f"Click: show or hide its settings. Drag, or {keys}: another place in the chain"
-            )
-        )
+        keys = f"{key_text(place, 'shift_up')}, {key_text(place, 'shift_down')}"
+        self._hint = f"Click: show or hide its settings. Drag, or {keys}: another place {where}"
+        self.set_words(words)
         self.clicked.connect(lambda: self.set_open(not self.open))
         self._point()
+
+    def set_words(self, words: str) -> None:
+        """Call the part otherwise."""
+        if words != self._words:
+            self._words = words
+            self.setAccessibleName(words)
+            self.setToolTip(tooltip(words, self._hint))
+            self._fit()
 
     def set_open(self, open_: bool) -> None:
         """Point down, to fields that are shown, or not."""
@@ -56,7 +72,7 @@ class EffectTitle(QToolButton):
             self.opened.emit(open_)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        name = meant("effects", event)
+        name = meant(self._place, event)
         if self._dragging and event.key() == Qt.Key.Key_Escape:
             self._let_go()
             self.given_up.emit()
@@ -68,11 +84,15 @@ class EffectTitle(QToolButton):
     def event(self, event: QEvent) -> bool:
         # Without this, a shortcut of the window would take the key.
         if event.type() == QEvent.Type.ShortcutOverride and (
-            meant("effects", event) or (self._dragging and event.key() == Qt.Key.Key_Escape)
+            meant(self._place, event) or (self._dragging and event.key() == Qt.Key.Key_Escape)
         ):
             event.accept()
             return True
         return super().event(event)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         super().mousePressEvent(event)
@@ -100,6 +120,11 @@ class EffectTitle(QToolButton):
             return
         self._start_y = None
         super().mouseReleaseEvent(event)
+
+    def _fit(self) -> None:
+        room = max(self.width() - _BESIDE_PX, 0)
+        text = self.fontMetrics().elidedText(self._words, Qt.TextElideMode.ElideRight, room)
+        self.setText(text)
 
     def _let_go(self) -> None:
         self._start_y, self._dragging = None, False

@@ -1,0 +1,1 @@
+"""Recipes in a list: added, edited, put in another order, removed."""

@@ -1,0 +1,254 @@
+"""The parts of layers, in the inspector."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QMenu, QToolButton
+
+from skinsource.clips import Clip
+from skinsource.design import track
+from skinsource.effects import Fade
+from skinsource.fields.recipes import nesting
+from skinsource.fields.spec import MAX_DEPTH
+from skinsource.waveforms import Chirp, Formula, Layers, Noise, Tone
+from skinsource.waveforms.layers import MAX_PARTS
+from skinsource_gui.theme import DARK
+from skinsource_gui.widgets.fields.field_cell import FieldCell
+from skinsource_gui.widgets.fields.parts.parts_editor import PartsEditor
+from skinsource_gui.widgets.inputs.letter_button import LetterButton
+from tests.gui.inspector.bench import Bench, design_of
+
+A = Clip(waveform=Tone(50.0))
+B = Clip(waveform=Noise(seed=3), gain=0.5)
+C = Clip(waveform=Chirp(), onset_s=0.25)
+_Key, _ALT = Qt.Key, Qt.KeyboardModifier.AltModifier
+
+
+class PartsBench(Bench):
+    """The panel, and the list of parts in it."""
+
+    @property
+    def cell(self):
+        return next(c for c in self.panel.findChildren(FieldCell) if c.name == "parts")
+
+    @property
+    def editor(self) -> PartsEditor:
+        return self.cell.editor
+
+    @property
+    def rows(self):
+        return self.editor.rows
+
+    @property
+    def titles(self):
+        return [row.title.accessibleName() for row in self.rows]
+
+    @property
+    def parts(self):
+        return self.one.clips[0].waveform.parts
+
+    def add(self, title, editor=None):
+        add = (editor or self.editor).field.findChild(QToolButton, "add_part")
+        menu = add.menu()
+        menu.aboutToShow.emit()
+        menus = [menu, *menu.findChildren(QMenu)]
+        found = [action for one in menus for action in one.actions()]
+        next(action for action in found if action.text() == title).trigger()
+
+    def opened(self, index):
+        self.rows[index].set_open(True)
+        return {cell.name: cell for cell in self.rows[index].fields.cells}
+
+
+@pytest.fixture
+def bench(qtbot):
+    return PartsBench(qtbot, design_of(Layers((A, B, C)), Tone()))
+
+
+def press(bench, index, name):
+    bench.rows[index].findChild(LetterButton, name).click()
+
+
+def test_parts_are_listed_in_their_order_and_closed(bench):
+    assert bench.titles == ["1 · Tone", "2 · Noise", "3 · Chirp"]
+    assert not any(row.open for row in bench.rows)
+    assert bench.cell.across
+
+
+def test_a_part_of_any_waveform_is_added_and_stands_open(bench):
+    bench.add("Formula")
+    bench.add("Layers")
+    assert bench.parts[:3] == (A, B, C)
+    assert [type(one.waveform) for one in bench.parts[3:]] == [Formula, Layers]
+    assert [row.open for row in bench.rows] == [False] * 3 + [True] * 2
+    assert bench.labels == ["Add to parts of input at 7 (II pad)"] * 2
+    # Layers in layers have a list of their own.
+    inner = bench.opened(4)["parts"].editor
+    bench.add("Noise", inner)
+    assert [type(one.waveform) for one in bench.parts[4].waveform.parts] == [Tone, Noise]
+
+
+def test_buttons_move_and_remove_parts_each_as_one_step(bench):
+    bench.rows[0].set_open(True)
+    press(bench, 0, "shift_down_button")
+    assert bench.parts == (B, A, C)
+    press(bench, 2, "shift_up_button")
+    assert bench.parts == (B, C, A)
+    assert [row.open for row in bench.rows] == [False, False, True]
+    press(bench, 1, "remove_button")
+    assert bench.parts == (B, A)
+    assert bench.titles == ["1 · Noise", "2 · Tone"]
+    words = ["Reorder", "Reorder", "Remove from"]
+    assert bench.labels == [f"{one} parts of input at 7 (II pad)" for one in words]
+    assert [gesture for _, _, gesture in bench.edits] == [None] * 3
+
+
+def test_keys_move_and_remove_parts_and_the_focus_goes_along(bench):
+    bench.rows[0].title.setFocus()
+    QTest.keyClick(bench.rows[0].title, _Key.Key_Down, _ALT)
+    assert bench.parts == (B, A, C)
+    assert bench.rows[1].title.hasFocus()
+    QTest.keyClick(bench.rows[1].title, _Key.Key_Up)
+    assert bench.rows[0].title.hasFocus()
+    QTest.keyClick(bench.rows[0].title, _Key.Key_Up, _ALT)
+    assert bench.parts == (B, A, C)
+    QTest.keyClick(bench.rows[0].title, _Key.Key_Delete)
+    assert bench.parts == (A, C)
+    assert bench.rows[0].title.hasFocus()
+    QTest.keyClick(bench.rows[0].title, _Key.Key_Return)
+    assert bench.rows[0].open
+
+
+def test_a_part_is_dragged_to_another_place(bench):
+    title, target = bench.rows[0].title, bench.rows[2].title
+    end = title.mapFromGlobal(target.mapToGlobal(QPoint(20, target.height() - 2)))
+    QTest.mousePress(title, Qt.MouseButton.LeftButton, pos=title.rect().center())
+    QTest.mouseMove(title, end)
+    QTest.mouseRelease(title, Qt.MouseButton.LeftButton, pos=end)
+    assert bench.parts == (B, C, A)
+
+
+def test_the_fields_of_a_part_are_edited(bench):
+    cells = bench.opened(0)
+    assert list(cells) == [
+        *("kind", "frequency_hz", "phase_rad", "duration_s", "window"),
+        *("onset_s", "gain", "muted", "label", "effects"),
+    ]
+    QTest.keyClicks(cells["frequency_hz"].field, "75")
+    QTest.keyClick(cells["frequency_hz"].field, _Key.Key_Return)
+    assert bench.parts == (replace(A, waveform=Tone(75.0)), B, C)
+    QTest.keyClick(cells["onset_s"].field, _Key.Key_Up)
+    QTest.keyClick(cells["onset_s"].field, _Key.Key_Up)
+    assert bench.parts[0].onset_s == 0.01
+    # Steps of one burst share a gesture.
+    assert bench.edits[-1][2] == bench.edits[-2][2] is not None
+    cells["muted"].field.click()
+    assert bench.parts[0].muted
+    assert bench.titles[0] == "1 · Tone (off)"
+    label = cells["label"].field
+    assert isinstance(label, QLineEdit)
+    QTest.keyClicks(label, "low")
+    QTest.keyClick(label, _Key.Key_Return)
+    assert bench.titles[0] == "1 · low (off)"
+
+
+def test_another_kind_of_waveform_brings_its_own_fields(bench):
+    cells = bench.opened(0)
+    cells["kind"].field.setFocus()
+    cells["kind"].field.choose("Noise")
+    assert type(bench.parts[0].waveform) is Noise
+    after = {cell.name: cell for cell in bench.rows[0].fields.cells}
+    assert {"seed", "low_hz", "high_hz"} <= set(after)
+    assert after["kind"] is cells["kind"]
+    assert after["kind"].field.hasFocus()
+    assert after["seed"].isVisible()
+    # Back, from elsewhere: what was focused and goes hands the keyboard on.
+    after["seed"].field.setFocus()
+    bench.show(bench.design.with_input(0, clips=(Clip(id=1, waveform=Layers((A, B, C))),)))
+    assert bench.parts == (A, B, C)
+    assert cells["kind"].field.hasFocus()
+
+
+def test_effects_of_a_part_are_a_list_too_and_fit_it(bench):
+    bench.opened(0)
+    effects = next(c for c in bench.rows[0].fields.cells if c.name == "effects").editor
+    bench.add("Fade", effects)
+    assert bench.parts[0].effects == (Fade(0.02, 0.02),)
+    effects.rows[0].findChild(LetterButton, "remove_button").click()
+    assert bench.parts == (A, B, C)
+
+
+def test_the_last_part_stays_and_that_is_said(bench):
+    for _ in range(2):
+        press(bench, 0, "remove_button")
+    assert bench.parts == (C,)
+    remove = bench.rows[0].findChild(LetterButton, "remove_button")
+    assert not remove.isEnabled()
+    assert remove.toolTip() == "At least 1 has to stay"
+    bench.rows[0].title.setFocus()
+    QTest.keyClick(bench.rows[0].title, _Key.Key_Delete)
+    assert bench.parts == (C,)
+    assert bench.cell.note == "Parts: at least 1 has to stay."
+    bench.add("Tone")
+    assert bench.cell.note == ""
+
+
+def test_a_full_list_takes_no_more_and_says_so(qtbot):
+    bench = PartsBench(qtbot, design_of(Layers((A,) * MAX_PARTS)))
+    add = bench.editor.field.findChild(QToolButton, "add_part")
+    assert not add.isEnabled()
+    assert add.toolTip() == f"There are at most {MAX_PARTS}; remove one first"
+
+
+def test_a_refused_value_is_shown_again_with_the_reason_at_its_field(bench):
+    cells = bench.opened(2)
+    low, high = (cells[name] for name in ("start_hz", "end_hz"))
+    bench.opened(1)
+    noise = {cell.name: cell for cell in bench.rows[1].fields.cells}
+    QTest.keyClicks(noise["low_hz"].field, "640")
+    QTest.keyClick(noise["low_hz"].field, _Key.Key_Return)
+    assert bench.parts == (A, B, C)
+    assert noise["low_hz"].field.value_si == B.waveform.low_hz
+    assert "low_hz" in noise["low_hz"].note
+    assert (low.note, high.note) == ("", "")
+
+
+def test_what_no_design_may_hold_is_refused_below_the_list(bench):
+    deep = Layers((A,))
+    while nesting(bench.design.with_input(0, clips=(Clip(waveform=deep),))) < MAX_DEPTH - 1:
+        deep = Layers((Clip(waveform=deep),))
+    bench.show(bench.design.with_input(0, clips=(Clip(id=1, waveform=deep),)))
+    innermost = bench.editor
+    while isinstance(innermost.rows[0].part.waveform, Layers):
+        innermost.rows[0].set_open(True)
+        cells = innermost.rows[0].fields.cells
+        innermost = next(cell for cell in cells if cell.name == "parts").editor
+    before = bench.design
+    bench.add("Layers", innermost)
+    assert bench.design == before
+    assert bench.edits == []
+    assert [row.part for row in innermost.rows] == [A]
+    notes = [one.text() for one in bench.panel.findChildren(QLabel, "parts_note")]
+    assert any(f"at most {MAX_DEPTH} deep" in one for one in notes)
+
+
+def test_the_tab_key_goes_along_the_rows(bench):
+    bench.editor.field.findChild(QToolButton, "add_part").setFocus()
+    seen = []
+    for _ in range(4):
+        QTest.keyClick(QApplication.focusWidget(), _Key.Key_Tab)
+        seen.append(QApplication.focusWidget().accessibleName())
+    assert seen == ["1 · Tone", "Move down", "Remove clip 1", "2 · Noise"]
+
+
+def test_two_inputs_that_differ_are_marked_and_colours_are_taken_over(bench):
+    second = track(location=9, waveform=Layers((A,)))
+    design = bench.design.adding(second)
+    bench.show(design, selected_inputs=tuple(one.id for one in design.inputs[::2]))
+    assert bench.cell.label.text() == "Parts ≠"
+    bench.rows[0].set_open(True)
+    bench.panel.show_theme(DARK)
+    assert DARK.text in bench.rows[0].title.styleSheet()
+    assert DARK.dim in bench.rows[0].fields.cells[0].label.styleSheet()
