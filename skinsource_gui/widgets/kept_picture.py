@@ -6,6 +6,24 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QImage, QPainter
 
 
+class Same:
+    """Stands for a thing in what a picture depends on: equal only to itself, however it compares.
+
+    It keeps the thing, so that no other one takes its place in memory.
+    """
+
+    __slots__ = ("_thing",)
+
+    def __init__(self, thing: object) -> None:
+        self._thing = thing
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Same) and self._thing is other._thing
+
+    def __hash__(self) -> int:
+        return id(self._thing)
+
+
 class PaintedAnew:
     """Paints each time; for pages and files, where lines stay lines."""
 

@@ -95,7 +95,6 @@ def set_envelope(
         return refused(error)
     places = [k for k, each in enumerate(one.effects) if isinstance(each, Envelope)]
     if places:
-        drawn = replace(drawn, on=True)
         chain = (*one.effects[: places[-1]], drawn, *one.effects[places[-1] + 1 :])
     elif len(one.effects) < MAX_EFFECTS:
         chain = (*one.effects, drawn)

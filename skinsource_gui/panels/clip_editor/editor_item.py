@@ -13,6 +13,7 @@ from skinsource_gui.panels.clip_editor.content import EditorContent
 from skinsource_gui.panels.clip_editor.tools.tool import Tool
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.units import axis_unit
+from skinsource_gui.widgets.kept_picture import KeptPicture, Same
 from skinsource_gui.widgets.plot.decimation import visible_points
 from skinsource_gui.widgets.plot.ticks import linear_ticks
 
@@ -30,6 +31,8 @@ class EditorItem(pyqtgraph.GraphicsObject):
         self._theme, self._font = LIGHT, QFont()
         self._rect = QRectF(0, 0, 1, 1)
         self._stale = False
+        # What the drag of a point leaves as it is: axes, the waveform, and what it plays.
+        self._still, self._course = KeptPicture(), KeptPicture()
 
     def show_content(self, content: EditorContent | None, tool: Tool, rect: QRectF) -> None:
         """Paint something else, in this rectangle."""
@@ -58,21 +61,41 @@ class EditorItem(pyqtgraph.GraphicsObject):
         if content is None or tool is None:
             return
         painter.setFont(self._font)
-        self._paint_axes(painter, content)
+        self._paint_course(painter, content)
         painter.save()
         painter.setClipRect(content.area.adjusted(-1, -1, 1, 1))
-        self._paint_end(painter, content)
-        if content.drawn is not None and content.drawn is not content.played:
-            self._paint_curve(painter, content, content.drawn, QColor(self._theme.dim), _PALE)
-        if content.played is not None:
-            colour = QColor(self._theme.accent)
-            opacity = _PALE if self._stale else 1.0
-            self._paint_curve(painter, content, content.played, colour, opacity)
         tool.paint(painter, content, self._theme)
         painter.restore()
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QPen(QColor(self._theme.border), 1))
         painter.drawRect(content.area)
+
+    def _paint_course(self, painter: QPainter, content: EditorContent) -> None:
+        """Paint what the clip plays, over its waveform before any effect."""
+        played, ground = content.played, QColor(self._theme.base)
+        n_played = None if played is None else played.size
+        place = (self._theme.name, content.scale, content.area, content.reach)
+        # Samples by identity: an array that is kept here cannot become another one.
+        still = (*place, content.sample_rate_hz, n_played, Same(content.drawn))
+        is_other = content.drawn is not None and content.drawn is not played
+
+        def paint_still(on_image: QPainter) -> None:
+            self._paint_axes(on_image, content)
+            on_image.setClipRect(content.area.adjusted(-1, -1, 1, 1))
+            self._paint_end(on_image, content)
+            if is_other:
+                dim = QColor(self._theme.dim)
+                self._paint_curve(on_image, content, content.drawn, dim, _PALE)
+
+        def paint_course(on_image: QPainter) -> None:
+            self._still.paint(on_image, self._rect, (*still, is_other), paint_still, ground)
+            on_image.setClipRect(content.area.adjusted(-1, -1, 1, 1))
+            if played is not None:
+                opacity = _PALE if self._stale else 1.0
+                self._paint_curve(on_image, content, played, QColor(self._theme.accent), opacity)
+
+        key = (*still, is_other, Same(played), self._stale)
+        self._course.paint(painter, self._rect, key, paint_course, ground)
 
     def _paint_axes(self, painter: QPainter, content: EditorContent) -> None:
         area, metrics = content.area, QFontMetricsF(self._font)

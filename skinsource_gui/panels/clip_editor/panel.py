@@ -15,7 +15,6 @@ from skinsource.edits.selection import clip_of
 from skinsource.errors import InvalidInputError
 from skinsource.locations import input_words
 from skinsource.own_limbs import facts_of
-from skinsource.spectra import share_outside_band
 from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.clip_editor.body import EditorBody
@@ -169,8 +168,7 @@ class ClipEditorPanel(Panel):
         if not clip.effects and raw is not None:
             played = raw
         self._canvas.show_clip(clip, raw, played, self._rate_hz)
-        outside = 0.0 if played is None else share_outside_band(played, self._rate_hz)
-        self._spectrum.show_samples(played, self._rate_hz, outside)
+        self._spectrum.show_samples(played, self._rate_hz)
         self._toolbar.show_words(self._words(clip), enabled=True)
 
     def _words(self, clip: Clip) -> str:

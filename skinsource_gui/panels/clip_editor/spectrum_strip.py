@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
 from skinsource.signals import BAND_HZ
+from skinsource.spectra import share_outside_band
 from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
 from skinsource_gui.widgets.plot.decimation import visible_points
 from skinsource_gui.widgets.plot.ticks import linear_ticks
@@ -46,6 +47,7 @@ class SpectrumStrip(QWidget):
         self._levels_db: Floats | None = None
         self._outside = 0.0
         self._samples: Floats | None = None
+        self._rate_hz = 0.0
 
     @property
     def outside(self) -> float:
@@ -55,14 +57,15 @@ class SpectrumStrip(QWidget):
     def sizeHint(self) -> QSize:
         return QSize(200, 92)
 
-    def show_samples(self, samples: Floats | None, sample_rate_hz: float, outside: float) -> None:
+    def show_samples(self, samples: Floats | None, sample_rate_hz: float) -> None:
         """Show the spectrum of ``samples``, (n_times,), and the share of energy out of band."""
-        if samples is self._samples and outside == self._outside:
+        if samples is self._samples and sample_rate_hz == self._rate_hz:
             return
-        self._samples, self._outside = samples, outside
+        self._samples, self._rate_hz, self._outside = samples, sample_rate_hz, 0.0
         if samples is None or not samples.size:
             self._frequency_hz = self._levels_db = None
         else:
+            self._outside = share_outside_band(samples, sample_rate_hz)
             self._frequency_hz, self._levels_db = spectrum_db(samples, sample_rate_hz)
         self.setToolTip(self.words)
         self.update()

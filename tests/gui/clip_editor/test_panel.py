@@ -7,9 +7,12 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMessageBox
 
 from skinsource.design import Design
+from skinsource.effects import Envelope
 from skinsource.view import View
 from skinsource.waveforms import Tone
+from skinsource_gui.panels.clip_editor.editor_item import EditorItem
 from skinsource_gui.panels.clip_editor.spectrum_strip import spectrum_db
+from skinsource_gui.theme import DARK
 from tests.gui.clip_editor.bench import NONE, RATE_HZ, whole
 
 
@@ -66,3 +69,39 @@ def test_a_low_wide_editor_has_its_spectrum_beside_the_curve(tone):
     assert spectrum.x() >= canvas.geometry().right()
     assert spectrum.height() == canvas.height() > 140
     assert canvas.width() > 2.5 * spectrum.width()
+
+
+def test_curves_are_painted_again_only_when_they_look_different(tone, monkeypatch):
+    painted = []
+    paint = EditorItem._paint_curve
+
+    def counted(item, painter, content, samples, *args):
+        painted.append(samples)
+        paint(item, painter, content, samples, *args)
+
+    monkeypatch.setattr(EditorItem, "_paint_curve", counted)
+    tone.design = tone.design.with_clip(1, effects=(Envelope(((0.0, 0.5), (0.1, 0.5))),))
+    tone.panel.show_state(tone.design, tone.view)
+    tone.canvas.grab()
+    painted.clear()
+    # The points follow the pointer before it is known what they make of the clip.
+    tone.panel._shaping.tool.move(tone.canvas.content, tone.at(0.1, 0.5), NONE)
+    before = tone.canvas.grab().toImage()
+    assert painted == []
+    other = 0.25 * tone.drawn
+    tone.panel.show_results(
+        {
+            "inputs": tone.design.inputs,
+            "clip_waveforms": ((other,),),
+            "sample_rate_hz": RATE_HZ,
+        }
+    )
+    after = tone.canvas.grab().toImage()
+    assert after != before
+    # The waveform itself, and its axes, are as they were.
+    assert [samples is other for samples in painted] == [True]
+    tone.canvas.item.show_stale(True)
+    assert tone.canvas.grab().toImage() != after
+    tone.panel.show_theme(DARK)
+    tone.canvas.grab()
+    assert len(painted) == 4

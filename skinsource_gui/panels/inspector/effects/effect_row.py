@@ -118,7 +118,7 @@ class EffectRow(QWidget):
 
     def _colour_title(self) -> None:
         colour = self._theme.text if self.effect.on else self._theme.dim
-        self.title.setStyleSheet(f"QToolButton {{ color: {colour}; text-align: left; }}")
+        self.title.set_colour(colour)
 
     def _open(self, open_: bool) -> None:
         focused = self._grid.isAncestorOf(self.focusWidget()) if self.focusWidget() else False

@@ -121,7 +121,7 @@ class PartRow(QWidget):
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
         self._theme = theme
-        self.title.setStyleSheet(f"QToolButton {{ color: {theme.text}; text-align: left; }}")
+        self.title.set_colour(theme.text)
         for button in (self._up, self._down, self._remove):
             button.show_theme(theme)
         if self._fields is not None:

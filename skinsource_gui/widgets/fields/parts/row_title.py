@@ -64,6 +64,13 @@ class RowTitle(QToolButton):
             self.setToolTip(tooltip(words, self._hint))
             self._fit()
 
+    def set_colour(self, colour: str) -> None:
+        """Write the name in another colour."""
+        sheet = f"QToolButton {{ color: {colour}; text-align: left; }}"
+        # A sheet is read anew each time, and all around it laid out.
+        if sheet != self.styleSheet():
+            self.setStyleSheet(sheet)
+
     def set_open(self, open_: bool) -> None:
         """Point down, to fields that are shown, or not."""
         if open_ != self.open:
