@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
 from skinsource_gui.panel import Panel
 from skinsource_gui.theme import UNIT_PX, Theme
-from skinsource_gui.widgets.figure.elided_label import ElidedLabel
 from skinsource_gui.widgets.figure.figure import Figure
+from skinsource_gui.widgets.figure.words_label import WordsLabel
 from skinsource_gui.widgets.first_steps import output_words
 
 #: What is said until there are results, and where nothing moves.
@@ -27,8 +27,8 @@ class FigurePanel(Panel):
 
     Attributes
     ----------
-    figure, choices, words
-        Its parts.
+    figure, choices, heads, words
+        Its parts; ``heads`` is a row of its own between choices and figure.
     """
 
     def __init__(self, figure: Figure, parent: QWidget | None = None) -> None:
@@ -37,7 +37,7 @@ class FigurePanel(Panel):
         self.setMinimumSize(240, 160)
         self.setFocusProxy(figure)
         self._found = ""
-        self.words = ElidedLabel(f"{self.name}_words")
+        self.words = WordsLabel(f"{self.name}_words")
         self.choices = QHBoxLayout()
         self.choices.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
         self.choices.setSpacing(UNIT_PX // 2)
@@ -45,6 +45,10 @@ class FigurePanel(Panel):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addLayout(self.choices)
+        # Words about the figure that would have too little room beside the choices.
+        self.heads = QVBoxLayout()
+        self.heads.setContentsMargins(UNIT_PX, 0, UNIT_PX, 1)
+        column.addLayout(self.heads)
         column.addWidget(figure, 1)
         foot = QHBoxLayout()
         foot.setContentsMargins(UNIT_PX, 1, UNIT_PX, 2)
@@ -80,7 +84,7 @@ class FigurePanel(Panel):
         """Say below the figure what was found, while the cursor reads nothing."""
         self._found = words
         if self.figure.cursor_at is None:
-            self._write(words)
+            self.words.say(words)
 
     def show_in_sight(self, names: frozenset[str]) -> None:
         said = self.figure.message == self.no_outputs
@@ -100,7 +104,5 @@ class FigurePanel(Panel):
         self.words.show_theme(theme)
 
     def _read(self, words: str) -> None:
-        self._write(words or self._found)
-
-    def _write(self, words: str) -> None:
-        self.words.say(words)
+        # While something is read its room stays: a figure that grows and shrinks would jump.
+        self.words.say(words or self._found, holding=bool(words))

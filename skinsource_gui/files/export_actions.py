@@ -1,8 +1,8 @@
 """Exports: where to, and what came of it."""
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -16,8 +16,9 @@ from skinsource.errors import SkinSourceError, TooInaccurateError
 from skinsource.packing import citation
 from skinsource.view import View
 from skinsource_gui.files.export_jobs import ExportJobs
-from skinsource_gui.files.exports import EXPORTS, ExportSpec
+from skinsource_gui.files.exports import EXPORTS, SIZED, WIRED, ExportSpec
 from skinsource_gui.files.file_actions import FileActions
+from skinsource_gui.panels.skin.time.animation import MOST_PX
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
@@ -40,13 +41,13 @@ class _Order:
     design: Design
     view: View
     largest_error: float = VISIBLE
+    besides: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def work(self) -> Callable[..., Any]:
         """Writes it."""
-        return partial(
-            self.spec.write, self.path, self.design, self.view, largest_error=self.largest_error
-        )
+        what = self.path, self.design, self.view
+        return partial(self.spec.write, *what, largest_error=self.largest_error, **self.besides)
 
 
 class ExportActions(QObject):
@@ -91,9 +92,19 @@ class ExportActions(QObject):
         if spec.panel:
             self._export_picture(spec)
             return
+        besides: dict[str, Any] = {}
+        if SIZED in spec.wants:
+            options = self._ask_options(spec, spec.size_px, most_px=MOST_PX)
+            if options is None:
+                return
+            besides[SIZED] = options
+        if WIRED in spec.wants:
+            rig = self._preferences.rig_path
+            besides[WIRED] = Path(rig) if rig else None
         path = self._ask_where(spec)
         if path is not None:
-            self._add(_Order(spec=spec, path=path, design=design, view=view))
+            order = _Order(spec=spec, path=path, design=design, view=view, besides=besides)
+            self._add(order)
 
     def copy_citation(self) -> None:
         """Put what to cite for the open design on the clipboard."""
@@ -107,13 +118,10 @@ class ExportActions(QObject):
 
     def _export_picture(self, spec: ExportSpec) -> None:
         picture = self._drawer_of(spec.panel)
-        width, height = picture.size_px or spec.size_px
-        usual = PictureOptions(width_px=width, height_px=height)
-        options = ask_picture_options(self._window, self._picture_options.get(spec.name, usual))
+        options = self._ask_options(spec, picture.size_px or spec.size_px)
         path = None if options is None else self._ask_where(spec)
         if options is None or path is None:
             return
-        self._picture_options[spec.name] = options
         draw = partial(picture.draw, theme=options.theme)
         try:
             save_drawing(path, draw, options.width_px, options.height_px, dpi=options.dpi)
@@ -121,6 +129,17 @@ class ExportActions(QObject):
             self.failed.emit(str(error))
         else:
             self._files.note_written(path)
+
+    def _ask_options(
+        self, spec: ExportSpec, size_px: tuple[int, int], **about: Any
+    ) -> PictureOptions | None:
+        """Ask how large, and in which colours; the next time it begins with these."""
+        usual = PictureOptions(width_px=size_px[0], height_px=size_px[1])
+        known = self._picture_options.get(spec.name, usual)
+        options = ask_picture_options(self._window, known, kinds=spec.kind_words, **about)
+        if options is not None:
+            self._picture_options[spec.name] = options
+        return options
 
     def _add(self, order: _Order) -> None:
         self._jobs.add(order.path, order.work, answered=partial(self._accepted, order))

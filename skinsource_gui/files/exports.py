@@ -15,9 +15,14 @@ from skinsource.export import (
 )
 from skinsource.job import Progress, Stop
 from skinsource.packing import pack
+from skinsource.rigs import open_rig
 from skinsource.view import View
-from skinsource_gui.panels.skin.time.animation import export_animation
+from skinsource_gui.panels.skin.time.animation import SIZE_PX, export_animation
 from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT, IN_USE
+
+#: By name, what a function that writes may want besides: `PictureOptions`, and the path of this
+#: machine's rig, or None.
+SIZED, WIRED = "options", "rig_path"
 
 
 class Write(Protocol):
@@ -32,8 +37,9 @@ class Write(Protocol):
         progress: Progress,
         stop: Stop,
         largest_error: float,
+        **besides: Any,
     ) -> Any:
-        """Compute and write."""
+        """Compute and write; ``besides`` is what the export wants."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,6 +61,8 @@ class ExportSpec:
         What is written, in a sentence.
     write
         Computes and writes the file.
+    wants
+        What ``write`` is given besides: `SIZED` is asked of the user before, `WIRED` is known.
     panel, size_px
         The panel whose picture is saved, and width and height of that.
     enabled
@@ -69,6 +77,7 @@ class ExportSpec:
     kinds: tuple[tuple[str, str], ...]
     hint: str
     write: Write | None = None
+    wants: frozenset[str] = frozenset()
     panel: str = ""
     size_px: tuple[int, int] = (1200, 1800)
     enabled: Callable[[Design, View], bool] | None = None
@@ -79,6 +88,12 @@ class ExportSpec:
     def filter(self) -> str:
         """What the dialog offers."""
         return ";;".join(f"{words} (*{ending})" for words, ending in self.kinds)
+
+    @property
+    def kind_words(self) -> str:
+        """What can be written, as a sentence goes on: "PNG, SVG or PDF"."""
+        *others, last = (words for words, _ in self.kinds)
+        return f"{', '.join(others)} or {last}" if others else last
 
     @property
     def endings(self) -> tuple[str, ...]:
@@ -98,12 +113,14 @@ def _pack(
     design: Design,
     view: View,
     *,
+    rig_path: Path | None,
     progress: Progress,
     stop: Stop,
     largest_error: float,
 ) -> None:
     del largest_error  # each table says its own
-    pack(path, design, view, progress=progress, stop=stop)
+    rig = None if rig_path is None else open_rig(rig_path)
+    pack(path, design, view, rig=rig, progress=progress, stop=stop)
 
 
 EXPORTS: tuple[ExportSpec, ...] = (
@@ -142,6 +159,8 @@ EXPORTS: tuple[ExportSpec, ...] = (
         kinds=(("MP4", ".mp4"), ("WebM", ".webm"), ("GIF", ".gif")),
         hint="Save the skin map in time, in slow motion, as MP4, WebM or GIF",
         write=export_animation,
+        wants=frozenset({SIZED}),
+        size_px=SIZE_PX,
         keywords="video film movie wave gif mp4 webm slow motion time",
     ),
     ExportSpec(
@@ -206,8 +225,9 @@ EXPORTS: tuple[ExportSpec, ...] = (
         title="all of it as ZIP…",
         file_name="design.zip",
         kinds=(("ZIP", ".zip"),),
-        hint="Save design, stimulus, map, tables, versions and what to cite as one file",
+        hint="Save design, stimulus, rig, figure, tables, versions and what to cite as one file",
         write=_pack,
+        wants=frozenset({WIRED}),
         keywords="zip archive pack share publish supplement reproduce citation",
     ),
 )

@@ -4,6 +4,7 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QWidget
 
 from skinsource.own_limbs import missing_limb
+from skinsource.quoting import printable
 from skinsource_gui.state.document import Document
 
 
@@ -14,6 +15,8 @@ class WindowFrame(QObject):
         super().__init__(window)
         self._window, self._document = window, document
         document.title_changed.connect(self._show_title)
+        document.changed.connect(self._follow_title)
+        self._said = ""
         self._show_title()
 
     def close(self) -> None:
@@ -25,10 +28,17 @@ class WindowFrame(QObject):
         # Not showNormal: a maximised window shall be one afterwards.
         self._window.setWindowState(self._window.windowState() ^ Qt.WindowState.WindowFullScreen)
 
+    def _follow_title(self) -> None:
+        if self._document.design.title != self._said:
+            self._show_title()
+
     def _show_title(self) -> None:
-        path = self._document.path
-        name = path.stem if path else "Untitled"
-        design = self._document.design
+        path, design = self._document.path, self._document.design
+        self._said = design.title
+        # A scene has a title and no file.
+        name = path.stem if path else printable(design.title).strip() or "Untitled"
+        # Qt puts its mark of unsaved work at one that stands alone.
+        name = name.replace("[*]", "[*][*]")
         missing = missing_limb(design.limb, design.limb_digest)
         read_only = self._document.read_only or missing
         locked = " (read-only)" if read_only else ""

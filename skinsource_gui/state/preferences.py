@@ -37,6 +37,25 @@ def settings_path() -> Path:
     return path
 
 
+class _Text:
+    """A text of `Preferences` that is remembered as it is.
+
+    Parameters
+    ----------
+    key, usual
+        Its name in the file, and what it is while nothing is remembered.
+    """
+
+    def __init__(self, key: str, usual: str = "") -> None:
+        self._key, self._usual = key, usual
+
+    def __get__(self, owner: "Preferences", _kind: type) -> str:
+        return str(owner.settings.value(self._key, self._usual))
+
+    def __set__(self, owner: "Preferences", text: str) -> None:
+        owner.settings.setValue(self._key, text)
+
+
 class Preferences:
     """A small INI file.
 
@@ -44,24 +63,33 @@ class Preferences:
     ----------
     path
         Where it lies; made when something is first remembered.
+
+    Attributes
+    ----------
+    settings
+        What is remembered, by key.
     """
 
+    #: ``"light"``, ``"dark"``, or ``"system"``.
+    theme_name = _Text("theme", "system")
+    #: The screen that place, size and arrangement belong to; empty at first.
+    screen = _Text("screen")
+    #: The arrangement that was taken up last; empty at first.
+    arrangement = _Text("arrangement")
+    #: What this machine plays on, see `skinsource.playing.Output`; empty at first.
+    output_text = _Text("output")
+    #: Rig file of this machine; empty: none.
+    rig_path = _Text("rig")
+    #: How a stimulus was exported last, see the page of stimuli; empty at first.
+    export_text = _Text("export")
+
     def __init__(self, path: Path):
-        self._settings = QSettings(str(path), QSettings.Format.IniFormat)
-
-    @property
-    def theme_name(self) -> str:
-        """``"light"``, ``"dark"``, or ``"system"``."""
-        return str(self._settings.value("theme", "system"))
-
-    @theme_name.setter
-    def theme_name(self, name: str) -> None:
-        self._settings.setValue("theme", name)
+        self.settings = QSettings(str(path), QSettings.Format.IniFormat)
 
     @property
     def autosave_s(self) -> float:
         """Longest time for which unsaved work is not kept; SKINSOURCE_AUTOSAVE_S overrides it."""
-        for value in (os.environ.get("SKINSOURCE_AUTOSAVE_S"), self._settings.value("autosave_s")):
+        for value in (os.environ.get("SKINSOURCE_AUTOSAVE_S"), self.settings.value("autosave_s")):
             with suppress(TypeError, ValueError):
                 seconds = float(value)
                 if _LEAST_AUTOSAVE_S <= seconds <= _MOST_AUTOSAVE_S:
@@ -72,13 +100,13 @@ class Preferences:
     def text_scale(self) -> float:
         """Size of words, 1 as the desktop has it."""
         try:
-            return float(self._settings.value("text_scale", 1.0))
+            return float(self.settings.value("text_scale", 1.0))
         except (TypeError, ValueError):
             return 1.0
 
     @text_scale.setter
     def text_scale(self, scale: float) -> None:
-        self._settings.setValue("text_scale", scale)
+        self.settings.setValue("text_scale", scale)
 
     @property
     def geometry(self) -> QByteArray:
@@ -87,16 +115,7 @@ class Preferences:
 
     @geometry.setter
     def geometry(self, geometry: QByteArray) -> None:
-        self._settings.setValue("geometry", geometry)
-
-    @property
-    def screen(self) -> str:
-        """The screen that place, size and arrangement belong to; empty at first."""
-        return str(self._settings.value("screen", ""))
-
-    @screen.setter
-    def screen(self, words: str) -> None:
-        self._settings.setValue("screen", words)
+        self.settings.setValue("geometry", geometry)
 
     @property
     def layout(self) -> QByteArray:
@@ -105,44 +124,45 @@ class Preferences:
 
     @layout.setter
     def layout(self, layout: QByteArray) -> None:
-        self._settings.setValue("layout", layout)
-
-    @property
-    def arrangement(self) -> str:
-        """The arrangement that was taken up last; empty at first."""
-        return str(self._settings.value("arrangement", ""))
-
-    @arrangement.setter
-    def arrangement(self, name: str) -> None:
-        self._settings.setValue("arrangement", name)
+        self.settings.setValue("layout", layout)
 
     @property
     def own_arrangements(self) -> dict[str, bytes]:
         """By the name of an arrangement, where the user's docks stand in it."""
-        names = str(self._settings.value("own_arrangements", "")).split()
+        names = str(self.settings.value("own_arrangements", "")).split()
         found = {name: self._bytes(f"own_arrangement_{name}").data() for name in names}
         return {name: layout for name, layout in found.items() if layout}
 
     @own_arrangements.setter
     def own_arrangements(self, layouts: Mapping[str, bytes]) -> None:
-        self._settings.setValue("own_arrangements", " ".join(layouts))
+        self.settings.setValue("own_arrangements", " ".join(layouts))
         for name, layout in layouts.items():
-            self._settings.setValue(f"own_arrangement_{name}", QByteArray(layout))
+            self.settings.setValue(f"own_arrangement_{name}", QByteArray(layout))
+
+    @property
+    def hinted(self) -> bool:
+        """Whether the hints of the first start were shown, or the studio is not new here."""
+        shown = str(self.settings.value("hinted", "")) == "true"
+        return shown or not self.geometry.isEmpty()
+
+    @hinted.setter
+    def hinted(self, hinted: bool) -> None:
+        self.settings.setValue("hinted", "true" if hinted else "")
 
     @property
     def recent_names(self) -> list[str]:
         """What is remembered of recent files, as they stand."""
-        found = self._settings.value("recent", [])
+        found = self.settings.value("recent", [])
         return [found] if isinstance(found, str) else list(found or [])
 
     @recent_names.setter
     def recent_names(self, names: list[str]) -> None:
-        self._settings.setValue("recent", names)
+        self.settings.setValue("recent", names)
 
     @property
     def folder(self) -> Path:
         """Where a file was last opened or written; the home folder at first."""
-        known = Path(str(self._settings.value("folder", "")))
+        known = Path(str(self.settings.value("folder", "")))
         try:
             return known if known.is_absolute() and is_folder(known) else Path.home()
         except SkinSourceError:  # it may not be searched
@@ -150,39 +170,12 @@ class Preferences:
 
     @folder.setter
     def folder(self, folder: Path) -> None:
-        self._settings.setValue("folder", str(folder))
-
-    @property
-    def output_text(self) -> str:
-        """What this machine plays on, see `skinsource.playing.Output`; empty at first."""
-        return str(self._settings.value("output", ""))
-
-    @output_text.setter
-    def output_text(self, text: str) -> None:
-        self._settings.setValue("output", text)
-
-    @property
-    def rig_path(self) -> str:
-        """Rig file of this machine; empty: none."""
-        return str(self._settings.value("rig", ""))
-
-    @rig_path.setter
-    def rig_path(self, path: str) -> None:
-        self._settings.setValue("rig", path)
-
-    @property
-    def export_text(self) -> str:
-        """How a stimulus was exported last, see the page of stimuli; empty at first."""
-        return str(self._settings.value("export", ""))
-
-    @export_text.setter
-    def export_text(self, text: str) -> None:
-        self._settings.setValue("export", text)
+        self.settings.setValue("folder", str(folder))
 
     def flush(self) -> None:
         """Write what is remembered to disk."""
-        self._settings.sync()
+        self.settings.sync()
 
     def _bytes(self, key: str) -> QByteArray:
-        value = self._settings.value(key, QByteArray())
+        value = self.settings.value(key, QByteArray())
         return value if isinstance(value, QByteArray) else QByteArray()

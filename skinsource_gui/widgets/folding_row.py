@@ -35,6 +35,9 @@ class FoldingRow(QWidget):
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setSpacing(spacing_px)
+        for one in self._widgets:
+            # One that is hidden now would be a window of its own once it is shown.
+            one.setParent(self)
         self.fold()
 
     def minimumSizeHint(self) -> QSize:

@@ -36,7 +36,7 @@ def answers(monkeypatch):
     given["picture"] = lambda options: options
     for asking in (export_actions, signal_exports):
         monkeypatch.setattr(
-            asking, "ask_picture_options", lambda _, options: given["picture"](options)
+            asking, "ask_picture_options", lambda _, options, **about: given["picture"](options)
         )
     given["asked"] = asked
     return given

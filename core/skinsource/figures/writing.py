@@ -1,7 +1,6 @@
 """Figures as files: PNG, SVG, PDF, and their numbers as CSV."""
 
 from collections.abc import Sequence
-from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -14,17 +13,10 @@ from skinsource.figures.every_figure import FIGURES
 from skinsource.figures.sheet import Drawn
 from skinsource.files import named, write_bytes
 from skinsource.job import Progress, Stop, never, silent, stop_if
+from skinsource.plot.figure_file import METADATA, figure_content
 from skinsource.plot.paper import SYNTHETIC, module
 from skinsource.scenes import OpenedScene, names, open_scene, scene
 from skinsource.version import __version__
-
-#: Of the PNG; what journals ask for.
-DOTS_PER_INCH = 300
-_METADATA = {
-    "png": {"Software": None},
-    "svg": {"Date": None, "Creator": "SkinSource studio"},
-    "pdf": {"CreationDate": None, "ModDate": None, "Creator": "SkinSource studio"},
-}
 
 
 def write_figures(
@@ -104,11 +96,9 @@ def about(opened: OpenedScene) -> list[str]:
 
 def _write(folder: Path, opened: OpenedScene, drawn: Drawn, stop: Stop) -> list[Path]:
     name, written = opened.scene.name, []
-    for kind, metadata in _METADATA.items():
-        content = BytesIO()
-        drawn.figure.savefig(content, format=kind, dpi=DOTS_PER_INCH, metadata=metadata)
+    for kind in METADATA:
         path = folder / f"{name}.{kind}"
-        write_bytes(path, content.getvalue())
+        write_bytes(path, figure_content(drawn.figure, kind))
         written.append(path)
     for suffix, table in drawn.tables.items():
         path = folder / f"{name}{suffix}.csv"

@@ -6,6 +6,7 @@ import json
 import platform
 import zipfile
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -15,7 +16,9 @@ import scipy
 
 from skinsource.design import Design, audible_inputs
 from skinsource.design_file import save_design
+from skinsource.errors import MissingExtraError
 from skinsource.export import export_levels, export_map, export_map_picture, export_traces
+from skinsource.extras import package_of_extra
 from skinsource.files import replacing
 from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.packing.citation import citation, data_of
@@ -26,11 +29,13 @@ from skinsource.view import View
 # What is packed twice is the same file twice: no clock has a part in it.
 _DATE = (1980, 1, 1, 0, 0, 0)
 _RATE_HZ = 48_000
+_FIGURES = ("svg", "pdf")
 _READ_ME = """What lies here
 
 design.skinsource      the design, as SkinSource studio opens it
 stimulus.wav, .json    what the actuators get, and what its numbers mean
 map.png, map.csv       the map of levels, as a picture and as numbers
+figure.svg, .pdf       the same map as lines, for a paper, where matplotlib is installed
 levels.csv             levels of all outputs
 traces.csv             acceleration of the selected outputs
 rig.skinrig            what was wired to what, where that was said
@@ -109,6 +114,9 @@ def _writers(
     }
     if view.outputs:
         found["traces.csv"] = lambda path: export_traces(path, design, view, stop=stop)
+    if _can_draw():
+        for kind in _FIGURES:
+            found[f"figure.{kind}"] = partial(_write_figure, design=design, view=view, kind=kind)
     if audible_inputs(design.inputs):
         # Full scale is the largest sample: nothing clips, and nothing needs to be confirmed.
         found["stimulus.wav"] = lambda path: _stimuli().export_stimulus(
@@ -117,6 +125,20 @@ def _writers(
     if rig is not None:
         found["rig.skinrig"] = lambda path: save_rig(path, rig)
     return found
+
+
+def _can_draw() -> bool:
+    try:
+        package_of_extra("matplotlib", "plot")
+    except MissingExtraError:
+        return False
+    return True
+
+
+def _write_figure(path: Path, *, design: Design, view: View, kind: str) -> None:
+    figure = importlib.import_module("skinsource.plot").map(design, view=view, outputs=view.outputs)
+    content = importlib.import_module("skinsource.plot.figure_file").figure_content(figure, kind)
+    path.write_bytes(content)
 
 
 def _about(design: Design, files: list[Path]) -> dict[str, object]:

@@ -27,11 +27,11 @@ FREQUENCY_AXIS = XAxis(
     band=BAND_HZ,
 )
 TIME_AXIS = XAxis(titles=("Time (ms)",), unit="ms", factor=1e3, column="time_s")
-_BEFORE = CurveName(number=1, short="Actuator", full="The actuator alone, re its mean in the band")
-_FILTER = CurveName(number=2, short="Filter", full="Voltage that the equaliser asks for")
-_AFTER = CurveName(number=3, short="Equalised", full="Both together: what the contactor does")
-_PUBLISHED = CurveName(number=4, short="As listed", full="The actuator before it was changed")
-_ALONE = CurveName(number=1, short="1 V", full="Acceleration after 1 V came on")
+_BEFORE = CurveName(number=0, short="Actuator", full="The actuator alone, re its mean in the band")
+_FILTER = CurveName(number=0, short="Filter", full="Voltage that the equaliser asks for")
+_AFTER = CurveName(number=0, short="Equalised", full="Both together: what the contactor does")
+_PUBLISHED = CurveName(number=0, short="As listed", full="The actuator before it was changed")
+_ALONE = CurveName(number=0, short="1 V", full="Acceleration after 1 V came on")
 
 
 def response_curves(settings: ActuatorSettings) -> Curves:

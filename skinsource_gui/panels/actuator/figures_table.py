@@ -19,7 +19,7 @@ class FiguresTable(QWidget):
         self._rows: list[tuple[QLabel, QLabel, QLabel]] = []
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
-        self._grid.setHorizontalSpacing(2 * UNIT_PX)
+        self._grid.setHorizontalSpacing(UNIT_PX)
         self._grid.setVerticalSpacing(0)
         self._grid.setColumnStretch(3, 1)
 

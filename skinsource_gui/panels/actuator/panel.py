@@ -206,7 +206,7 @@ def _scrolled(*parts: QWidget) -> QScrollArea:
     """Parts below each other."""
     inside = QWidget()
     column = QVBoxLayout(inside)
-    column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX)
+    column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX // 2, UNIT_PX)
     column.setSpacing(UNIT_PX // 2)
     for part in parts:
         column.addWidget(part)

@@ -1,6 +1,6 @@
 """Frequency and amplitude of the selected input, large, for presenting."""
 
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from skinsource import edits
 from skinsource.clips import Clip
@@ -24,9 +24,27 @@ from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.first_steps import add_words, select_words
+from skinsource_gui.widgets.folding_row import FoldingRow
 from skinsource_gui.widgets.inputs.input_words import EMPTY
 
 _FREQUENCY, _ONSET = "frequency_hz", "onset_s"
+
+
+class _Labelled(QWidget):
+    """A field with its label on the left, as one part of a row."""
+
+    def __init__(self, cell: FieldCell | None = None) -> None:
+        super().__init__()
+        self._line = QHBoxLayout(self)
+        self._line.setContentsMargins(0, 0, 0, 0)
+        self._line.setSpacing(UNIT_PX)
+        if cell is not None:
+            self.hold(cell)
+
+    def hold(self, cell: FieldCell) -> None:
+        """Take a field up."""
+        self._line.addWidget(cell.label)
+        self._line.addWidget(cell, 1)
 
 
 class FrequencyAndAmplitudePanel(Panel):
@@ -53,17 +71,16 @@ class FrequencyAndAmplitudePanel(Panel):
         self._onset = FieldCell(_ONSET, ONSET_S)
         self._frequency: FieldCell | None = None
         self._spec: NumberSpec | None = None
-        self._row = QHBoxLayout()
-        self._row.setSpacing(UNIT_PX)
-        for part in (self._amplitude.label, self._amplitude, self._onset.label, self._onset):
-            self._row.addWidget(part)
-        self._row.addWidget(self._control)
-        self._control.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self._turned = _Labelled()
+        self._amplitude_part = _Labelled(self._amplitude)
+        self._onset_part = _Labelled(self._onset)
+        parts = (self._turned, self._amplitude_part, self._onset_part, self._control)
+        self._row = FoldingRow(parts, UNIT_PX)
         column = QVBoxLayout(self)
         column.setContentsMargins(UNIT_PX, 0, UNIT_PX, UNIT_PX)
         column.setSpacing(UNIT_PX // 2)
         column.addWidget(self._words)
-        column.addLayout(self._row)
+        column.addWidget(self._row)
         column.addStretch(1)
         self._amplitude.edited.connect(self._change)
         self._onset.edited.connect(self._change)
@@ -74,15 +91,17 @@ class FrequencyAndAmplitudePanel(Panel):
         control = settings_of(view, self.name, ControlSettings).control
         self._control.set_value(control)
         known = view.selected_input in design.ids
-        for part in (self._amplitude.label, self._amplitude):
-            part.setVisible(known and control in (ALL, TURNS_AMPLITUDE))
-        for part in (self._onset.label, self._onset):
-            part.setVisible(False)
-        if not known:
+        self._amplitude_part.setVisible(known and control in (ALL, TURNS_AMPLITUDE))
+        self._onset_part.setVisible(False)
+        if known:
+            self._show_input(design, view, control)
+        else:
             words = select_words if design.inputs else add_words
             self._words.setText(words(self.in_sight))
             self._show_frequency(None)
-            return
+        self._row.fold()
+
+    def _show_input(self, design: Design, view: View, control: str) -> None:
         one = design.input(view.selected_input)
         clip = clip_of(one, view)
         playing = EMPTY.capitalize() if clip is None else kind_name(clip.waveform)
@@ -90,8 +109,7 @@ class FrequencyAndAmplitudePanel(Panel):
         self._words.setText(f"{title}{playing} at place {one.location}")
         if clip is not None:
             self._onset.set_value(clip.onset_s)
-            for part in (self._onset.label, self._onset):
-                part.setVisible(control == TURNS_ONSET)
+            self._onset_part.setVisible(control == TURNS_ONSET)
         self._amplitude.set_spec(amplitude_spec(design.scaling, design.actuated))
         self._amplitude.set_value(one.amplitude)
         self._show_frequency(clip if control in (ALL, TURNS_FREQUENCY) else None)
@@ -117,8 +135,8 @@ class FrequencyAndAmplitudePanel(Panel):
                 self._frequency = FieldCell(_FREQUENCY, spec)
                 self._frequency.show_theme(self._theme)
                 self._frequency.edited.connect(self._change)
-                self._row.insertWidget(0, self._frequency.label)
-                self._row.insertWidget(1, self._frequency)
+                self._turned.hold(self._frequency)
+        self._turned.setVisible(self._frequency is not None)
         if self._frequency is not None and one is not None:
             self._frequency.set_value(one.waveform.frequency_hz)
 

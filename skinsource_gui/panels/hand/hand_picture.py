@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPixmap
+from PySide6.QtGui import QColor, QFontDatabase, QFontMetricsF, QPainter, QPixmap
 
 from skinsource.locations import input_words
 from skinsource_gui.panels.hand.hand_drawing import HandDrawing, hand_pixmap
@@ -11,6 +11,7 @@ from skinsource_gui.panels.hand.hand_layout import HandLayout
 from skinsource_gui.panels.hand.site_marker import (
     Place,
     paint_cursor,
+    paint_dot,
     paint_empty,
     paint_hovered,
     paint_occupied,
@@ -23,6 +24,9 @@ HINT = "Click a place on the hand"
 _SIDE_ALIGNMENT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
 # From this height on there is a legend below the hand.
 _ROOMY_PX = 300
+# In front of people words are larger than usual.  Numbers of empty places that are not larger than
+# those cannot be read from afar, and only hide the fingers: lines of text in a radius.
+_ENLARGED, _FROM_AFAR = 1.1, 1.2
 _LEGEND = (("perpendicular", None), ("in-axis", QPointF(0.0, 1.0)))
 
 
@@ -118,6 +122,8 @@ class HandPicture:
         self._size = QSize()
         self._line_px = 0.0
         self._lines = 2
+        # Radius from which on empty places have their numbers.
+        self._readable_px = 0.0
         self._hand: tuple[object, QPixmap] | None = None
         self._layout: HandLayout | None = None
 
@@ -129,6 +135,9 @@ class HandPicture:
         """Take a widget's size; below the area of the hand there is text."""
         self._size = size
         self._line_px = metrics.height() + 2.0
+        general = QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont)
+        enlarged = metrics.height() > _ENLARGED * QFontMetricsF(general).height()
+        self._readable_px = _FROM_AFAR * metrics.height() if enlarged else 0.0
         self._hand = None
         # Where there is little room the hand needs it more than the legend does.
         self._lines = 1 if size.height() < _ROOMY_PX else 2
@@ -183,8 +192,11 @@ class HandPicture:
         place, front = self._place(site), state.front_at(site)
         chosen = site in (state.hovered, state.target)
         if front is None:
+            small = place.radius_px < self._readable_px and site != state.cursor
             if chosen:
                 paint_hovered(painter, place, self.theme)
+            elif small and state.moving is None:
+                paint_dot(painter, place, self.theme)
             else:
                 paint_empty(painter, place, self.theme, inviting=state.moving is not None)
             return

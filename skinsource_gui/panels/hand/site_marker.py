@@ -1,7 +1,7 @@
 """Marks of input sites: circles push into the skin, triangles push along a digit."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPainterPath, QPen
@@ -13,6 +13,8 @@ _TRIANGLE_RADII, _ROUNDING = 1.42, 0.3
 # How far further inputs at a site peep out behind the first, in radii.
 _STEP_RADII = 0.3
 _MOST_BEHIND = 2
+#: Size of a site without a number, in radii.
+_DOT_RADII = 0.34
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -61,6 +63,15 @@ def paint_empty(painter: QPainter, place: Place, theme: Theme, *, inviting: bool
     painter.setBrush(fill)
     painter.drawPath(place.path())
     _paint_number(painter, place, QColor(theme.text), bold=False)
+
+
+def paint_dot(painter: QPainter, place: Place, theme: Theme) -> None:
+    """A quiet site without its number, where that would only hide the hand."""
+    fill = QColor(theme.base)
+    fill.setAlphaF(0.7)
+    painter.setPen(QPen(QColor(theme.skin_line), 1.25))
+    painter.setBrush(fill)
+    painter.drawPath(replace(place, radius_px=_DOT_RADII * place.radius_px).path())
 
 
 def paint_hovered(painter: QPainter, place: Place, theme: Theme) -> None:

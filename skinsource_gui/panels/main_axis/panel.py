@@ -10,7 +10,7 @@ from skinsource.view import View
 from skinsource_gui.figure_panel import FigurePanel
 from skinsource_gui.panels.main_axis.picture import MainAxisPicture, Shown
 from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.figure.elided_label import ElidedLabel
+from skinsource_gui.widgets.figure.words_label import WordsLabel
 
 _SINGLE = "A single axis has no main axis: choose two or three axes above"
 _ABOUT = "Ellipses of one standard deviation; the line is the main axis"
@@ -26,7 +26,7 @@ class MainAxisPanel(FigurePanel):
     def __init__(self, parent: QWidget | None = None) -> None:
         self.picture = MainAxisPicture()
         super().__init__(self.picture, parent)
-        self.about = ElidedLabel("main_axis_about")
+        self.about = WordsLabel("main_axis_about")
         self.about.say(_ABOUT)
         self.about.setToolTip(f"{_ABOUT}. {_OWN}.")
         self.choices.addWidget(self.about, 1)

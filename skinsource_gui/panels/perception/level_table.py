@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
+from PySide6.QtWidgets import QAbstractItemView, QTableWidget, QTableWidgetItem
 
-from skinsource_gui.theme import UNIT_PX, tabular
+from skinsource_gui.widgets.name_column import SHORT_NAME, dress_table, give_names_the_rest
 
 
 class LevelTable(QTableWidget):
@@ -16,29 +16,31 @@ class LevelTable(QTableWidget):
         self.setObjectName("perception_table")
         self.setAccessibleName("Levels above threshold")
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.setFont(tabular(self.font()))
-        self.setShowGrid(False)
-        self.setTabKeyNavigation(False)
-        rows = self.verticalHeader()
-        rows.hide()
-        rows.setMinimumSectionSize(1)
-        rows.setDefaultSectionSize(self.fontMetrics().height() + UNIT_PX // 2)
-        sections = self.horizontalHeader()
-        sections.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        sections.setHighlightSections(False)
+        dress_table(self)
 
-    def fill(self, columns: Sequence[tuple[str, str]], texts: Sequence[Sequence[str]]) -> None:
-        """Show rows under columns, of which each has a title and a hint."""
+    def fill(
+        self,
+        columns: Sequence[tuple[str, str]],
+        outputs: Sequence[int],
+        texts: Sequence[Sequence[str]],
+    ) -> None:
+        """Show rows of outputs under columns, of which each has a title and a hint."""
         self.setColumnCount(len(columns))
         self.setRowCount(len(texts))
+        give_names_the_rest(self)
+        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
         for k, (title, hint) in enumerate(columns):
             item = QTableWidgetItem(title)
             item.setToolTip(hint)
+            item.setTextAlignment(right if k else left)
             self.setHorizontalHeaderItem(k, item)
-        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        for row, line in enumerate(texts):
+        for row, (output, line) in enumerate(zip(outputs, texts, strict=True)):
             for k, text in enumerate(line):
                 item = QTableWidgetItem(text)
                 if k:
                     item.setTextAlignment(right)
+                else:
+                    item.setData(SHORT_NAME, str(output))
+                    item.setToolTip(text)
                 self.setItem(row, k, item)

@@ -10,7 +10,6 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QFileDialog,
-    QHBoxLayout,
     QLabel,
     QToolButton,
     QVBoxLayout,
@@ -30,6 +29,7 @@ from skinsource_gui.panel import Panel
 from skinsource_gui.panels.perception.level_table import LevelTable
 from skinsource_gui.panels.perception.rows import header, rows, tab_separated
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.beside_or_below import BesideOrBelow
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.first_steps import output_words
 from skinsource_gui.widgets.lateness import Lateness
@@ -38,6 +38,8 @@ _OWN_LIMITS = (
     "Thresholds are those of your table, the same at every output; sensors and force are not "
     "modelled. Compare designs on one limb only."
 )
+_TAKE_OWN = "Take thresholds from a CSV file: frequency_hz, threshold_m_per_s2 (RMS)"
+_MOST_NAME_PX = 120
 _NO_WEIGHTED = "Wh: only where drives are accelerations of the probe"
 
 
@@ -56,10 +58,9 @@ class PerceptionPanel(Panel):
         self._folder = Path()
         self.area = NumberField(AREA, widest_unit="cm²")
         self.area.setMaximumWidth(96)
+        self.area_label = QLabel("Moving area")
+        self.area_label.setBuddy(self.area)
         self.own = _button(self, "perception_own", "Own thresholds…")
-        self.own.setToolTip(
-            "Take thresholds from a CSV file: frequency_hz, threshold_m_per_s2 (RMS)"
-        )
         self.model = _button(self, "perception_model", "Use the model")
         self.model.setToolTip("Use the thresholds of the model again")
         self.copy = _button(self, "perception_copy", "Copy")
@@ -97,7 +98,11 @@ class PerceptionPanel(Panel):
         self.area.set_value(self._settings.area_cm2)
         self.area.setEnabled(not own)
         self.model.setVisible(own)
-        self.own.setText(self._settings.source or "Own table" if own else "Own thresholds…")
+        name = self._settings.source or "Own table"
+        middle = Qt.TextElideMode.ElideMiddle
+        short = self.fontMetrics().elidedText(name, middle, _MOST_NAME_PX)
+        self.own.setText(short if own else "Own thresholds…")
+        self.own.setToolTip(f"{name}. {_TAKE_OWN}" if own else _TAKE_OWN)
         self.limits.setText(_OWN_LIMITS if own else LIMITS)
         if not view.outputs:
             self._say(output_words(self.in_sight))
@@ -112,7 +117,7 @@ class PerceptionPanel(Panel):
             self._say(found.problem or output_words(self.in_sight))
             return
         self._found, self._outputs = found, outputs
-        self.table.fill(header(found), rows(found, outputs))
+        self.table.fill(header(found), outputs, rows(found, outputs))
         loudest = int(np.argmax(found.level_db))
         synthetic = " Synthetic limb." if results["limb_data"].synthetic else ""
         self.limits.setToolTip(
@@ -141,7 +146,7 @@ class PerceptionPanel(Panel):
 
     def show_theme(self, theme: Theme) -> None:
         self.area.show_theme(theme)
-        for label in (self.message, self.contact, self.limits):
+        for label in (self.area_label, self.message, self.contact, self.limits):
             label.setStyleSheet(f"color: {theme.dim};")
 
     def take_thresholds(self, path: Path) -> None:
@@ -154,16 +159,12 @@ class PerceptionPanel(Panel):
         self._change(table=held(table), source=path.name[:200])
 
     def _lay_out(self) -> None:
-        bar = QHBoxLayout()
-        bar.setSpacing(UNIT_PX // 2)
-        for part in (self.area, self.own, self.model):
-            bar.addWidget(part)
-        bar.addStretch(1)
-        bar.addWidget(self.copy)
+        thresholds = (self.own, self.model, None, self.copy)
+        bar = BesideOrBelow((self.area_label, self.area, None), thresholds, spacing_px=UNIT_PX // 2)
         column = QVBoxLayout(self)
         column.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, UNIT_PX // 2)
         column.setSpacing(UNIT_PX // 2)
-        column.addLayout(bar)
+        column.addWidget(bar)
         column.addWidget(self.table, 1)
         column.addWidget(self.message, 1)
         column.addWidget(self.contact)

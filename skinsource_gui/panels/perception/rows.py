@@ -3,7 +3,7 @@
 from skinsource.analysis_rules.perception_rules import SILENT_DB, Sensation
 from skinsource.locations import output_words
 
-_TITLES = {"P": "P dB", "NP I": "NP I dB", "own": "Own dB"}
+_TITLES = {"P": "P\ndB", "NP I": "NP I\ndB", "own": "Own\ndB"}
 _HINTS = {
     "P": "Above the threshold of the Pacinian channel, which governs fast vibrations",
     "NP I": "Above the threshold of the channel NP I, which governs slow ones and the arm",
@@ -13,7 +13,7 @@ _HINTS = {
 
 def header(found: Sensation) -> list[tuple[str, str]]:
     """Titles and hints of the columns."""
-    columns = [("Output", "Number and place"), ("Above dB", "Above the lowest threshold")]
+    columns = [("Output", "Number and place"), ("Above\ndB", "Above the lowest threshold")]
     columns += [(_TITLES[name], _HINTS[name]) for name in found.by_channel]
     if found.strength is not None:
         said = "Larger channel and half of the smaller one; only compares, on one limb"

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -14,11 +15,16 @@ from skinsource_gui.compared import Compared
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Column:
-    """A column: its title, what it is, and a text and a number for each region."""
+    """A column: its title, what it is, and a text and a number for each region.
+
+    ``head`` is the title in two narrow lines, where it is not as narrow itself.
+    """
 
     title: str
     hint: str
     numbers: tuple[float, ...]
+    head: str = ""
+    synthetic: bool = False
 
     def texts(self) -> list[str]:
         """As they are shown: a dash where there is no number, as for silence."""
@@ -30,8 +36,8 @@ class Column:
 
 def columns_of(snapshots: Sequence[Compared], people: Sequence[Compared]) -> list[Column]:
     """Snapshots, where any is stored; then people, their mean, and their standard deviation."""
-    found = [_column(one.name, one) for one in snapshots] if len(snapshots) > 1 else []
-    of_people = [_column(f"Limb {_limb(one).rpartition('-')[2]}", one) for one in people]
+    found = [_column(*_stored(one), one) for one in snapshots] if len(snapshots) > 1 else []
+    of_people = [_column(*_names(one), one) for one in people]
     found += of_people
     known = [one.numbers for one in of_people if np.isfinite(one.numbers).all()]
     # A mean of those that happen to be known already would change by itself.
@@ -45,6 +51,7 @@ def columns_of(snapshots: Sequence[Compared], people: Sequence[Compared]) -> lis
         found.append(
             Column(
                 title="± dB",
+                head="±\ndB",
                 hint=f"Standard deviation {what}",
                 numbers=tuple(spread for _, spread in pairs),
             )
@@ -56,17 +63,35 @@ def _limb(one: Compared) -> str:
     return one.snapshot.design.limb
 
 
-def _column(title: str, one: Compared) -> Column:
+def _names(one: Compared) -> tuple[str, str]:
+    """Title and head of a limb; one that is computed is called so."""
+    number = _limb(one).rpartition("-")[2]
+    if _is_synthetic(one):
+        return f"Synthetic {number}", f"Syn.\n{number}"
+    return f"Limb {number}", f"Limb\n{number}"
+
+
+def _stored(one: Compared) -> tuple[str, str]:
+    """Title and head of a snapshot."""
+    return (f"{one.name}, synthetic", f"{one.name}\nsyn.") if _is_synthetic(one) else (one.name, "")
+
+
+def _is_synthetic(one: Compared) -> bool:
+    return _limb(one).startswith("synthetic-")
+
+
+def _column(title: str, head: str, one: Compared) -> Column:
+    said = partial(Column, title=title, head=head, synthetic=_is_synthetic(one))
     nothing = (float("nan"),) * len(REGION_OUTPUTS)
     if one.values is None:
-        return Column(title=title, hint=one.problem or "Computing…", numbers=nothing)
+        return said(hint=one.problem or "Computing…", numbers=nothing)
     try:
         rms = 10.0 ** (one.values["output_levels_db"] / 20.0)
         levels = region_levels_db(rms * one.gain)
     except InvalidInputError as error:
-        return Column(title=title, hint=str(error), numbers=nothing)
+        return said(hint=str(error), numbers=nothing)
     limb = word_of(LIMBS, _limb(one)).title
-    return Column(title=title, hint=f"dB re 1 m/s², {limb}", numbers=tuple(levels.values()))
+    return said(hint=f"{title}: dB re 1 m/s², {limb}", numbers=tuple(levels.values()))
 
 
 def tab_separated(columns: Sequence[Column]) -> str:

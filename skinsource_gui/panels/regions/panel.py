@@ -3,12 +3,11 @@
 from collections.abc import Sequence
 from typing import ClassVar
 
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtGui import QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
-    QHeaderView,
     QTableWidget,
     QTableWidgetItem,
     QToolButton,
@@ -23,10 +22,15 @@ from skinsource.view import View
 from skinsource_gui.compared import Compared
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.regions.columns import Column, columns_of, tab_separated
-from skinsource_gui.theme import UNIT_PX, Theme, tabular
-from skinsource_gui.widgets.figure.elided_label import ElidedLabel
+from skinsource_gui.theme import UNIT_PX, Theme, scaled, tabular
+from skinsource_gui.widgets.figure.words_label import WordsLabel
+from skinsource_gui.widgets.name_column import dress_table
 
 _NEEDS = frozenset({"output_levels_db"})
+#: Size of its words: six columns beside the names of regions need it.
+_TEXT = 0.9
+#: Names where those of the table have too little room.
+_SHORT = {"Back of the hand": "Back", "Wrist, palm side": "W. palm"}
 
 
 class RegionsPanel(Panel):
@@ -42,7 +46,8 @@ class RegionsPanel(Panel):
         self._snapshots: Sequence[Compared] = ()
         self._people: Sequence[Compared] = ()
         self.columns: list[Column] = []
-        self.about = ElidedLabel("regions_about")
+        self._about = ""
+        self.about = WordsLabel("regions_about")
         self.copy = QToolButton()
         self.copy.setObjectName("regions_copy")
         self.copy.setText("Copy")
@@ -52,18 +57,11 @@ class RegionsPanel(Panel):
         self.table = QTableWidget(len(REGION_OUTPUTS), 0)
         self.table.setObjectName("regions_table")
         self.table.setAccessibleName("RMS levels by region")
-        self.table.setVerticalHeaderLabels(list(REGION_OUTPUTS))
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.table.setFont(tabular(self.table.font()))
-        self.table.setTabKeyNavigation(False)
-        self.table.setShowGrid(False)
-        rows = self.table.verticalHeader()
-        rows.setMinimumSectionSize(1)
-        rows.setDefaultSectionSize(self.table.fontMetrics().height() + UNIT_PX // 2)
-        rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-        sections = self.table.horizontalHeader()
-        sections.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        sections.setHighlightSections(False)
+        dress_table(self.table)
+        # Names stay in sight where snapshots make it wider than its room.
+        self.table.verticalHeader().show()
+        self._fit_words()
         bar = QHBoxLayout()
         bar.setContentsMargins(UNIT_PX, 1, UNIT_PX // 2, 1)
         bar.addWidget(self.about, 1)
@@ -84,7 +82,8 @@ class RegionsPanel(Panel):
 
     def show_state(self, design: Design, view: View) -> None:
         words = signal_words(view.axes, view.method)
-        self.about.say(f"RMS in dB, {words} · {span_words(view.span)} · no sensor on the palm")
+        self._about = f"RMS in dB, {words} · {span_words(view.span)} · no sensor on the palm"
+        self._say_about()
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
         if compared and compared[0].on_limb:
@@ -94,6 +93,15 @@ class RegionsPanel(Panel):
         self.columns = columns_of(self._snapshots, self._people)
         self._fill()
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._name_rows()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._fit_words()
+
     def show_theme(self, theme: Theme) -> None:
         self.about.show_theme(theme)
 
@@ -101,7 +109,7 @@ class RegionsPanel(Panel):
         self.table.setColumnCount(len(self.columns))
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         for k, column in enumerate(self.columns):
-            head = QTableWidgetItem(column.title)
+            head = QTableWidgetItem(column.head or column.title)
             head.setToolTip(column.hint)
             self.table.setHorizontalHeaderItem(k, head)
             for row, text in enumerate(column.texts()):
@@ -109,6 +117,32 @@ class RegionsPanel(Panel):
                 item.setTextAlignment(right)
                 item.setToolTip(column.hint)
                 self.table.setItem(row, k, item)
+        self._say_about()
+        self._name_rows()
+
+    def _say_about(self) -> None:
+        some = any(one.synthetic for one in self.columns)
+        note = " · syn.: a synthetic limb, computed" if some else ""
+        self.about.say(f"{self._about}{note}")
+
+    def _fit_words(self) -> None:
+        font = scaled(tabular(self.font()), _TEXT)
+        for part in (self.table, self.table.horizontalHeader(), self.table.verticalHeader()):
+            part.setFont(font)
+        rows = self.table.verticalHeader()
+        rows.setDefaultSectionSize(self.table.fontMetrics().height() + UNIT_PX // 2)
+        self._name_rows()
+
+    def _name_rows(self) -> None:
+        """Call regions by their names, or shorter where the numbers need the room."""
+        names = list(REGION_OUTPUTS)
+        metrics, header = self.table.fontMetrics(), self.table.horizontalHeader()
+        needed = max(metrics.horizontalAdvance(name) for name in names) + 2 * UNIT_PX
+        if needed + header.length() > self.width():
+            names = [_SHORT.get(name, name) for name in names]
+        self.table.setVerticalHeaderLabels(names)
+        for row, name in enumerate(REGION_OUTPUTS):
+            self.table.verticalHeaderItem(row).setToolTip(name)
 
     def _copy(self) -> None:
         QGuiApplication.clipboard().setText(tab_separated(self.columns))

@@ -8,14 +8,12 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
-from skinsource.decibels import MAP_RANGE_DB
+from skinsource.decibels import MAP_RANGE_DB, MAP_ROUND_TO_DB, map_range_db
 from skinsource_gui.panels.skin.colour_strip import ColourStrip
 from skinsource_gui.panels.skin.level_field import high_field, low_field
 from skinsource_gui.panels.skin.level_range import (
-    ROUND_TO_DB,
     SILENT_RANGE,
     Range,
-    automatic_range,
     pushed_high,
     pushed_low,
 )
@@ -40,7 +38,7 @@ class ColourBar(QWidget):
         self.auto_button.setAccessibleName("Automatic range")
         self.auto_button.setToolTip(
             f"The range follows the loudest output: {MAP_RANGE_DB:g} dB, "
-            f"up to the next {ROUND_TO_DB:g} dB"
+            f"up to the next {MAP_ROUND_TO_DB:g} dB"
         )
         self.auto_button.setCheckable(True)
         self.auto_button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -85,7 +83,7 @@ class ColourBar(QWidget):
     def follow(self, levels_db: NDArray[np.float64]) -> None:
         """Let the automatic range follow the levels of all outputs."""
         if self._chosen is None:
-            self._show(automatic_range(levels_db))
+            self._show(map_range_db(levels_db))
 
     def show_marks(self, marks: tuple[tuple[float, QColor], ...]) -> None:
         """Show levels of selected outputs, each in its colour."""

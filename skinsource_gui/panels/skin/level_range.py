@@ -2,36 +2,17 @@
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
-from skinsource.decibels import FLOOR_DB, MAP_RANGE_DB
+from skinsource.decibels import FLOOR_DB, MAP_HIGHEST_DB, SILENT_MAP_RANGE_DB
 
 Range = tuple[float, float]
 
 #: What the range can reach, and its smallest span, dB.
-LOWEST_DB, HIGHEST_DB = FLOOR_DB, 200.0
+LOWEST_DB, HIGHEST_DB = FLOOR_DB, MAP_HIGHEST_DB
 SMALLEST_SPAN_DB = 1.0
 #: The automatic range in silence.
-SILENT_RANGE: Range = (-MAP_RANGE_DB, 0.0)
+SILENT_RANGE: Range = SILENT_MAP_RANGE_DB
 
-#: The top of the automatic range is a multiple of it, dB.
-ROUND_TO_DB = 5.0
 _TICK_STEPS_DB = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
-
-
-def automatic_range(levels_db: NDArray[np.float64]) -> Range:
-    """Range for these levels, and for nothing that was shown before.
-
-    Its top is the loudest level rounded up to `ROUND_TO_DB`; in silence it is 0 dB.
-    """
-    loudest = float(np.max(levels_db))
-    if loudest <= FLOOR_DB:
-        return SILENT_RANGE
-    # What rounding has added to a level is not worth five more decibels.
-    top = math.ceil(loudest / ROUND_TO_DB - 1e-9) * ROUND_TO_DB
-    top = min(max(top, LOWEST_DB + MAP_RANGE_DB), HIGHEST_DB)
-    return top - MAP_RANGE_DB, top
 
 
 def with_low(range_db: Range, low_db: float) -> Range:

@@ -11,6 +11,7 @@ from skinsource.choice_words import PALM_SIDE
 from skinsource.limb import VOLAR_OUTPUTS, LimbMap
 from skinsource_gui.panels.skin.triad import triad_size
 from skinsource_gui.widgets.frame import Frame, fitted
+from skinsource_gui.widgets.pan_zoom import FREE, WHOLE, PanZoom
 
 Rows = tuple[tuple[int, ...], ...]
 
@@ -22,6 +23,8 @@ NO_PLACE = "No place"
 _MOST_ROWS, _FEWEST_COLUMNS = 5, 2
 
 _MARGIN_PX = 10.0
+#: The fit that shows the hand without the arm.
+HAND = "hand"
 #: Above a map that is fitted there is a line for words, in lines of text: none lies on the skin.
 WORDS_LINES = 2.0
 # Height of a line of text at which sizes are as written here, px.
@@ -185,3 +188,47 @@ def smallest_spacing(positions: Floats) -> float:
 def _box(points: Floats) -> QRectF:
     (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
     return QRectF(float(x0), float(y0), float(x1 - x0), float(y1 - y0))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SeenPart:
+    """A fit, or a part that somebody has zoomed to.
+
+    Attributes
+    ----------
+    fit
+        `WHOLE`, `HAND` or `FREE`.
+    middle, size
+        Of what is seen, in outline pixels, where the fit is `FREE`.
+    """
+
+    fit: str = WHOLE
+    middle: tuple[float, float] = (0.0, 0.0)
+    size: tuple[float, float] = (0.0, 0.0)
+
+    def frame_in(self, limb_map: LimbMap, room: QRectF, metrics: QFontMetricsF) -> Frame:
+        """The frame that shows it in ``room``: all of what was seen, and what is beside it."""
+        if self.fit != FREE or 0.0 in self.size:
+            bounds = hand_bounds if self.fit == HAND else outline_bounds
+            return fitted_beside_cards(limb_map, bounds(limb_map), room, metrics)
+        (x, y), (width, height) = self.middle, self.size
+        scale = min(room.width() / width, room.height() / height)
+        return Frame(
+            scale=scale,
+            left=room.center().x() - scale * x,
+            top=room.center().y() + scale * y,
+            up=True,
+        )
+
+
+#: All of it.
+ALL = SeenPart()
+
+
+def seen_part(pan_zoom: PanZoom, room: QRectF) -> SeenPart:
+    """What part of the map is seen in ``room``."""
+    frame = pan_zoom.frame
+    if frame is None or pan_zoom.fit != FREE:
+        return SeenPart(fit=pan_zoom.fit)
+    size = room.width() / frame.scale, room.height() / frame.scale
+    return SeenPart(fit=FREE, middle=frame.to_drawing(room.center()), size=size)

@@ -10,12 +10,7 @@ from skinsource.design import Design
 from skinsource.view import View
 from skinsource_gui.panels.skin.colour_scale import paint_colour_scale
 from skinsource_gui.panels.skin.map_content import MapContent
-from skinsource_gui.panels.skin.map_layout import (
-    MapLayout,
-    fitted_beside_cards,
-    map_layout,
-    outline_bounds,
-)
+from skinsource_gui.panels.skin.map_layout import ALL, MapLayout, SeenPart, map_layout
 from skinsource_gui.panels.skin.map_painter import MapPainter, small_font
 from skinsource_gui.panels.skin.map_quantity import MapQuantity
 from skinsource_gui.panels.skin.map_words import paint_words
@@ -59,6 +54,7 @@ def paint_picture(
     heading: Heading,
     theme: Theme,
     family: str,
+    seen: SeenPart = ALL,
 ) -> None:
     """Draw the map with heading, colour bar and, where due, the synthetic mark.
 
@@ -72,6 +68,8 @@ def paint_picture(
         What the map shows, and how it is called.
     theme, family
         Colours, and the family of the font.
+    seen
+        What part of the map; all of it unless given.
     """
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     whole = QRectF(0, 0, size.width(), size.height())
@@ -85,7 +83,9 @@ def paint_picture(
     inner.setTop(_paint_heading(painter, inner, heading, font, theme) + 0.4 * line)
     room = inner.adjusted(0, 0, -6.2 * line, 0)
     painter.setFont(small_font(font))
-    layout = _paint_map(painter, content, room, theme) if content.limb_map is not None else None
+    layout = None
+    if content.limb_map is not None:
+        layout = _paint_map(painter, content, room, theme, seen)
     ramp = QRectF(room.right() + line, room.top() + line, line, room.height() - 2 * line)
     levels = content.value_range
     painter.setFont(small_font(font))
@@ -129,11 +129,16 @@ def _paint_heading(
     return top
 
 
-def _paint_map(painter: QPainter, content: MapContent, room: QRectF, theme: Theme) -> MapLayout:
+def _paint_map(
+    painter: QPainter, content: MapContent, room: QRectF, theme: Theme, seen: SeenPart
+) -> MapLayout:
     metrics = QFontMetricsF(painter.font())
-    bounds = outline_bounds(content.limb_map)
-    frame = fitted_beside_cards(content.limb_map, bounds, room, metrics)
+    frame = seen.frame_in(content.limb_map, room, metrics)
     layout = map_layout(content.limb_map, frame, room, metrics)
     map_painter = MapPainter(content.limb_map, PaintedAnew)
+    painter.save()
+    # Magnified, the map would lie on heading and scale.
+    painter.setClipRect(room, Qt.ClipOperation.IntersectClip)
     map_painter.paint(painter, content, layout, theme)
+    painter.restore()
     return layout

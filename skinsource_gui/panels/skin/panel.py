@@ -187,8 +187,8 @@ class SkinPanel(Panel):
         heading = replace(
             heading_of(self._design, self._view, self._content.quantity), note=self._content.note
         )
-        size = QSizeF(width, height)
-        paint_picture(painter, size, content, heading, theme, self.font().family())
+        family, seen = self.font().family(), self.map.seen
+        paint_picture(painter, QSizeF(width, height), content, heading, theme, family, seen)
 
     def picture(self, width: int, height: int, theme: Theme = LIGHT) -> QImage:
         """What `draw_picture` draws, as pixels."""

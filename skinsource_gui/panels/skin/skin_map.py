@@ -18,11 +18,14 @@ from skinsource.choice_words import TRIAD_SENTENCE
 from skinsource_gui.panels.skin.inputs.marks import mark_at
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import (
+    HAND,
     MapLayout,
+    SeenPart,
     fitted_beside_cards,
     hand_bounds,
     map_layout,
     outline_bounds,
+    seen_part,
 )
 from skinsource_gui.panels.skin.map_painter import MapPainter, paint_band, paint_mark, small_font
 from skinsource_gui.panels.skin.map_readout import output_readout, pixel_readout
@@ -34,9 +37,6 @@ from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.key_table import meant
 from skinsource_gui.widgets.pan_zoom import FREE, WHOLE, PanZoom
 from skinsource_gui.widgets.tooltips import tooltip
-
-#: The fit that shows the hand without the arm.
-HAND = "hand"
 
 
 class SkinMap(QWidget):
@@ -109,6 +109,11 @@ class SkinMap(QWidget):
     def map_layout(self) -> MapLayout | None:
         """Screen places of everything; None before there is a limb."""
         return self._layout
+
+    @property
+    def seen(self) -> SeenPart:
+        """What part of the map is in sight."""
+        return seen_part(self.pan_zoom, QRectF(self.rect()))
 
     def place_of(self, number: int) -> QPointF:
         """Where an output is drawn."""

@@ -15,7 +15,8 @@ from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.figure_panel import SILENT, FigurePanel
 from skinsource_gui.panels.spectrogram.picture import Shown, SpectrogramPicture
-from skinsource_gui.theme import Theme
+from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.beside_or_below import BesideOrBelow
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.plot.ranges import Range
@@ -36,20 +37,22 @@ class SpectrogramPanel(FigurePanel):
         self._results: Mapping[str, Any] | None = None
         self.output = ChoiceField(ChoiceSpec(label="Output", options=()))
         self.output.setObjectName("spectrogram_output")
-        self.output.setMinimumContentsLength(3)
         self.window_length = ChoiceField(WINDOW)
         self.window_length.setObjectName("spectrogram_window")
         self.floor = NumberField(FLOOR, widest_unit="Hz")
         self.ceiling = NumberField(CEILING, widest_unit="Hz")
-        self.window_length.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        for choice in (self.output, self.window_length):
+            # Never narrower than its words.
+            choice.setMinimumContentsLength(0)
+            choice.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.window_length.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         for field in (self.floor, self.ceiling):
             field.setMaximumWidth(84)
-        self.choices.addWidget(self.output, 1)
-        self.choices.addWidget(self.window_length)
-        self.choices.addWidget(self.floor)
-        self.choices.addWidget(QLabel("–"))
-        self.choices.addWidget(self.ceiling)
+        what, band = (
+            (self.output, self.window_length),
+            (self.floor, QLabel("–"), self.ceiling, None),
+        )
+        self.choices.addWidget(BesideOrBelow(what, band, spacing_px=UNIT_PX // 2))
         self.output.chosen.connect(self._choose_output)
         self.window_length.chosen.connect(self._choose_window)
         self.floor.edited.connect(self._choose_floor)

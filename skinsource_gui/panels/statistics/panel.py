@@ -8,7 +8,6 @@ from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
-    QHeaderView,
     QLabel,
     QStackedWidget,
     QTableView,
@@ -24,10 +23,11 @@ from skinsource_gui.figure_panel import COMPUTING
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.statistics.rows import NOISE_WORDS, rows_of, tab_separated
 from skinsource_gui.panels.statistics.table_model import TableModel
-from skinsource_gui.theme import UNIT_PX, Theme, tabular
-from skinsource_gui.widgets.figure.elided_label import ElidedLabel
+from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.figure.words_label import WordsLabel
 from skinsource_gui.widgets.first_steps import output_words
 from skinsource_gui.widgets.lateness import Lateness
+from skinsource_gui.widgets.name_column import dress_table, give_names_the_rest
 
 
 class FigureTable(QTableView):
@@ -62,18 +62,11 @@ class StatisticsPanel(Panel):
         self.table.setObjectName("statistics_table")
         self.table.setAccessibleName("Figures of the selected outputs")
         self.table.setModel(self.model)
-        self.table.setFont(tabular(self.table.font()))
-        self.table.verticalHeader().hide()
-        rows = self.table.verticalHeader()
-        rows.setMinimumSectionSize(1)
-        rows.setDefaultSectionSize(self.table.fontMetrics().height() + UNIT_PX // 2)
-        self.table.setShowGrid(False)
+        dress_table(self.table)
+        give_names_the_rest(self.table)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.table.setTabKeyNavigation(False)
         header = self.table.horizontalHeader()
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        header.setHighlightSections(False)
         self._message = QLabel()
         self._message.setObjectName("statistics_message")
         self._message.setWordWrap(True)
@@ -81,7 +74,7 @@ class StatisticsPanel(Panel):
         self._stack = QStackedWidget()
         self._stack.addWidget(self._message)
         self._stack.addWidget(self.table)
-        self.about = ElidedLabel("statistics_about")
+        self.about = WordsLabel("statistics_about")
         self.copy = QToolButton()
         self.copy.setObjectName("statistics_copy")
         self.copy.setText("Copy")

@@ -9,15 +9,15 @@ from skinsource.analysis.statistics import BEGUN_SHARE, Statistics
 from skinsource.arrays import Floats
 from skinsource.locations import output_words
 
-#: Titles, as short as they can be, and what they mean.
+#: Titles, as narrow as they can be, and what they mean.
 COLUMNS = (
     ("Output", "Number and place of the output"),
-    ("RMS m/s²", "RMS over what the choice Levels says"),
-    ("Peak m/s²", "Largest magnitude of the signal, over the whole record"),
+    ("RMS\nm/s²", "RMS over what the choice Levels says"),
+    ("Peak\nm/s²", "Largest magnitude of the signal, over the whole record"),
     ("Crest", "Peak over RMS"),
-    ("Main Hz", "Frequency with the most power along the chosen axes"),
+    ("Main\nHz", "Frequency with the most power along the chosen axes"),
     (
-        "Delay ms",
+        "Delay\nms",
         f"From the start of the first input to where the output first reaches {BEGUN_SHARE:.0%} of "
         "its peak; the pre-trigger counts unless it is removed",
     ),
@@ -40,9 +40,14 @@ class Row:
         mark = f" {NOISE_MARK}" if self.noisy else ""
         written = (
             format(value, style) if np.isfinite(value) else "–"
-            for value, style in zip(self.shown, (".4g", ".4g", ".2f", ".1f", ".2f"), strict=True)
+            for value, style in zip(self.shown, (".3g", ".3g", ".2f", ".1f", ".1f"), strict=True)
         )
         return (f"{self.number}  {self.name}{mark}", *(one.replace("-", "−") for one in written))
+
+    @property
+    def short_name(self) -> str:
+        """Its name where there is little room: the number."""
+        return f"{self.number} {NOISE_MARK}" if self.noisy else str(self.number)
 
     @property
     def shown(self) -> tuple[float, ...]:

@@ -5,6 +5,7 @@ from PySide6.QtGui import QColor
 
 from skinsource_gui.panels.statistics.rows import COLUMNS, NOISE_WORDS, Row
 from skinsource_gui.theme import LIGHT
+from skinsource_gui.widgets.name_column import SHORT_NAME
 
 _Index = QModelIndex | QPersistentModelIndex
 _Role = Qt.ItemDataRole
@@ -46,8 +47,10 @@ class TableModel(QAbstractTableModel):
             if column == 0:
                 return self.theme.output_colour(index.row())
             return QColor(self.theme.dim if row.noisy else self.theme.text)
-        if role == _Role.ToolTipRole and row.noisy:
-            return NOISE_WORDS
+        if role == SHORT_NAME and column == 0:
+            return row.short_name
+        if role == _Role.ToolTipRole and (row.noisy or not column):
+            return f"{row.texts()[0]}: {NOISE_WORDS}" if row.noisy else row.texts()[0]
         return None
 
     def headerData(
@@ -59,4 +62,6 @@ class TableModel(QAbstractTableModel):
             return COLUMNS[section][0]
         if role == _Role.ToolTipRole:
             return COLUMNS[section][1]
+        if role == _Role.TextAlignmentRole and section == 0:
+            return int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         return None

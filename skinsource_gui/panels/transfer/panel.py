@@ -17,7 +17,7 @@ from skinsource_gui.figure_panel import FigurePanel
 from skinsource_gui.panels.transfer.picture import Shown, TransferPicture
 from skinsource_gui.panels.transfer.settings import TransferSettings
 from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.figure.elided_label import ElidedLabel
+from skinsource_gui.widgets.figure.words_label import WordsLabel
 from skinsource_gui.widgets.first_steps import add_words
 
 _UNITS = {"probe": "1 (m/s²)/(m/s²)"}
@@ -45,9 +45,10 @@ class TransferPanel(FigurePanel):
         self.coherence.setCheckable(True)
         self.coherence.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.coherence.clicked.connect(self._show_coherence)
-        self.place = ElidedLabel("transfer_place")
+        self.place = WordsLabel("transfer_place")
         self.choices.addWidget(self.coherence)
-        self.choices.addWidget(self.place, 1)
+        self.choices.addStretch(1)
+        self.heads.addWidget(self.place)
         self.copy = self.add_copy(self.table)
         self.figure.say(self.no_outputs)
 
@@ -130,9 +131,10 @@ class TransferPanel(FigurePanel):
 
 
 def _usable_words(found: Transfer, outputs: tuple[int, ...]) -> str:
-    """Where the response is more than noise, output by output."""
-    said = [
-        f"{output}: {low:.0f}–{high:.0f} Hz" if np.isfinite(low) else f"{output}: nowhere"
-        for output, (low, high) in zip(outputs, found.usable_hz, strict=True)
-    ]
+    """Where the response is more than noise; outputs with the same band together."""
+    alike: dict[str, list[str]] = {}
+    for output, (low, high) in zip(outputs, found.usable_hz, strict=True):
+        band = f"{low:.0f}–{high:.0f} Hz" if np.isfinite(low) else "nowhere"
+        alike.setdefault(band, []).append(str(output))
+    said = [f"{', '.join(those)}: {band}" for band, those in alike.items()]
     return f"Coherence ≥ {LEAST_COHERENCE:g} from 25 to 600 Hz: {' · '.join(said)}"

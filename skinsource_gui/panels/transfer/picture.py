@@ -87,10 +87,10 @@ class TransferPicture(Figure):
             return ""
         found = self.shown.found
         k = int(np.argmin(np.abs(found.frequency_hz - place[0])))
-        said = [f"{found.frequency_hz[k]:.1f} Hz"]
+        said = [f"{found.frequency_hz[k]:.1f} Hz, dB and coherence"]
         for rank, output in enumerate(self.shown.outputs):
             level = float(decibels(found.magnitude[rank, k]))
-            said.append(f"{output}: {level:.1f} dB, coherence {found.coherence[rank, k]:.2f}")
+            said.append(f"{output}: {level:.1f}, {found.coherence[rank, k]:.2f}")
         return minus(" · ".join(said))
 
     def keys_area(self) -> QRectF:

@@ -13,7 +13,7 @@ from skinsource.view import View
 from skinsource_gui.figure_panel import SILENT, FigurePanel
 from skinsource_gui.panels.wave.picture import WavePicture
 from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.figure.elided_label import ElidedLabel
+from skinsource_gui.widgets.figure.words_label import WordsLabel
 from skinsource_gui.widgets.first_steps import SKIN
 
 _LINE = "The line goes through the selected outputs, in the order in which they were selected"
@@ -29,7 +29,7 @@ class WavePanel(FigurePanel):
     def __init__(self, parent: QWidget | None = None) -> None:
         self.picture = WavePicture()
         super().__init__(self.picture, parent)
-        self.about = ElidedLabel("wave_about")
+        self.about = WordsLabel("wave_about")
         self.about.say(_ABOUT)
         self.about.setToolTip(
             f"{_LINE}. Delays are where the envelope of the cross-correlation with the first "

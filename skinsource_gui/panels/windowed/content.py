@@ -29,6 +29,8 @@ class WindowedContent:
         Of each window; None where it is silent.
     synthetic
         Whether the responses are computed, not measured.
+    traces_late_s
+        How much later than here the traces show what is shown; 0 where they do not.
     """
 
     design: Design
@@ -39,6 +41,19 @@ class WindowedContent:
     field_levels_db: Floats
     extents: tuple[Extent | None, ...]
     synthetic: bool
+    traces_late_s: float = 0.0
+
+    @property
+    def time_phrases(self) -> tuple[str, ...]:
+        """What the times of the windows are, the longest first."""
+        if not self.traces_late_s:
+            return "Times of the stimulus, as in the traces", "Times of the stimulus"
+        late = f"{self.traces_late_s * 1e3:.0f} ms"
+        return (
+            f"Times of the stimulus; the traces show it about {late} later",
+            f"Stimulus time; traces {late} later",
+            f"Traces: +{late}",
+        )
 
     @property
     def range_db(self) -> Range:

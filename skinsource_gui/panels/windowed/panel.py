@@ -7,11 +7,12 @@ from typing import Any, ClassVar
 import numpy as np
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QPainter
-from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from skinsource.choice_words import LIMBS, signal_words, word_of
 from skinsource.decibels import FLOOR_DB
 from skinsource.design import Design
+from skinsource.own_limbs import facts_of
 from skinsource.view import WINDOW_COUNT, WINDOW_LENGTH, WINDOWS_CUT, View
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.windowed.content import WindowedContent
@@ -19,6 +20,7 @@ from skinsource_gui.panels.windowed.strip_layout import strip_layout
 from skinsource_gui.panels.windowed.strip_painter import paint_strip
 from skinsource_gui.panels.windowed.strip_view import StripView
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.widgets.beside_or_below import BesideOrBelow
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.lateness import Lateness
 from skinsource_gui.widgets.map.small_map import SmallMaps
@@ -46,17 +48,15 @@ class WindowedPanel(Panel):
             "window_count": FieldCell("window_count", WINDOW_COUNT, self),
             "window_s": FieldCell("window_s", WINDOW_LENGTH, self),
         }
-        row = QHBoxLayout()
-        row.setSpacing(UNIT_PX // 2)
+        cut, *others = self.cells.values()
         for cell in self.cells.values():
-            row.addWidget(cell.label)
-            row.addWidget(cell)
             cell.edited.connect(self._change)
-        row.addStretch(1)
+        given = [part for cell in others for part in (cell.label, cell)]
+        row = BesideOrBelow((cut.label, cut, None), (*given, None), spacing_px=UNIT_PX // 2)
         column = QVBoxLayout(self)
         column.setContentsMargins(UNIT_PX // 2, UNIT_PX // 2, UNIT_PX // 2, UNIT_PX // 2)
         column.setSpacing(UNIT_PX // 2)
-        column.addLayout(row)
+        column.addWidget(row)
         column.addWidget(self.strip, 1)
         self.setFocusProxy(self.strip)
         self.strip.time_chosen.connect(self.playhead_wanted)
@@ -80,6 +80,11 @@ class WindowedPanel(Panel):
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
         self._show_view()
+        content = self.strip.content
+        if content is not None and content.traces_late_s != self._traces_late_s:
+            # Only the words on it change: nothing is computed for it.
+            late = replace(content, traces_late_s=self._traces_late_s)
+            self.strip.show_content(late, self.strip.message)
 
     def show_playhead(self, view: View) -> None:
         self._view = view
@@ -100,6 +105,7 @@ class WindowedPanel(Panel):
             field_levels_db=results["surface_of_windows_db"],
             extents=results["extents_of_windows"],
             synthetic=results["limb_data"].synthetic,
+            traces_late_s=self._traces_late_s,
         )
         message = ""
         if content.windows.count == 0:
@@ -132,13 +138,19 @@ class WindowedPanel(Panel):
         painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
         content, line = self.strip.content, float(painter.fontMetrics().height())
         painter.setPen(QColor(theme.text))
-        heading = QRectF(line, 0.5 * line, width - 2 * line, 2.4 * line)
+        heading = QRectF(line, 0.5 * line, width - 2 * line, 3.4 * line)
         painter.drawText(heading, 0, self._heading())
         if content is None or self.strip.message:
-            painter.drawText(QRectF(line, 4 * line, width, line), 0, self.strip.message)
+            painter.drawText(QRectF(line, 5 * line, width, line), 0, self.strip.message)
             return
-        room = QRectF(0.0, 3.0 * line, width, height - 3.5 * line)
+        room = QRectF(0.0, 4.0 * line, width, height - 4.5 * line)
         paint_strip(painter, content, strip_layout(room, content.windows.count, line), theme)
+
+    @property
+    def _traces_late_s(self) -> float:
+        if self._design is None or self._view.delay_removed:
+            return 0.0
+        return facts_of(self._design.limb).pre_trigger_delay_s
 
     def _heading(self) -> str:
         if self._design is None:
@@ -146,6 +158,8 @@ class WindowedPanel(Panel):
         content, view = self.strip.content, self._view
         limb = word_of(LIMBS, self._design.limb).title
         lines = [f"{limb}: RMS of {signal_words(view.axes, view.method)} in windows"]
+        if content is not None:
+            lines.append(content.time_phrases[0])
         if content is not None and content.synthetic:
             lines.append("SYNTHETIC LIMB: computed responses, not measured ones")
         return "\n".join(lines)

@@ -1,5 +1,6 @@
 """Draws the strip of windows: maps in one scale, the scale, and the extent over the windows."""
 
+from collections.abc import Callable
 from math import ceil
 
 import numpy as np
@@ -17,8 +18,8 @@ _SCALE_PX = 9.0
 _DOT_PX = 2.5
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-#: Names of the curves of the extent, and which colour of outputs each has.
-CURVES = (("mean distance", 0), ("90 % of the energy within", 1))
+#: Names of the curves of the extent, longer and shorter, and which colour of outputs each has.
+CURVES = (("mean distance", "mean", 0), ("90 % of the energy within", "90 % within", 1))
 
 
 def paint_strip(
@@ -42,11 +43,12 @@ def paint_strip(
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     line = float(painter.fontMetrics().height())
     table = colour_table()
-    for window, (cell, bounds) in enumerate(zip(layout.cells, content.bounds_s, strict=True)):
-        words = window_words(bounds)
+    titles = [window_words(bounds) for bounds in content.bounds_s]
+    metrics, places = painter.fontMetrics(), zip(layout.cells, titles, strict=True)
+    if any(metrics.horizontalAdvance(words) > cell.width() for cell, words in places):
+        titles = [str(window + 1) for window in range(len(titles))]
+    for window, (cell, words) in enumerate(zip(layout.cells, titles, strict=True)):
         painter.setPen(QColor(theme.text))
-        if painter.fontMetrics().horizontalAdvance(words) > cell.width():
-            words = str(window + 1)
         painter.drawText(QRectF(cell.left(), cell.top(), cell.width(), line), _CENTRE, words)
         area = cell.adjusted(2.0, line, -2.0, -2.0)
         paint_small_map(
@@ -90,7 +92,7 @@ def _paint_extent(painter: QPainter, area: QRectF, content: WindowedContent, the
     line = painter.fontMetrics().height()
     _paint_axis(painter, area, top, theme)
     n = max(len(content.extents), 1)
-    for _, rank in CURVES:
+    for *_, rank in CURVES:
         colour = theme.output_colour(rank)
         painter.setPen(QPen(colour, 1.5))
         painter.setBrush(colour)
@@ -106,12 +108,20 @@ def _paint_extent(painter: QPainter, area: QRectF, content: WindowedContent, the
                 painter.drawLine(before, at)
             painter.drawEllipse(at, _DOT_PX, _DOT_PX)
             before = at
-    x = area.left()
-    for name, rank in CURVES:
+    x, metrics = area.left(), painter.fontMetrics()
+    for name, rank in curve_names(area.width(), metrics.horizontalAdvance, line):
         painter.setPen(theme.output_colour(rank))
-        room = painter.fontMetrics().horizontalAdvance(name) + line
+        room = metrics.horizontalAdvance(name) + line
         painter.drawText(QRectF(x, area.top() - 1.2 * line, room, line), Qt.AlignmentFlag(0), name)
         x += room
+
+
+def curve_names(
+    room: float, width_of: Callable[[str], float], gap: float
+) -> tuple[tuple[str, int], ...]:
+    """Names of the curves and their colours: the shorter names where the longer do not fit."""
+    longer = sum(width_of(name) + gap for name, _, _ in CURVES) - gap
+    return tuple((name if longer <= room else short, rank) for name, short, rank in CURVES)
 
 
 def _paint_axis(painter: QPainter, area: QRectF, top: float, theme: Theme) -> None:

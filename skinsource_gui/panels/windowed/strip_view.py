@@ -1,7 +1,7 @@
 """The strip of windows as a widget: shown, pointed at, stepped through."""
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter
+from PySide6.QtGui import QColor, QFontMetricsF, QHelpEvent, QKeyEvent, QMouseEvent, QPainter
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from skinsource_gui.panels.windowed.content import WindowedContent, extent_words, window_words
@@ -9,6 +9,7 @@ from skinsource_gui.panels.windowed.strip_layout import StripLayout, strip_layou
 from skinsource_gui.panels.windowed.strip_painter import paint_strip
 from skinsource_gui.theme import LIGHT, Theme, tabular
 
+_SYNTHETIC = "SYNTHETIC"
 _STEPS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
 
 
@@ -66,6 +67,21 @@ class StripView(QWidget):
         cells = enumerate(self.places.cells)
         return next((window for window, cell in cells if cell.contains(point)), None)
 
+    @property
+    def head_words(self) -> str:
+        """What stands above on the left: what its times are, in as many words as fit."""
+        if self.content is None or self.message:
+            return ""
+        if self.outdated:
+            return "Computing…"
+        metrics = QFontMetricsF(tabular(self.font()))
+        room = self.places.head.width() - metrics.height()
+        if self.content.synthetic:
+            room -= metrics.horizontalAdvance(_SYNTHETIC)
+        phrases = self.content.time_phrases
+        fitting = (one for one in phrases if metrics.horizontalAdvance(one) <= room)
+        return next(fitting, phrases[-1])
+
     def paintEvent(self, event) -> None:
         painter, theme = QPainter(self), self._theme
         painter.setFont(tabular(self.font()))
@@ -78,12 +94,12 @@ class StripView(QWidget):
             return
         places = self.places
         painter.setPen(QColor(theme.warning if self.content.synthetic else theme.dim))
-        words = "SYNTHETIC" if self.content.synthetic else ""
+        words = _SYNTHETIC if self.content.synthetic else ""
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         painter.drawText(places.head, right, words)
+        painter.setPen(QColor(theme.dim))
+        painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, self.head_words)
         if self.outdated:
-            painter.setPen(QColor(theme.dim))
-            painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, "Computing…")
             painter.setOpacity(0.5)
         paint_strip(painter, self.content, places, theme, self.chosen)
         painter.setOpacity(1.0)

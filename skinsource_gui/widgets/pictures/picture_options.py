@@ -1,6 +1,7 @@
 """How large a picture is, and in which colours."""
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtGui import QKeyEvent
@@ -74,15 +75,31 @@ class PictureOptions:
 class PictureDialog(QDialog):
     """Lets the user change `PictureOptions`.
 
+    Parameters
+    ----------
+    options
+        To begin with.
+    kinds
+        What can be written, in words.
+    most_px
+        Pixels that the longer side may have: the resolution of a layout is lowered to it.
+
     Attributes
     ----------
     options
         As they are in the fields.
     """
 
-    def __init__(self, options: PictureOptions, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        options: PictureOptions,
+        parent: QWidget | None = None,
+        *,
+        kinds: str = "PNG, SVG or PDF",
+        most_px: int | None = None,
+    ) -> None:
         super().__init__(parent)
-        self.options = options
+        self.options, self._most_px = options, most_px
         self._usual = options.width_px, options.height_px
         self._cells: dict[str, FieldCell] = {}
         self.setWindowTitle("Picture")
@@ -95,7 +112,7 @@ class PictureDialog(QDialog):
             cell.field.installEventFilter(self)
             form.addRow(cell.label, cell)
             self._cells[name] = cell
-        form.addRow(QLabel("The next step asks where to, and whether as PNG, SVG or PDF."))
+        form.addRow(QLabel(f"The next step asks where to, and whether as {kinds}."))
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         save = buttons.addButton("Save as…", QDialogButtonBox.ButtonRole.AcceptRole)
         save.setDefault(True)
@@ -126,7 +143,10 @@ class PictureDialog(QDialog):
         layout = layout_of(str(value)) if name == "layout" else None
         if layout is not None:
             width, height = layout.size_px(self._usual)
-            changes |= {"width_px": width, "height_px": height, "dpi": layout.dpi}
+            dpi = layout.dpi
+            if self._most_px is not None:
+                dpi = min(dpi, self._most_px * PER_INCH // max(width, height))
+            changes |= {"width_px": width, "height_px": height, "dpi": dpi}
         elif name in ("width_px", "height_px"):
             changes["layout"] = OWN
         self.options = replace(self.options, **changes)
@@ -134,9 +154,14 @@ class PictureDialog(QDialog):
             self._cells[other].set_value(getattr(self.options, other))
 
 
-def ask_picture_options(parent: QWidget, options: PictureOptions) -> PictureOptions | None:
-    """Let the user change ``options``; None if there is to be no picture."""
-    dialog = PictureDialog(options, parent)
+def ask_picture_options(
+    parent: QWidget, options: PictureOptions, **about: Any
+) -> PictureOptions | None:
+    """Let the user change ``options``; None if there is to be no picture.
+
+    ``about`` is what `PictureDialog` takes besides.
+    """
+    dialog = PictureDialog(options, parent, **about)
     accepted = dialog.exec() == QDialog.DialogCode.Accepted
     dialog.deleteLater()
     return dialog.options if accepted else None

@@ -15,7 +15,10 @@ LEVEL_WORDS = "dB re 1 m/s²"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CurveName:
-    """Number and place of an output: ``29``, ``"II nail rad."``, ``"Digit II, ..."``."""
+    """Number and place of an output: ``29``, ``"II nail rad."``, ``"Digit II, ..."``.
+
+    What is no output has the number 0: its short name alone tells it from the others.
+    """
 
     number: int
     short: str

@@ -1,9 +1,17 @@
 """Names of curves, each with what the crosshair reads there."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QEvent, QPointF, QRect, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetrics, QHelpEvent, QPainter, QPaintEvent
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontMetrics,
+    QHelpEvent,
+    QPainter,
+    QPaintEvent,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, scaled, tabular
@@ -43,7 +51,8 @@ class LegendText:
         lines = [f"at {self.where}"] if self.where else []
         for rank, name in enumerate(self.names):
             reading = f": {self.readings[rank]} {self.unit}" if self.readings else ""
-            lines.append(f"{name.number}  {name.full}{reading}")
+            told = f"{name.number}  {name.full}" if name.number else f"{name.short}: {name.full}"
+            lines.append(f"{told}{reading}")
         return "\n".join(lines)
 
 
@@ -64,6 +73,7 @@ _READING = (
     _Detail(True, False, True, False),
     _Detail(False, False, True, False),
 )
+_NAMED = _Detail(number=False, place=True, reading=True, unit=False)
 _IDLE = (_Detail(True, True, False, False), _Detail(True, False, False, False))
 
 
@@ -71,7 +81,7 @@ class LegendStrip(QWidget):
     """One line: colour, number, place and reading of each curve, and where they are read.
 
     Where the line is too narrow it leaves out units, then places, then numbers, then curves; the
-    tooltip has them all.
+    tooltip has them all.  Curves without numbers keep their names, and take more lines.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -81,6 +91,7 @@ class LegendStrip(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._theme = LIGHT
         self._text = LegendText()
+        self._n_lines = 1
 
     @property
     def text(self) -> LegendText:
@@ -97,6 +108,7 @@ class LegendStrip(QWidget):
         if text != self._text:
             self._text = text
             self.setAccessibleDescription(text.lines())
+            self._make_room()
             self.update()
 
     @property
@@ -105,11 +117,14 @@ class LegendStrip(QWidget):
         return scaled(tabular(self.font()), _TEXT)
 
     def sizeHint(self) -> QSize:
-        height = QFontMetrics(self.words_font).height() + _AROUND_PX
-        return QSize(120, max(height, STRIP_HEIGHT_PX))
+        return QSize(120, self._line_px + (self._n_lines - 1) * (self._line_px - _AROUND_PX // 2))
 
     def minimumSizeHint(self) -> QSize:
         return self.sizeHint()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._make_room()
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
@@ -123,6 +138,10 @@ class LegendStrip(QWidget):
         painter = QPainter(self)
         painter.setFont(self.words_font)
         metrics = QFontMetrics(self.words_font)
+        if self._named:
+            self._paint_lines(painter, metrics)
+            painter.end()
+            return
         detail, fitting = self._fit(metrics)
         x = UNIT_PX // 2
         for rank in range(fitting):
@@ -137,7 +156,60 @@ class LegendStrip(QWidget):
             painter.drawText(place, at_right, self._where(self._text.where, detail))
 
     def _where(self, where: str, detail: _Detail) -> str:
-        return f"{where} · {self._text.unit}" if detail.number and not detail.unit else where
+        once = (detail.number or detail.place) and not detail.unit
+        return f"{where} · {self._text.unit}" if once else where
+
+    @property
+    def _named(self) -> bool:
+        """Whether names stand for the curves, and numbers do not."""
+        return any(not name.number for name in self._text.names)
+
+    @property
+    def _line_px(self) -> int:
+        return max(QFontMetrics(self.words_font).height() + _AROUND_PX, STRIP_HEIGHT_PX)
+
+    @property
+    def _row_px(self) -> int:
+        return self._line_px if self._n_lines > 1 else self.height()
+
+    def _make_room(self) -> None:
+        n_lines = 1
+        if self._named:
+            n_lines = self._lines(QFontMetrics(self.words_font))[-1][1] + 1
+        if n_lines != self._n_lines:
+            self._n_lines = n_lines
+            self.updateGeometry()
+
+    def _lines(self, metrics: QFontMetrics) -> list[tuple[int, int]]:
+        """Where entries begin, and at last where they are read: x and number of the line.
+
+        There is room for readings whether or not there are some: nothing moves while one reads.
+        """
+        first, places, line = UNIT_PX // 2, [], 0
+        x = first
+        entries = [self._entry_px(metrics, rank, _NAMED) for rank in range(len(self._text.names))]
+        where = metrics.horizontalAdvance(self._where(self._text.where_room, _NAMED))
+        for width in (*entries, where):
+            if x > first and x + width > self.width() - first:
+                x, line = first, line + 1
+            places.append((x, line))
+            x += width
+        return places
+
+    def _paint_lines(self, painter: QPainter, metrics: QFontMetrics) -> None:
+        advance = self._line_px - _AROUND_PX // 2
+        *entries, (_, last) = self._lines(metrics)
+        reading = replace(_NAMED, reading=bool(self._text.readings))
+        for rank, (x, line) in enumerate(entries):
+            painter.save()
+            painter.translate(0, line * advance)
+            self._paint_entry(painter, metrics, x, rank, reading)
+            painter.restore()
+        if self._text.where:
+            painter.setPen(QColor(self._theme.text))
+            place = QRect(0, last * advance, self.width() - UNIT_PX // 2, self._row_px)
+            at_right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+            painter.drawText(place, at_right, self._where(self._text.where, _NAMED))
 
     def _fit(self, metrics: QFontMetrics) -> tuple[_Detail, int]:
         widths: list[int] = []
@@ -176,7 +248,7 @@ class LegendStrip(QWidget):
         text, theme = self._text, self._theme
         name, end = text.names[rank], x + self._entry_px(metrics, rank, detail)
         painter.setPen(theme.output_pen(rank, 2.0))
-        middle = self.height() / 2
+        middle = self._row_px / 2
         painter.drawLine(QPointF(x, middle), QPointF(x + _SWATCH_PX - 1, middle))
         x += _SWATCH_PX + _GAP_PX
         if detail.number:
@@ -196,6 +268,6 @@ class LegendStrip(QWidget):
     ) -> int:
         painter.setPen(QColor(colour))
         width = metrics.horizontalAdvance(text)
-        place = QRect(x, 0, width + 1, self.height())
+        place = QRect(x, 0, width + 1, self._row_px)
         painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, text)
         return x + width + _GAP_PX

@@ -107,7 +107,7 @@ def _legend_lines(plot: Plot) -> list[list[tuple[int, int, str]]]:
     lines: list[list[tuple[int, int, str]]] = [[]]
     left = UNIT_PX
     for rank, name in enumerate(() if plot.curves is None else plot.curves.names):
-        text = f"{name.number}  {name.short}"
+        text = f"{name.number}  {name.short}" if name.number else name.short
         width = ceil(_SWATCH_PX + 4 + metrics.horizontalAdvance(text) + 2 * UNIT_PX)
         if lines[-1] and left + width > plot.width():
             lines.append([])

@@ -118,13 +118,13 @@ class Stack:
             row.show_points(of_row)
 
     def show_colours(self, numbers: Sequence[int], *, stale: bool) -> None:
-        """Give curves the pens of their ranks, and rows of a stack their ``numbers``."""
+        """Give curves the pens of their ranks, and rows of a stack their ``numbers``, if any."""
         # One pixel of the screen: any wider line takes a hundred times as long.
         pens = [self._theme.output_pen(rank, 0.0) for rank in range(self._n_curves())]
         for row, of_row in zip(self.rows, self._by_row(pens), strict=True):
             row.show_pens(of_row, stale=stale)
         for rank, row in enumerate(self.rows):
-            text = str(numbers[rank]) if numbers else ""
+            text = str(numbers[rank] or "") if numbers else ""
             row.number.say(text, self._theme.output_colour(rank), self._font)
 
     def show_crosshair(self, position: float | None, heights: Sequence[float]) -> None:

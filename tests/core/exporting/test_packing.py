@@ -1,6 +1,7 @@
 """A design as one zip, and what to cite."""
 
 import hashlib
+import importlib
 import io
 import json
 import zipfile
@@ -10,12 +11,14 @@ import pytest
 import skinsource as ss
 from skinsource.commands.command_line import main
 from skinsource.design_file import open_design, save_design
-from skinsource.errors import Stopped, StorageError
+from skinsource.errors import MissingExtraError, Stopped, StorageError
 from skinsource.packing import citation, data_of, pack
 from skinsource.rigs import Rig, save_rig
 from skinsource.version import __version__
 from skinsource.view import View
 
+# The package has a function of the same name.
+packing_module = importlib.import_module("skinsource.packing.pack")
 DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7),), title="One tone")
 VIEW = View(outputs=(29,))
 
@@ -44,6 +47,8 @@ def test_a_pack_holds_all_that_belongs_to_a_design(packed):
         "about.json",
         "citation.txt",
         "design.skinsource",
+        "figure.pdf",
+        "figure.svg",
         "levels.csv",
         "map.csv",
         "map.png",
@@ -103,6 +108,16 @@ def test_a_stopped_pack_leaves_what_stood_there(tmp_path):
     assert list(tmp_path.iterdir()) == [path]
     with pytest.raises(StorageError):
         pack(tmp_path / "no" / "one.zip", DESIGN, VIEW)
+
+
+def test_without_matplotlib_all_but_the_figure_is_packed(tmp_path, monkeypatch, packed):
+    def missing(name, extra):
+        raise MissingExtraError(f"{name} of {extra}")
+
+    monkeypatch.setattr(packing_module, "package_of_extra", missing)
+    path = tmp_path / "plain.zip"
+    pack(path, DESIGN, VIEW)
+    assert names(packed) - names(path) == {"figure.svg", "figure.pdf"}
 
 
 def test_the_command_packs_a_file_with_its_rig(tmp_path, capsys):

@@ -143,3 +143,29 @@ def test_the_command_refuses_what_it_cannot_do(capsys):
     assert "does not exist" in capsys.readouterr().err
     with pytest.raises(SystemExit):
         main(["scenes", "--out", "x.skinsource"])
+
+
+@every
+def test_each_says_which_number_it_is_about_and_its_design_has_that(name):
+    content = open_design(path_of(name))
+    (turned,) = dict(dict(content.view.panels)["frequency_and_amplitude"]).values()
+    assert turned in {"frequency", "amplitude", "onset"}
+    if turned == "frequency":
+        (selected,) = content.view.selected_inputs
+        assert hasattr(content.design.input(selected).clips[0].waveform, "frequency_hz")
+
+
+def test_what_travels_is_shown_as_it_moves_and_slowed_down():
+    views = {name: open_design(path_of(name)).view for name in PANELS}
+    slow = {name for name, view in views.items() if view.slow_motion > 1.0}
+    moving = {name for name, view in views.items() if ("quantity", "z") in _skin(view)}
+    assert slow == moving == {"1C", "2A", "4A"}
+    for name in slow:
+        first_s, last_s = views[name].time_range_s
+        assert first_s < views[name].playhead_s < last_s
+        # Seconds of the lecture.
+        assert 3.0 < views[name].slow_motion * (last_s - first_s) < 15.0
+
+
+def _skin(view):
+    return dict(view.panels).get("skin", ())

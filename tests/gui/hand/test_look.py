@@ -6,6 +6,7 @@ from PySide6.QtGui import QColor, QHelpEvent, QImage, QPainter
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from skinsource.design import track
+from skinsource_gui.panels.hand import site_marker
 from skinsource_gui.panels.hand.site_marker import Place, contrast, paint_occupied, readable_on
 from skinsource_gui.theme import DARK, LIGHT, Theme
 from tests.gui.hand.bench import KEY
@@ -98,3 +99,33 @@ def test_the_count_of_inputs_at_a_site_is_never_cut_off(qtbot, count):
     assert len(line) >= 0.55 * font_px * len(f"×{count}")
     assert line.startswith("##")
     assert line.endswith("##")
+
+
+def test_in_large_words_only_places_in_use_and_the_one_pointed_at_have_numbers(studio, monkeypatch):
+    numbers = []
+    paint = site_marker._paint_number
+
+    def note(painter, place, colour, *, bold):
+        numbers.append(place.site)
+        paint(painter, place, colour, bold=bold)
+
+    def shown():
+        numbers.clear()
+        studio.diagram.grab()
+        return set(numbers)
+
+    monkeypatch.setattr(site_marker, "_paint_number", note)
+    studio.panel.resize(500, 500)
+    studio.show(track(location=7), track(location=12, muted=True), selected=0)
+    assert shown() == set(range(1, 21))
+    font = studio.diagram.font()
+    font.setPointSizeF(1.25 * font.pointSizeF())
+    studio.diagram.setFont(font)
+    assert shown() == {7, 12}
+    studio.diagram.stage.change(hovered=18)
+    assert shown() == {7, 12, 18}
+    studio.diagram.stage.change(hovered=None, cursor=3)
+    assert shown() == {3, 7, 12}
+    # While an input is moved all places offer themselves.
+    studio.diagram.stage.change(cursor=None, moving=0, ghost=QPointF(10, 10), target=15)
+    assert shown() == set(range(1, 21))

@@ -132,6 +132,7 @@ def test_each_opens_with_the_panels_that_show_it_and_nothing_to_complain_of(wind
         settle()
         assert not window.document.modified
         assert window.document.path is None
+        assert window.windowTitle().startswith(f"Fig. {scene.name}: "), scene.name
         for panel in scene.panels:
             assert window.docks[panel].in_sight, (scene.name, panel)
         assert window.notice.text == "", scene.name

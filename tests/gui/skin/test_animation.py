@@ -5,6 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QLabel
 
 import skinsource as ss
 from skinsource.errors import InvalidInputError, Stopped, StorageError
@@ -16,6 +18,10 @@ from skinsource_gui.panels.skin.map_quantity import MAGNITUDE, RMS, Z
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.time import animation
 from skinsource_gui.panels.skin.time.animation import export_animation, film_of, pace_of
+from skinsource_gui.theme import DARK
+from skinsource_gui.widgets.pictures.caption import with_caption
+from skinsource_gui.widgets.pictures.layouts import LAYOUTS
+from skinsource_gui.widgets.pictures.picture_options import PictureDialog, PictureOptions
 
 imageio_ffmpeg = pytest.importorskip("imageio_ffmpeg")
 DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tap()),))
@@ -132,3 +138,52 @@ def test_the_settings_of_the_panel_are_those_of_the_film(tmp_path, small, monkey
     assert content.value_range == (-60.0, -10.0)
     assert heading.title == "Skin acceleration, RMS over 50 ms, at 60.0 ms"
     assert heading.details.endswith("1/10 of real time")
+
+
+@pytest.mark.parametrize(
+    ("options", "size"),
+    [
+        (PictureOptions(width_px=901, height_px=1201), (900, 1200)),
+        (PictureOptions(width_px=1280, height_px=720, dpi=144), (1920, 1080)),
+    ],
+)
+def test_a_film_has_the_size_and_the_ground_that_was_asked_for(options, size):
+    assert animation.frame_size(options) == size
+
+
+def test_a_film_has_its_stimulus_below_it_at_every_size(monkeypatch):
+    seen = []
+    monkeypatch.setattr(
+        animation,
+        "with_caption",
+        lambda draw, words: seen.append(words) or with_caption(draw, words),
+    )
+    exported = animation.ExportedDesign(DESIGN, VIEW, lambda *now: None, never)
+    options = PictureOptions(width_px=200, height_px=300, dpi=192, colours="dark")
+    camera = animation._Camera(exported, SkinSettings(quantity=Z), options)
+    frame = camera.frame(film_of(VIEW, SkinSettings(quantity=Z), camera.end_s, 60), 0)
+    assert frame.shape == (600, 400, 3)
+    assert "Place 7" in seen[0]
+    assert tuple(frame[1, 1]) == QColor(DARK.base).getRgb()[:3]
+    # Its words, in the colour of words, at the foot.
+    assert (np.abs(frame[-60:].astype(int) - frame[1, 1]).sum(axis=2) > 100).any()
+
+
+def test_a_film_that_no_encoder_takes_is_refused(tmp_path):
+    poster = PictureOptions(width_px=1588, height_px=2117, dpi=300)
+    with pytest.raises(InvalidInputError, match="4962 x 6616 pixels, expected at most 4096"):
+        export_animation(tmp_path / "a.mp4", DESIGN, VIEW, options=poster)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_sizes_of_pictures_are_offered_for_films_and_none_is_too_large(qtbot):
+    dialog = PictureDialog(
+        PictureOptions(width_px=900, height_px=1200), kinds="MP4 or GIF", most_px=animation.MOST_PX
+    )
+    qtbot.addWidget(dialog)
+    for one in LAYOUTS:
+        dialog._take("layout", one.name, None)
+        assert max(animation.frame_size(dialog.options)) <= animation.MOST_PX
+        assert dialog.options.layout == one.name
+    words = [label.text() for label in dialog.findChildren(QLabel)]
+    assert "The next step asks where to, and whether as MP4 or GIF." in words

@@ -3,7 +3,8 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from skinsource_gui.panels.skin.level_range import automatic_range, tick_levels
+from skinsource.decibels import map_range_db
+from skinsource_gui.panels.skin.level_range import tick_levels
 from tests.gui.skin.bench import (
     CONTROL,
     LEFT,
@@ -27,8 +28,10 @@ def test_the_automatic_range_depends_on_the_present_levels_only(window):
         (-8.1, -5),
         (-200.0, 0),
         (-17.9, -15),
+        (-190.0, -150),
+        (333.0, 200),
     ):
-        assert automatic_range(np.array([-200.0, loudest])) == (top - 50.0, top)
+        assert map_range_db(np.array([-200.0, loudest])) == (top - 50.0, top)
     before = window.panel.colour_bar.range_db
     for by in (7.0, 0.0):
         window.deliver(output_levels_db=window.results["output_levels_db"] + by)

@@ -1,9 +1,11 @@
+import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
+from skinsource_gui.panels.skin import map_picture
 from skinsource_gui.panels.skin.skin_map import HAND
 from skinsource_gui.theme import LIGHT
 from skinsource_gui.widgets.pan_zoom import WHOLE
@@ -146,3 +148,39 @@ def test_the_right_button_offers_fits_and_pictures(window, qtbot):
     menu.close()
     QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     assert not window.panel.map.findChildren(QMenu, "skin_menu")
+
+
+@pytest.mark.parametrize("size", [(600, 900), (900, 600)])
+def test_a_picture_shows_what_is_seen(window, size, monkeypatch):
+    view = window.panel.map
+    frames = []
+    laid_out = map_picture.map_layout
+    monkeypatch.setattr(
+        map_picture,
+        "map_layout",
+        lambda limb_map, frame, room, metrics: (
+            frames.append((frame, room)) or laid_out(limb_map, frame, room, metrics)
+        ),
+    )
+    whole = window.panel.picture(*size)
+    view.pan_zoom.show(HAND)
+    hand = window.panel.picture(*size)
+    view.pan_zoom.zoom(4.0, QPointF(150, 150))
+    near = window.panel.picture(*size)
+    assert whole != hand != near
+    scales = [frame.scale for frame, _ in frames]
+    assert scales == sorted(scales)
+    # The same place in the middle, and all that was seen.
+    frame, room = frames[-1]
+    seen = QRectF(view.rect())
+    on_screen = view.map_layout().frame
+    assert frame.to_drawing(room.center()) == pytest.approx(on_screen.to_drawing(seen.center()))
+    for corner in (seen.topLeft(), seen.bottomRight()):
+        at = frame.to_screen(np.array([on_screen.to_drawing(corner)]))[0]
+        assert room.adjusted(-1, -1, 1, 1).contains(QPointF(*at))
+    # Nothing of the magnified map lies on the words above it or on the scale beside it.
+    view.pan_zoom.zoom(6.0, QPointF(150, 150))
+    much = window.panel.picture(*size)
+    above = round(room.top()) - 2
+    head = QRect(0, 0, size[0], above)
+    assert much.copy(head) == near.copy(head)

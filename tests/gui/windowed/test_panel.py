@@ -164,3 +164,22 @@ def test_a_picture_of_what_is_not_there_says_so(panel, studio, qtbot):
     panel.draw_picture(painter, 800, 600)
     painter.end()
     assert image.pixelColor(400, 400).name() == "#ffffff"
+
+
+def test_its_head_says_that_the_traces_show_it_later_unless_their_delay_is_taken_away(
+    panel, studio, qtbot
+):
+    assert "traces" in panel.strip.head_words.lower()
+    assert "52 ms" in panel.strip.head_words
+    content = panel.strip.content
+    studio.document.look(replace(studio.document.view, delay_removed=True))
+    settle(studio, qtbot)
+    assert "52 ms" not in panel.strip.head_words
+    assert "stimulus" in panel.strip.head_words
+    assert panel.strip.content.levels_db is content.levels_db
+    longest = panel.strip.content.time_phrases[0]
+    panel.strip.resize(1400, 400)
+    assert panel.strip.head_words == longest
+    panel.strip.resize(220, 400)
+    metrics = panel.strip.fontMetrics()
+    assert metrics.horizontalAdvance(panel.strip.head_words + "SYNTHETIC") < 220

@@ -5,7 +5,7 @@ from math import pi
 from skinsource.clips import Clip
 from skinsource.design import Design, Input
 from skinsource.scenes.scene import Scene
-from skinsource.scenes.shipped.making import MadeScene, at, made, played
+from skinsource.scenes.shipped.making import MOVING, MadeScene, at, made, played
 from skinsource.waveforms import Chirp, Tone
 
 _PREDICTED = Tone(frequency_hz=104.0, duration_s=10 / 104)
@@ -21,10 +21,13 @@ _FRAMES = made(
         panels=("skin", "traces"),
     ),
     played(1, *at([8], _PREDICTED)),
+    turned="frequency",
     axes="z",
     outputs=(20, 24, 26, 27, 48),
     playhead_s=0.1,
     time_range_s=(0.04, 0.2),
+    slow_motion=50.0,
+    panels=MOVING,
 )
 
 _TRACES = made(
@@ -36,6 +39,7 @@ _TRACES = made(
         panels=("skin", "traces"),
     ),
     played(1, *at([8], _PREDICTED)),
+    turned="frequency",
     axes="z",
     outputs=(20, 24, 26, 27, 48),
     time_range_s=(0.04, 0.2),
@@ -74,6 +78,7 @@ def _overlay(name: str, limb: int) -> MadeScene:
         ),
         *(played(limb, _tones(speed), scaling="probe") for speed in _SPEEDS_MM_PER_S),
         shown=4,
+        turned="amplitude",
         axes="z",
         outputs=(20, 26),
         panels={"traces": {"layout": "stacked"}},
@@ -101,6 +106,7 @@ def _fit(name: str, title: str, sentence: str, *inferred: str) -> MadeScene:
         ),
         *_sweeps(),
         shown=3,
+        turned="amplitude",
         axes="z",
         outputs=(20, 26),
         panels={"spectra": {"frequency_range_hz": (25.0, 600.0)}},
@@ -132,6 +138,7 @@ _SUPERPOSITION = made(
     ),
     *(played(1, *at(places, _SWEEP, 3.0), scaling="probe") for places in ([8], [13], [8, 13])),
     shown=2,
+    turned="amplitude",
     axes="z",
     outputs=(20, 26),
 )

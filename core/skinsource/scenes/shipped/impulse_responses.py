@@ -1,7 +1,7 @@
 """Fig. 1: what the skin does after a single pulse."""
 
 from skinsource.scenes.scene import Scene
-from skinsource.scenes.shipped.making import MadeScene, at, made, played
+from skinsource.scenes.shipped.making import MOVING, MadeScene, at, made, played
 from skinsource.waveforms import Impulse
 
 _ALONG_DIGIT_III = (20, 24, 26, 27, 48, 49, 72)
@@ -18,10 +18,13 @@ _TRACES = made(
         panels=("skin", "traces"),
     ),
     played(4, *at([8], _PULSE), scaling="relative"),
+    turned="onset",
     axes="z",
     outputs=_ALONG_DIGIT_III,
     time_range_s=(0.045, 0.15),
-    panels={"traces": {"layout": "stacked"}},
+    slow_motion=100.0,
+    playhead_s=0.055,
+    panels={"traces": {"layout": "stacked"}, **MOVING},
 )
 
 _SPECTRA = made(
@@ -34,6 +37,7 @@ _SPECTRA = made(
         panels=("skin", "spectra"),
     ),
     played(4, *at([8], _PULSE), scaling="relative"),
+    turned="amplitude",
     axes="z",
     outputs=_ALONG_DIGIT_III,
     panels={"spectra": {"layout": "stacked", "frequency_range_hz": (25.0, 600.0)}},
@@ -49,6 +53,7 @@ _AXES = made(
         arrangement="design",
     ),
     played(3, *at([3], _PULSE), scaling="relative"),
+    turned="amplitude",
     axes="z",
 )
 
@@ -64,6 +69,7 @@ _PLACES = made(
         panels=("skin", "compare"),
     ),
     *(played(1, *at([place], _PULSE), scaling="relative") for place in (8, 13, 18)),
+    turned="amplitude",
     method="mag",
 )
 
@@ -79,6 +85,7 @@ _PEOPLE = made(
         panels=("skin", "compare"),
     ),
     *(played(limb, *at([8], _PULSE), scaling="relative") for limb in (1, 2, 3, 4)),
+    turned="amplitude",
     method="mag",
 )
 

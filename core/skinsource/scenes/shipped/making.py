@@ -12,6 +12,11 @@ from skinsource.scenes.scene import Scene
 from skinsource.view import View
 from skinsource.waveforms import Waveform
 
+#: The panel in which numbers are turned in front of an audience.
+CONTROLS = "frequency_and_amplitude"
+#: The skin as it moves along z, slowed down: of scenes that speak of what travels.
+MOVING = {"skin": {"quantity": "z"}}
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MadeScene:
@@ -42,6 +47,7 @@ def made(
     scene: Scene,
     *designs: Design,
     shown: int = 0,
+    turned: str = "all",
     panels: Mapping[str, Mapping[str, Any]] | None = None,
     **view: Any,
 ) -> MadeScene:
@@ -56,6 +62,8 @@ def made(
         number left for it.
     shown
         Which of them is in the window when it is opened; the one without a number, if there is one.
+    turned
+        The one number that it is about, of those that the panel for presenting can show.
     panels
         Settings of panels, by their names.
     view
@@ -73,7 +81,8 @@ def made(
         snapshots = tuple(
             Snapshot(number=NUMBERS[k], design=titled[k]) for k in ordered if k < len(NUMBERS)
         )
-    held = tuple((name, tuple(one.items())) for name, one in (panels or {}).items())
+    settings = {**(panels or {}), CONTROLS: {"control": turned}}
+    held = tuple((name, tuple(one.items())) for name, one in settings.items())
     looked = View(snapshots=snapshots, levels_matched=False, panels=held, **view)
     return MadeScene(scene=scene, content=DesignFile(design=titled[shown], view=looked))
 

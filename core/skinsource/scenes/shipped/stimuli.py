@@ -1,7 +1,7 @@
 """Fig. 2: stimuli, and what arrives of them."""
 
 from skinsource.scenes.scene import Scene
-from skinsource.scenes.shipped.making import MadeScene, at, made, played
+from skinsource.scenes.shipped.making import MOVING, MadeScene, at, made, played
 from skinsource.waveforms import Noise, Tap, Tone, WaveletTrain
 
 # Ten cycles of 200 Hz, 65 samples; and 200 ms, 260 samples, whatever the frequency.
@@ -24,10 +24,13 @@ _TRACES = made(
         panels=("skin", "traces"),
     ),
     played(1, *at([7], _TEN_CYCLES)),
+    turned="frequency",
     axes="z",
     outputs=(28, 30, 33, 35, 38, 52, 57),
     time_range_s=(0.04, 0.18),
-    panels={"traces": {"layout": "stacked"}},
+    slow_motion=50.0,
+    playhead_s=0.08,
+    panels={"traces": {"layout": "stacked"}, **MOVING},
 )
 
 _FREQUENCIES = made(
@@ -44,6 +47,7 @@ _FREQUENCIES = made(
         played(1, *at([7], Tone(frequency_hz=frequency, duration_s=0.2)))
         for frequency in _FREQUENCIES_HZ
     ),
+    turned="frequency",
     method="mag",
     outputs=(30, 43),
 )
@@ -58,6 +62,7 @@ _NOISE_TRACES = made(
         panels=("skin", "traces"),
     ),
     played(2, *at([5], _NOISE)),
+    turned="amplitude",
     axes="z",
     outputs=_NOISE_OUTPUTS,
     panels={"traces": {"layout": "stacked"}},
@@ -72,6 +77,7 @@ _NOISE_SPECTRA = made(
         panels=("skin", "spectra"),
     ),
     played(2, *at([5], _NOISE)),
+    turned="amplitude",
     axes="x",
     outputs=_NOISE_OUTPUTS,
     panels={"spectra": {"layout": "stacked", "frequency_range_hz": (25.0, 600.0)}},
@@ -90,6 +96,7 @@ _TAPS = made(
     ),
     *(played(limb, *at([7, 8, 9, 10], Tap())) for limb in (2, 3, 4)),
     shown=1,
+    turned="onset",
     method="mag",
     outputs=(19, 43),
 )
@@ -106,6 +113,7 @@ _INTERFERENCE = made(
     ),
     *(played(3, *at(places, _TEN_CYCLES)) for places in ([8], [13], [8, 13])),
     shown=2,
+    turned="onset",
     axes="x",
     outputs=(19, 21, 24, 32),
     time_range_s=(0.0, 0.16),
@@ -126,6 +134,7 @@ _CONTRACTION = made(
         panels=("traces", "windowed"),
     ),
     played(4, *at([7], WaveletTrain())),
+    turned="amplitude",
     method="mag",
     outputs=(30, 33, 52),
     windows_cut="length",

@@ -18,15 +18,19 @@ from skinsource.panel_settings import settings_of
 from skinsource.rendering.in_time import block_of
 from skinsource.view import View
 from skinsource_gui.panels.skin.map_content import MapContent
-from skinsource_gui.panels.skin.map_picture import heading_of, paint_picture
+from skinsource_gui.panels.skin.map_picture import Heading, heading_of, paint_picture
 from skinsource_gui.panels.skin.map_quantity import DIVERGING, LEVELS, MAGNITUDE, RMS, Z
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.time.frames import NEEDS, Frames
-from skinsource_gui.theme import LIGHT
+from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.map.field_image import field_image
+from skinsource_gui.widgets.pictures.caption import caption_of, with_caption
+from skinsource_gui.widgets.pictures.layouts import PER_INCH
+from skinsource_gui.widgets.pictures.picture_options import PictureOptions
 
-#: Width and height of a frame, px.
+#: Width and height of a frame unless another size is asked for, px; the most that encoders take.
 SIZE_PX = (900, 1200)
+MOST_PX = 4096
 PACES = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)
 #: Ten minutes of a film.
 MOST_FRAMES = 36_000
@@ -89,26 +93,46 @@ def film_of(view: View, settings: SkinSettings, end_s: float, per_s: int) -> Fil
     return Film(begin_s=first_s, count=count, frames_per_s=per_s, slow_motion=pace)
 
 
+def frame_size(options: PictureOptions) -> tuple[int, int]:
+    """Width and height of a frame, px: even ones, as encoders want them.
+
+    Raises
+    ------
+    InvalidInputError
+        It is larger than encoders take.
+    """
+    scale = options.dpi / PER_INCH
+    sides = [max(2 * round(one * scale / 2), 2) for one in (options.width_px, options.height_px)]
+    if max(sides) > MOST_PX:
+        raise InvalidInputError(
+            f"The animation has {sides[0]} x {sides[1]} pixels, expected at most {MOST_PX} on a "
+            "side. Choose a smaller size or resolution."
+        )
+    return sides[0], sides[1]
+
+
 def export_animation(
     path: Path,
     design: Design,
     view: View,
     *,
+    options: PictureOptions | None = None,
     progress: Progress = silent,
     stop: Stop = never,
     largest_error: float = np.inf,
 ) -> None:
-    """Write the skin map in time, each frame computed at its instant.
+    """Write the skin map in time, each frame computed at its instant, the stimulus below it.
 
     What is shown, over which colours and how slowly is as the skin panel has it; where that shows
-    levels, the acceleration along z.  The piece is that of the time axes.
+    levels, the acceleration along z.  The piece is that of the time axes.  ``options`` say how
+    large it is and on which ground.
 
     Raises
     ------
     MissingExtraError
         The extra ``video`` is not installed.
     InvalidInputError
-        It would be too long, or the ending of the name is that of no animation.
+        It would be too long or too large, or the ending of the name is that of no animation.
     StorageError, Stopped
         As `skinsource.export.video.video_file`.
     """
@@ -118,10 +142,10 @@ def export_animation(
     if settings.quantity == LEVELS:
         settings = replace(settings, quantity=Z)
     per_s = frames_per_s(path)
-    camera = _Camera(ExportedDesign(design, view, progress, stop), settings)
+    camera = _Camera(ExportedDesign(design, view, progress, stop), settings, options)
     film = film_of(view, settings, camera.end_s, per_s)
     about = f"SkinSource studio, {camera.words(film)}"
-    with video_file(path, SIZE_PX, about, stop) as add:
+    with video_file(path, camera.size, about, stop) as add:
         for number in range(film.count):
             add(camera.frame(film, number))
             progress(number + 1, film.count, "Drawing frames")
@@ -130,8 +154,16 @@ def export_animation(
 class _Camera:
     """Draws one frame after another."""
 
-    def __init__(self, exported: ExportedDesign, settings: SkinSettings) -> None:
+    def __init__(
+        self,
+        exported: ExportedDesign,
+        settings: SkinSettings,
+        options: PictureOptions | None = None,
+    ) -> None:
         self._exported, self._settings = exported, settings
+        self._options = options or PictureOptions(width_px=SIZE_PX[0], height_px=SIZE_PX[1])
+        self.size = frame_size(self._options)
+        self._caption = caption_of(exported.design)
         self._frames = Frames()
         self._family = QGuiApplication.font().family()
         interpolated = settings.map_style == "interpolated"
@@ -146,8 +178,7 @@ class _Camera:
             px_per_mm=limb.map.hand_length_px / limb.hand_length_mm,
             synthetic=limb.synthetic,
         )
-        width, height = SIZE_PX
-        self._image = QImage(width, height, QImage.Format.Format_RGB888)
+        self._image = QImage(*self.size, QImage.Format.Format_RGB888)
         self._look(exported.view)
 
     @property
@@ -179,15 +210,30 @@ class _Camera:
         pace = f"1/{film.slow_motion:g} of real time"
         note = self._exported.limb.note
         heading = replace(heading, details=f"{heading.details} · {pace}", note=note)
-        painter = QPainter(self._image)
-        size = QSizeF(self._image.size())
-        paint_picture(painter, size, content, heading, LIGHT, self._family)
-        painter.end()
+        self._draw(content, heading)
         rows, columns = self._image.height(), self._image.width()
         lines = np.frombuffer(self._image.constBits(), np.uint8)
         return lines.reshape(rows, self._image.bytesPerLine())[:, : 3 * columns].reshape(
             rows, columns, 3
         )
+
+    def _draw(self, content: MapContent, heading: Heading) -> None:
+        options = self._options
+
+        def draw(painter: QPainter, width: int, height: int, theme: Theme) -> None:
+            size = QSizeF(width, height)
+            paint_picture(painter, size, content, heading, theme, self._family)
+
+        painter = QPainter(self._image)
+        width, height = self.size
+        painter.scale(width / options.width_px, height / options.height_px)
+        font = painter.font()
+        font.setFamily(self._family)
+        painter.setFont(font)
+        with_caption(draw, self._caption)(
+            painter, options.width_px, options.height_px, options.theme
+        )
+        painter.end()
 
     def _look(self, view: View) -> None:
         name = self._settings.quantity

@@ -8,10 +8,10 @@ import numpy as np
 
 from skinsource.arrays import Floats
 from skinsource.choice_words import signal_words
-from skinsource.decibels import decibels
+from skinsource.decibels import decibels, map_range_db
 from skinsource.rendering.in_time import Moving, SlidingEnergy, block_of
 from skinsource.view import View
-from skinsource_gui.panels.skin.level_range import Range, automatic_range
+from skinsource_gui.panels.skin.level_range import Range
 from skinsource_gui.panels.skin.map_quantity import MAGNITUDE, RMS, MapQuantity, Z
 from skinsource_gui.panels.skin.settings import SkinSettings
 
@@ -125,7 +125,7 @@ class Frames:
         return -limit, limit
 
     def _usual_range_db(self) -> Range:
-        return automatic_range(decibels(np.array([self.largest])))
+        return map_range_db(decibels(np.array([self.largest])))
 
 
 def response_time_s(view: View, delay_s: float) -> float:

@@ -1,0 +1,142 @@
+"""Panels in narrow and wide docks: results are never cut, and nothing has to scroll sideways."""
+
+from dataclasses import replace
+
+from PySide6.QtWidgets import (
+    QApplication,
+    QComboBox,
+    QLabel,
+    QStyle,
+    QStyleOptionComboBox,
+    QTableView,
+    QToolButton,
+)
+
+from skinsource_gui.panels.transfer.panel import _usable_words
+from skinsource_gui.widgets.figure.words_label import WordsLabel
+from skinsource_gui.widgets.name_column import SHORT_NAME
+from skinsource_gui.widgets.plot.legend_strip import LegendStrip
+
+WIDTHS = (300, 420, 680)
+OUTPUTS = (29, 30, 33, 35, 38, 52)
+PANELS = (
+    "statistics",
+    "spectrogram",
+    "transfer",
+    "main_axis",
+    "wave",
+    "windowed",
+    "regions",
+    "perception",
+    "actuator",
+    "frequency_and_amplitude",
+)
+
+
+def room_of(combo):
+    option = QStyleOptionComboBox()
+    combo.initStyleOption(option)
+    field = QStyle.SubControl.SC_ComboBoxEditField
+    control = QStyle.ComplexControl.CC_ComboBox
+    return combo.style().subControlRect(control, option, field, combo).width()
+
+
+def cut_words(panel):
+    """What of the words of a panel is not written, or lies outside of it."""
+    found = []
+    seen = [one for one in panel.findChildren(object) if getattr(one, "isVisible", bool)()]
+    for one in seen:
+        if isinstance(one, WordsLabel):
+            if one.shown != one.text or one.height() < one.heightForWidth(one.width()):
+                found.append(one.text)
+        elif isinstance(one, QComboBox) and one.objectName() != "actuator_field":
+            if one.fontMetrics().horizontalAdvance(one.currentText()) > room_of(one):
+                found.append(one.currentText())
+        elif isinstance(one, QLabel):
+            needed = one.heightForWidth(one.width()) if one.wordWrap() else one.sizeHint().height()
+            wide = 0 if one.wordWrap() else one.sizeHint().width()
+            if wide > one.width() or needed > one.height() + 1:
+                found.append(one.text())
+        elif isinstance(one, QToolButton):
+            if one.text() and one.fontMetrics().horizontalAdvance(one.text()) > one.width():
+                found.append(one.text())
+        elif isinstance(one, QTableView):
+            found += cut_cells(one)
+        elif isinstance(one, LegendStrip) and one._named:
+            x, line = one._lines(one.fontMetrics())[-1]
+            if one.height() < (line + 1) * one.fontMetrics().height() or x > one.width():
+                found.append(one.text.lines())
+    return found
+
+
+def cut_cells(table):
+    found = ["scrolls sideways"] if table.horizontalScrollBar().maximum() else []
+    model, header = table.model(), table.horizontalHeader()
+    for column in range(model.columnCount()):
+        width = header.sectionSize(column)
+        for row in range(model.rowCount()):
+            index = model.index(row, column)
+            words = str(index.data(SHORT_NAME) or index.data())
+            if table.fontMetrics().horizontalAdvance(words) > width:
+                found.append(words)
+    return found
+
+
+def test_no_result_is_cut_in_a_dock_of_any_width(window, settle, qtbot):
+    window.document.look(replace(window.document.view, outputs=OUTPUTS))
+    cut = {}
+    for name in PANELS:
+        dock, panel = window.docks[name], window.panel(name)
+        dock.bring_forward()
+        dock.setFloating(True)
+        settle()
+        if name == "regions":
+            qtbot.waitUntil(lambda shown=panel: len(shown.columns) == 6, timeout=60_000)
+        for width in WIDTHS:
+            dock.resize(width, 460)
+            # A height that follows from a width, and what stands below it, take several turns.
+            for _ in range(4):
+                QApplication.processEvents()
+            assert panel.width() <= width, name
+            words = cut_words(panel)
+            if name == "statistics":
+                # Names yield to numbers, and only where they have to.
+                whole = panel.table.fontMetrics().horizontalAdvance("29  II nail rad.")
+                assert (panel.table.columnWidth(0) < whole) == (width == 300)
+            if dock.widget().horizontalScrollBar().maximum():
+                words.append("the dock scrolls sideways")
+            if words:
+                cut[name, width] = words
+        dock.setFloating(False)
+        dock.hide()
+    assert cut == {}
+
+
+def test_words_take_lines_keep_them_while_read_and_count_what_does_not_fit(qtbot):
+    label = WordsLabel("words")
+    qtbot.addWidget(label)
+    line = label.heightForWidth(1000)
+    label.resize(200, line)
+    label.say("first · second")
+    assert label.heightForWidth(200) == line
+    label.say(" · ".join(f"{number}: −20.1, 0.97" for number in range(6)), holding=True)
+    high = label.heightForWidth(200)
+    assert high > 2 * line
+    assert label.shown == label.text
+    label.say("read", holding=True)
+    assert label.heightForWidth(200) == high
+    label.say("found")
+    assert label.heightForWidth(200) == line
+    label.say(" · ".join(f"{number}: −20.1, 0.97" for number in range(72)))
+    shown, _, more = label.shown.rpartition(" · +")
+    assert label.text.startswith(shown)
+    assert len(shown.split(" · ")) + int(more) == 72
+    assert label.toolTip() == label.text
+
+
+def test_outputs_with_the_same_band_are_said_together():
+    class Found:
+        usable_hz = ((27.2, 599.0), (27.4, 598.9), (float("nan"),) * 2, (27.0, 599.3))
+
+    words = _usable_words(Found, (29, 30, 33, 35))
+    assert words.endswith("29, 30, 35: 27–599 Hz · 33: nowhere")
