@@ -16,7 +16,7 @@ from skinsource.errors import SkinSourceError, TooInaccurateError
 from skinsource.packing import citation
 from skinsource.view import View
 from skinsource_gui.files.export_jobs import ExportJobs
-from skinsource_gui.files.exports import EXPORTS, SIZED, WIRED, ExportSpec
+from skinsource_gui.files.exports import EXPORTS, SEEN, SIZED, WIRED, ExportSpec
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.panels.skin.time.animation import MOST_PX
 from skinsource_gui.state.document import Document
@@ -98,6 +98,8 @@ class ExportActions(QObject):
             if options is None:
                 return
             besides[SIZED] = options
+        if SEEN in spec.wants:
+            besides[SEEN] = self._drawer_of("skin").seen
         if WIRED in spec.wants:
             rig = self._preferences.rig_path
             besides[WIRED] = Path(rig) if rig else None

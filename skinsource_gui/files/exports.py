@@ -20,9 +20,9 @@ from skinsource.view import View
 from skinsource_gui.panels.skin.time.animation import SIZE_PX, export_animation
 from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT, IN_USE
 
-#: By name, what a function that writes may want besides: `PictureOptions`, and the path of this
-#: machine's rig, or None.
-SIZED, WIRED = "options", "rig_path"
+#: By name, what a function that writes may want besides: `PictureOptions`, the part of the skin map
+#: that is in sight, and the path of this machine's rig, or None.
+SIZED, SEEN, WIRED = "options", "seen", "rig_path"
 
 
 class Write(Protocol):
@@ -62,7 +62,7 @@ class ExportSpec:
     write
         Computes and writes the file.
     wants
-        What ``write`` is given besides: `SIZED` is asked of the user before, `WIRED` is known.
+        What ``write`` is given besides: `SIZED` is asked of the user before, the others are known.
     panel, size_px
         The panel whose picture is saved, and width and height of that.
     enabled
@@ -159,7 +159,7 @@ EXPORTS: tuple[ExportSpec, ...] = (
         kinds=(("MP4", ".mp4"), ("WebM", ".webm"), ("GIF", ".gif")),
         hint="Save the skin map in time, in slow motion, as MP4, WebM or GIF",
         write=export_animation,
-        wants=frozenset({SIZED}),
+        wants=frozenset({SIZED, SEEN}),
         size_px=SIZE_PX,
         keywords="video film movie wave gif mp4 webm slow motion time",
     ),

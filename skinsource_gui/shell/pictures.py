@@ -9,6 +9,7 @@ from PySide6.QtGui import QColor, QFont, QPainter
 from PySide6.QtWidgets import QApplication, QWidget
 
 from skinsource_gui.panel import Panel
+from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.state.document import Document
 from skinsource_gui.theme import LIGHT, Theme, apply_theme
@@ -50,13 +51,15 @@ class PanelPictures:
         """The picture of a panel, `IN_USE` or `ALL_IN_SIGHT`, with the stimulus in its caption."""
         self._catch_up()
         caption = caption_of(self._document.design)
+        panel: Panel | None = None
         if name == ALL_IN_SIGHT:
             draw, size = self._draw_all, (self._frame.width(), self._frame.height())
         else:
             panel = self._in_use() if name == IN_USE else self._named(name)
             draw = partial(self._draw_one, panel)
             size = None if name != IN_USE else (2 * panel.width(), 2 * panel.height())
-        return WholePicture(draw=with_caption(draw, caption), size_px=size)
+        seen = panel.map.seen if isinstance(panel, SkinPanel) else None
+        return WholePicture(draw=with_caption(draw, caption), size_px=size, seen=seen)
 
     def _named(self, name: str) -> Panel:
         return next(panel for panel in self._panels if panel.name == name)

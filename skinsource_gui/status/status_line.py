@@ -1,8 +1,8 @@
 """The line under the panels: what the last edit cost, what it computed, how wrong it can be."""
 
-from PySide6.QtCore import QTimer, Signal
-from PySide6.QtGui import QPalette
-from PySide6.QtWidgets import QHBoxLayout, QWidget
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QPalette, QShowEvent
+from PySide6.QtWidgets import QHBoxLayout, QStatusBar, QWidget
 
 from skinsource.design import Design, audible_inputs
 from skinsource.rendering.check import TraceError
@@ -131,6 +131,18 @@ class StatusLine(QWidget):
         if not self._pause.isActive():
             self._say()
             self._pause.start()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        QTimer.singleShot(0, self, self._give_way)
+
+    def _give_way(self) -> None:
+        """Leave the bar to a message: Qt shows both when it lays the bar out anew."""
+        bar = self.parent()
+        if isinstance(bar, QStatusBar) and bar.currentMessage():
+            self.hide()
+            # As the bar itself hides it, so that it comes back with the end of the message.
+            self.setAttribute(Qt.WidgetAttribute.WA_WState_ExplicitShowHide, False)
 
     def _say(self) -> None:
         scope = self.scope

@@ -34,7 +34,8 @@ class BesideOrBelow(QWidget):
                 else:
                     row.addWidget(part)
             self._rows.append(row)
-            self._box.addLayout(row, 1)
+            # What is left over belongs to the last group.
+            self._box.addLayout(row, int(len(self._rows) == len(groups)))
 
     @property
     def folded(self) -> bool:

@@ -297,7 +297,8 @@ def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_this_machine(
     window, answers, wait, monkeypatch, write_with, tmp_path
 ):
     given, asked = [], []
-    write_with("animation", lambda path, *_, **besides: given.append(besides["options"]))
+    window.panel("skin").map.pan_zoom.show("hand")
+    write_with("animation", lambda *_, options, seen, **more: given.append((options, seen.fit)))
     wanted = PictureOptions(width_px=640, height_px=480, colours="dark")
 
     def ask(_window, usual, *, kinds, most_px):
@@ -309,7 +310,7 @@ def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_this_machine(
     window.do("export_animation")
     wait()
     assert asked == [(900, 1200, "MP4, WebM or GIF", 4096)]
-    assert given == [wanted]
+    assert given == [(wanted, "hand")]
     # The next time it begins with these; cancelled, nothing is asked or written any more.
     answers["options"] = None
     window.do("export_animation")

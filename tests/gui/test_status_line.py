@@ -288,3 +288,14 @@ def test_words_that_are_shorter_than_their_room_end_beside_what_follows(qtbot):
     ]
     assert inked[0] > 30
     assert inked[-1] > image.width() - 10
+
+
+def test_a_message_has_the_line_for_itself_also_when_words_become_larger(window, settle, qtbot):
+    line, bar = window.status_line, window.statusBar()
+    bar.showMessage("Opened a scene")
+    window.do("arrange_presentation")
+    settle()
+    qtbot.waitUntil(lambda: not line.isVisible())
+    assert bar.currentMessage() == "Opened a scene"
+    bar.clearMessage()
+    qtbot.waitUntil(line.isVisible)

@@ -135,7 +135,10 @@ def _paint_axis(painter: QPainter, area: QRectF, top: float, theme: Theme) -> No
         painter.drawText(beside, _RIGHT, f"{part * top:g}")
     painter.setPen(QColor(theme.dim))
     below = QRectF(area.left(), area.bottom() + 0.15 * line, area.width(), line)
-    painter.drawText(below, _CENTRE, "mm from the input, window by window")
+    words = "mm from the input, window by window"
+    if painter.fontMetrics().horizontalAdvance(words) > below.width():
+        words = "mm from the input"
+    painter.drawText(below, _CENTRE, words)
 
 
 def _rounded_up(value: float) -> float:

@@ -18,7 +18,10 @@ class WholePicture:
         Draws it, with a ``theme`` for its colours.
     size_px
         Width and height that it usually has; None: whoever wants it knows.
+    seen
+        What part of it is in sight, for whoever draws the same by other means; None: all of it.
     """
 
     draw: Draw
     size_px: tuple[int, int] | None = None
+    seen: object | None = None

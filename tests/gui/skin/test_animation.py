@@ -14,6 +14,7 @@ from skinsource.export.video import video_file
 from skinsource.job import never
 from skinsource.panel_settings import with_settings
 from skinsource.view import View
+from skinsource_gui.panels.skin.map_layout import SeenPart
 from skinsource_gui.panels.skin.map_quantity import MAGNITUDE, RMS, Z
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.time import animation
@@ -129,12 +130,13 @@ def test_the_settings_of_the_panel_are_those_of_the_film(tmp_path, small, monkey
     monkeypatch.setattr(
         animation,
         "paint_picture",
-        lambda painter, size, content, heading, theme, family: seen.append((content, heading)),
+        lambda painter, size, content, heading, *look: seen.append((content, heading, look)),
     )
     settings = SkinSettings(quantity=RMS, rms_window_s=0.05, moving_range_db=(-60.0, -10.0))
     view = with_settings(replace(VIEW, slow_motion=10.0), "skin", settings)
-    export_animation(tmp_path / "a.gif", DESIGN, view)
-    content, heading = seen[0]
+    export_animation(tmp_path / "a.gif", DESIGN, view, seen=SeenPart(fit="hand"))
+    content, heading, look = seen[0]
+    assert look[-1] == SeenPart(fit="hand")
     assert content.value_range == (-60.0, -10.0)
     assert heading.title == "Skin acceleration, RMS over 50 ms, at 60.0 ms"
     assert heading.details.endswith("1/10 of real time")

@@ -18,6 +18,7 @@ from skinsource.panel_settings import settings_of
 from skinsource.rendering.in_time import block_of
 from skinsource.view import View
 from skinsource_gui.panels.skin.map_content import MapContent
+from skinsource_gui.panels.skin.map_layout import ALL, SeenPart
 from skinsource_gui.panels.skin.map_picture import Heading, heading_of, paint_picture
 from skinsource_gui.panels.skin.map_quantity import DIVERGING, LEVELS, MAGNITUDE, RMS, Z
 from skinsource_gui.panels.skin.settings import SkinSettings
@@ -117,6 +118,7 @@ def export_animation(
     view: View,
     *,
     options: PictureOptions | None = None,
+    seen: SeenPart | None = None,
     progress: Progress = silent,
     stop: Stop = never,
     largest_error: float = np.inf,
@@ -125,7 +127,7 @@ def export_animation(
 
     What is shown, over which colours and how slowly is as the skin panel has it; where that shows
     levels, the acceleration along z.  The piece is that of the time axes.  ``options`` say how
-    large it is and on which ground.
+    large it is and on which ground, ``seen`` which part of the map; all of it unless given.
 
     Raises
     ------
@@ -142,7 +144,7 @@ def export_animation(
     if settings.quantity == LEVELS:
         settings = replace(settings, quantity=Z)
     per_s = frames_per_s(path)
-    camera = _Camera(ExportedDesign(design, view, progress, stop), settings, options)
+    camera = _Camera(ExportedDesign(design, view, progress, stop), settings, options, seen)
     film = film_of(view, settings, camera.end_s, per_s)
     about = f"SkinSource studio, {camera.words(film)}"
     with video_file(path, camera.size, about, stop) as add:
@@ -159,7 +161,9 @@ class _Camera:
         exported: ExportedDesign,
         settings: SkinSettings,
         options: PictureOptions | None = None,
+        seen: SeenPart | None = None,
     ) -> None:
+        self._seen = seen or ALL
         self._exported, self._settings = exported, settings
         self._options = options or PictureOptions(width_px=SIZE_PX[0], height_px=SIZE_PX[1])
         self.size = frame_size(self._options)
@@ -222,7 +226,7 @@ class _Camera:
 
         def draw(painter: QPainter, width: int, height: int, theme: Theme) -> None:
             size = QSizeF(width, height)
-            paint_picture(painter, size, content, heading, theme, self._family)
+            paint_picture(painter, size, content, heading, theme, self._family, self._seen)
 
         painter = QPainter(self._image)
         width, height = self.size
