@@ -128,6 +128,7 @@ _PACKAGES = (
     "perception",
     "plot",
     "recordings",
+    "rig_measuring",
     "rigs",
     "scenes",
     "sweeps",

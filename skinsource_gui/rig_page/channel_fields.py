@@ -29,8 +29,9 @@ class ChannelFields(QObject):
     ----------
     widget
         Where they stand.
-    measured, from_file, forget
-        What is known of the response, and the buttons that take one from a file or forget it.
+    measured, measure, from_file, forget
+        What is known of the response, and the buttons that measure it, take it from a file, or
+        forget it.
     """
 
     #: The new `RigChannel`.
@@ -55,6 +56,11 @@ class ChannelFields(QObject):
             "Response from a file…",
             "A table with frequency_hz, gain and phase, or sound with the voltage of a sweep and "
             "what the accelerometer said",
+        )
+        self.measure = _button(
+            "rig_measure",
+            "Measure…",
+            "Play a sweep on this output, and record an accelerometer on an input of the device",
         )
         self.forget = _button("rig_forget", "Forget the response", "As if it was not measured")
         self.widget = self._laid_out()
@@ -92,7 +98,8 @@ class ChannelFields(QObject):
         own.show_cells([self._cells[name] for name in _OWN])
         limits.show_cells([cell for name, cell in self._cells.items() if name.startswith(_LIMIT)])
         heading = QLabel("Limits at the actuator; 0: not known")
-        for part in (own, self.measured, self.from_file, self.forget, heading, limits):
+        parts = (own, self.measured, self.measure, self.from_file, self.forget, heading, limits)
+        for part in parts:
             column.addWidget(part)
         column.addStretch(1)
         return found
@@ -117,9 +124,9 @@ class ChannelFields(QObject):
             self.edited.emit(after)
 
 
-def title_of(channel: RigChannel) -> str:
-    """Words for a channel in a list."""
-    return f"{channel.place} · {input_words(channel.place).name}, output {channel.output}"
+def title_of(channel: RigChannel, limb: str) -> str:
+    """Words for a channel in a list; places are called what the limb calls them."""
+    return f"{channel.place} · {input_words(channel.place, limb).name}, output {channel.output}"
 
 
 def _cell(name: str, spec: Spec) -> FieldCell:

@@ -7,13 +7,21 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from skinsource.actuators import MeasuredResponse
+from skinsource.design import Design
 from skinsource.errors import InvalidInputError, SkinSourceError
-from skinsource.limb import N_INPUTS
+from skinsource.own_limbs import facts_of
 from skinsource.rigs import Rig, RigChannel, open_rig, save_rig
 
 
 class RigDraft(QObject):
     """A rig, changed channel by channel; what cannot be is refused.
+
+    Parameters
+    ----------
+    rig, path
+        What is edited at first, and its file; None: a new one.
+    design
+        Its places are those that are wired first, and its limb has the others.
 
     Attributes
     ----------
@@ -26,8 +34,11 @@ class RigDraft(QObject):
     #: What there is to say.
     said = Signal(str)
 
-    def __init__(self, rig: Rig | None, path: Path | None, parent: QObject) -> None:
+    def __init__(self, rig: Rig | None, path: Path | None, design: Design, parent: QObject) -> None:
         super().__init__(parent)
+        driven = (one.location for one in design.inputs)
+        every = range(1, facts_of(design.limb).n_inputs + 1)
+        self._places = tuple(dict.fromkeys((*driven, *every)))
         self.rig = self._saved = rig or Rig()
         self.path = path
 
@@ -50,11 +61,11 @@ class RigDraft(QObject):
         self._change(tuple(channels), row, row)
 
     def add(self, row: int) -> None:
-        """Add a channel for the next place and output that are free."""
+        """Add a channel for the next place, of the design first, and output that are free."""
         there = self.rig.channels
         last = there[-1] if there else None
         places = {one.place for one in there}
-        free = [place for place in range(1, N_INPUTS + 1) if place not in places]
+        free = [place for place in self._places if place not in places]
         if not free:
             self.said.emit("All places are wired already.")
             return

@@ -33,13 +33,14 @@ from skinsource.quoting import sentence
 from skinsource.rigs import SUFFIX
 from skinsource_gui.rig_page.channel_fields import ChannelFields, title_of
 from skinsource_gui.rig_page.draft import RigDraft
+from skinsource_gui.rig_page.measure_page import MeasurePage
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing.sound_settings import SoundSettings
 from skinsource_gui.state.playing.sound_thread import SoundThread
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.rig_field import RESPONSE_FILES
 
 _KINDS = f"Rigs (*{SUFFIX});;All files (*)"
-_RESPONSES = "Tables and sounds (*.csv *.txt *.npy *.npz *.mat *.h5 *.wav *.flac);;All files (*)"
 _ENDS = (("open", "Open…"), ("save", "Save…"), ("close", "Close"))
 _NOTHING = "No channel yet: add one for each actuator."
 
@@ -75,9 +76,10 @@ class RigPage(QDialog):
         self.setWindowTitle("Rig")
         self.resize(860, 640)
         self._document, self._settings, self._thread = document, settings, SoundThread(self)
+        self._theme = theme
         settings.look_for_rig()
         path = settings.rig_path if settings.rig is not None else None
-        self.draft = RigDraft(settings.rig, path, self)
+        self.draft = RigDraft(settings.rig, path, document.design, self)
         self._title = QLineEdit()
         self._title.setObjectName("rig_title")
         self._title.setAccessibleName("Title")
@@ -142,6 +144,7 @@ class RigPage(QDialog):
         )
         self.fields.refused.connect(self._say)
         self.fields.from_file.clicked.connect(self._ask_response)
+        self.fields.measure.clicked.connect(self._measure)
         self.fields.forget.clicked.connect(partial(self._take_response, None))
         for name, method in (
             ("add", self._add),
@@ -160,7 +163,8 @@ class RigPage(QDialog):
             self._title.setText(draft.rig.title)
         with QSignalBlocker(self.channels):
             self.channels.clear()
-            self.channels.addItems([title_of(one) for one in channels])
+            limb = self._document.design.limb
+            self.channels.addItems([title_of(one, limb) for one in channels])
             self.channels.setCurrentRow(min(row, len(channels) - 1))
         self._show_channel(self.channels.currentRow())
         self.button("remove").setEnabled(bool(channels))
@@ -181,10 +185,18 @@ class RigPage(QDialog):
         self.draft.remove(self.channels.currentRow())
 
     def _ask_response(self) -> None:
-        name, _ = QFileDialog.getOpenFileName(self, "Response of the actuator", "", _RESPONSES)
+        name, _ = QFileDialog.getOpenFileName(self, "Response of the actuator", "", RESPONSE_FILES)
         if name:
             self._say("Reading…")
             self._thread.do(partial(open_response, Path(name)), self._take_response)
+
+    def _measure(self) -> None:
+        """Open the page that measures this channel."""
+        row = self.channels.currentRow()
+        channel = self.draft.rig.channels[row]
+        page = MeasurePage(channel, self._settings, self._theme(), self)
+        page.kept.connect(lambda found: self._take_response(found.response))
+        page.open()
 
     def _take_response(
         self, found: MeasuredResponse | None, error: SkinSourceError | None = None

@@ -3,12 +3,12 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 
+from skinsource.actuator_demand import ActuatorSettings
 from skinsource.analysis.settings import SpectrogramSettings
 from skinsource.fields import specs_of
 from skinsource.perception.settings import PerceptionSettings
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.actuator.panel import ActuatorPanel
-from skinsource_gui.panels.actuator.settings import ActuatorSettings
 from skinsource_gui.panels.clip_editor.panel import ClipEditorPanel
 from skinsource_gui.panels.compare.panel import ComparePanel
 from skinsource_gui.panels.frequency_and_amplitude.panel import FrequencyAndAmplitudePanel

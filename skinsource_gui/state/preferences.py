@@ -80,6 +80,8 @@ class Preferences:
     output_text = _Text("output")
     #: Rig file of this machine; empty: none.
     rig_path = _Text("rig")
+    #: The accelerometer that actuators are measured with, and the sweep; empty at first.
+    sensor_text = _Text("sensor")
     #: How a stimulus was exported last, see the page of stimuli; empty at first.
     export_text = _Text("export")
 

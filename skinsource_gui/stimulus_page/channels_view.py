@@ -120,8 +120,8 @@ class ChannelsView(QWidget):
 def words_of(one: ChannelOverview) -> list[str]:
     """Lines on a channel: what it is, how strong, and what would be cut off."""
     title = one.title if one.place is None else f"Place {one.place}, {one.title}"
-    peak = "silent" if one.peak == 0.0 else f"peak {20.0 * np.log10(one.peak):.1f} dB"
-    rms = "" if one.rms == 0.0 else f", RMS {20.0 * np.log10(one.rms):.1f} dB"
+    peak = "silent" if one.peak == 0.0 else f"peak {20.0 * np.log10(one.peak):z.1f} dB"
+    rms = "" if one.rms == 0.0 else f", RMS {20.0 * np.log10(one.rms):z.1f} dB"
     words = [f"{one.number}  {title}", f"{peak}{rms}".replace("-", "\u2212")]
     if one.clipped:
         words.append(f"{one.clipped} sample{'' if one.clipped == 1 else 's'} would clip")

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from skinsource.design import Design
 from skinsource.quoting import sentence
+from skinsource.rigs.sending import UNCALIBRATED
 from skinsource.stimulus_export import Overview
 from skinsource.view import View
 from skinsource_gui.stimulus_page.channels_view import ChannelsView
@@ -40,6 +41,8 @@ class StimulusPage(QDialog):
         Gives the colours in use.
     kept
         How the last one was exported, as ``chosen`` told.
+    machine_rig
+        Rig file that this machine plays for; empty: none.
     """
 
     #: The `Order`; whether what clips was confirmed; what is remembered for the next one.
@@ -52,6 +55,7 @@ class StimulusPage(QDialog):
         theme: Callable[[], Theme],
         parent: QWidget | None = None,
         kept: str = "",
+        machine_rig: str = "",
     ) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -73,7 +77,8 @@ class StimulusPage(QDialog):
         self._lay_out()
         self._worker = PreparingWorker(design, self)
         self._connect()
-        recall(self.form, kept)
+        recall(self.form, kept, machine_rig)
+        self._machine_rig = machine_rig
         self.form.want()
 
     @property
@@ -88,7 +93,8 @@ class StimulusPage(QDialog):
 
     def done(self, result: int) -> None:
         """Close it, with or without an export."""
-        order, confirmed, kept = self._shown, self._confirm.isChecked(), remembered(self.form)
+        order, confirmed = self._shown, self._confirm.isChecked()
+        kept = remembered(self.form, self._machine_rig)
         self._worker.close()
         super().done(result)
         if result == QDialog.DialogCode.Accepted and order is not None:
@@ -188,16 +194,28 @@ def summary_of(overview: Overview) -> str:
     many = "" if overview.n_files == 1 else f" in {overview.n_files} files"
     rate = f"{overview.rate_hz:,g}".replace(",", " ")
     unit = "" if overview.unit == "1" else f" {overview.unit}"
+    # What the design wants is no volts of a device before a rig says so.
+    stands = "shall be" if _wants_volts(overview) else "is"
     return (
         f"{n} channel{'' if n == 1 else 's'}{many}, {overview.duration_s:.4g} s at "
-        f"{rate} Hz, about {bytes_in_words(overview.n_bytes)}. Full scale is "
+        f"{rate} Hz, about {bytes_in_words(overview.n_bytes)}. Full scale {stands} "
         f"{overview.full_scale:.4g}{unit}."
     )
 
 
 def calibration_of(overview: Overview) -> str:
     """Whether accelerations follow from the samples, as a sentence."""
+    if _wants_volts(overview):
+        return (
+            "Uncalibrated: no rig says how many volts output and amplifier give. Choose one, or "
+            "set the amplifier so that full scale is as many."
+        )
     return sentence(f"{overview.calibration[:1].upper()}{overview.calibration[1:]}")
+
+
+def _wants_volts(overview: Overview) -> bool:
+    """Whether volts are known that the actuators shall get, and none that they will."""
+    return overview.unit == "V" and overview.calibration == UNCALIBRATED
 
 
 def bytes_in_words(n_bytes: int) -> str:

@@ -18,27 +18,30 @@ _BOXES = ("sync", "dither")
 _MOST_CHARACTERS = 10_000
 
 
-def remembered(form: StimulusForm) -> str:
-    """Write down how ``form`` exports."""
+def remembered(form: StimulusForm, machine_rig: str = "") -> str:
+    """Write down how ``form`` exports, and for which rig this machine played then."""
     held: dict[str, Any] = {}
     for name in (*_LISTS, *_NUMBERS, *_BOXES):
         held[name] = _value(form.field(name))
     held["choices"] = form.chosen
     held["rig"] = "" if form.rigs.path is None else str(form.rigs.path)
+    held["machine_rig"] = machine_rig
     return json.dumps(held)
 
 
-def recall(form: StimulusForm, text: str) -> None:
-    """Let ``form`` export as it was written down; what is not known is left as it is."""
-    try:
-        held = json.loads(text[:_MOST_CHARACTERS]) if text else {}
-    except (ValueError, RecursionError):
-        # Another version of the studio wrote it.
+def recall(form: StimulusForm, text: str, machine_rig: str = "") -> None:
+    """Let ``form`` export as it was written down; what is not known is left as it is.
+
+    A rig that this machine has played for only since then goes before the one of then.
+    """
+    held = _held(text)
+    rig = held.get("rig")
+    if machine_rig and machine_rig != held.get("machine_rig"):
+        rig = machine_rig
+    if rig and isinstance(rig, str):
+        form.rigs.take(Path(rig))
+    if not held:
         return
-    if not isinstance(held, dict):
-        return
-    if held.get("rig") and isinstance(held["rig"], str):
-        form.rigs.take(Path(held["rig"]))
     # The format first: it decides which choices there are.
     _put(form.field("format"), held.get("format"))
     form.take_format()
@@ -48,6 +51,15 @@ def recall(form: StimulusForm, text: str) -> None:
             _put(form.field(name), value)
     for name in (*_LISTS[1:], *_NUMBERS, *_BOXES):
         _put(form.field(name), held.get(name))
+
+
+def _held(text: str) -> dict[str, Any]:
+    """What was written down; nothing where another version of the studio wrote it."""
+    try:
+        held = json.loads(text[:_MOST_CHARACTERS]) if text else {}
+    except (ValueError, RecursionError):
+        return {}
+    return held if isinstance(held, dict) else {}
 
 
 def _value(widget: QWidget) -> Any:

@@ -58,7 +58,8 @@ class StimulusActions(QObject):
         page_module = importlib.import_module("skinsource_gui.stimulus_page.page")
         design, view = self._document.design, self._document.view
         kept = self._preferences.export_text
-        page = page_module.StimulusPage(design, view, self._theme, self._window, kept)
+        rig = self._preferences.rig_path
+        page = page_module.StimulusPage(design, view, self._theme, self._window, kept, rig)
         page.chosen.connect(partial(self._export, design))
         page.finished.connect(self._forget_page)
         self.page = page

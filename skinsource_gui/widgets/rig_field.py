@@ -15,6 +15,10 @@ _SPEC = ChoiceSpec(
     hint="What is wired to what: polarity, volts, limits, calibration",
 )
 _KEPT = "kept"
+#: What a measured response is opened from, as file dialogs want it.
+RESPONSE_FILES = (
+    "Tables and sounds (*.csv *.txt *.npy *.npz *.mat *.h5 *.wav *.flac);;All files (*)"
+)
 
 
 class RigField(ChoiceField):

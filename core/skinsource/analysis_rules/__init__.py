@@ -2,8 +2,10 @@
 
 from typing import Any
 
+from skinsource.actuator_demand import ActuatorSettings
 from skinsource.analysis.settings import SpectrogramSettings
 from skinsource.analysis_rules import (
+    actuator_rules,
     noise_rules,
     output_rules,
     perception_rules,
@@ -14,7 +16,7 @@ from skinsource.panel_settings import settings_of
 from skinsource.perception.settings import PerceptionSettings
 from skinsource.view import View
 
-_MODULES = (noise_rules, output_rules, wave_rules, validity_rules, perception_rules)
+_MODULES = (noise_rules, output_rules, wave_rules, validity_rules, perception_rules, actuator_rules)
 RULES = tuple(rule for module in _MODULES for rule in module.RULES)
 
 
@@ -22,5 +24,6 @@ def choices_of(view: View) -> dict[str, Any]:
     """What of a view only these rules start from, by name."""
     return {
         "spectrogram_settings": settings_of(view, "spectrogram", SpectrogramSettings),
+        "actuator_settings": settings_of(view, "actuator", ActuatorSettings),
         "perception_settings": settings_of(view, "perception", PerceptionSettings),
     }

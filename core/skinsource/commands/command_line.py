@@ -14,6 +14,7 @@ from skinsource.commands import (
     figure_commands,
     limb_commands,
     pack_command,
+    rig_commands,
     scene_commands,
     sweep_commands,
 )
@@ -35,6 +36,7 @@ COMMAND_MODULES = (
     dataset_commands,
     bench_commands,
     limb_commands,
+    rig_commands,
 )
 
 _FAILED, _STOPPED = 1, 130

@@ -6,14 +6,11 @@ from numpy.typing import ArrayLike
 
 from skinsource.actuators import MeasuredResponse
 from skinsource.arguments import finite_array, positive_number
-from skinsource.arrays import Floats, Indices
 from skinsource.errors import InvalidInputError
+from skinsource.measuring.bands import Bands
 
-_POINTS = 240
 #: Frequencies at which the voltage has less than this part of its largest density say nothing.
 _HEARD = 1e-2
-# A point takes in a twentieth of an octave to either side, and at least three frequencies.
-_HALF_WIDTH = 2.0 ** (1.0 / 20.0)
 
 
 def response_from_sweep(
@@ -58,25 +55,14 @@ def response_from_sweep(
     # Silence behind, so that what rings does not come round to the beginning.
     length = scipy.fft.next_fast_len(2 * driven.size, real=True)
     source = scipy.fft.rfft(driven, length)
-    energy = np.cumsum(np.concatenate(([0.0], np.abs(source) ** 2)))
-    cross = np.cumsum(np.concatenate(([0.0], source.conj() * scipy.fft.rfft(moved, length))))
-    centre_hz = np.geomspace(low_hz, high_hz, _POINTS)
-    first, last = _around(centre_hz, rate_hz / length, source.size)
-    summed = energy[last + 1] - energy[first]
-    density = summed / (last + 1 - first)
+    bands = Bands.between((low_hz, high_hz), rate_hz / length, source.size)
+    summed = bands.sums(np.abs(source) ** 2)
+    density = summed / bands.counts
     heard = density > _HEARD**2 * density.max(initial=0.0)
     if density.max(initial=0.0) == 0.0 or heard.sum() < 2:
         raise InvalidInputError(
             f"the voltage holds next to nothing from {low_hz:g} to {high_hz:g} Hz; measure with a "
             "sweep over that band"
         )
-    response = (cross[last + 1] - cross[first])[heard] / summed[heard]
-    return MeasuredResponse.of(centre_hz[heard], response)
-
-
-def _around(centre_hz: Floats, step_hz: float, n: int) -> tuple[Indices, Indices]:
-    """First and last of ``n`` frequencies ``step_hz`` apart that each point takes in."""
-    middle = np.rint(centre_hz / step_hz).astype(np.intp)
-    first = np.ceil(centre_hz / _HALF_WIDTH / step_hz).astype(np.intp)
-    last = np.floor(centre_hz * _HALF_WIDTH / step_hz).astype(np.intp)
-    return np.minimum(first, middle - 1).clip(1), np.maximum(last, middle + 1).clip(max=n - 1)
+    cross = bands.sums(source.conj() * scipy.fft.rfft(moved, length))
+    return MeasuredResponse.of(bands.centre_hz[heard], cross[heard] / summed[heard])

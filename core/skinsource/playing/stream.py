@@ -10,14 +10,12 @@ from skinsource.playing.block import next_block
 from skinsource.playing.deck import Deck
 from skinsource.playing.devices import Device
 from skinsource.playing.mix import Frames
+from skinsource.playing.refusals import refusal
 from skinsource.playing.sounding import sound_library
 from skinsource.playing.timing import Delay, HeardPosition
-from skinsource.quoting import printable
 
 #: What a device asks for at once.
 BLOCK_S = 0.005
-# What PortAudio calls them.
-_WRONG_RATE, _TOO_MANY_CHANNELS, _UNAVAILABLE = -9997, -9998, -9985
 _GONE_AFTER_S = 2.0
 _LONGEST_WAIT_S = 1.0
 
@@ -75,7 +73,8 @@ class Stream:
                 finished_callback=self._finish,
             )
         except self._library.PortAudioError as error:
-            raise PlaybackError(_refusal(error, device, deck)) from error
+            words = refusal(error, device, deck.sample_rate_hz, deck.n_outputs)
+            raise PlaybackError(words) from error
 
     def start(self) -> None:
         """Begin.
@@ -90,7 +89,8 @@ class Stream:
             self._stream.start()
         except self._library.PortAudioError as error:
             self.close()
-            raise PlaybackError(_refusal(error, self.device, self.deck)) from error
+            words = refusal(error, self.device, self.deck.sample_rate_hz, self.deck.n_outputs)
+            raise PlaybackError(words) from error
 
     def close(self) -> None:
         """Fall silent, and let go of the device."""
@@ -137,25 +137,3 @@ class Stream:
             self._taken_s, self._inside_s = deck.taken_s, inside_s
         if deck.silent:
             raise self._library.CallbackStop
-
-
-def _refusal(error: Any, device: Device, deck: Deck) -> str:
-    """Say what a device does not take, and what to do."""
-    code = error.args[1] if len(error.args) > 1 else 0
-    if code == _WRONG_RATE:
-        return (
-            f"{device.name} does not take {deck.sample_rate_hz} Hz; it prefers "
-            f"{device.sample_rate_hz} Hz. Choose another rate."
-        )
-    if code == _TOO_MANY_CHANNELS:
-        return (
-            f"{device.name} does not take {deck.n_outputs} outputs. Mute what has no actuator, "
-            "give it another output, or choose another device."
-        )
-    if code == _UNAVAILABLE:
-        return (
-            f"{device.name} is not free: another program uses it, or it was taken away. Close that "
-            "program, or choose another device."
-        )
-    reason = printable(error.args[0] if error.args else error)
-    return f"{device.name} cannot be played on: {reason}. Choose another device."

@@ -5,8 +5,8 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
+from skinsource.actuator_demand import ActuatorSettings, actuator_spec
 from skinsource.fields import NumberSpec, Spec, specs_of
-from skinsource_gui.panels.actuator.settings import ActuatorSettings, actuator_spec
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
@@ -34,6 +34,8 @@ class ActuatorChoices(QObject):
 
     #: The new `ActuatorSettings`, number of the gesture or None.
     changed = Signal(object, object)
+    #: A response that was measured shall be opened.
+    measured_wanted = Signal()
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -41,7 +43,7 @@ class ActuatorChoices(QObject):
         self._settings, self._predicted = ActuatorSettings(), False
         self._shown: tuple[object, ...] | None = None
         self._cells: tuple[FieldCell, ...] = ()
-        self._kept: dict[str, FieldCell] = {}
+        self._kept: dict[tuple[str, Spec], FieldCell] = {}
         self.grid, self._parameters = FieldGrid(), FieldGrid()
         self.details = QWidget()
         self.about = QLabel()
@@ -52,12 +54,20 @@ class ActuatorChoices(QObject):
         self.reset.setObjectName("actuator_reset")
         self.reset.setToolTip("Give all parameters back the values that the library lists")
         self.reset.clicked.connect(self._reset)
+        self.open = QPushButton("Measured response…")
+        self.open.setObjectName("actuator_open")
+        self.open.setToolTip(
+            "From a table with frequency_hz, gain and phase, or from sound with the voltage of a "
+            "sweep and what the accelerometer said"
+        )
+        self.open.clicked.connect(self.measured_wanted)
         column = QVBoxLayout(self.details)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(UNIT_PX // 2)
         column.addWidget(self._parameters)
         column.addWidget(self.about)
         column.addWidget(self.reset, 0, Qt.AlignmentFlag.AlignLeft)
+        column.addWidget(self.open, 0, Qt.AlignmentFlag.AlignLeft)
 
     def cell(self, name: str) -> FieldCell:
         """The cell of a setting, or of ``"parameter "`` and a field of the model."""
@@ -67,7 +77,8 @@ class ActuatorChoices(QObject):
         """Show these settings; ``predicted``: amplitudes have a unit of their own."""
         self._settings, self._predicted = settings, predicted
         model = settings.model
-        shown = (type(model), settings.equaliser if model is not None else None, predicted)
+        equaliser = settings.equaliser if model is not None else None
+        shown = (type(model), equaliser, predicted, settings.measured_title)
         if shown != self._shown:
             self._shown = shown
             self._build()
@@ -89,7 +100,7 @@ class ActuatorChoices(QObject):
     def _build(self) -> None:
         """Show the cells that there are now; each is made once, and those not shown are hidden."""
         model = self._settings.model
-        wanted: dict[str, Spec] = {"actuator": actuator_spec()}
+        wanted: dict[str, Spec] = {"actuator": actuator_spec(self._settings.measured_title)}
         if model is not None:
             own = specs_of(self._settings)
             names = ("equaliser", *_OF_EQUALISER[self._settings.equaliser])
@@ -101,12 +112,12 @@ class ActuatorChoices(QObject):
                 if isinstance(spec, NumberSpec)
             }
         for name, spec in wanted.items():
-            if name not in self._kept:
+            if (name, spec) not in self._kept:
                 cell = FieldCell(name, spec)
                 cell.edited.connect(self._edit)
                 cell.show_theme(self._theme)
-                self._kept[name] = cell
-        self._cells = tuple(self._kept[name] for name in wanted)
+                self._kept[name, spec] = cell
+        self._cells = tuple(self._kept[one] for one in wanted.items())
         own = tuple(cell for cell in self._cells if cell.name.startswith(_PARAMETER))
         self.grid.show_cells([cell for cell in self._cells if cell not in own])
         self._parameters.show_cells(own)

@@ -3,8 +3,9 @@
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
+from skinsource.actuator_demand import LONGEST_S, ActuatorSettings, Demand
 from skinsource.locations import input_words
-from skinsource_gui.panels.actuator.figures import LONGEST_S, Figures
+from skinsource_gui.panels.actuator.figures import Figure, rows_of
 from skinsource_gui.panels.actuator.figures_table import FiguresTable
 from skinsource_gui.theme import UNIT_PX, Theme
 
@@ -45,20 +46,23 @@ class FiguresView(QWidget):
         column.addWidget(self.centred, 0, Qt.AlignmentFlag.AlignLeft)
         column.addWidget(self.table)
 
-    def show_figures(self, found: Figures, *, trusted: bool, tap: bool, limb: str = "") -> None:
-        """Show figures; ``trusted``: the gain is calibrated; ``tap``: a tap could be replaced."""
-        self.table.show_figures(found.rows)
+    def show_demand(
+        self, found: Demand, settings: ActuatorSettings, *, tap: bool, limb: str = ""
+    ) -> None:
+        """Show the figures of an actuator; ``tap``: a tap could be replaced by another."""
+        rows = () if found.figures is None else rows_of(settings, found.figures)
+        self.table.show_figures(rows)
         reason = found.refusal or ("" if found.place is not None else _NOTHING)
         self.refusal.setText(reason)
         self.refusal.setVisible(bool(reason))
-        beyond = _beyond(found)
+        beyond = _beyond(rows)
         self.limits.setText(beyond)
         self.limits.setVisible(bool(beyond))
         self.centred.setVisible(found.leaves_velocity and tap)
         words = "" if found.place is None else f"Place {found.place}, "
         words += "" if found.place is None else input_words(found.place, limb).name
         part = f" · the strongest {LONGEST_S:g} s" if found.part else ""
-        gain = " · uncalibrated gain" if words and not trusted else ""
+        gain = " · uncalibrated gain" if words and not settings.profile.gain_calibrated else ""
         self.heading.setText(f"{words}{part}{gain}")
 
     def show_theme(self, theme: Theme) -> None:
@@ -68,7 +72,7 @@ class FiguresView(QWidget):
             label.setStyleSheet(f"color: {theme.error};")
 
 
-def _beyond(found: Figures) -> str:
+def _beyond(rows: tuple[Figure, ...]) -> str:
     """Which figures pass their limits, in a sentence; "" where none does."""
-    names = [one.label.lower() for one in found.rows if one.passed]
+    names = [one.label.lower() for one in rows if one.passed]
     return f"Beyond its limit: {', '.join(names)}" if names else ""

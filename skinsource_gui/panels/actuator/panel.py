@@ -10,6 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QScrollArea, QVBoxLayout, QWidget
 
 from skinsource import edits
+from skinsource.actuator_demand import ActuatorSettings, Demand, actuation_of, settings_through
 from skinsource.design import Design
 from skinsource.edits.selection import clip_of
 from skinsource.panel_settings import settings_of, with_settings
@@ -23,14 +24,8 @@ from skinsource_gui.panels.actuator.curves_of import (
     response_curves,
     step_curves,
 )
-from skinsource_gui.panels.actuator.figures import Figures, figures_of
 from skinsource_gui.panels.actuator.figures_view import FiguresView
-from skinsource_gui.panels.actuator.settings import ActuatorSettings
-from skinsource_gui.panels.actuator.through import (
-    ThroughSwitch,
-    actuation_of,
-    settings_through,
-)
+from skinsource_gui.panels.actuator.through import ThroughSwitch
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.plot.signal_view import SignalView
 
@@ -55,11 +50,9 @@ class ActuatorPanel(Panel):
         self._view, self._settings = View(), ActuatorSettings()
         self._results: Mapping[str, Any] | None = None
         self._drawn: tuple[ActuatorSettings, bool] | None = None
-        # What the figures that are shown were computed from.
-        self._asked: tuple[object, ...] | None = None
-        self._unscaled: ActuatorSettings | None = None
         self.choices = ActuatorChoices(self)
         self.choices.changed.connect(self._choose)
+        self.choices.measured_wanted.connect(partial(self.action_wanted.emit, "open_response"))
         self.plot = SignalView("actuator-plot", "Response of the actuator")
         self.plot.setMinimumHeight(_PLOT_PX)
         self._step = self.plot.toolbar.add_switch(
@@ -88,8 +81,8 @@ class ActuatorPanel(Panel):
 
     @property
     def needs(self) -> frozenset[str]:
-        """What plays where, before any response."""
-        return frozenset({"placed", "sample_rate_hz"})
+        """What is asked of the actuator, and of which: before any response."""
+        return frozenset({"actuator_demand", "actuator_looked_at"})
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
@@ -100,18 +93,22 @@ class ActuatorPanel(Panel):
         self._settings = self._settings if settings == self._settings else settings
         if self.isVisible():
             self._show_settings()
-            self._predict()
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._results = results
         self._show_settings()
-        self._predict()
+        self.figures.show_demand(
+            results["actuator_demand"],
+            results["actuator_looked_at"],
+            tap=_plays_tap(self._design, self._view),
+            limb="" if self._design is None else self._design.limb,
+        )
 
     def show_problem(self, reason: str) -> None:
-        self._results = self._asked = None
+        self._results = None
         tap = self._follows and _plays_tap(self._design, self._view)
-        figures = Figures(place=None, refusal=reason, leaves_velocity=tap)
-        self.figures.show_figures(figures, trusted=True, tap=tap)
+        refused = Demand(place=None, refusal=reason, leaves_velocity=tap)
+        self.figures.show_demand(refused, self._settings, tap=tap)
 
     def show_stale(self, stale: bool) -> None:
         self.figures.table.setEnabled(not stale)
@@ -144,26 +141,6 @@ class ActuatorPanel(Panel):
             self.plot.show_message(_NO_STEP)
         else:
             self.plot.show_curves(curves, synthetic=False)
-
-    def _predict(self) -> None:
-        if self._results is None:
-            return
-        placed, rate_hz = self._results["placed"], self._results["sample_rate_hz"]
-        settings = self._settings
-        if self._follows:
-            # Amplitudes are what the contactor, or the coil, gets.
-            settings = self._unscaled = _unscaled(settings, self._unscaled)
-        asked = (settings, placed, self._view.selected_input, rate_hz)
-        if self._asked is not None and all(a is b for a, b in zip(asked, self._asked, strict=True)):
-            return
-        self._asked = asked
-        trusted = self._settings.profile.gain_calibrated
-        self.figures.show_figures(
-            figures_of(*asked),
-            trusted=trusted,
-            tap=_plays_tap(self._design, self._view),
-            limb="" if self._design is None else self._design.limb,
-        )
 
     def _use_centred_tap(self) -> None:
         if self._design is not None:
@@ -218,12 +195,6 @@ def _scrolled(*parts: QWidget) -> QScrollArea:
     scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     scroll.setWidget(inside)
     return scroll
-
-
-def _unscaled(settings: ActuatorSettings, known: ActuatorSettings | None) -> ActuatorSettings:
-    """The settings where an amplitude of 1 is 1 m/s², or 1 V; ``known`` where it is that."""
-    found = replace(settings, strength_m_per_s2=1.0, volts=1.0)
-    return known if known == found and known is not None else found
 
 
 def _plays_tap(design: Design | None, view: View) -> bool:

@@ -33,13 +33,13 @@ def level_words(compared: Compared) -> str:
     level = played_db(compared)
     if level is None:
         return "–" if compared.problem else "…"
-    return "silent" if level <= FLOOR_DB else minus(f"{level:.1f} dB")
+    return "silent" if level <= FLOOR_DB else minus(f"{level:z.1f} dB")
 
 
 def gain_words(compared: Compared) -> str:
     """How much louder it is shown than it was stored, "+3.2 dB"; empty where it is as stored."""
     change = gain_db(compared)
-    return "" if round(change, 1) == 0.0 else minus(f"{change:+.1f} dB")
+    return "" if round(change, 1) == 0.0 else minus(f"{change:+z.1f} dB")
 
 
 def title(compared: Compared) -> str:

@@ -98,7 +98,7 @@ class DifferenceMap(QWidget):
         if not ways[nearest] <= _REACH_PX:
             return ""
         output = output_text(nearest + 1, self._difference.limb)
-        return f"{output}: {minus(f'{shown.levels_db[nearest]:+.1f} dB')}"
+        return f"{output}: {minus(f'{shown.levels_db[nearest]:+z.1f} dB')}"
 
     def paintEvent(self, event) -> None:
         painter, theme, difference = QPainter(self), self._theme, self._difference

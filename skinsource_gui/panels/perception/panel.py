@@ -121,7 +121,7 @@ class PerceptionPanel(Panel):
         loudest = int(np.argmax(found.level_db))
         synthetic = " Synthetic limb." if results["limb_data"].synthetic else ""
         self.limits.setToolTip(
-            f"Highest: {found.level_db[loudest]:.1f} dB at output {loudest + 1}.{synthetic}"
+            f"Highest: {found.level_db[loudest]:z.1f} dB at output {loudest + 1}.{synthetic}"
         )
         self.message.hide()
         self.table.show()

@@ -57,12 +57,8 @@ class OutputRow(QObject):
         self.level.setFont(tabular(self.level.font()))
         self.level.setObjectName(f"level_of_{place}")
         self.tone = QToolButton()
-        self.tone.setText("Tone")
+        self.tone.setText("Test tone")
         self.tone.setObjectName(f"tone_of_{place}")
-        self.tone.setAccessibleName(f"Test tone for place {place}")
-        self.tone.setToolTip(
-            "0.6 s of 100 Hz on this output alone, at the gain above, to find its actuator"
-        )
         self.tone.clicked.connect(partial(self._ask_tone))
         for column, widget in enumerate(self.widgets):
             grid.addWidget(widget, row, column)
@@ -76,6 +72,11 @@ class OutputRow(QObject):
     def show_output(self, output: int) -> None:
         """Show another output."""
         self.output.set_value(float(output))
+        self.tone.setAccessibleName(f"Test tone on output {output}, place {self.place}")
+        self.tone.setToolTip(
+            f"0.6 s of 100 Hz on output {output} alone, at the gain above, to find the actuator of "
+            f"place {self.place}"
+        )
 
     def show_played(self, played: Played) -> None:
         """Show how loud its output is."""
@@ -90,7 +91,7 @@ class OutputRow(QObject):
         self.level.setText(
             "silent"
             if highest_db <= _SILENT_DB
-            else f"{highest_db:.1f} dBFS".replace("-", "\u2212")
+            else f"{highest_db:z.1f} dBFS".replace("-", "\u2212")
         )
 
     def show_theme(self, theme: Theme) -> None:

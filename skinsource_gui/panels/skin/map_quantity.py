@@ -89,11 +89,11 @@ class MapQuantity:
     def text(self, value: float) -> str:
         """A value in words."""
         if self.name == SENSATION:
-            return minus(f"{value:+.1f} dB re the threshold of detection")
+            return minus(f"{value:+z.1f} dB re the threshold of detection")
         if self.name == Z:
             return minus(f"{value:+.3g} m/s² along z")
         amount = 10.0 ** (value / 20.0)
-        return minus(f"{value:.1f} dB re 1 m/s²  ({amount:.3g} m/s²)")
+        return minus(f"{value:z.1f} dB re 1 m/s²  ({amount:.3g} m/s²)")
 
 
 def time_text(time_s: float) -> str:

@@ -106,7 +106,7 @@ class SpectrogramPicture(Figure):
             return ""
         time_s, frequency_hz = place
         level = float(decibels(self.shown.found.at(time_s - self.shown.first_s, frequency_hz)))
-        return minus(f"{time_s * 1e3:.1f} ms · {frequency_hz:.1f} Hz · {level:.1f} dB re 1 m/s²")
+        return minus(f"{time_s * 1e3:.1f} ms · {frequency_hz:.1f} Hz · {level:z.1f} dB re 1 m/s²")
 
     def keys_area(self) -> QRectF:
         return QRectF() if self.axes is None or self.message else self.axes.frame

@@ -24,6 +24,8 @@ from skinsource_gui.widgets.tooltips import tooltip
 
 # Readings tell samples of 1300 Hz apart.
 _DECIMALS = {"ms": 2, "s": 5}
+# Less is rounding.
+_LEAST_EARLY_S = 1e-6
 
 
 class TracesPanel(SignalPanel):
@@ -47,6 +49,8 @@ class TracesPanel(SignalPanel):
         self._plot.plot.playhead_key.connect(self._press)
         # Which delay the curves on screen have, and when they end.
         self._drawn_removed, self._end_s = False, 0.0
+        # How long before 0 they begin: an equaliser of linear phase rings before it sounds.
+        self._early_s = 0.0
         self._delay_s = facts_of("").pre_trigger_delay_s
 
     @property
@@ -78,7 +82,9 @@ class TracesPanel(SignalPanel):
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._drawn_removed = results["delay_removed"]
-        self._end_s = float(results["response_time_s"][-1])
+        first_s, self._end_s = (float(results["response_time_s"][k]) for k in (0, -1))
+        shift_s = facts_of(results["limb"]).pre_trigger_delay_s if self._drawn_removed else 0.0
+        self._early_s = max(-shift_s - first_s, 0.0)
         self._apply_view()
         if not results["outputs"]:
             self._plot.show_message(self.no_outputs)
@@ -110,6 +116,9 @@ class TracesPanel(SignalPanel):
         view = self._view
         seen_until_s = self._end_s if view.time_range_s is None else view.time_range_s[1]
         axis = _axis(axis_unit(seen_until_s)[0], self._delay_s, removed=self._drawn_removed)
+        if self._early_s >= _LEAST_EARLY_S:
+            shift_s = self._delay_s if self._drawn_removed else 0.0
+            axis = _without_beginning(axis, self._early_s, (-shift_s, self._end_s))
         self._plot.set_view(axis, view.time_range_s, stacked=self._settings.layout == "stacked")
 
     def _choose_layout(self, layout: str) -> None:
@@ -174,6 +183,14 @@ def _axis(unit: str, delay_s: float, *, removed: bool) -> XAxis:
         factor=1e3 if unit == "ms" else 1.0,
         decimals=_DECIMALS[unit],
     )
+
+
+def _without_beginning(axis: XAxis, early_s: float, extent: tuple[float, float]) -> XAxis:
+    """The axis from 0 on, which says that there is something before."""
+    said = f" · not shown: {early_s:.2g} s before 0, where an equaliser of linear phase rings"
+    short = f" · {early_s:.2g} s before 0 not shown"
+    titles = tuple(f"{axis.titles[-1]}{words}" for words in (said, short))
+    return replace(axis, extent=extent, titles=(*titles, axis.titles[-1]))
 
 
 def _heard(outputs: tuple[int, ...], results: Mapping[str, Any]) -> tuple[int, ...]:

@@ -90,7 +90,7 @@ class TransferPicture(Figure):
         said = [f"{found.frequency_hz[k]:.1f} Hz, dB and coherence"]
         for rank, output in enumerate(self.shown.outputs):
             level = float(decibels(found.magnitude[rank, k]))
-            said.append(f"{output}: {level:.1f}, {found.coherence[rank, k]:.2f}")
+            said.append(f"{output}: {level:z.1f}, {found.coherence[rank, k]:.2f}")
         return minus(" · ".join(said))
 
     def keys_area(self) -> QRectF:

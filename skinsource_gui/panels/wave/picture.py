@@ -72,7 +72,7 @@ class WavePicture(Figure):
                 delay = f"{wave.delay_s[k] * 1e3:.2f} ms, " if np.isfinite(wave.delay_s[k]) else ""
                 return minus(
                     f"{outputs[k]}: {wave.distance_m[k] * 1e3:.0f} mm, {delay}"
-                    f"{wave.level_db[k]:.1f} dB, alike {wave.alike[k]:.0%}{left_out}"
+                    f"{wave.level_db[k]:z.1f} dB, alike {wave.alike[k]:.0%}{left_out}"
                 )
         return ""
 

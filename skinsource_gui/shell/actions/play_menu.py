@@ -104,4 +104,12 @@ PLAY: tuple[ActionSpec, ...] = (
         command="rigs.show",
         keywords="wiring calibration accelerometer volts amplifier polarity skinrig limits channel",
     ),
+    action(
+        "open_response",
+        "Play",
+        "Measured response…",
+        "Look at an actuator that was measured: a table, or a sweep with an accelerometer",
+        command="rigs.open_response",
+        keywords="actuator frequency response accelerometer csv wav sweep equaliser panel",
+    ),
 )

@@ -65,6 +65,7 @@ class Playback(QObject):
     def end(self) -> None:
         """Stop for good, and let go of the device."""
         self.matching.end()
+        self.rigs.end()
         self.player.end()
 
     def connect_to(self, panel: PlaybackPanel, appearance: Appearance, reports: Reports) -> None:
@@ -79,6 +80,7 @@ class Playback(QObject):
         bar.gain_wanted.connect(player.gain.put)
         player.changed.connect(self._follow)
         player.failed.connect(reports.complain)
+        self.rigs.failed.connect(reports.complain)
         player.told.connect(reports.report)
         panel.output_wanted.connect(player.settings.choose)
         panel.devices_wanted.connect(player.settings.look)

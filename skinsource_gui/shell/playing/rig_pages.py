@@ -1,14 +1,27 @@
-"""Opens the page on which a rig is described."""
+"""Opens the page on which a rig is described, and responses that were measured."""
 
 import importlib
+from functools import partial
+from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QFileDialog, QWidget
 
+from skinsource.actuator_demand import ActuatorSettings, actuation_of, settings_through
+from skinsource.actuators import MeasuredResponse
+from skinsource.edits import Refusal, predict_through
+from skinsource.errors import SkinSourceError
+from skinsource.measuring import open_response
+from skinsource.panel_settings import settings_of, with_settings
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing.sound_settings import SoundSettings
+from skinsource_gui.state.playing.sound_thread import SoundThread
+from skinsource_gui.widgets.rig_field import RESPONSE_FILES
+
+# The panel that it is looked at in, and the longest title there.
+_PANEL, _LONGEST_TITLE = "actuator", 100
 
 
 class RigPages(QObject):
@@ -24,10 +37,14 @@ class RigPages(QObject):
         In front of which the page opens; also the parent.
     """
 
+    #: Why a response was not opened.
+    failed = Signal(str)
+
     def __init__(self, document: Document, settings: SoundSettings, window: QWidget) -> None:
         super().__init__(window)
         self._document, self._settings, self._window = document, settings, window
         self._appearance: Appearance | None = None
+        self._thread = SoundThread(self)
 
     def use(self, appearance: Appearance) -> None:
         """Take colours from there."""
@@ -42,3 +59,37 @@ class RigPages(QObject):
         module.RigPage(
             self._document, self._settings, lambda: appearance.theme, self._window
         ).open()
+
+    def open_response(self) -> None:
+        """Ask for a response that was measured, and look at it in the actuator's panel."""
+        name, _ = QFileDialog.getOpenFileName(
+            self._window, "Response of the actuator", "", RESPONSE_FILES
+        )
+        if name:
+            path = Path(name)
+            self._thread.do(partial(open_response, path), partial(self._look_at, path.stem))
+
+    def end(self) -> None:
+        """Open nothing more."""
+        self._thread.end(lambda: None)
+
+    def _look_at(
+        self, title: str, found: MeasuredResponse | None, error: SkinSourceError | None
+    ) -> None:
+        if found is None:
+            self.failed.emit(str(error))
+            return
+        design, view = self._document.design, self._document.view
+        before = settings_of(view, _PANEL, ActuatorSettings)
+        after = before.with_measured(found, title[:_LONGEST_TITLE])
+        view = with_settings(view, _PANEL, after)
+        through = design.actuated
+        if through is None or through != actuation_of(settings_through(before, through)):
+            self._document.look(view)
+            return
+        # What is predicted goes with what the panel shows.
+        outcome = predict_through(design, view, actuation_of(after))
+        if isinstance(outcome, Refusal):
+            self.failed.emit(outcome.sentence)
+        else:
+            self._document.apply(outcome)

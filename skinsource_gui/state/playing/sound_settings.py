@@ -65,6 +65,15 @@ class SoundSettings(QObject):
         kept = self._preferences.rig_path
         return Path(kept) if kept else None
 
+    @property
+    def sensor_text(self) -> str:
+        """What actuators are measured with on this machine, as the page of that wrote it."""
+        return self._preferences.sensor_text
+
+    @sensor_text.setter
+    def sensor_text(self, text: str) -> None:
+        self._preferences.sensor_text = text
+
     def look_for_rig(self) -> None:
         """Read the rig of this machine, when somebody first wants to know."""
         if self._rig_looked:

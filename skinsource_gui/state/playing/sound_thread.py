@@ -21,16 +21,22 @@ class SoundThread(QObject):
         super().__init__(parent)
         # No thread before there is something to do.
         self._worker: ThreadPoolExecutor | None = None
+        self._ended = False
         self._landed.connect(self._land, Qt.ConnectionType.QueuedConnection)
 
     def do(self, work: Callable[[], Any], then: Then) -> None:
-        """Carry out ``work``, then tell ``then``."""
+        """Carry out ``work``, then tell ``then``; nothing any more once it has ended."""
+        if self._ended:
+            return
         if self._worker is None:
             self._worker = ThreadPoolExecutor(1, thread_name_prefix="skinsource-sound")
         self._worker.submit(self._work, work, then)
 
     def end(self, last: Callable[[], Any]) -> None:
         """Carry out ``last``, wait for it, and tell nobody anything more."""
+        if self._ended:
+            return
+        self._ended = True
         self._landed.disconnect(self._land)
         if self._worker is not None:
             self._worker.submit(last)

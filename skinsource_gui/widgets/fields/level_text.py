@@ -21,7 +21,7 @@ def level_text(level_db: float, span: str) -> str:
         amount = f"{acceleration * 1e3:.3g} mm/s²"
     else:
         amount = f"{acceleration:.2e} m/s²"
-    return minus(f"{level_db:.1f} dB re 1 m/s²  ({amount} RMS, {span_words(span)})")
+    return minus(f"{level_db:z.1f} dB re 1 m/s²  ({amount} RMS, {span_words(span)})")
 
 
 def output_text(number: int, limb: str = "") -> str:

@@ -48,6 +48,16 @@ def configure(folder: Path, file: Path) -> None:
     os.environ["ALSA_CONFIG_PATH"] = f"{_ALSA}:{own}"
 
 
+def configure_duplex(folder: Path, file: Path, infile: Path) -> None:
+    """As `configure`, and what is recorded from ``card`` comes from ``infile``."""
+    own = folder / "asound.conf"
+    own.write_text(
+        f'pcm.card {{ type file slave.pcm {{ type null }} file "{file}" infile "{infile}" '
+        "format raw }\n"
+    )
+    os.environ["ALSA_CONFIG_PATH"] = f"{_ALSA}:{own}"
+
+
 class PacedCard:
     """Takes samples out of a pipe as fast as they would be heard, and can be pulled out."""
 

@@ -4,17 +4,18 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from PySide6.QtWidgets import QFileDialog
 
 import skinsource as ss
 from skinsource import edits
+from skinsource.actuator_demand import LONGEST_S, ActuatorSettings, drive_at, strongest
 from skinsource.design import Design, track
 from skinsource.panel_settings import settings_of
+from skinsource.quantities import new_graph, sources
 from skinsource.view import View
 from skinsource.waveforms import CentredTap, Tap, Tone
 from skinsource.work import counting
 from skinsource_gui.panels.actuator.curves_of import FREQUENCY_HZ, response_curves, step_curves
-from skinsource_gui.panels.actuator.figures import LONGEST_S, drive_at, strongest
-from skinsource_gui.panels.actuator.settings import ActuatorSettings
 
 TONE = track(7, Tone(frequency_hz=100.0, duration_s=0.3), amplitude=10.0)
 TAP = track(3, Tap(), colour=1)
@@ -182,11 +183,16 @@ def test_while_it_is_hidden_it_costs_nothing(window, panel, qtbot):
         window.document.apply(edits.change_field(design, view, ids, "amplitude", amplitude))
         settle(window, qtbot)
 
-    with counting() as shown:
+    moved = []
+    window.engine.finished.connect(lambda outcome: moved.append(outcome.work.samples_moved))
+    with counting() as in_the_way:
         edit(3.0)
-    assert shown.samples_moved > 0
+    # The figures are computed, and not in the thread of the window.
+    assert sum(moved) > 0
+    assert in_the_way.samples_moved == 0
     window.docks["actuator"].hide()
     settle(window, qtbot)
+    moved.clear()
     with counting() as hidden:
         edit(4.0)
         # Other settings, and another selection, cost nothing either.
@@ -196,7 +202,7 @@ def test_while_it_is_hidden_it_costs_nothing(window, panel, qtbot):
         settle(window, qtbot)
         window.document.look(replace(window.document.view, selected_inputs=(ids[0],)))
         settle(window, qtbot)
-    assert hidden.samples_moved == 0
+    assert sum(moved) + hidden.samples_moved == 0
     window.docks["actuator"].bring_forward()
     qtbot.waitUntil(lambda: panel.isVisible())
     settle(window, qtbot)
@@ -222,7 +228,8 @@ def test_a_long_drive_is_looked_at_where_it_is_strongest():
 
 
 def test_inputs_at_one_place_add_up(window, panel):
-    placed = panel._results["placed"]
+    design, view = window.document.design, window.document.view
+    placed = new_graph().evaluate(["placed"], sources(design, view))["placed"]
     assert drive_at(placed, 7).max() == pytest.approx(10.0, rel=0.01)
     twice = (placed[0], placed[0])
     assert drive_at(twice, 7) == pytest.approx(2.0 * drive_at(placed, 7))
@@ -254,3 +261,45 @@ def test_settings_of_another_studio_do_no_harm():
     worse = ActuatorSettings(parameters=(("resistance_ohm", -1.0),))
     assert worse.model.resistance_ohm == 4.0
     assert ActuatorSettings(parameters=("x",)).model is not None
+
+
+def test_a_response_that_was_measured_is_looked_at_and_predicted_through(
+    make_window, qtbot, tmp_path, monkeypatch
+):
+    window = make_window(design_of(TONE))
+    window.docks["actuator"].bring_forward()
+    panel = window.panel("actuator")
+    qtbot.waitUntil(panel.isVisible)
+    settle(window, qtbot)
+    coil = ss.actuators.load("example-voice-coil")
+    hz = np.geomspace(10.0, 2000.0, 150)
+    response = coil.response(hz)
+    rows = [f"{f:.6f},{abs(h):.9g},{np.angle(h):.9g}" for f, h in zip(hz, response, strict=True)]
+    path = tmp_path / "lab coil.csv"
+    path.write_text("\n".join(["frequency_hz,gain,phase_rad", *rows]) + "\n", encoding="utf-8")
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+    before = number(panel, "Peak voltage")
+    panel.through.box.click()
+    settle(window, qtbot)
+    panel.choices.open.click()
+    qtbot.waitUntil(lambda: settings(window).actuator == "measured", timeout=30_000)
+    settle(window, qtbot)
+    # The same coil, by what was measured of it; what is predicted goes with what is shown.
+    assert number(panel, "Peak voltage") == pytest.approx(before, rel=0.05)
+    assert "Peak current" not in figures(panel)
+    assert "uncalibrated" not in panel.figures.heading.text()
+    assert "150 points that were measured, from 10 to 2000 Hz" in panel.choices.about.text()
+    assert window.document.design.actuated.actuators[0].actuator == "lab coil"
+    assert panel.choices.cell("actuator").field.currentText() == "lab coil (measured)"
+    choose(panel, "actuator", "example-voice-coil")
+    settle(window, qtbot)
+    assert window.document.design.actuated.actuators[0].model == coil
+    # It can be chosen again.
+    choose(panel, "actuator", "measured")
+    settle(window, qtbot)
+    assert settings(window).profile.title == "lab coil"
+    path.write_text("a,b\n1,2\n", encoding="utf-8")
+    with qtbot.waitSignal(window.playback.rigs.failed, timeout=30_000) as told:
+        panel.choices.open.click()
+    assert "lab coil.csv" in told.args[0]
+    assert ActuatorSettings(actuator="measured", measured=((1.0,), "x")).profile.title

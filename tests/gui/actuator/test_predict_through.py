@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource.actuator_demand import actuation_of
 from skinsource.design import Design, track
 from skinsource.view import View
 from skinsource.waveforms import CentredTap, Tap, Tone
-from skinsource_gui.panels.actuator.through import actuation_of
 
 TONE = track(7, Tone(frequency_hz=40.0, duration_s=0.3), amplitude=2.0)
 TAP = track(3, Tap(), colour=1)

@@ -64,6 +64,20 @@ def test_the_axis_tells_of_the_delay_and_the_switch_removes_it(show):
     assert "late" in plot.stack.x_axis.titles[0]
 
 
+def test_what_an_equaliser_of_linear_phase_rings_before_0_is_not_shown_and_said(show):
+    panel = show()
+    plot = plot_of(panel)
+    results = results_for(SIGNED)
+    time_s = results["response_time_s"]
+    panel.show_results({**results, "response_time_s": time_s - 0.3})
+    assert plot.window.shown == pytest.approx((0.0, time_s[-1] - 0.3))
+    assert "not shown: 0.3 s before 0" in plot.stack.x_axis.titles[0]
+    # Without such an equaliser nothing is left out, and nothing said.
+    panel.show_results(results)
+    assert plot.window.shown[0] == time_s[0]
+    assert "not shown" not in plot.stack.x_axis.titles[0]
+
+
 def test_removing_the_delay_keeps_the_same_piece_of_the_curves_in_sight(show):
     panel = show(replace(SIGNED, time_range_s=(0.1, 0.2)))
     click(panel, "remove-delay")

@@ -31,8 +31,10 @@ def test_it_looks_for_devices_when_it_is_first_seen(sound, player, panel, qtbot)
     assert rates == ["44 100 Hz", "48 000 Hz"]
 
 
-def test_device_rate_delay_and_stand_in_are_chosen_there(sound, player, panel):
+def test_device_rate_delay_and_stand_in_are_chosen_there(sound, player, panel, qtbot):
     panel.fields.device.choose("Eight\nMade up")
+    # A device is asked for its rates in another thread.
+    qtbot.waitUntil(lambda: panel.fields.rate.findData("44100") >= 0, timeout=20_000)
     panel.fields.latency.edited.emit(0.05, None)
     panel.fields.stand_in.click()
     panel.fields.shift.edited.emit(250.0, None)
@@ -55,7 +57,11 @@ def test_each_place_has_an_output_and_two_of_them_change_places(sound, player, p
 
 
 def test_a_tone_is_heard_on_the_output_of_its_place_alone(sound, player, panel, qtbot):
-    panel.findChild(QToolButton, "tone_of_12").click()
+    button = panel.findChild(QToolButton, "tone_of_12")
+    assert button.text() == "Test tone"
+    assert button.accessibleName() == "Test tone on output 2, place 12"
+    assert "on output 2 alone" in button.toolTip()
+    button.click()
     qtbot.waitUntil(lambda: bool(sound.streams), **WAIT)
     qtbot.waitUntil(lambda: not player.playing, **WAIT)
     heard = sound.streams[0].samples

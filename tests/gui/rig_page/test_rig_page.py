@@ -2,14 +2,20 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 import skinsource as ss
+from skinsource import edits
 from skinsource.actuators import MeasuredResponse
+from skinsource.locations import input_words
 from skinsource.rigs import Rig, RigChannel, open_rig, save_rig
+from skinsource.view import View
+from skinsource_gui.rig_page.channel_fields import title_of
+from skinsource_gui.rig_page.draft import RigDraft
 from skinsource_gui.rig_page.page import RigPage
+from tests.core.own_limbs.lab_bench import N_INPUTS, installed
 
 WAIT = {"timeout": 30_000}
 FLAT = MeasuredResponse(((20.0, 50.0, 0.0), (1000.0, 50.0, 0.0)))
@@ -56,7 +62,6 @@ def press(page, name):
 def test_a_rig_made_by_hand_is_the_one_in_its_file(page, window, answer):
     QTest.keyClicks(page._title, "Bench 3")
     press(page, "add")
-    put(page, "place", 7)
     put(page, "full_scale_v", 2.5)
     put(page, "polarity", "inverted")
     put(page, "delay_s", 0.004)
@@ -69,7 +74,8 @@ def test_a_rig_made_by_hand_is_the_one_in_its_file(page, window, answer):
     assert open_rig(path).title == "Bench 3"
     assert (first.place, first.output, first.full_scale_v) == (7, 1, 2.5)
     assert (first.polarity, first.delay_s, first.limits.displacement_m) == ("inverted", 0.004, 1e-3)
-    # The next one is like the one before, on the next place and output.
+    # The place that the design drives comes first; the next one is like the one before, on the
+    # next place and output.
     assert (second.place, second.output, second.full_scale_v) == (1, 2, 2.5)
     assert second.actuator == "example-voice-coil"
     assert "Saved bench.skinrig" in page.words.text()
@@ -91,9 +97,9 @@ def test_a_place_that_is_wired_twice_is_refused_and_said(page):
     press(page, "add")
     press(page, "add")
     put(page, "place", page.draft.rig.channels[0].place)
-    assert "place 1 2 times" in page.words.text()
-    assert [one.place for one in page.draft.rig.channels] == [1, 2]
-    assert page.fields.cell("place").field.value_si == 2
+    assert "place 7 2 times" in page.words.text()
+    assert [one.place for one in page.draft.rig.channels] == [7, 1]
+    assert page.fields.cell("place").field.value_si == 1
 
 
 def test_channels_are_removed_and_an_empty_rig_says_what_to_do(page):
@@ -101,7 +107,7 @@ def test_channels_are_removed_and_an_empty_rig_says_what_to_do(page):
     press(page, "add")
     press(page, "add")
     press(page, "remove")
-    assert [one.place for one in page.draft.rig.channels] == [1]
+    assert [one.place for one in page.draft.rig.channels] == [7]
     press(page, "remove")
     assert page.draft.rig.channels == ()
     assert not page.fields.widget.isEnabled()
@@ -185,3 +191,21 @@ def test_what_was_measured_goes_before_what_is_listed():
     assert found.at(7).model == FLAT
     assert found.at(3).model == ss.actuators.load("example-piezo")
     assert found.rig == "Bench"
+
+
+def test_places_are_those_of_the_limb_of_the_design_the_driven_ones_first(user_data, qtbot):
+    installed()
+    edit = edits.change_limb(
+        ss.Design(limb="synthetic-1", inputs=(ss.track(5), ss.track(2))), View(), "lab-1"
+    )
+    parent = QObject()
+    draft = RigDraft(None, None, edit.design, parent)
+    said = []
+    draft.said.connect(said.append)
+    for _ in range(N_INPUTS + 1):
+        draft.add(0)
+    assert [one.place for one in draft.rig.channels] == [5, 2, 1, 3, 4, 6, 7]
+    assert said == ["All places are wired already."]
+    own = input_words(5, "lab-1").name
+    assert title_of(draft.rig.channels[0], "lab-1") == f"5 · {own}, output 1"
+    assert own != input_words(5).name

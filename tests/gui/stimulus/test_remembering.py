@@ -1,14 +1,18 @@
 """The page of stimuli remembers how the last one was exported."""
 
+from types import SimpleNamespace
+
 import pytest
 from PySide6.QtWidgets import QFileDialog
 
 import skinsource as ss
 from skinsource.rigs import Rig, RigChannel, save_rig
 from skinsource.view import View
-from skinsource_gui.stimulus_page.page import StimulusPage
+from skinsource_gui.stimulus_page.channels_view import words_of
+from skinsource_gui.stimulus_page.page import StimulusPage, calibration_of, summary_of
 from skinsource_gui.stimulus_page.remembering import recall, remembered
 from skinsource_gui.stimulus_page.stimulus_form import StimulusForm
+from skinsource_gui.theme import LIGHT
 
 WAIT = {"timeout": 30_000}
 DESIGN = ss.Design(
@@ -85,6 +89,43 @@ def test_a_rig_that_is_gone_is_said_and_the_rest_is_kept(form, other, tmp_path):
     assert "bench.skinrig" in said[0]
     assert orders(other).rig is None
     assert orders(other).format.name == "flac"
+
+
+def test_the_rig_of_the_machine_goes_before_until_another_is_chosen(form, other, tmp_path):
+    paths = [str(tmp_path / name) for name in ("bench.skinrig", "booth.skinrig")]
+    for path in paths:
+        save_rig(path, Rig(channels=(RigChannel(place=7, full_scale_v=1.0),)))
+    bench, booth = paths
+    recall(form, "", bench)
+    assert str(form.rigs.path) == bench
+    # What was chosen for an export stays for the next one ...
+    form.rigs.take(None)
+    recall(other, remembered(form, bench), bench)
+    assert other.rigs.path is None
+    # ... until the machine plays for another rig.
+    recall(other, remembered(form, bench), booth)
+    assert str(other.rigs.path) == booth
+
+
+def test_full_scale_in_volts_without_a_rig_is_what_shall_be(qtbot):
+    design = ss.Design(
+        limb="synthetic-1", inputs=DESIGN.inputs, actuation=ss.Actuation(actuators=(COIL,))
+    )
+    page = StimulusPage(design, View(), lambda: LIGHT)
+    qtbot.addWidget(page)
+    qtbot.waitUntil(lambda: page.ready and not page.busy, **WAIT)
+    overview = page.channels.overview
+    assert overview.unit == "V"
+    assert "Full scale shall be" in summary_of(overview)
+    assert "no rig says how many volts output and amplifier give" in calibration_of(overview)
+    page.reject()
+
+
+def test_levels_of_full_scale_have_no_minus_before_nothing():
+    full = SimpleNamespace(
+        number=1, place=7, title="Digit II", peak=1.0 - 1e-9, rms=1.0 - 1e-9, clipped=0
+    )
+    assert words_of(full)[1] == "peak 0.0 dB, RMS 0.0 dB"
 
 
 def test_a_design_that_is_predicted_through_an_equaliser_is_offered_as_predicted(qtbot):

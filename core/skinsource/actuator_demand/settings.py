@@ -1,11 +1,14 @@
 """What only the panel of the actuator looks at."""
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Any
 
 from skinsource import fields
 from skinsource.actuators import (
     Actuator,
     ActuatorProfile,
+    MeasuredResponse,
     names,
     profile,
     shape_names,
@@ -15,9 +18,15 @@ from skinsource.equalising.pole_pair import NEW_QUALITY
 from skinsource.equalising.regularised_inverse import BOOST, PHASE
 from skinsource.errors import InvalidInputError
 from skinsource.fields import ChoiceSpec, NumberSpec, PlainSpec, Range, RangeSpec, TextSpec
-from skinsource.view import Plain
 
 ACTUATOR = TextSpec(label="Actuator", longest=100, one_line=True)
+#: Stands in place of a listed name for a response that was measured.
+MEASURED = "measured"
+_TITLE = "Measured response"
+# A view keeps no more parts for a panel.
+_MOST_POINTS = 2000
+POINTS = PlainSpec(label=_TITLE)
+FROM = TextSpec(label="Measured as", longest=100, one_line=True)
 PARAMETERS = PlainSpec(label="Changed parameters")
 EQUALISER = ChoiceSpec(
     label="Equaliser",
@@ -61,7 +70,9 @@ class ActuatorSettings:
     Attributes
     ----------
     actuator
-        A name of `skinsource.actuators.names` or ``shape_names``.
+        A name of `skinsource.actuators.names` or ``shape_names``, or ``"measured"``.
+    measured, measured_from
+        Points of a response that was measured, (Hz, m/s² per V, rad) each, and its title.
     parameters
         What was changed of it: pairs of a field of the model and its value.
     equaliser
@@ -77,7 +88,9 @@ class ActuatorSettings:
     """
 
     actuator: str = fields.text(USUAL, ACTUATOR)
-    parameters: Plain = fields.field(PARAMETERS, ())
+    measured: Any = fields.field(POINTS, ())
+    measured_from: str = fields.text("", FROM)
+    parameters: Any = fields.field(PARAMETERS, ())
     equaliser: str = fields.choice("inverse", EQUALISER)
     boost_db: float = fields.number(20.0, BOOST)
     phase: str = fields.choice("linear", PHASE)
@@ -94,8 +107,18 @@ class ActuatorSettings:
     @property
     def profile(self) -> ActuatorProfile:
         """What the library knows of the actuator; the usual one where its name is not known."""
+        if self.actuator == MEASURED:
+            found = _measured(self.measured, self.measured_from)
+            if found is not None:
+                return found
         known = self.actuator in (*names(), *shape_names())
         return profile(self.actuator if known else USUAL)
+
+    @property
+    def measured_title(self) -> str:
+        """What the response that was measured is called; "" where none can be looked at."""
+        found = _measured(self.measured, self.measured_from)
+        return "" if found is None else found.title
 
     @property
     def model(self) -> Actuator | None:
@@ -117,21 +140,46 @@ class ActuatorSettings:
             return PolePairReplacement(*resonance_of(model), self.new_quality)
         return None
 
+    def with_measured(self, found: MeasuredResponse, title: str) -> "ActuatorSettings":
+        """Look at a response that was measured; of very many points, at every so many-th."""
+        step = -(-len(found.points) // _MOST_POINTS)
+        points = found.points[::step]
+        return replace(self, actuator=MEASURED, measured=points, measured_from=title, parameters=())
+
     def with_parameter(self, name: str, value: float) -> "ActuatorSettings":
         """Another value of one field of the model; what is as published is not kept."""
-        changed = dict(self.parameters)
+        changed: dict[str, float] = dict(self.parameters)
         changed.pop(name, None)
         if getattr(self.profile.model, name) != value:
             changed[name] = value
         return replace(self, parameters=tuple(changed.items()))
 
 
-def actuator_spec() -> ChoiceSpec:
-    """The actuators that can be chosen: complete ones first."""
+@lru_cache(maxsize=8)
+def _measured(points: Any, title: str) -> ActuatorProfile | None:
+    """What is known of a response that was measured; None where it is none."""
+    try:
+        model = MeasuredResponse(points)
+    except (InvalidInputError, TypeError, ValueError, IndexError):
+        # Of a newer studio, or written by hand.
+        return None
+    return ActuatorProfile(
+        title=title or _TITLE,
+        source=f"{len(model.points)} points that were measured, from {model.points[0][0]:.4g} to "
+        f"{model.points[-1][0]:.4g} Hz.",
+        calibration="As far as the measurement is; the current is not known.",
+        gain_calibrated=True,
+        model=model,
+    )
+
+
+def actuator_spec(measured: str = "") -> ChoiceSpec:
+    """The actuators that can be chosen: complete ones first, then ``measured`` if there is one."""
     moving = tuple((name, profile(name).title) for name in names())
     shapes = tuple((name, f"{profile(name).title} (shape)") for name in shape_names())
+    own = ((MEASURED, f"{measured} (measured)"),) if measured else ()
     return ChoiceSpec(
         label="Actuator",
-        options=(*moving, *shapes),
+        options=(*moving, *own, *shapes),
         hint="Of shapes only the resonance is known: nothing is predicted in volts",
     )

@@ -1,0 +1,131 @@
+"""A sound card that is made up, with an actuator on its outputs and a sensor on its inputs."""
+
+import threading
+from types import SimpleNamespace
+
+import numpy as np
+import scipy
+
+# Not in the thread that plays the card: it takes seconds where all processors are busy.
+from scipy.signal import fftconvolve
+
+import skinsource as ss
+from tests.core.playing.made_up_sound import CallbackStop, PortAudioError
+
+RATE_HZ = 8_000
+COIL = ss.actuators.load("example-voice-coil")
+#: What the rig and the sensor are said to be.
+VOLTS, SENSITIVITY, INPUT_VOLTS = 3.0, 0.01, 2.0
+DELAY_S = 0.0312345
+#: What is played in a block is answered from the next one on.
+BLOCK_S = 0.01
+_TAPS = 8192
+
+
+def ears(path, *, delay_s=DELAY_S, n_taps=_TAPS):
+    """Impulse response, (n_taps,), of a path with this response over frequency, so late."""
+    hz = np.fft.rfftfreq(n_taps, 1.0 / RATE_HZ)
+    return scipy.fft.irfft(path(hz) * np.exp(-2j * np.pi * hz * delay_s), n_taps)
+
+
+def sensed(model, volts=VOLTS):
+    """From a sample that is played to the sample that the sensor makes of it."""
+    return lambda hz: model.response(hz) * volts * SENSITIVITY / INPUT_VOLTS
+
+
+class Duplex:
+    """Asks for block after block, and answers with what the actuator did."""
+
+    def __init__(self, card, asked) -> None:
+        self.card, self.asked, self.active = card, asked, False
+        self.played: list[np.ndarray] = []
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._closed = threading.Event()
+
+    def start(self) -> None:
+        self.active = True
+        self._thread.start()
+
+    def close(self, ignore_errors=True) -> None:
+        self._closed.set()
+        self._thread.join(10)
+
+    @property
+    def samples(self):
+        """What was played, (n_outputs, n_times)."""
+        return np.concatenate(self.played).T
+
+    def _run(self) -> None:
+        n, (n_in, n_out) = self.asked["blocksize"], self.asked["channels"]
+        card, coming = self.card, np.zeros((self.asked["channels"][0], _TAPS + 2 * n))
+        rng = np.random.default_rng(len(card.streams))
+        for number in range(card.pulled_after):
+            if self._closed.is_set():
+                break
+            out = np.full((n, n_out), np.nan, np.float32)
+            came = coming[:, :n].T + card.offset + card.noise * rng.standard_normal((n, n_in))
+            lost = number == card.loses_at
+            status = SimpleNamespace(output_underflow=lost, input_overflow=False)
+            over = False
+            try:
+                self.asked["callback"](np.clip(came, -1, 1).astype("f4"), out, n, None, status)
+            except CallbackStop:
+                over = True
+            self.played.append(out)
+            coming = np.concatenate((coming[:, n:], np.zeros((n_in, n))), axis=1)
+            for row, path in zip(coming, card.paths, strict=False):
+                row[: _TAPS + n - 1] += fftconvolve(out[:, card.output - 1], path)
+            if over:
+                break
+        self.active = False
+        self.asked["finished_callback"]()
+
+
+class Card:
+    """One card of 4 outputs and 2 inputs; ``paths``: impulse responses to its inputs."""
+
+    PortAudioError, CallbackStop = PortAudioError, CallbackStop
+
+    def __init__(self, *paths, noise=1e-5, output=3) -> None:
+        self.paths, self.noise, self.output = paths, noise, output
+        self.offset, self.pulled_after, self.loses_at = 0.01, 100_000, -1
+        self.n_inputs, self.n_outputs = 2, 4
+        self.refusal: tuple = ()
+        self.streams: list[Duplex] = []
+        self.default = SimpleNamespace(device={"input": 0, "output": 0})
+
+    def query_hostapis(self):
+        return ({"name": "Made up", "default_output_device": 0, "default_input_device": 0},)
+
+    def query_devices(self):
+        return [
+            {
+                "name": "Bench card",
+                "hostapi": 0,
+                "max_output_channels": self.n_outputs,
+                "max_input_channels": self.n_inputs,
+                "default_samplerate": 48_000.0,
+            }
+        ]
+
+    def check_output_settings(self, **asked):
+        """All rates are taken."""
+
+    def _terminate(self):
+        assert not any(one.active for one in self.streams)
+
+    def _initialize(self):
+        """Nothing is to be done."""
+
+    def Stream(self, **asked):  # as sounddevice calls it
+        if self.refusal:
+            raise PortAudioError(*self.refusal)
+        self.streams.append(Duplex(self, asked))
+        return self.streams[-1]
+
+
+def use(monkeypatch, card: Card) -> Card:
+    """Let all that measures use ``card``."""
+    for module in ("playing.devices", "rig_measuring.inputs", "rig_measuring.duplex"):
+        monkeypatch.setattr(f"skinsource.{module}.sound_library", lambda: card)
+    return card

@@ -1,0 +1,220 @@
+"""A sweep on an output and an accelerometer on an input, against the actuator that is there."""
+
+from dataclasses import replace
+from datetime import UTC, datetime
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.actuators import Limits
+from skinsource.commands.command_line import main
+from skinsource.errors import InvalidInputError, PlaybackError, Stopped
+from skinsource.playing import Output
+from skinsource.rig_measuring import MeasuringSetup, kept, measure
+from skinsource.rigs import Rig, RigChannel
+from tests.core.rig_measuring.bench_top import (
+    BLOCK_S,
+    COIL,
+    DELAY_S,
+    INPUT_VOLTS,
+    RATE_HZ,
+    SENSITIVITY,
+    VOLTS,
+    Card,
+    ears,
+    sensed,
+    use,
+)
+
+CHANNEL = RigChannel(place=7, output=3, full_scale_v=1.5, amplifier_gain=2.0)
+RIG = Rig(title="Bench", channels=(RigChannel(place=2), CHANNEL))
+SETUP = MeasuringSetup(
+    sensitivity_v_per_m_per_s2=SENSITIVITY,
+    input_full_scale_v=INPUT_VOLTS,
+    level_db=-20.0,
+    sweep_s=1.5,
+    repeats=3,
+)
+PLAYED = Output(sample_rate_hz=RATE_HZ)
+HZ = np.geomspace(25.0, 800.0, 60)
+
+
+def measured(rig=RIG, place=7, setup=SETUP, **more):
+    return measure(rig, place, setup, output=PLAYED, **more)
+
+
+#: Of the gain, with sweeps as short as these, and of gain and phase together: a delay that is told
+#: from the phase is right to 10 µs, 3 degrees at 800 Hz.
+GAIN, BOTH = 0.02, 0.06
+
+
+def apart(found, model=COIL):
+    """Largest relative distance from what the model is by its formula, delay and sign included."""
+    ratio = found.response.response(HZ) / model.response(HZ)
+    assert np.abs(np.abs(ratio) - 1.0).max() < GAIN
+    return np.abs(ratio - 1.0).max()
+
+
+@pytest.fixture
+def card(monkeypatch):
+    return use(monkeypatch, Card(ears(sensed(COIL))))
+
+
+def test_the_response_of_the_actuator_comes_back_in_m_per_s2_per_v(card):
+    found = measured()
+    assert apart(found) < BOTH
+    assert abs(found.delay_s - DELAY_S - BLOCK_S) < 2e-5
+    assert not found.inverted
+    assert found.n_left_out == 0
+    assert found.noise_m_per_s2 == pytest.approx(1e-5 * INPUT_VOLTS / SENSITIVITY, rel=0.1)
+    # What is said of its error is about what its error is.
+    assert np.median(found.error) < 0.01
+    quiet, loud = (np.abs(stream.samples).max(axis=1) for stream in card.streams)
+    assert loud == pytest.approx([0.0, 0.0, 0.1], rel=0.01)
+    assert quiet == pytest.approx([0.0, 0.0, 0.01], rel=0.01)
+
+
+def test_a_wire_from_output_to_input_tells_the_delay(monkeypatch):
+    wire = ears(lambda hz: np.full(hz.size, 0.5 + 0j))
+    use(monkeypatch, Card(wire, ears(sensed(COIL))))
+    found = measured(setup=replace(SETUP, input_number=2, loopback_input=1))
+    assert found.delay_by_wire
+    assert abs(found.delay_s - DELAY_S - BLOCK_S) < 1e-6
+    assert apart(found) < 0.02
+
+
+def test_noise_covers_the_lowest_frequencies_and_they_are_left_out(monkeypatch):
+    use(monkeypatch, Card(ears(sensed(COIL)), noise=2e-2))
+    found = measured()
+    assert found.n_left_out > 0
+    assert found.response.points[0][0] > 22.0
+    hz = np.array([point[0] for point in found.response.points])
+    off = np.abs(np.abs(found.response.response(hz) / COIL.response(hz)) - 1.0)
+    # Within three of its own standard errors and what the width of a point costs, nearly always.
+    assert np.mean(off < 3.0 * found.error + GAIN) > 0.95
+    assert found.error.max() <= 0.1
+    assert np.median(found.error) > 0.005
+
+
+def test_an_actuator_that_moves_against_the_voltage_is_told(monkeypatch):
+    use(monkeypatch, Card(ears(sensed(COIL, -VOLTS))))
+    found = measured()
+    assert found.inverted
+    assert "against the voltage" in " ".join(found.lines)
+    turned = replace(RIG, channels=(replace(CHANNEL, polarity="inverted"),))
+    assert not measured(turned).inverted
+    assert apart(measured(turned)) < BOTH
+
+
+def test_what_was_measured_is_in_its_channel_with_the_date(card):
+    found = measured()
+    after = kept(RIG, found)
+    assert after.channels[0] == RIG.channels[0]
+    today = datetime.now(UTC).date().isoformat()
+    assert after.channels[1] == replace(CHANNEL, measured=found.response, measured_on=today)
+    assert after.channels[1].calibrated
+
+
+def test_it_is_stopped_within_a_millisecond_of_sound(card):
+    seen = []
+
+    def stop():
+        return bool(seen) and seen[-1][0] > 0
+
+    with pytest.raises(Stopped):
+        measured(stop=stop, progress=lambda *told: seen.append(told))
+    assert len(card.streams) == 1
+    assert not card.streams[0].samples[:, -1].any()
+
+
+def test_what_would_pass_a_limit_of_the_rig_is_never_played(card):
+    held = replace(CHANNEL, limits=Limits(peak_voltage_v=0.15))
+    with pytest.raises(InvalidInputError, match=r"peak voltage v.*−26\.1 dB or less"):
+        measured(Rig(channels=(held,)))
+    assert not card.streams
+    assert apart(measured(Rig(channels=(held,)), setup=replace(SETUP, level_db=-26.1))) < BOTH
+
+
+def test_a_limit_of_the_motion_is_looked_at_once_the_response_is_known(card):
+    held = replace(CHANNEL, limits=Limits(displacement_m=1e-6))
+    with pytest.raises(InvalidInputError, match="displacement m"):
+        measured(Rig(channels=(held,)))
+    assert len(card.streams) == 1
+
+
+def test_an_input_that_would_clip_says_how_loud_it_may_be(card):
+    card.paths = (card.paths[0] * 60.0,)
+    with pytest.raises(
+        InvalidInputError, match=r"input 1 would clip at −20 dB; choose −\d"
+    ) as told:
+        measured()
+    assert len(card.streams) == 1
+    most_db = -float(str(told.value).split("choose −")[1].split(" dB")[0])
+    loudest = replace(SETUP, level_db=most_db)
+    assert -3.0 < measured(setup=loudest).peak_input_db < 0.0
+
+
+def test_a_sensor_that_hears_nothing_is_told_with_what_to_look_at(card):
+    card.paths = (np.zeros_like(card.paths[0]),)
+    with pytest.raises(InvalidInputError, match=r"above the noise.*Is the amplifier on"):
+        measured()
+    card.noise, card.offset = 0.0, 0.0
+    with pytest.raises(InvalidInputError, match="above the noise"):
+        measured()
+
+
+def test_a_card_that_is_pulled_out_or_loses_samples_is_told(card):
+    card.loses_at = 40
+    with pytest.raises(PlaybackError, match="lost 1 times"):
+        measured()
+    card.loses_at, card.pulled_after = -1, 40
+    with pytest.raises(PlaybackError, match="Bench card stopped answering"):
+        measured()
+
+
+@pytest.mark.parametrize(
+    ("changes", "setup", "words"),
+    [
+        ({"n_outputs": 0}, SETUP, "No device to play on"),
+        ({"n_inputs": 0}, SETUP, "No device to record from"),
+        ({"n_outputs": 2}, SETUP, "has 2 outputs, and place 7 is to play on output 3"),
+        ({}, replace(SETUP, input_number=5), "has 2 inputs, and input 5"),
+        ({}, replace(SETUP, input_device="Other"), "'Other' has no inputs or is not there"),
+        ({"refusal": ("Invalid sample rate", -9997)}, SETUP, "does not take 8000 Hz"),
+        ({"refusal": ("Device unavailable", -9985)}, SETUP, "is not free"),
+    ],
+)
+def test_what_a_device_does_not_have_or_take_is_one_clear_error(card, changes, setup, words):
+    for name, value in changes.items():
+        setattr(card, name, value)
+    with pytest.raises(PlaybackError, match=words):
+        measured(setup=setup)
+
+
+def test_what_is_not_known_is_asked_for_before_anything_is_played(card):
+    with pytest.raises(InvalidInputError, match="place 9 is not wired in the rig 'Bench'"):
+        measured(place=9)
+    with pytest.raises(InvalidInputError, match="volts at full scale"):
+        measured(place=2)
+    with pytest.raises(InvalidInputError, match="choose a higher rate"):
+        measured(setup=replace(SETUP, highest_hz=3900.0))
+    with pytest.raises(InvalidInputError, match="expected two inputs"):
+        replace(SETUP, loopback_input=1)
+    assert not card.streams
+
+
+def test_the_command_writes_the_response_into_the_rig(card, tmp_path, capsys):
+    path = tmp_path / "bench.skinrig"
+    ss.save_rig(path, RIG)
+    words = f"rig measure {path} --place 7 --sensitivity {SENSITIVITY} --input-volts {INPUT_VOLTS}"
+    more = f" --level -20 --seconds 1.5 --repeats 2 --rate {RATE_HZ}"
+    assert main((words + more).split()) == 0
+    assert "Place 7: 240 points from 20 to 1000 Hz" in capsys.readouterr().out
+    after = ss.open_rig(path)
+    assert np.abs(after.channels[1].measured.response(100.0) / COIL.response(100.0) - 1) < 0.03
+    assert main([*(words + more).split(), "--input", "9"]) == 1
+    assert "input 9 is to be recorded" in capsys.readouterr().err
+    assert ss.open_rig(path) == after
+    assert main(["rig", "devices"]) == 0
+    assert "Bench card (Made up, 2 inputs)  (usual)" in capsys.readouterr().out

@@ -1,0 +1,123 @@
+"""Rig page > Measure…: an accelerometer is asked for, sweeps are played, and the result is kept."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from shiboken6 import isValid
+
+import skinsource as ss
+from skinsource.playing import Output
+from skinsource.rig_measuring import MeasuringSetup
+from skinsource_gui.rig_page.measure_fields import setup_of, setup_text
+from skinsource_gui.rig_page.measure_page import MeasurePage
+from skinsource_gui.rig_page.page import RigPage
+from tests.core.rig_measuring.bench_top import (
+    COIL,
+    INPUT_VOLTS,
+    RATE_HZ,
+    SENSITIVITY,
+    Card,
+    ears,
+    sensed,
+    use,
+)
+
+WAIT = {"timeout": 60_000}
+
+
+@pytest.fixture(scope="module")
+def heard():
+    return ears(sensed(COIL))
+
+
+@pytest.fixture
+def card(monkeypatch, heard):
+    return use(monkeypatch, Card(heard, output=1))
+
+
+@pytest.fixture
+def rig_page(card, make_window, qtbot):
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tone()),))
+    window = make_window(design)
+    settings = window.playback.player.settings
+    settings.choose(Output(sample_rate_hz=RATE_HZ))
+    window.do("edit_rig")
+    found = window.findChild(RigPage)
+    qtbot.waitExposed(found)
+    QTest.mouseClick(found.button("add"), Qt.MouseButton.LeftButton)
+    channel = found.draft.rig.channels[0]
+    channel = replace(channel, actuator="example-voice-coil", full_scale_v=3.0)
+    found.draft.take_channel(0, channel)
+    yield found
+    found.draft.give_up()
+    found.reject()
+
+
+@pytest.fixture
+def page(rig_page, qtbot):
+    rig_page.fields.measure.click()
+    found = rig_page.findChild(MeasurePage)
+    qtbot.waitUntil(found.start.isEnabled, **WAIT)
+    values = {
+        "sensitivity_v_per_m_per_s2": SENSITIVITY,
+        "input_full_scale_v": INPUT_VOLTS,
+        "level_db": -20.0,
+        "sweep_s": 1.5,
+        "repeats": 2,
+    }
+    for name, value in values.items():
+        found.fields.cell(name).edited.emit(name, value, None)
+    yield found
+    if isValid(found) and found.isVisible():
+        found.reject()
+
+
+def test_what_is_measured_is_drawn_beside_the_model_and_kept(page, rig_page, qtbot):
+    assert not page.keep.isEnabled()
+    page.start.click()
+    assert page.stop.isEnabled()
+    assert not page.start.isEnabled()
+    qtbot.waitUntil(page.start.isEnabled, **WAIT)
+    assert page.keep.isEnabled(), page.words.text()
+    curves = page.plot.plot.curves
+    assert [name.short for name in curves.names] == ["Measured", "Model"]
+    assert np.abs(curves.y[0] - curves.y[1])[curves.x < 800.0].max() < 0.3
+    assert "240 points from 20 to 1000 Hz" in page.words.text()
+    assert "dB from the model, at" in page.words.text()
+    assert rig_page.draft.rig.channels[0].measured is None
+    page.keep.click()
+    channel = rig_page.draft.rig.channels[0]
+    assert np.abs(channel.measured.response(100.0) / COIL.response(100.0) - 1.0) < 0.03
+    assert channel.measured_on
+    assert "240 points" in rig_page.fields.measured.text()
+    # The next channel is measured with the same sensor, on this machine on another day too.
+    rig_page.fields.measure.click()
+    again = rig_page.findChildren(MeasurePage)[-1]
+    assert again.fields.setup.sweep_s == 1.5
+    again.reject()
+    assert setup_of(setup_text(again.fields.setup)) == again.fields.setup
+    for odd in ("", "[", "[1]", '{"sweep_s": -1}', '{"other": 1}'):
+        assert setup_of(odd) == MeasuringSetup()
+
+
+def test_stop_ends_it_and_nothing_can_be_kept(page, qtbot):
+    page.start.click()
+    page.stop.click()
+    qtbot.waitUntil(page.start.isEnabled, **WAIT)
+    assert page.words.text() in ("Stopped.", "Stopped; nothing was measured.")
+    assert not page.keep.isEnabled()
+    assert page.plot.plot.message == "Nothing is measured yet"
+
+
+def test_what_cannot_be_measured_says_why(page, card, qtbot):
+    page.fields.cell("loopback_input").edited.emit("loopback_input", 1, None)
+    assert "expected two inputs" in page.words.text()
+    assert page.fields.setup.loopback_input == 0
+    page.fields.cell("input_number").edited.emit("input_number", 5, None)
+    page.start.click()
+    qtbot.waitUntil(page.start.isEnabled, **WAIT)
+    assert "has 2 inputs, and input 5 is to be recorded" in page.words.text()
+    assert not page.keep.isEnabled()
