@@ -21,15 +21,18 @@ class Compared:
         Why there are none.
     gain
         Factor with which it is shown now, so that it is as loud as the others.
-    on_limb
-        Whether it is the present design on one of all limbs, and no snapshot.
+    axes
+        Which of the limb's axes take part; empty: those of the view.
+    late
+        Whether ``values`` are those of the design before, until they are known anew.
     """
 
     snapshot: Snapshot
     values: Mapping[str, Any] | None = None
     problem: str = ""
     gain: float = 1.0
-    on_limb: bool = False
+    axes: str = ""
+    late: bool = False
 
     @property
     def name(self) -> str:

@@ -1,6 +1,6 @@
 """What every panel is."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -9,15 +9,14 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.design import Design
 from skinsource.view import View
-from skinsource_gui.compared import Compared
+from skinsource_gui.compares import ComparesDesigns
 from skinsource_gui.history import History
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.drop_place import DropPlace
 from skinsource_gui.widgets.first_steps import USUALLY_IN_SIGHT
-from skinsource_gui.widgets.inputs.pointing import PointsAtInputs
 
 
-class Panel(PointsAtInputs):
+class Panel(ComparesDesigns):
     """A view of the design and of computed quantities.
 
     A panel names what it ``needs`` and draws what it is given.  It starts no computation, and
@@ -29,10 +28,6 @@ class Panel(PointsAtInputs):
     name: ClassVar[str] = ""
     #: Whether it wants to know the history, see `show_history`.
     lists_history: ClassVar[bool] = False
-    #: Quantities of the design on each limb of its kind; where there are any, `show_snapshots` is
-    #: told these too.
-    needs_of_people: ClassVar[frozenset[str]] = frozenset()
-
     #: Whether Tab goes from top to bottom, as its fields stand, whenever each was made.
     reads_down: ClassVar[bool] = False
 
@@ -69,11 +64,6 @@ class Panel(PointsAtInputs):
         """Names of the quantities that `show_results` draws."""
         return frozenset()
 
-    @property
-    def needs_of_snapshots(self) -> frozenset[str]:
-        """Names of the quantities of each snapshot that `show_snapshots` draws; none: not told."""
-        return frozenset()
-
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view; called at each change, before any results."""
 
@@ -94,9 +84,6 @@ class Panel(PointsAtInputs):
 
     def show_problem(self, reason: str) -> None:
         """Empty the picture and say why there is none."""
-
-    def show_snapshots(self, compared: Sequence[Compared]) -> None:
-        """Draw the designs side by side; called while it is visible."""
 
     def show_history(self, history: History) -> None:
         """Take over what was done; called while it is visible, where it lists that."""

@@ -12,8 +12,10 @@ from PySide6.QtWidgets import QDialog, QWidget
 from skinsource_gui.shell import help_pages
 from skinsource_gui.shell.action_spec import ActionSpec
 from skinsource_gui.shell.palette import BESIDES, Palette
+from skinsource_gui.state.document import Document
 from skinsource_gui.state.installed_limbs import InstalledLimbs
 from skinsource_gui.state.job_runner import JobRunner
+from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.mouse_table import MOUSE
 
@@ -32,7 +34,7 @@ class Pages(QObject):
         What the keys page lists.
     findable
         Gives what the palette finds; actions without a parent are the palette's.
-    make_accuracy, make_dataset, make_limbs, make_motion
+    make_accuracy, make_dataset, make_limbs, make_check, make_motion
         Make the pages that take long to import, once they are wanted.
     """
 
@@ -44,12 +46,14 @@ class Pages(QObject):
         make_accuracy: MakePage,
         make_dataset: MakePage,
         make_limbs: MakePage,
+        make_check: MakePage,
         make_motion: MakePage,
     ) -> None:
         super().__init__(window)
         self._window, self._specs, self._findable = window, specs, findable
         self._make_accuracy, self._make_dataset = make_accuracy, make_dataset
         self._make_limbs, self._make_motion = make_limbs, make_motion
+        self._make_check = make_check
         self.accuracy: Any = None
 
     def search(self) -> None:
@@ -76,6 +80,10 @@ class Pages(QObject):
     def show_limbs(self) -> None:
         """Open the page on limbs of one's own."""
         self._make_limbs(self._window).open()
+
+    def show_check(self) -> None:
+        """Open the page that holds predictions against recordings."""
+        self._make_check(self._window).open()
 
     def show_motion(self) -> None:
         """Open the page that makes up a motion."""
@@ -107,12 +115,18 @@ class Pages(QObject):
 
 
 def limb_pages(
-    runner: JobRunner, limbs: InstalledLimbs, theme: Callable[[], Theme]
-) -> tuple[MakePage, MakePage]:
-    """What makes the pages on the measured limbs and on limbs of one's own."""
+    runner: JobRunner,
+    limbs: InstalledLimbs,
+    theme: Callable[[], Theme],
+    document: Document,
+    preferences: Preferences,
+) -> tuple[MakePage, MakePage, MakePage]:
+    """What makes the pages on the measured limbs, on one's own, and on recordings of them."""
+    checked = runner, document, preferences, theme
     return (
         late("skinsource_gui.dataset_page.page", "DatasetPage", runner, limbs),
         late("skinsource_gui.limb_page.page", "LimbPage", runner, limbs, theme),
+        late("skinsource_gui.checking_page.page", "CheckingPage", *checked),
     )
 
 

@@ -21,6 +21,8 @@ from skinsource_gui.panels.main_axis.panel import MainAxisPanel
 from skinsource_gui.panels.perception.panel import PerceptionPanel
 from skinsource_gui.panels.playback.panel import PlaybackPanel
 from skinsource_gui.panels.regions.panel import RegionsPanel
+from skinsource_gui.panels.side_by_side.panel import SideBySidePanel
+from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.spectra.panel import SpectraPanel
@@ -137,5 +139,6 @@ PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(panel=WavePanel, places=_places()),
     PanelSpec(panel=WindowedPanel, places=_places()),
     PanelSpec(panel=RegionsPanel, places=_places()),
+    PanelSpec(panel=SideBySidePanel, settings=SideBySideSettings, places=_places()),
     PanelSpec(panel=PerceptionPanel, settings=PerceptionSettings, places=_places()),
 )

@@ -173,7 +173,7 @@ class MainWindow(QMainWindow):
                 lambda: self.theme,
                 self.preferences,
             ),
-            *limb_pages(self.runner, self.limbs, lambda: self.theme),
+            *limb_pages(self.runner, self.limbs, lambda: self.theme, *saving[:2]),
             late(
                 "skinsource_gui.motion_page.page", "MotionPage", self.document, lambda: self.theme
             ),

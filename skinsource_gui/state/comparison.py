@@ -18,18 +18,19 @@ from skinsource.comparing import (
     shown,
 )
 from skinsource.edits import Refusal
-from skinsource.errors import SkinSourceError
-from skinsource.quantities import sources
-from skinsource.view import View
 from skinsource_gui.compared import Compared
 from skinsource_gui.panel import Panel
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request, Slot
-from skinsource_gui.state.people import People
+from skinsource_gui.state.on_limbs import OnLimbs
+from skinsource_gui.state.predicting import (
+    key_of_levels,
+    reason_of,
+    sources_of_levels,
+    too_large,
+)
 
 _LEVELS = frozenset({"output_levels_db"})
-#: What levels depend on.
-_DEPENDS_ON = ("limb", "inputs", "scaling", "actuation", "axes", "method", "span")
 # Number under which the results of the window are remembered.
 _PRESENT = -1
 
@@ -74,8 +75,8 @@ class Comparison(QObject):
     def __init__(self, document: Document, engine: Engine, panels: Sequence[Panel]) -> None:
         super().__init__(document)
         self._document, self._engine = document, engine
-        self._panels = [panel for panel in panels if panel.needs_of_snapshots]
-        self._people = People(document, engine, panels)
+        self._panels = tuple(panels)
+        self._on_limbs = OnLimbs(document, engine, panels)
         self._asked: dict[int, Request] = {}
         self._known: dict[int, _Known] = {}
         self._then: Callable[[], None] | None = None
@@ -83,7 +84,7 @@ class Comparison(QObject):
     def begin(self) -> None:
         """Follow the document, after those who show it in the window: they ask for that."""
         self._document.changed.connect(self._follow)
-        self._people.begin()
+        self._on_limbs.begin()
         self._engine.finished.connect(self._note)
         self._engine.rested.connect(self._ask)
         for panel in self._panels:
@@ -101,6 +102,7 @@ class Comparison(QObject):
         for number in [n for n, known in self._known.items() if known.problem]:
             del self._known[number]
             self._asked.pop(number, None)
+        self._on_limbs.forget_problems()
 
     def toggle(self) -> None:
         """Show the other one of the last two that were shown."""
@@ -150,7 +152,8 @@ class Comparison(QObject):
             self._tell()
 
     def _visible(self) -> list[Panel]:
-        return [panel for panel in self._panels if panel.isVisible()]
+        """Panels that want to know of snapshots now."""
+        return [one for one in self._panels if one.isVisible() and one.needs_of_snapshots]
 
     def _ask(self) -> None:
         """Have predicted what is not known yet; do what waits for it, once nothing is unknown."""
@@ -161,10 +164,14 @@ class Comparison(QObject):
         for one in self._together():
             if self._found(one, wanted) is not None:
                 continue
+            given = sources_of_levels(one.design, self._document.view)
+            if refused := too_large(one.design.limb):
+                self._known[one.number] = _Known(key_of_levels(given), refused)
+                continue
             complete = False
             if one.design is self._document.design and self._engine.busy:
                 continue  # the window is about to show it
-            request = Request(wanted, _given(one, self._document.view), slot=_slot(one.number))
+            request = Request(wanted, given, slot=_slot(one.number))
             if self._asked.get(one.number) != request:
                 self._asked[one.number] = request
                 self._engine.request(request)
@@ -174,7 +181,7 @@ class Comparison(QObject):
 
     def _found(self, one: Snapshot, wanted: frozenset[str]) -> _Known | None:
         """What is known of a snapshot as it was stored, whoever asked for it."""
-        key = _key(_given(one, self._document.view))
+        key = key_of_levels(sources_of_levels(one.design, self._document.view))
         for number in (one.number, *self._known):
             known = self._known.get(number)
             if known is not None and known.key == key and known.holds(wanted):
@@ -189,8 +196,8 @@ class Comparison(QObject):
             number = _PRESENT
         if number is None:
             return
-        found = _reason(outcome.error) if outcome.values is None else outcome.values
-        self._known[number] = _Known(_key(request.given), found)
+        found = reason_of(outcome.error) if outcome.values is None else outcome.values
+        self._known[number] = _Known(key_of_levels(request.given), found)
         self._ask()
         self._tell()
 
@@ -229,21 +236,5 @@ class Comparison(QObject):
         )
 
 
-def _given(one: Snapshot, view: View) -> dict[str, Any]:
-    # Of the view only what levels depend on: the rest changes while one looks around.
-    seen = View(axes=view.axes, method=view.method, span=view.span, selected_inputs=())
-    return sources(one.design, seen)
-
-
-def _key(given: Mapping[str, Any]) -> tuple[Any, ...]:
-    return tuple(given[name] for name in _DEPENDS_ON)
-
-
 def _slot(number: int) -> Slot:
     return Slot(f"snapshot {number}")
-
-
-def _reason(error: Exception | None) -> str:
-    if isinstance(error, SkinSourceError):
-        return str(error)
-    return f"The studio made a mistake: {type(error).__name__}: {error}"

@@ -10,13 +10,12 @@ from PySide6.QtCore import QObject, Signal
 from skinsource import edits
 from skinsource.edits import Edit, Refusal
 from skinsource.errors import SkinSourceError
-from skinsource.limb import LIVE_INPUTS, LIVE_OUTPUTS
-from skinsource.own_limbs import facts_of
 from skinsource.quantities import sources
 from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request
+from skinsource_gui.state.predicting import reason_of, too_large
 
 #: An edit waits so long for its results, a frame of most screens: the worker is quicker when it
 #: has the interpreter to itself, and both are painted together.
@@ -121,8 +120,8 @@ class Conductor(QObject):
         wanted = frozenset().union(*(panel.needs for panel in visible))
         if not wanted:
             return
-        if not facts_of(self._document.design.limb).live:
-            self._explain(visible, _too_large(self._document.design.limb))
+        if refused := too_large(self._document.design.limb):
+            self._explain(visible, refused)
             return
         given = sources(self._document.design, self._document.view)
         wanted |= self._also
@@ -202,18 +201,8 @@ class Conductor(QObject):
         self.failed.emit(reason)
 
 
-def _too_large(limb: str) -> str:
-    facts = facts_of(limb)
-    return (
-        f"{facts.title} has {facts.n_inputs} places and {facts.n_outputs} outputs, and results "
-        f"follow edits up to {LIVE_INPUTS} and {LIVE_OUTPUTS}. File > Export and sweeps compute it."
-    )
-
-
 def _reason(error: Exception | None) -> str:
+    reason = reason_of(error)
     if isinstance(error, SkinSourceError):
-        return str(error)
-    return (
-        f"The studio made a mistake: {type(error).__name__}: {error}. Undo the last edit, or "
-        "choose something else; please report this."
-    )
+        return reason
+    return f"{reason}. Undo the last edit, or choose something else; please report this."

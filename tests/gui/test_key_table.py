@@ -9,11 +9,11 @@ from PySide6.QtWidgets import QTextBrowser, QWidget
 
 from skinsource_gui.panels.hand.site_keys import SiteKeys
 from skinsource_gui.panels.skin.colour_strip import key_step_db
-from skinsource_gui.panels.skin.output_keys import OutputKeys
 from skinsource_gui.panels.timeline.heads.list_keys import ListKeys
 from skinsource_gui.widgets.fields.number_gestures import NumberGestures
 from skinsource_gui.widgets.fields.number_typing import begins_typing
 from skinsource_gui.widgets.key_table import WIDGET_KEYS, key_text, meant
+from skinsource_gui.widgets.outputs.keys import OutputKeys
 
 _Key, _Held = Qt.Key, Qt.KeyboardModifier
 SIGNS = [Qt.Key(ord(sign)) for sign in "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ+-= "]

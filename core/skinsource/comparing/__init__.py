@@ -1,6 +1,12 @@
 """Designs side by side: snapshots, alike in level, and how their levels differ."""
 
-from skinsource.comparing.difference import difference_db, loudest_db, matching_gain
+from skinsource.comparing.difference import difference_db, end_db, loudest_db, matching_gain
+from skinsource.comparing.limbs import (
+    MOST_BESIDE,
+    limbs_beside,
+    mean_and_spread_over,
+    same_outputs,
+)
 from skinsource.comparing.snapshot import (
     EDITED,
     NUMBERS,
@@ -14,14 +20,19 @@ from skinsource.comparing.snapshot import (
 
 __all__ = [
     "EDITED",
+    "MOST_BESIDE",
     "NUMBERS",
     "Snapshot",
     "difference_db",
+    "end_db",
+    "limbs_beside",
     "louder",
     "loudest_db",
     "matching_gain",
+    "mean_and_spread_over",
     "nothing_to_compare",
     "other_than",
     "reference",
+    "same_outputs",
     "shown",
 ]

@@ -11,6 +11,8 @@ from skinsource.errors import InvalidInputError
 #: Levels farther below the loudest output count as so far below: what cannot be felt beside it
 #: makes no difference.
 DEPTH_DB = 60.0
+#: Ends of scales of differences, dB.
+ENDS_DB = (1.0, 2.0, 3.0, 6.0, 10.0, 20.0, 30.0, 60.0)
 
 
 def loudest_db(levels_db: ArrayLike) -> float:
@@ -62,3 +64,17 @@ def difference_db(
         loudest_db = float(np.nanmax([np.nanmax(levels_db), np.nanmax(played)]))
     floor = loudest_db - depth_db
     return np.maximum(levels_db, floor) - np.maximum(played, floor)
+
+
+def end_db(*differences_db: ArrayLike) -> float:
+    """Where a scale ends that tells these differences, or spreads, in dB: the next round number.
+
+    Parameters
+    ----------
+    differences_db
+        Of any shape and sign; NaN counts as nothing.
+    """
+    largest = max(
+        (float(np.nanmax(np.abs(one), initial=0.0)) for one in differences_db), default=0.0
+    )
+    return next((end for end in ENDS_DB if largest <= end), ENDS_DB[-1])

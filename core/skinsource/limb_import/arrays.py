@@ -11,7 +11,7 @@ from skinsource.arrays import Floats
 from skinsource.limb_import.refusing import refusal
 from skinsource.quoting import quoted
 from skinsource.recordings import hdf5_file, matlab_file, numpy_file
-from skinsource.recordings.members import Members
+from skinsource.recordings.members import Members, stated_rate
 from skinsource.recordings.readers import reader_of
 
 _OPENED = {
@@ -41,6 +41,27 @@ def arrays_of(path: Path) -> list[dict[str, Any]]:
                 "responses: inputs, outputs, axes and taps in some order",
             )
         return found[:_MOST_ARRAYS]
+
+
+def offered_by(path: Path) -> dict[str, Any]:
+    """Name, shape and rate of each array of three dimensions, and the rate of the file.
+
+    None of tables and sound, which are read signal by signal.
+    """
+    if reader_of(path).name not in _OPENED:
+        return {"arrays": [], "rate_hz": None}
+    with _opened(path) as members:
+        found = [
+            {
+                "name": one.name,
+                "shape": [int(n) for n in one.array.shape],
+                "rate_hz": one.rate_hz,
+            }
+            for one in members.members
+            if len(one.array.shape) == 3 and np.dtype(one.array.dtype).kind in _KINDS
+        ]
+        stated = stated_rate(members)
+        return {"arrays": found[:_MOST_ARRAYS], "rate_hz": stated[1] if stated else None}
 
 
 def array_blocks(path: Path, name: str, order: str) -> Iterator[Floats]:

@@ -11,12 +11,13 @@ from skinsource.recordings.readers import reader_of
 
 _HDF5 = "HDF5", "MATLAB 7.3"
 #: What requests about limbs do.
-REQUESTS = ("limb", "points", "responses")
+REQUESTS = ("limb", "points", "arrays", "responses")
 #: What such files can be.
 EXPECTED = {
     "limb": "responses in the layout of docs/limbs.md, or in NPY, NPZ, MATLAB or HDF5",
     "points": "a CSV or SVG file",
     "responses": "responses in the layout of docs/limbs.md, or in NPY, NPZ, MATLAB or HDF5",
+    "arrays": "a table of numbers, NPY, NPZ, MATLAB or HDF5",
 }
 
 
@@ -24,6 +25,8 @@ def look(request: dict[str, Any], path: Path) -> dict[str, Any]:
     """Answer what a file says besides its responses."""
     if request["do"] == "points":
         return {"points": points_of(path)}
+    if request["do"] == "arrays":
+        return arrays.offered_by(path)
     if reader_of(path).name in _HDF5 and layout.is_limb_file(path):
         return {"limb": {"header": layout.header_of(path), "arrays": []}}
     return {"limb": {"header": None, "arrays": arrays.arrays_of(path)}}

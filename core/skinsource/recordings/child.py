@@ -10,8 +10,8 @@ It reads requests from its input, one JSON text a line:
 - ``{"do": "overview", "path": ..., "key": ..., "samples": ..., "columns": ...}``, answered by
   ``{"done": samples}`` while it is at work, one block of least and largest, and ``{"end": true}``.
 
-- ``{"do": "limb" or "points", "path": ...}`` and ``{"do": "responses", ...}``, answered by what
-  `skinsource.limb_import.in_child` finds, and blocks as above.
+- ``{"do": "limb", "points" or "arrays", "path": ...}`` and ``{"do": "responses", ...}``, answered
+  by what `skinsource.limb_import.in_child` finds, and blocks as above.
 
 Instead of any of them comes ``{"error": sentence, "kind": "format" or "storage"}``.  It ends when
 its input does.
@@ -69,7 +69,7 @@ def _carry_out(answers: IO[bytes], request: dict[str, Any], path: Path) -> None:
     if request["do"] == "overview":
         _give_overview(answers, request, path)
         return
-    if request["do"] in ("limb", "points"):
+    if request["do"] in ("limb", "points", "arrays"):
         _answer(answers, in_child.look(request, path))
         return
     for block in _blocks(request, path):

@@ -65,7 +65,7 @@ def look(path: Path, file_format: str, opened: Open) -> Found:
     """Return the signals among the arrays of a file."""
     with opened(path) as members:
         offered = list(_offered(members))
-        rate = _stated_rate(members)
+        rate = stated_rate(members)
         if not offered:
             left_out = " ".join(members.notes) or "It holds no array of numbers."
             raise refusal(
@@ -156,7 +156,7 @@ def _series(member: Member, shape: tuple[int, ...], axis: int, column: int, of: 
     )
 
 
-def _stated_rate(members: Members) -> tuple[str, float] | None:
+def stated_rate(members: Members) -> tuple[str, float] | None:
     """The number in a file that is called like a rate."""
     for member in members.members:
         shape = tuple(member.array.shape)

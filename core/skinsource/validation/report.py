@@ -17,7 +17,7 @@ _STYLE = (
 )
 _WIDTH, _HEIGHT, _LEFT, _FOOT = 620.0, 220.0, 64.0, 40.0
 #: Titles of the figures, their units, and what the paper reports.
-_FIGURES = (
+FIGURES = (
     ("Normalised mean absolute error", "", "near the noise"),
     ("Difference in amplitude", "%", "below 30 %"),
     ("Pearson's r over time", "", "above 0.5"),
@@ -114,23 +114,40 @@ def _table(conditions: Sequence[Condition]) -> str:
     return f"<table>{head}{''.join(rows)}</table>{note}"
 
 
+def by_frequency(conditions: Sequence[Condition], figure: int) -> list[tuple[str, Floats]]:
+    """Return a figure of all channels that count, by the main frequency of their designs.
+
+    Parameters
+    ----------
+    conditions
+        Those without a measurement are left out.
+    figure
+        Number of the figure in `FIGURES`.
+
+    Returns
+    -------
+    Frequency in Hz as text, and the values, (n,), for each frequency, ascending.
+    """
+    measured = [one for one in conditions if one.agreement is not None]
+    groups = []
+    for frequency in sorted({round(one.frequency_hz, 1) for one in measured}):
+        values = [
+            _figure(one.agreement, figure)
+            for one in measured
+            if round(one.frequency_hz, 1) == frequency
+        ]
+        together = np.concatenate(values)
+        groups.append((f"{frequency:g}", together[np.isfinite(together)]))
+    return groups
+
+
 def _plots(measured: Sequence[Condition]) -> list[str]:
     """A box plot of each figure, a box for each frequency."""
-    frequencies = sorted({round(one.frequency_hz, 1) for one in measured})
     parts = []
-    for k, (title, unit, reported) in enumerate(_FIGURES):
-        groups = []
-        for frequency in frequencies:
-            values = [
-                _figure(one.agreement, k)
-                for one in measured
-                if one.agreement is not None and round(one.frequency_hz, 1) == frequency
-            ]
-            together = np.concatenate(values)
-            groups.append((f"{frequency:g}", together[np.isfinite(together)]))
+    for k, (title, unit, reported) in enumerate(FIGURES):
         of_unit = f" ({unit})" if unit else ""
         parts.append(f"<h2>{title}{of_unit}</h2><p class='note'>The paper reports: {reported}.</p>")
-        parts.append(_boxes(groups))
+        parts.append(_boxes(by_frequency(measured, k)))
     return parts
 
 

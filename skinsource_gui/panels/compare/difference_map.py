@@ -7,13 +7,12 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QHelpEvent, QImage, QPainter, QPen
 from PySide6.QtWidgets import QToolTip, QWidget
 
+from skinsource.comparing import end_db
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
 from skinsource_gui.widgets.fields.level_text import minus, output_text
 from skinsource_gui.widgets.map.colour_maps import colour_table
 from skinsource_gui.widgets.map.small_map import SmallMap, paint_small_map, small_frame
 
-#: Ends of the scale, dB.
-_ENDS_DB = (1.0, 2.0, 3.0, 6.0, 10.0, 20.0, 30.0, 60.0)
 _COLOURS = "CET-D1A"
 _REACH_PX = 10.0
 _SCALE_PX = 10
@@ -41,10 +40,8 @@ class Difference:
     @property
     def end_db(self) -> float:
         """Largest difference that the colours tell, dB."""
-        largest = 0.0
-        if self.shown is not None and self.shown.levels_db is not None:
-            largest = float(np.max(np.abs(self.shown.levels_db)))
-        return next((end for end in _ENDS_DB if largest <= end), _ENDS_DB[-1])
+        levels = None if self.shown is None else self.shown.levels_db
+        return end_db() if levels is None else end_db(levels)
 
 
 class DifferenceMap(QWidget):

@@ -1,6 +1,6 @@
 """RMS levels by region: of snapshots side by side, and of the design on all people's limbs."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import ClassVar
 
 from PySide6.QtCore import QEvent, QSize, Qt
@@ -16,14 +16,17 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource.choice_words import signal_words, span_words
+from skinsource.comparing import limbs_beside
 from skinsource.comparing.regions import REGION_OUTPUTS
 from skinsource.design import Design
+from skinsource.limb import PUBLISHED
 from skinsource.view import View
 from skinsource_gui.compared import Compared
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.regions.columns import Column, columns_of, tab_separated
 from skinsource_gui.theme import UNIT_PX, Theme, scaled, tabular
 from skinsource_gui.widgets.figure.words_label import WordsLabel
+from skinsource_gui.widgets.lateness import Lateness
 from skinsource_gui.widgets.name_column import dress_table
 
 _NEEDS = frozenset({"output_levels_db"})
@@ -31,6 +34,7 @@ _NEEDS = frozenset({"output_levels_db"})
 _TEXT = 0.9
 #: Names where those of the table have too little room.
 _SHORT = {"Back of the hand": "Back", "Wrist, palm side": "W. palm"}
+_NO_REGIONS = "Of an own limb it is not known which outputs lie in which region"
 
 
 class RegionsPanel(Panel):
@@ -38,13 +42,13 @@ class RegionsPanel(Panel):
 
     title: ClassVar[str] = "Regions"
     name: ClassVar[str] = "regions"
-    needs_of_people: ClassVar[frozenset[str]] = _NEEDS
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setMinimumSize(240, 120)
+        self._limbs: tuple[str, ...] = ()
         self._snapshots: Sequence[Compared] = ()
-        self._people: Sequence[Compared] = ()
+        self._on_limbs: Sequence[Compared] = ()
         self.columns: list[Column] = []
         self._about = ""
         self.about = WordsLabel("regions_about")
@@ -72,26 +76,41 @@ class RegionsPanel(Panel):
         column.addLayout(bar)
         column.addWidget(self.table, 1)
         self.setFocusProxy(self.table)
+        self._lateness = Lateness(self)
+        self._lateness.changed.connect(self.table.setDisabled)
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
         return _NEEDS
 
+    @property
+    def needs_on_limbs(self) -> Mapping[str, frozenset[str]]:
+        return dict.fromkeys(self._limbs, _NEEDS)
+
     def sizeHint(self) -> QSize:
         return QSize(460, 300)
 
     def show_state(self, design: Design, view: View) -> None:
+        # Of others it is not known which outputs lie where.
+        self._limbs = limbs_beside(design.limb) if design.limb in PUBLISHED else ()
+        if self._on_limbs and not self._limbs:
+            self.show_on_limbs(())
+        if not self._limbs:
+            self._about = _NO_REGIONS
+            self._say_about()
+            return
         words = signal_words(view.axes, view.method)
         self._about = f"RMS in dB, {words} · {span_words(view.span)} · no sensor on the palm"
         self._say_about()
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
-        if compared and compared[0].on_limb:
-            self._people = compared
-        else:
-            self._snapshots = compared
-        self.columns = columns_of(self._snapshots, self._people)
-        self._fill()
+        self._snapshots = compared
+        self._show_columns()
+
+    def show_on_limbs(self, compared: Sequence[Compared]) -> None:
+        self._on_limbs = compared
+        self._lateness.set_stale(any(one.late for one in compared))
+        self._show_columns()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -105,7 +124,8 @@ class RegionsPanel(Panel):
     def show_theme(self, theme: Theme) -> None:
         self.about.show_theme(theme)
 
-    def _fill(self) -> None:
+    def _show_columns(self) -> None:
+        self.columns = columns_of(self._snapshots, self._on_limbs)
         self.table.setColumnCount(len(self.columns))
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         for k, column in enumerate(self.columns):

@@ -21,11 +21,11 @@ from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import MapLayout
 from skinsource_gui.panels.skin.noise_hatch import paint_hatch
 from skinsource_gui.panels.skin.output_labels import output_labels, square
-from skinsource_gui.panels.skin.output_picking import dorsal_outputs
 from skinsource_gui.panels.skin.triad import paint_triad
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.kept_picture import KeptPicture, PaintedAnew
 from skinsource_gui.widgets.map.colour_maps import colour_table, is_light, level_colours
+from skinsource_gui.widgets.outputs.picking import dorsal_outputs
 
 _RING_PX = 2.2
 _HINTS = QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform

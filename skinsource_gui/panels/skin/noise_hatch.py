@@ -4,7 +4,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPainterPath
 
 from skinsource_gui.panels.skin.map_layout import MapLayout
-from skinsource_gui.panels.skin.output_picking import dorsal_outputs
+from skinsource_gui.widgets.outputs.picking import dorsal_outputs
 
 # Around a sensor, in radii of its disc: about half of the way to its neighbours.
 _REACH = 3.0

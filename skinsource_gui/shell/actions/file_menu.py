@@ -63,6 +63,14 @@ FILE: tuple[ActionSpec, ...] = (
         keywords="import limb lab responses hdf5 outline svg photograph mirror left hand",
     ),
     action(
+        "check_recording",
+        "File",
+        "Check against a recording…",
+        "Hold the prediction against responses that were recorded, and write a report",
+        command="pages.show_check",
+        keywords="measurement validate compare error correlation linearity superposition report",
+    ),
+    action(
         "save_design",
         "File",
         "Save",

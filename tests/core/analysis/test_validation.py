@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from skinsource.errors import InvalidInputError, RecordingError
+from skinsource.resampling import resample
 from skinsource.validation import (
     agreement,
     aligned,
@@ -104,10 +105,43 @@ def test_recorded_responses_are_read_output_by_output(tmp_path, suffix):
         open_recorded(path, 4, 3, 1300.0)
 
 
-def test_a_recording_of_another_rate_and_shapes_that_differ_are_refused(tmp_path):
+@pytest.mark.parametrize("order", ["toa", "oat", "aot"])
+def test_an_array_of_three_dimensions_is_read_in_any_order_with_the_rate_of_its_file(
+    tmp_path, order
+):
     path = tmp_path / "field.npz"
-    np.savez(path, field=FIELD.reshape(18, -1).T, fs=2000.0)
-    with pytest.raises(RecordingError, match="2000 Hz"):
+    np.savez(path, field=FIELD.transpose(["oat".index(one) for one in order]), fs=2600.0)
+    assert open_recorded(path, 6, 3, 2600.0) == pytest.approx(FIELD)
+    assert open_recorded(path, 6, 3, 1300.0) == pytest.approx(resample(FIELD, 2600, 1300))
+
+
+def test_the_rate_is_that_of_the_file_of_its_times_or_else_the_one_given(tmp_path):
+    table, time = FIELD.reshape(18, -1).T, np.arange(400) / 650.0
+    expected = resample(FIELD, 650, 1300)
+    head = ",".join(["time_s", *(f"s{k}" for k in range(18))])
+    stamped, plain = tmp_path / "stamped.csv", tmp_path / "plain.npz"
+    both = np.column_stack([time, table])
+    np.savetxt(stamped, both, delimiter=",", header=head, comments="", fmt="%.12g")
+    np.savez(plain, field=table)
+    assert open_recorded(stamped, 6, 3, 1300.0, rate_hz=99.0) == pytest.approx(expected)
+    assert open_recorded(plain, 6, 3, 1300.0, rate_hz=650.0) == pytest.approx(expected)
+    assert open_recorded(plain, 6, 3, 1300.0) == pytest.approx(FIELD)
+    both[100:, 0] += 0.01
+    np.savetxt(stamped, both, delimiter=",", header=head, comments="")
+    with pytest.raises(RecordingError, match="not steady"):
+        open_recorded(stamped, 6, 3, 1300.0)
+
+
+def test_rates_that_are_no_whole_number_and_shapes_that_differ_are_refused(tmp_path):
+    path = tmp_path / "field.npz"
+    np.savez(path, field=FIELD.reshape(18, -1).T, fs=2000.5)
+    with pytest.raises(RecordingError, match=r"2000\.5 Hz, expected a whole number"):
+        open_recorded(path, 6, 3, 1300.0)
+    np.savez(path, field=np.ones((40, 5, 3)), fs=1300.0)
+    with pytest.raises(RecordingError, match="40 × 5 × 3, expected times × 6 outputs × 3 axes"):
+        open_recorded(path, 6, 3, 1300.0)
+    np.savez(path, field=np.where(FIELD > 1.0, np.nan, FIELD), fs=1300.0)
+    with pytest.raises(RecordingError, match="no finite numbers"):
         open_recorded(path, 6, 3, 1300.0)
     with pytest.raises(InvalidInputError, match="the same"):
         agreement(FIELD, FIELD[:, :2], 0.0)

@@ -6,7 +6,7 @@ from PySide6.QtTest import QTest
 from skinsource.limb import VOLAR_OUTPUTS
 from skinsource_gui.panels.skin.map_painter import ring_radius, small_font
 from skinsource_gui.panels.skin.output_labels import output_labels, square
-from skinsource_gui.panels.skin.output_picking import output_beyond
+from skinsource_gui.widgets.outputs.picking import output_beyond
 from tests.gui.skin.bench import CONTROL, LEFT, PLAIN, SHIFT, click, drag, empty_place, place
 
 # Selecting

@@ -4,14 +4,15 @@ from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 
 from skinsource.arrays import Floats
-from skinsource_gui.panels.skin.output_picking import (
+from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.outputs.picking import (
     Outputs,
     dorsal_outputs,
+    is_placed,
     output_at,
     output_beyond,
     toggled,
 )
-from skinsource_gui.widgets.key_table import meant
 
 #: Held, they add to the selection.
 ADDS = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier
@@ -90,7 +91,6 @@ class OutputKeys(QObject):
         return True
 
     def _start(self, points: Floats, outputs: Outputs, middle: QPointF) -> int:
-        if self.cursor_output is not None and self.cursor_output <= len(points):
-            return self.cursor_output
-        here = [number for number in outputs if number <= len(points)]
+        cursor = () if self.cursor_output is None else (self.cursor_output,)
+        here = [number for number in (*cursor, *outputs) if is_placed(points, number)]
         return here[0] if here else output_at(points, middle, float("inf")) or 1

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QObject, QPointF, QRectF, Signal
 
 from skinsource.arrays import Floats
-from skinsource_gui.panels.skin.output_picking import (
+from skinsource_gui.widgets.outputs.picking import (
     Outputs,
     joined,
     output_at,

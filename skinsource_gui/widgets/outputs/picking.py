@@ -13,9 +13,18 @@ def dorsal_outputs(points: Floats, unplaced: Outputs) -> Outputs:
     return tuple(k for k in range(1, len(points) + 1) if k not in unplaced)
 
 
+def is_placed(points: Floats, number: int) -> bool:
+    """Whether an output is somewhere; ``points`` is (n_outputs, 2)."""
+    return number <= len(points) and bool(np.isfinite(points[number - 1]).all())
+
+
 def output_at(points: Floats, at: QPointF, reach_px: float) -> int | None:
-    """Number of the output nearest to ``at`` and within reach; ``points`` is (n_outputs, 2)."""
+    """Number of the output nearest to ``at`` and within reach; ``points`` is (n_outputs, 2).
+
+    Those that are nowhere, NaN, are never meant.
+    """
     distances = np.hypot(points[:, 0] - at.x(), points[:, 1] - at.y())
+    distances[np.isnan(distances)] = np.inf
     nearest = int(np.argmin(distances))
     return nearest + 1 if distances[nearest] <= reach_px else None
 

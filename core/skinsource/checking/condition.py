@@ -1,0 +1,164 @@
+"""One design, checked: whether it is linear, and how well it agrees with its recording."""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+
+from skinsource.analysis.statistics import dominant_frequency
+from skinsource.arrays import Floats
+from skinsource.comparing.snapshot import louder
+from skinsource.design import Design, audible_inputs
+from skinsource.errors import InvalidInputError
+from skinsource.job import Progress, Stop, never, silent
+from skinsource.limb import Axes, Limb
+from skinsource.own_limbs import facts_of
+from skinsource.quantities import new_graph, sources
+from skinsource.quoting import quoted
+from skinsource.recordings.reading_process import ReadingProcess
+from skinsource.validation import (
+    agreement,
+    aligned,
+    linear_fit,
+    open_recorded,
+    superposition_correlation,
+)
+from skinsource.validation.report import Condition
+from skinsource.view import View
+
+_LEVELS = (0.25, 0.5, 1.0, 2.0)
+# A recording may start this much earlier or later than the prediction.
+_MOST_SHIFT_S = 0.2
+# More would take gigabytes: all channels are held, at several levels.
+_MOST_VALUES = 20_000 * 72 * 3
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Recorded:
+    """Where a recording is.
+
+    Attributes
+    ----------
+    path
+        A file of responses, see `skinsource.validation.open_recorded`.
+    rate_hz
+        Its rate, where the file says none; None: that of the limb.
+    """
+
+    path: Path
+    rate_hz: float | None = None
+
+
+def condition_of(
+    design: Design,
+    name: str,
+    recorded: Recorded | None = None,
+    *,
+    axes: Axes | Literal[""] = "",
+    process: ReadingProcess | None = None,
+    progress: Progress = silent,
+    stop: Stop = never,
+) -> Condition:
+    """Check a design, alone and against a recording.
+
+    Parameters
+    ----------
+    design, name
+        The design, and what the report calls it.
+    recorded
+        What was measured of it; None: nothing was.
+    axes
+        Axes that are looked at, and recorded; empty: all of the limb.
+    process
+        Reads the recording; one of its own unless given.
+    progress, stop
+        As for all long work.
+
+    Raises
+    ------
+    InvalidInputError
+        The limb has no such axes, or the design is too long for all channels to be compared.
+    RecordingError, StorageError
+        The recording does not fit, or cannot be read.
+    Stopped
+        ``stop`` said so.
+    """
+    chosen = axes or facts_of(design.limb).axes
+    seen = View(axes=chosen)
+    progress(0, 3, f"Predicting {name}")
+    # What is compared is the prediction through the graph of the studio, not one made for it.
+    basis = _values(design, seen, stop, "limb_data", "response_samples", "noise_energy")
+    limb, n_times = basis["limb_data"], basis["response_samples"]
+    _refuse_too_much(name, limb, len(chosen), n_times)
+    every = replace(seen, outputs=tuple(range(1, limb.n_outputs + 1)))
+    field = _values(design, every, stop, "axis_traces")["axis_traces"]
+    progress(1, 3, f"Checking {name}")
+    linear, superposed = _checks(design, every, field, limb.sample_rate_hz, stop)
+    found = Condition(
+        name=name,
+        frequency_hz=_main_frequency(field, limb.sample_rate_hz),
+        linear=linear,
+        superposed=superposed,
+    )
+    if recorded is None:
+        return found
+    progress(2, 3, f"Reading {recorded.path.name}")
+    size = limb.n_outputs, len(chosen), limb.sample_rate_hz
+    how: dict[str, Any] = {"rate_hz": recorded.rate_hz, "process": process, "stop": stop}
+    measured = open_recorded(recorded.path, *size, **how)
+    noise = _noise_rms(basis["noise_energy"], limb, chosen, n_times)
+    shifted, shift = aligned(measured, field, round(_MOST_SHIFT_S * limb.sample_rate_hz))
+    return replace(found, agreement=agreement(field, shifted, noise), shift_samples=shift)
+
+
+def _noise_rms(energy: Floats | None, limb: Limb, axes: str, n_times: int) -> Floats | float:
+    """RMS of the limb's noise in each channel, (n_outputs, n_axes); 0 where none is known."""
+    if energy is None:
+        return 0.0
+    noise: Floats = np.sqrt(energy[:, [limb.axes.index(axis) for axis in axes]] / n_times)
+    return noise
+
+
+def _refuse_too_much(name: str, limb: Limb, n_axes: int, n_times: int) -> None:
+    most = _MOST_VALUES // (limb.n_outputs * n_axes)
+    if n_times > most:
+        raise InvalidInputError(
+            f"{quoted(name)} is {n_times / limb.sample_rate_hz:.1f} s long, expected at most "
+            f"{most / limb.sample_rate_hz:.1f} s: all channels are compared"
+        )
+
+
+def _checks(
+    design: Design, view: View, field: Floats, rate: float, stop: Stop
+) -> tuple[float, float]:
+    """Smallest adjusted R² over levels, and smallest r between the sum of inputs and all."""
+    if not field.any():
+        return float("nan"), float("nan")
+    at_levels = [
+        _values(louder(design, k), view, stop, "axis_traces")["axis_traces"] for k in _LEVELS
+    ]
+    channels = np.stack(at_levels).reshape(len(_LEVELS), -1, field.shape[-1])
+    fit = linear_fit(_LEVELS, channels, rate)[1]
+    heard = audible_inputs(design.inputs)
+    if len(heard) < 2:
+        return float(np.nanmin(fit)), float("nan")
+    parts = []
+    for one in heard:
+        alone = tuple(replace(each, muted=each.id != one.id, solo=False) for each in design.inputs)
+        trace = _values(replace(design, inputs=alone), view, stop, "axis_traces")["axis_traces"]
+        whole = np.zeros(field.shape)
+        whole[..., : trace.shape[-1]] = trace[..., : field.shape[-1]]
+        parts.append(whole.reshape(-1, field.shape[-1]))
+    r = superposition_correlation(np.stack(parts), field.reshape(-1, field.shape[-1]))
+    return float(np.nanmin(fit)), float(np.nanmin(r))
+
+
+def _main_frequency(field: Floats, rate: float) -> float:
+    """Frequency with the most power over all channels; NaN for silence."""
+    power = np.sum(np.square(np.abs(np.fft.rfft(field, axis=-1))), axis=(0, 1))
+    return float(dominant_frequency(power, rate / field.shape[-1]))
+
+
+def _values(design: Design, view: View, stop: Stop, *names: str) -> dict[str, Any]:
+    return new_graph().evaluate(names, sources(design, view), stop)

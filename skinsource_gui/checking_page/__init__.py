@@ -1,0 +1,1 @@
+"""File > Check against a recording: predictions held against what was measured."""

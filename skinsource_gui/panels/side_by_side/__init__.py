@@ -1,0 +1,1 @@
+"""Panel of large maps side by side: of limbs, or of snapshots."""

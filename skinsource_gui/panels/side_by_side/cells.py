@@ -1,0 +1,182 @@
+"""The maps of designs side by side: their levels, their differences, their mean and spread."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from skinsource.arrays import Floats
+from skinsource.choice_words import AXES, limb_word, word_of
+from skinsource.comparing import (
+    difference_db,
+    end_db,
+    mean_and_spread_over,
+    same_outputs,
+)
+from skinsource.decibels import map_range_db
+from skinsource.limb import PUBLISHED
+from skinsource_gui.compared import Compared
+from skinsource_gui.panels.side_by_side.content import DIVERGING, Cell, Scale
+from skinsource_gui.widgets.map.small_map import SmallMap, SmallMaps
+
+#: What something is called, in ever fewer words.
+Names = tuple[str, ...]
+
+_UNIT = "dB re 1 m/s²"
+_ELSEWHERE = "Its outputs are at other places: there is no difference."
+
+
+class Cells:
+    """Makes the maps; the pixels of each are made once."""
+
+    def __init__(self) -> None:
+        self._maps: dict[str, SmallMaps] = {}
+        self._before: dict[str, SmallMaps] = {}
+
+    def of_levels(self, compared: Sequence[Compared], names: Sequence[Names]) -> tuple[Cell, ...]:
+        """A map of the levels of each, in the same colours."""
+        self._begin()
+        known = [_levels_db(one) for one in compared if one.values is not None]
+        loudest = np.array([levels.max() for levels in known])
+        scale = Scale(range_db=map_range_db(loudest), words=_UNIT)
+        return tuple(
+            self._levels(one, name, scale) for one, name in zip(compared, names, strict=True)
+        )
+
+    def of_differences(
+        self, compared: Sequence[Compared], names: Sequence[Names], reference: int
+    ) -> tuple[Cell, ...]:
+        """A map of how much louder each of the others is than the one at ``reference``."""
+        self._begin()
+        base, of_base = compared[reference], names[reference]
+        cells = [
+            self._difference(one, _minus(of_one, of_base), base)
+            for k, (one, of_one) in enumerate(zip(compared, names, strict=True))
+            if k != reference
+        ]
+        drawn = [cell.values_db for cell in cells if cell.values_db is not None]
+        end = end_db(*drawn)
+        scale = Scale(range_db=(-end, end), words="dB", colours=DIVERGING, signed=True)
+        return tuple(cell if cell.small is None else replace(cell, scale=scale) for cell in cells)
+
+    def of_spread(self, compared: Sequence[Compared], reference: int) -> tuple[Cell, ...]:
+        """Mean and standard deviation over all whose outputs are at the places of ``reference``."""
+        self._begin()
+        base = compared[reference]
+        limb = _limb(base)
+        alike = [one for one in compared if same_outputs(limb, _limb(one))]
+        known = [one for one in alike if one.values is not None]
+        # A mean of those that happen to be known already would change by itself.
+        computing = any(one.values is None and not one.problem for one in alike)
+        if base.values is None or computing or len(known) < 2:
+            few = "A mean takes two at least that have outputs at the same places."
+            problem = next((one.problem for one in alike if one.problem), few)
+            return (Cell(headings=("",), limb=limb, words="" if computing else problem),)
+        mean, spread = mean_and_spread_over([_levels_db(one) for one in known])
+        what = f"of {len(known)}"
+        late = any(one.late for one in known)
+        common = {
+            "limb": limb,
+            "late": late,
+            "synthetic": any(_synthetic(one) for one in known),
+        }
+        of_mean = Scale(range_db=map_range_db(mean), words=_UNIT)
+        of_spread = Scale(range_db=(0.0, end_db(spread)), words="dB")
+        return (
+            Cell(
+                headings=(f"Mean {what}", "Mean"),
+                small=self._map("mean", base, mean),
+                scale=of_mean,
+                **common,
+            ),
+            Cell(
+                headings=(f"Standard deviation {what}", "Standard deviation", "Spread"),
+                small=self._map("spread", base, spread),
+                scale=of_spread,
+                **common,
+            ),
+        )
+
+    def _difference(self, one: Compared, headings: Names, base: Compared) -> Cell:
+        cell = Cell(headings=headings, limb=_limb(one), late=one.late or base.late)
+        if not same_outputs(_limb(one), _limb(base)):
+            return replace(cell, words=_ELSEWHERE)
+        if one.values is None or base.values is None:
+            return replace(cell, words=one.problem or base.problem)
+        levels = difference_db(_levels_db(one), _levels_db(base))
+        both = _synthetic(one) or _synthetic(base)
+        return replace(cell, small=self._map(headings[0], one, levels), synthetic=both)
+
+    def _levels(self, one: Compared, names: Names, scale: Scale) -> Cell:
+        cell = Cell(headings=names, limb=_limb(one), words=one.problem, late=one.late)
+        if one.values is None:
+            return cell
+        return replace(
+            cell,
+            small=self._map(names[0], one, None),
+            scale=scale,
+            design=one.snapshot.design,
+            synthetic=_synthetic(one),
+        )
+
+    def _begin(self) -> None:
+        self._before, self._maps = self._maps, {}
+
+    def _map(self, kept: str, one: Compared, levels_db: Floats | None) -> SmallMap:
+        """A map on the limb of ``one``: of its levels as they are shown, or of others."""
+        values: dict[str, Any] = dict(one.values or {})
+        if levels_db is not None:
+            values["output_levels_db"] = levels_db
+            values["surface_levels_db"] = values["surface"].interpolate(levels_db)
+        elif one.gain != 1.0:
+            values["output_levels_db"] = _levels_db(one)
+            values["surface_levels_db"] = values["surface_levels_db"] + _gain_db(one)
+        self._maps[kept] = maps = self._before.pop(kept, None) or SmallMaps()
+        return maps.map_of(values)
+
+
+def limb_names(compared: Sequence[Compared], axes: str) -> list[Names]:
+    """What the limbs are called; those measured along other axes than ``axes`` say so."""
+    found = []
+    for one in compared:
+        title = limb_word(_limb(one)).title
+        other = f" ({word_of(AXES, one.axes).title})" if one.axes not in ("", axes) else ""
+        published = _limb(one) in PUBLISHED
+        short = title.partition(" (")[0] if published else title
+        number = title.split()[1] if published else _limb(one)
+        found.append((f"{title}{other}", short, number))
+    return found
+
+
+def snapshot_names(compared: Sequence[Compared]) -> list[Names]:
+    """What the snapshots are called."""
+    return [
+        (one.name,) if one.name == "Edited" else (f"Snapshot {one.name}", one.name)
+        for one in compared
+    ]
+
+
+def _minus(one: Names, other: Names) -> Names:
+    """What a difference is called; as few words of both."""
+    n = max(len(one), len(other))
+    pairs = [(one[min(k, len(one) - 1)], other[min(k, len(other) - 1)]) for k in range(n)]
+    return tuple(f"{this} minus {that}" for this, that in pairs)
+
+
+def _levels_db(one: Compared) -> Floats:
+    """Levels as it is shown: as loud as the others, where that is wanted."""
+    levels: Floats = (one.values or {})["output_levels_db"]
+    return levels if one.gain == 1.0 else levels + _gain_db(one)
+
+
+def _gain_db(one: Compared) -> float:
+    return float(20.0 * np.log10(one.gain))
+
+
+def _limb(one: Compared) -> str:
+    return one.snapshot.design.limb
+
+
+def _synthetic(one: Compared) -> bool:
+    return one.values is not None and bool(one.values["limb_data"].synthetic)

@@ -1,0 +1,63 @@
+"""What is chosen above the maps: of what, what of it, and on which limbs."""
+
+from dataclasses import replace
+from typing import Any
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QHBoxLayout, QWidget
+
+from skinsource.design import Design
+from skinsource.panel_settings import settings_of, with_settings
+from skinsource.view import View
+from skinsource_gui.panels.side_by_side.limbs_menu import LimbsButton
+from skinsource_gui.panels.side_by_side.settings import OF, SHOWN, SideBySideSettings
+from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
+
+
+class ChoicesBar(QWidget):
+    """Turns choices into another view.
+
+    Attributes
+    ----------
+    settings
+        Those of the present view.
+    of, shown, limbs
+        Its parts.
+    """
+
+    #: The new `View`.
+    view_changed = Signal(object)
+
+    def __init__(self, panel_name: str, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._panel_name = panel_name
+        self._view, self.settings = View(), SideBySideSettings()
+        self.of, self.shown = ChoiceField(OF, self), ChoiceField(SHOWN, self)
+        self.of.setObjectName("side_by_side_of")
+        self.shown.setObjectName("side_by_side_shown")
+        self.of.chosen.connect(lambda of, _: self._change(of=of))
+        self.shown.chosen.connect(lambda what, _: self._change(shown=what))
+        self.limbs = LimbsButton(self)
+        self.limbs.limbs_chosen.connect(lambda limbs: self._change(limbs=" ".join(limbs)))
+        row = QHBoxLayout(self)
+        row.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
+        row.setSpacing(UNIT_PX // 2)
+        for part, stretch in ((self.of, 3), (self.shown, 4), (self.limbs, 0)):
+            row.addWidget(part, stretch)
+
+    def show_state(self, design: Design, view: View) -> None:
+        """Take over the present design and view."""
+        self._view = view
+        self.settings = settings = settings_of(view, self._panel_name, SideBySideSettings)
+        self.of.set_value(settings.of)
+        self.shown.set_value(settings.shown)
+        of_limbs = settings.of == "limbs"
+        self.limbs.setEnabled(of_limbs)
+        if of_limbs:
+            usual = not settings.limbs.strip()
+            self.limbs.show_chosen(settings.chosen(design.limb), usual=usual)
+
+    def _change(self, **changes: Any) -> None:
+        settings = replace(self.settings, **changes)
+        self.view_changed.emit(with_settings(self._view, self._panel_name, settings))

@@ -1,0 +1,137 @@
+"""What maps side by side show."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from skinsource.arrays import Floats
+from skinsource.design import Design
+from skinsource_gui.widgets.fields.level_text import minus, output_text
+from skinsource_gui.widgets.map.colour_maps import VIRIDIS
+from skinsource_gui.widgets.map.small_map import Range, SmallMap
+
+#: Colours of what is signed: white where there is no difference.
+DIVERGING = "CET-D1A"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scale:
+    """Colours, and what they mean.
+
+    Attributes
+    ----------
+    range_db
+        Values of the lowest and the highest colour.
+    words
+        Unit, and what the values are.
+    colours
+        Name of the colour map.
+    signed
+        Whether values are told with their sign.
+    """
+
+    range_db: Range
+    words: str
+    colours: str = VIRIDIS
+    signed: bool = False
+
+    def text(self, value_db: float) -> str:
+        """``"−12.3 dB"``; with a sign where it is one of a difference."""
+        return minus(f"{value_db:+.1f} dB" if self.signed else f"{value_db:.1f} dB")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Cell:
+    """One of the maps.
+
+    Attributes
+    ----------
+    headings
+        Whose it is, or what of whom: the same thing in ever fewer words.
+    limb
+        Whose outputs and outline they are.
+    small
+        The map, its levels in dB; None: there is none.
+    scale
+        Its colours; None where there is no map.
+    design
+        Its inputs are marked; None: none are.
+    words
+        Why there is no map.
+    late
+        Whether it belongs to the design before.
+    synthetic
+        Whether responses are computed, not measured.
+    """
+
+    headings: tuple[str, ...]
+    limb: str
+    small: SmallMap | None = None
+    scale: Scale | None = None
+    design: Design | None = None
+    words: str = ""
+    late: bool = False
+    synthetic: bool = False
+
+    @property
+    def heading(self) -> str:
+        """All of the heading."""
+        return self.headings[0]
+
+    @property
+    def values_db(self) -> Floats | None:
+        """The value of each output, (n_outputs,); None where there are none."""
+        return None if self.small is None else self.small.levels_db
+
+    def value_text(self, output: int | None) -> str:
+        """The value of an output; of none: the largest one, and where it is."""
+        values = self.values_db
+        if values is None or self.scale is None:
+            return ""
+        if output is not None:
+            here = output <= values.size
+            return self.scale.text(float(values[output - 1])) if here else "no such output"
+        largest = int(np.argmax(np.abs(values) if self.scale.signed else values))
+        return f"{self.scale.text(float(values[largest]))} at {largest + 1}"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Content:
+    """All of them.
+
+    Attributes
+    ----------
+    cells
+        In their order.
+    outputs
+        Selected ones.
+    message
+        What stands in their place; empty: they are shown.
+    about
+        What is shown, said below while no output is pointed at.
+    """
+
+    cells: tuple[Cell, ...] = ()
+    outputs: tuple[int, ...] = ()
+    message: str = ""
+    about: str = ""
+
+    @cached_property
+    def common_scale(self) -> Scale | None:
+        """The scale that all maps share; None where they differ."""
+        scales = {cell.scale for cell in self.cells if cell.scale is not None}
+        return scales.pop() if len(scales) == 1 else None
+
+    @property
+    def late(self) -> bool:
+        """Whether any of the maps belongs to the design before."""
+        return any(cell.late for cell in self.cells)
+
+    def readout(self, output: int | None) -> str:
+        """What all maps say of an output; without one what they are."""
+        drawn = [cell for cell in self.cells if cell.small is not None]
+        if output is None or not drawn:
+            return self.about
+        values = " · ".join(cell.value_text(output).removesuffix(" dB") for cell in drawn)
+        return f"{output_text(output, drawn[0].limb)}: {values} dB"

@@ -1,0 +1,118 @@
+"""Where maps side by side and their scales lie."""
+
+from dataclasses import dataclass
+from math import ceil
+
+from PySide6.QtCore import QRectF
+
+SCALE_PX = 9.0
+# Height of a map over its width: hand and arm.
+_HIGH = 2.3
+# Lines of words above each map: what it is, and a value.
+_HEAD_LINES = 2.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CellPlace:
+    """Areas of one map, px.
+
+    Attributes
+    ----------
+    whole
+        All of it.
+    heading, value
+        A line of words each.
+    map
+        Room for the map.
+    scale
+        Its own scale; empty where all have one in common.
+    """
+
+    whole: QRectF
+    heading: QRectF
+    value: QRectF
+    map: QRectF
+    scale: QRectF
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Places:
+    """Areas of all maps, px.
+
+    Attributes
+    ----------
+    head
+        A line of words above.
+    cells
+        Of the maps.
+    scale
+        The scale of all of them; empty where each has its own.
+    """
+
+    head: QRectF
+    cells: tuple[CellPlace, ...]
+    scale: QRectF
+
+
+def places_of(room: QRectF, n: int, line: float, *, common: bool) -> Places:
+    """Lay ``n`` maps out in ``room``, in as many rows as give the largest maps.
+
+    Parameters
+    ----------
+    room
+        In which.
+    n
+        How many maps.
+    line
+        Height of a line of words.
+    common
+        Whether one scale serves all of them.
+    """
+    edge = 0.3 * line
+    scale_height = SCALE_PX + 2.2 * line
+    inner = room.adjusted(edge, 0.0, -edge, -edge)
+    head = QRectF(inner.left(), inner.top(), inner.width(), 1.2 * line)
+    foot = scale_height if common else 0.0
+    scale = QRectF(inner.left(), inner.bottom() - foot, inner.width(), foot)
+    maps = QRectF(inner.left(), head.bottom(), inner.width(), scale.top() - head.bottom())
+    beside = _HEAD_LINES * line + (0.0 if common else scale_height) + edge
+    rows = _rows(maps, n, beside)
+    columns = ceil(n / rows) if n else 1
+    width, height = maps.width() / columns, maps.height() / rows
+    cells = tuple(
+        _cell(
+            QRectF(
+                maps.left() + width * (k % columns),
+                maps.top() + height * (k // columns),
+                width,
+                height,
+            ),
+            line,
+            0.0 if common else scale_height,
+        )
+        for k in range(n)
+    )
+    return Places(head=head, cells=cells, scale=scale)
+
+
+def _rows(room: QRectF, n: int, beside: float) -> int:
+    """In how many rows maps are largest; as few as give that."""
+
+    def map_width(rows: int) -> float:
+        wide = room.width() / ceil(n / rows)
+        return min(wide, (room.height() / rows - beside) / _HIGH) - 1e-6 * rows
+
+    return max(range(1, n + 1), key=map_width, default=1)
+
+
+def _cell(whole: QRectF, line: float, scale_height: float) -> CellPlace:
+    top = whole.top() + _HEAD_LINES * line
+    bottom = whole.bottom() - scale_height
+    edge = 0.3 * line
+    return CellPlace(
+        whole=whole,
+        heading=QRectF(whole.left(), whole.top(), whole.width(), line),
+        value=QRectF(whole.left(), whole.top() + line, whole.width(), line),
+        map=QRectF(whole.left() + edge, top, whole.width() - 2 * edge, bottom - top - edge),
+        scale=QRectF(whole.left(), bottom, whole.width(), scale_height),
+    )

@@ -1,0 +1,135 @@
+"""Draws maps side by side, what is selected and pointed at in all of them, and their scales."""
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFont, QImage, QPainter, QPen
+
+from skinsource_gui.panels.side_by_side.content import Cell, Content, Scale
+from skinsource_gui.panels.side_by_side.layout import SCALE_PX, CellPlace, Places
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.fields.level_text import minus
+from skinsource_gui.widgets.map.colour_maps import colour_table
+from skinsource_gui.widgets.map.small_map import SmallMap, paint_small_map, small_frame
+from skinsource_gui.widgets.outputs.picking import is_placed
+
+_CENTRE = Qt.AlignmentFlag.AlignCenter
+_RING_PX, _WIDE_PX = 4.0, 7.0
+# Of the levels that a map spans, of differences with zero in their middle, and of narrow scales.
+_TICKS, _SIGNED_TICKS, _FEW_TICKS = 6, 5, 3
+
+
+def paint_content(
+    painter: QPainter,
+    content: Content,
+    places: Places,
+    theme: Theme,
+    pointed_at: int | None = None,
+) -> None:
+    """Draw ``content``; the painter's font is that of all words.
+
+    Parameters
+    ----------
+    painter, places, theme
+        On what, where, in which colours.
+    content
+        What is shown.
+    pointed_at
+        Number of the output that is marked in every map; None: none is.
+    """
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    common = content.common_scale
+    for cell, place in zip(content.cells, places.cells, strict=True):
+        _paint_cell(painter, cell, place, content, theme, pointed_at)
+        if common is None and cell.scale is not None:
+            paint_scale(painter, place.scale, cell.scale, theme)
+    if common is not None:
+        paint_scale(painter, places.scale, common, theme)
+
+
+def paint_scale(painter: QPainter, area: QRectF, scale: Scale, theme: Theme) -> None:
+    """Draw colours with numbers and words below them."""
+    line = painter.fontMetrics().height()
+    width = max(min(area.width() - 4.0 * line, 20.0 * line), 4.0 * line)
+    ramp = QRectF(area.center().x() - width / 2.0, area.top() + 2.0, width, SCALE_PX)
+    row = np.ascontiguousarray(colour_table(scale.colours))
+    image = QImage(row.data, len(row), 1, 4 * len(row), QImage.Format.Format_RGB32)
+    painter.drawImage(ramp, image)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(QPen(QColor(theme.border), 1))
+    painter.drawRect(ramp)
+    low, high = scale.range_db
+    painter.setPen(QColor(theme.text))
+    n_ticks = _SIGNED_TICKS if scale.signed else _TICKS
+    if ramp.width() < 3.0 * line * n_ticks:
+        n_ticks = _FEW_TICKS
+    for value in np.linspace(low, high, n_ticks):
+        x = ramp.left() + (value - low) / (high - low) * ramp.width()
+        words = QRectF(x - 3.0 * line, ramp.bottom(), 6.0 * line, line)
+        signed = scale.signed and value != 0.0
+        painter.drawText(words, _CENTRE, minus(f"{value:+g}" if signed else f"{value:g}"))
+    painter.setPen(QColor(theme.dim))
+    below = QRectF(area.left(), ramp.bottom() + line, area.width(), line)
+    painter.drawText(below, _CENTRE, scale.words)
+
+
+def _paint_cell(
+    painter: QPainter,
+    cell: Cell,
+    place: CellPlace,
+    content: Content,
+    theme: Theme,
+    pointed_at: int | None,
+) -> None:
+    plain, bold = QFont(painter.font()), QFont(painter.font())
+    bold.setBold(True)
+    painter.setFont(bold)
+    painter.setPen(QColor(theme.text))
+    painter.drawText(place.heading, _CENTRE, _fitting(painter, cell, place.heading.width()))
+    painter.setFont(plain)
+    if cell.small is None or cell.scale is None:
+        painter.setPen(QColor(theme.dim))
+        flags = _CENTRE | Qt.TextFlag.TextWordWrap
+        painter.drawText(place.map, flags, cell.words or "Computing…")
+        return
+    painter.setPen(QColor(theme.text if pointed_at is not None else theme.dim))
+    painter.drawText(place.value, _CENTRE, cell.value_text(pointed_at))
+    table = colour_table(cell.scale.colours)
+    paint_small_map(painter, place.map, cell.small, cell.design, theme, cell.scale.range_db, table)
+    _paint_rings(painter, cell.small, place, content, theme, pointed_at)
+
+
+def _fitting(painter: QPainter, cell: Cell, width: float) -> str:
+    """The heading in as many words as there is room for."""
+    metrics = painter.fontMetrics()
+    width -= 0.5 * metrics.height()
+    fits = (words for words in cell.headings if metrics.horizontalAdvance(words) <= width)
+    shortest = metrics.elidedText(cell.headings[-1], Qt.TextElideMode.ElideRight, int(width))
+    return next(fits, shortest)
+
+
+def _paint_rings(
+    painter: QPainter,
+    small: SmallMap,
+    place: CellPlace,
+    content: Content,
+    theme: Theme,
+    pointed_at: int | None,
+) -> None:
+    """Selected outputs in the colours of their curves, and the one that is pointed at."""
+    limb_map = small.limb_map
+    points = small_frame(limb_map, place.map).to_screen(limb_map.output_positions)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    rings = [
+        (number, theme.output_pen(rank, 2.0), _RING_PX)
+        for rank, number in enumerate(content.outputs)
+    ]
+    if pointed_at is not None:
+        rings.append((pointed_at, QPen(QColor(theme.text), 1.5), _WIDE_PX))
+    for number, pen, radius in rings:
+        if not is_placed(points, number):
+            continue  # not on this map
+        centre = QPointF(*points[number - 1])
+        painter.setPen(QPen(QColor(theme.base), 2.0 * pen.widthF()))
+        painter.drawEllipse(centre, radius, radius)
+        painter.setPen(pen)
+        painter.drawEllipse(centre, radius, radius)

@@ -1,0 +1,55 @@
+"""What only the panel of maps side by side looks at."""
+
+from dataclasses import dataclass
+
+from skinsource import fields
+from skinsource.comparing import MOST_BESIDE, limbs_beside
+from skinsource.fields import ChoiceSpec, TextSpec
+
+OF = ChoiceSpec(
+    label="Of",
+    options=(("limbs", "Limbs"), ("snapshots", "Snapshots")),
+    hint="The present design on several limbs, or the snapshots of this design",
+)
+SHOWN = ChoiceSpec(
+    label="Shown",
+    options=(
+        ("levels", "Levels"),
+        ("difference", "Difference"),
+        ("mean", "Mean, spread"),
+    ),
+    hint="The levels of each, in the same colours; how much louder each of the others is than the "
+    "one in the window; or the mean of all and their standard deviation",
+)
+LIMBS = TextSpec(label="Limbs", longest=200, one_line=True)
+#: Fewer are not side by side.
+LEAST_BESIDE = 2
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SideBySideSettings:
+    """What is compared, and how.
+
+    Attributes
+    ----------
+    of
+        ``"limbs"`` or ``"snapshots"``.
+    shown
+        ``"levels"``, ``"difference"`` or ``"mean"``.
+    limbs
+        Names of the chosen limbs with spaces between; empty: those that belong beside the one of
+        the design, see `skinsource.comparing.limbs_beside`.
+    """
+
+    of: str = fields.choice("limbs", OF)
+    shown: str = fields.choice("levels", SHOWN)
+    limbs: str = fields.text("", LIMBS)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    def chosen(self, limb: str) -> tuple[str, ...]:
+        """Names of the limbs that are shown beside each other while a design is on ``limb``."""
+        if not self.limbs.strip():
+            return limbs_beside(limb)
+        return tuple(dict.fromkeys(self.limbs.split()))[:MOST_BESIDE]

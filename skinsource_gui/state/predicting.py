@@ -1,0 +1,56 @@
+"""What a prediction beside the one of the window starts from, and why there may be none."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from skinsource.design import Design
+from skinsource.errors import SkinSourceError
+from skinsource.limb import LIVE_INPUTS, LIVE_OUTPUTS
+from skinsource.own_limbs import facts_of
+from skinsource.quantities import sources
+from skinsource.view import View
+
+#: What levels depend on.
+_DEPENDS_ON = (
+    "limb",
+    "limb_digest",
+    "limb_mirrored",
+    "inputs",
+    "scaling",
+    "actuation",
+    "axes",
+    "method",
+    "span",
+)
+
+
+def sources_of_levels(design: Design, view: View) -> dict[str, Any]:
+    """What evaluation starts from: of the view only what levels depend on.
+
+    The rest of it changes while one looks around.
+    """
+    seen = View(axes=view.axes, method=view.method, span=view.span, selected_inputs=())
+    return sources(design, seen)
+
+
+def key_of_levels(given: Mapping[str, Any]) -> tuple[Any, ...]:
+    """What the same levels have in common, of what an evaluation starts from."""
+    return tuple(given[name] for name in _DEPENDS_ON)
+
+
+def too_large(limb: str) -> str:
+    """Why a limb is not computed while one edits, in a sentence; empty if it is."""
+    facts = facts_of(limb)
+    if facts.live:
+        return ""
+    return (
+        f"{facts.title} has {facts.n_inputs} places and {facts.n_outputs} outputs, and results "
+        f"follow edits up to {LIVE_INPUTS} and {LIVE_OUTPUTS}. File > Export and sweeps compute it."
+    )
+
+
+def reason_of(error: Exception | None) -> str:
+    """Why there are no values, in words for the user."""
+    if isinstance(error, SkinSourceError):
+        return str(error)
+    return f"The studio made a mistake: {type(error).__name__}: {error}"

@@ -1,0 +1,242 @@
+"""Maps side by side: the same numbers as alone, one scale, one pointer, no cost while hidden."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QGuiApplication, QMouseEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from skinsource.decibels import map_range_db
+from skinsource.design import track
+from skinsource.evaluation import evaluate
+from skinsource.panel_settings import settings_of, with_settings
+from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
+from tests.core.own_limbs.lab_bench import installed
+
+LIMBS = tuple(f"synthetic-{k}" for k in (1, 2, 3, 4))
+
+
+@pytest.fixture
+def panel(window, settle):
+    window.docks["side_by_side"].bring_forward()
+    settle()
+    return window.panel("side_by_side")
+
+
+def choose(window, **changes):
+    view = window.document.view
+    settings = replace(settings_of(view, "side_by_side", SideBySideSettings), **changes)
+    window.document.look(with_settings(view, "side_by_side", settings))
+
+
+def shown(panel, qtbot, n):
+    """The maps, once there are ``n`` of the present design."""
+
+    def complete():
+        cells = panel.maps.content.cells
+        drawn = [cell for cell in cells if cell.small is not None]
+        return len(drawn) == n and not panel.maps.content.late
+
+    qtbot.waitUntil(complete, timeout=60_000)
+    return panel.maps.content.cells
+
+
+def levels(window, limb):
+    design = replace(window.document.design, limb=limb)
+    return evaluate(design, "output_levels_db", view=window.document.view)["output_levels_db"]
+
+
+def point_at(maps, index, output):
+    at = QPointF(*maps.points_of(index)[output - 1])
+    no = Qt.MouseButton.NoButton
+    event = QMouseEvent(
+        QEvent.Type.MouseMove,
+        at,
+        QPointF(maps.mapToGlobal(at.toPoint())),
+        no,
+        no,
+        Qt.KeyboardModifier.NoModifier,
+    )
+    QApplication.sendEvent(maps, event)
+    return at.toPoint()
+
+
+def ring(maps, index, output):
+    """Pixels around an output in one of the maps, as they are painted."""
+    image = maps.grab().toImage()
+    x, y = (round(one) for one in maps.points_of(index)[output - 1])
+    return [image.pixel(x + dx, y + dy) for dx in range(-9, 10) for dy in range(-9, 10)]
+
+
+def test_four_limbs_have_their_own_levels_one_scale_one_pointer_and_one_selection(
+    window, panel, qtbot
+):
+    cells = shown(panel, qtbot, 4)
+    expected = [levels(window, limb) for limb in LIMBS]
+    for cell, values in zip(cells, expected, strict=True):
+        assert cell.values_db == pytest.approx(values, abs=1e-9)
+        assert cell.scale.range_db == map_range_db(np.max(expected))
+        assert cell.synthetic
+    assert [cell.heading for cell in cells][1] == "Synthetic 2 (165 mm)"
+    maps, output = panel.maps, 23
+    before = [ring(maps, k, output) for k in range(4)]
+    at = point_at(maps, 2, output)
+    assert maps.output == output
+    assert all(ring(maps, k, output) != before[k] for k in range(4))
+    for values in expected:
+        assert f"{values[output - 1]:.1f}".replace("-", "−") in panel.words.text
+    assert panel.words.text.startswith("Output 23")
+    QTest.mouseClick(maps, Qt.MouseButton.LeftButton, pos=at)
+    assert window.document.view.outputs == (output,)
+    QApplication.sendEvent(maps, QEvent(QEvent.Type.Leave))
+    assert all(ring(maps, k, output) != before[k] for k in range(4))
+    maps.setFocus()
+    QTest.keyClick(maps, Qt.Key.Key_Down)
+    QTest.keyClick(maps, Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
+    chosen = window.document.view.outputs
+    assert len(chosen) == 2
+    points = maps.points_of(2)
+    assert points[chosen[1] - 1][1] > points[output - 1][1]
+    panel.copy.click()
+    rows = QGuiApplication.clipboard().text().splitlines()
+    assert len(rows) == 73
+    assert float(rows[23].split("\t")[2]) == pytest.approx(expected[1][22])
+
+
+def test_differences_and_mean_and_spread_are_those_of_the_levels(window, panel, qtbot):
+    expected = np.array([levels(window, limb) for limb in LIMBS])
+    choose(window, shown="difference")
+    cells = shown(panel, qtbot, 3)
+    for cell, values in zip(cells, expected[1:], strict=True):
+        assert cell.heading.endswith("minus Synthetic 1 (175 mm)")
+        assert cell.values_db == pytest.approx(values - expected[0], abs=1e-9)
+        field = cell.small.field_levels_db
+        assert np.nanmax(np.abs(field)) <= np.abs(values - expected[0]).max() + 1e-9
+        assert cell.scale.range_db[0] == -cell.scale.range_db[1]
+        assert np.abs(values - expected[0]).max() <= cell.scale.range_db[1]
+    choose(window, shown="mean")
+    mean, spread = shown(panel, qtbot, 2)
+    assert mean.values_db == pytest.approx(expected.mean(axis=0), abs=1e-9)
+    assert spread.values_db == pytest.approx(expected.std(axis=0, ddof=1), abs=1e-9)
+    assert (mean.heading, spread.heading) == ("Mean of 4", "Standard deviation of 4")
+    choose(window, limbs="synthetic-3 synthetic-1", shown="difference")
+    [only] = shown(panel, qtbot, 1)
+    # The limb in the window is what the others are compared with, wherever it stands.
+    assert only.values_db == pytest.approx(expected[2] - expected[0], abs=1e-9)
+
+
+def test_it_costs_nothing_while_hidden_and_follows_edits_while_seen(window, panel, qtbot, settle):
+    graphs = window.engine._graphs
+    shown(panel, qtbot, 4)
+    # The limb in the window is predicted once, for the window.
+    assert {slot.name for slot in graphs if "limb" in slot.name} == {
+        f"limb {limb}" for limb in LIMBS[1:]
+    }
+    design = window.document.design.with_input(0, amplitude=3.0)
+    before = [cell.values_db for cell in panel.maps.content.cells]
+    window.document.edit("Louder", design)
+    cells = shown(panel, qtbot, 4)
+    for cell, values in zip(cells, before, strict=True):
+        assert cell.values_db - values == pytest.approx(20 * np.log10(3.0), abs=1e-9)
+    window.docks["side_by_side"].toggleViewAction().trigger()
+    settle()
+    qtbot.waitUntil(lambda: not any("limb" in slot.name for slot in graphs))
+    asked = []
+    ask = window.engine.request
+    window.engine.request = lambda one: (asked.append(one.slot.name), ask(one))
+    window.document.edit("Softer", design.with_input(0, amplitude=0.5))
+    settle()
+    assert asked == ["A"]
+
+
+def test_two_to_four_limbs_are_chosen_from_those_there_are(window, panel, qtbot):
+    shown(panel, qtbot, 4)
+
+    def entries():
+        panel.bar.limbs.fill()
+        return {one.text(): one for one in panel.bar.limbs.menu_of_limbs.actions() if one.text()}
+
+    offered = entries()
+    assert offered["Those that belong together"].isChecked()
+    offered["Synthetic 2 (165 mm)"].trigger()
+    assert len(shown(panel, qtbot, 3)) == 3
+    entries()["Synthetic 4 (165 mm)"].trigger()
+    cells = shown(panel, qtbot, 2)
+    assert [cell.limb for cell in cells] == ["synthetic-1", "synthetic-3"]
+    offered = entries()
+    assert not offered["Synthetic 3 (185 mm)"].isEnabled()
+    assert offered["Synthetic 4 (165 mm)"].isEnabled()
+    assert not offered["Those that belong together"].isChecked()
+    offered["Those that belong together"].trigger()
+    shown(panel, qtbot, 4)
+
+
+def test_snapshots_stand_side_by_side_as_loud_as_they_are_shown(window, panel, qtbot):
+    document = window.document
+    choose(window, of="snapshots")
+    qtbot.waitUntil(lambda: "Store the design" in panel.maps.content.message)
+    document.look(replace(document.view, levels_matched=True))
+    window.do("store_snapshot_1")
+    other = document.design.with_input(0, location=12, amplitude=7.0)
+    document.edit("Elsewhere", other)
+    window.do("store_snapshot_2")
+    cells = shown(panel, qtbot, 2)
+    assert [cell.heading for cell in cells] == ["Snapshot 1", "Snapshot 2"]
+    loudest = [float(cell.values_db.max()) for cell in cells]
+    assert loudest[0] == pytest.approx(loudest[1], abs=1e-9)
+    assert np.nanmax(cells[1].small.field_levels_db) <= loudest[1] + 1e-9
+    document.look(replace(document.view, levels_matched=False))
+    qtbot.waitUntil(
+        lambda: panel.maps.content.cells[1].values_db.max() > loudest[0] + 5.0, timeout=5000
+    )
+    choose(window, shown="difference")
+    [only] = shown(panel, qtbot, 1)
+    assert only.heading == "Snapshot 1 minus Snapshot 2"
+
+
+def test_a_limb_that_is_too_large_missing_or_otherwise_laid_out_says_so_and_runs_not(
+    window, panel, qtbot, settle, monkeypatch
+):
+    choose(window, limbs="synthetic-1 synthetic-2 lab-1")
+    shown(panel, qtbot, 2)
+    assert "No limb is called 'lab-1'" in panel.maps.content.cells[2].words
+    document = window.document
+    document.edit("a", document.design.with_input(0, location=3).adding(track(2)))
+    installed()
+    window.limbs.look()
+    cells = shown(panel, qtbot, 3)
+    assert cells[2].heading == "Lab 1 (x, z)"
+    assert cells[2].values_db.shape == (31,)
+    choose(window, shown="difference")
+    shown(panel, qtbot, 1)
+    assert "other places" in panel.maps.content.cells[1].words
+    choose(window, shown="mean")
+    assert shown(panel, qtbot, 2)[0].heading == "Mean of 2"
+    monkeypatch.setattr("skinsource.limb.facts.LIVE_INPUTS", 5)
+    monkeypatch.setattr("skinsource_gui.state.predicting.LIVE_INPUTS", 5)
+    asked = []
+    ask = window.engine.request
+    monkeypatch.setattr(window.engine, "request", lambda one: (asked.append(one), ask(one)))
+    choose(window, shown="levels")
+    document.edit("b", document.design.with_input(0, amplitude=0.3))
+    settle()
+    # Published limbs are larger than that as well.
+    qtbot.waitUntil(
+        lambda: all("follow edits up to 5" in cell.words for cell in panel.maps.content.cells)
+    )
+    choose(window, of="snapshots")
+    window.do("store_snapshot_1")
+    document.edit("c", document.design.with_input(0, amplitude=0.2))
+    settle()
+    assert asked == []
+    assert all("follow edits up to 5" in cell.words for cell in panel.maps.content.cells)
+
+
+def test_silence_is_said(window, panel, qtbot):
+    shown(panel, qtbot, 4)
+    window.do("clear_inputs")
+    qtbot.waitUntil(lambda: panel.maps.content.message.startswith("Silent"), timeout=30_000)
+    assert not panel.grab().isNull()
