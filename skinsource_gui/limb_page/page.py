@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QImageReader
+from PySide6.QtGui import QImage
 from PySide6.QtWidgets import (
     QDialog,
     QFileDialog,
@@ -53,7 +53,6 @@ _KINDS = {
     "outputs": "Tables (*.csv *.tsv *.txt);;All files (*)",
     "photograph": "Pictures (*.png *.jpg *.jpeg *.bmp *.webp);;All files (*)",
 }
-_LARGEST_PHOTOGRAPH_MB = 512
 
 
 class LimbPage(QDialog):
@@ -127,6 +126,7 @@ class LimbPage(QDialog):
         self.form.file_wanted.connect(self._ask)
         self.reader.looked.connect(self._take_responses)
         self.reader.read.connect(self._take_points)
+        self.reader.pictured.connect(self._take_photograph)
         self.reader.failed.connect(self._complain)
         self.canvas.clicked.connect(
             lambda x, y: self._take(self.draft.with_point(self.click.value, (x, y)))
@@ -144,7 +144,8 @@ class LimbPage(QDialog):
     def open_file(self, path: Path, what: str) -> None:
         """Take a file for ``what``."""
         if what == "photograph":
-            self._take_photograph(path)
+            self._words.setText(f"Reading {path.name}…")
+            self.reader.read_photograph(path)
         elif what == "responses":
             self._words.setText(f"Reading {path.name}…")
             self.reader.look(path)
@@ -189,14 +190,7 @@ class LimbPage(QDialog):
         self.draft = replace(self.draft, **found)
         self._show()
 
-    def _take_photograph(self, path: Path) -> None:
-        reader = QImageReader(str(path))
-        reader.setAllocationLimit(_LARGEST_PHOTOGRAPH_MB)
-        reader.setAutoTransform(True)
-        image = reader.read()
-        if image.isNull():
-            self._complain(f"{path.name}: no picture can be read of it. Save it as PNG or JPEG.")
-            return
+    def _take_photograph(self, path: Path, image: QImage) -> None:
         self.form.show_file("photograph", path.name)
         # Points are pixels of it from now on; others would not lie where they should.
         nothing = Draft()

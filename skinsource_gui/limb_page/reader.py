@@ -1,4 +1,4 @@
-"""Reads what belongs to a limb away from the GUI thread, in the child process of recordings."""
+"""Reads what belongs to a limb away from the GUI thread, in child processes with limits."""
 
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from skinsource.errors import SkinSourceError
 from skinsource.limb_import import read_points
 from skinsource.recordings.reading_process import ReadingProcess
+from skinsource_gui.limb_page import photograph
 
 
 class LimbReader(QObject):
@@ -19,6 +20,8 @@ class LimbReader(QObject):
     looked = Signal(object, object)
     #: What it is for ("outline", "inputs", "outputs"), and `Points`.
     read = Signal(str, object)
+    #: Path of a photograph, and the picture, `QImage`.
+    pictured = Signal(object, object)
     #: A sentence.
     failed = Signal(str)
     _told = Signal(object, object)  # from the worker thread: a signal and its arguments
@@ -26,6 +29,7 @@ class LimbReader(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._process = ReadingProcess()
+        self._pictures = photograph.reading_process()
         self._pool = ThreadPoolExecutor(1, thread_name_prefix="skinsource-limb")
         self._waiting = 0
         self._told.connect(self._tell, Qt.ConnectionType.QueuedConnection)
@@ -48,9 +52,14 @@ class LimbReader(QObject):
         """Read an outline, or places."""
         self._do(lambda: (self.read, (what, read_points(path, self._process))))
 
+    def read_photograph(self, path: Path) -> None:
+        """Read a picture."""
+        self._do(lambda: (self.pictured, (path, photograph.read(path, self._pictures))))
+
     def end(self) -> None:
         """Give up what is being read."""
         self._process.close()
+        self._pictures.close()
         self._pool.shutdown(wait=True, cancel_futures=True)
 
     def _do(self, work: Callable[[], tuple[Any, tuple[Any, ...]]]) -> None:

@@ -10,7 +10,7 @@ import scipy
 from skinsource.arrays import Floats
 from skinsource.chain import Actuation, Drive
 from skinsource.job import Stop
-from skinsource.limb import Limb
+from skinsource.limb import PUBLISHED, Limb
 from skinsource.loudest_window import window_samples
 from skinsource.perception import CHANNELS, sensation_magnitude, site_offsets_db, threshold_rms
 from skinsource.perception.hand_arm import weighted_rms
@@ -123,7 +123,8 @@ RULES = (sensation, sensation_db, surface_sensation_db, contact_weighted_rms)
 def _problem(limb: Limb, scaling: Scaling, *, own: bool) -> str:
     if scaling != "probe":
         return _NO_SCALE
-    return _NO_SITES if limb.n_outputs != 72 and not own else ""
+    # As many outputs do not make them lie where those of the published limbs do.
+    return _NO_SITES if limb.name not in PUBLISHED and not own else ""
 
 
 def _weights(frequency_hz: Floats, channel: str, settings: PerceptionSettings) -> Floats:

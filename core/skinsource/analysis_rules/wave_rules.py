@@ -27,11 +27,14 @@ class LineWave:
     outputs
         Those with a place on the map, in the order in which they were selected.
     wave
-        Its delays and levels along z.
+        Its delays and levels along ``axis``.
+    axis
+        ``"z"``, or the last axis of a limb that has no z.
     """
 
     outputs: tuple[int, ...]
     wave: TravellingWave
+    axis: str = "z"
 
 
 def transfer_place(voices: tuple[Voice, ...], selected_input: int | None) -> int:
@@ -92,7 +95,7 @@ def line_wave(
     trusted = None if above_noise_db is None else above_noise_db[rows] >= LEAST_ABOVE_NOISE_DB
     distance_mm = line_distances_mm(places[rows], mm_per_px)
     wave = travelling_wave(traces, distance_mm, sample_rate_hz, trusted, stop)
-    return LineWave(outputs=outputs, wave=wave)
+    return LineWave(outputs=outputs, wave=wave, axis=limb_data.axes[axis])
 
 
 RULES = (transfer_place, transfer, line_wave)

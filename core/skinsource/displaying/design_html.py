@@ -4,10 +4,11 @@ from collections.abc import Collection, Sequence
 from html import escape
 from typing import Protocol
 
-from skinsource.choice_words import LIMBS, SCALINGS, word_of
+from skinsource.choice_words import SCALINGS, limb_word, word_of
 from skinsource.clips import Clip
 from skinsource.displaying.track_svg import Track, tracks_svg
-from skinsource.locations import INPUTS, input_words
+from skinsource.locations import input_words
+from skinsource.own_limbs import facts_of
 from skinsource.scaling.response_scaling import Scaling
 
 _MOST_TRACKS, _MOST_CLIPS = 20, 40
@@ -62,7 +63,7 @@ def html_of(design: Shown, heard: Collection[int], unit: str) -> str:
     if not inputs:
         return "".join([*parts, "<p>No inputs.</p>"])
     end_s = max((clip.onset_s + clip.waveform.duration_s for clip in design.clips), default=0.0)
-    labels = [_place(one.location) for one in inputs]
+    labels = [_place(one.location, design.limb) for one in inputs]
     shown = [index in heard for index in range(len(inputs))]
     parts.append(tracks_svg(inputs, shown, labels, max(end_s, 0.02)))
     parts.append(_table(design, unit))
@@ -88,13 +89,10 @@ def _table(design: Shown, unit: str) -> str:
 
 
 def _limb(name: str) -> str:
-    known = {one.name for one in LIMBS}
-    return f"{word_of(LIMBS, name).title} ({name})" if name in known else name
+    title = limb_word(name).title
+    return title if title == name else f"{title} ({name})"
 
 
-def _place(location: int) -> str:
-    return (
-        f"{location} {input_words(location).short_name}"
-        if location <= len(INPUTS)
-        else (f"place {location}")
-    )
+def _place(location: int, limb: str) -> str:
+    here = 1 <= location <= facts_of(limb).n_inputs
+    return f"{location} {input_words(location, limb).short_name}" if here else f"place {location}"

@@ -33,10 +33,10 @@ def limit_time(most_s: int) -> None:
         _lower(system, system.RLIMIT_CPU, int(used.ru_utime + used.ru_stime) + most_s)
 
 
-def child_environment(package_folder: str) -> dict[str, str]:
-    """Environment of a process that reads: it finds this package, and HDF5 loads no plugins."""
+def child_environment(package_folders: str) -> dict[str, str]:
+    """Environment of a process that reads: it finds our packages, and HDF5 loads no plugins."""
     inherited = os.environ.get("PYTHONPATH")
-    paths = [package_folder, *([inherited] if inherited else [])]
+    paths = [package_folders, *([inherited] if inherited else [])]
     return {
         **os.environ,
         "PYTHONPATH": os.pathsep.join(paths),

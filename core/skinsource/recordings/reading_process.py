@@ -1,6 +1,7 @@
 """Reads foreign files in a process of its own, so that no file can take this one down."""
 
 import json
+import os
 import subprocess
 import sys
 from collections.abc import Iterator, Sequence
@@ -46,10 +47,17 @@ class ReadingProcess:
         It is ended when it says nothing for so long.
     command
         What is started.
+    folder
+        Where Python finds the module that is started, beside this library.
     """
 
-    def __init__(self, silence_s: float = SILENCE_S, command: Sequence[str] = COMMAND) -> None:
-        self._silence_s, self._command = silence_s, tuple(command)
+    def __init__(
+        self,
+        silence_s: float = SILENCE_S,
+        command: Sequence[str] = COMMAND,
+        folder: Path = PACKAGE.parent,
+    ) -> None:
+        self._silence_s, self._command, self._folder = silence_s, tuple(command), folder
         self._process: subprocess.Popen[bytes] | None = None
         self._answers: _Answers = Queue()
         self._listener: Thread | None = None
@@ -197,7 +205,7 @@ class ReadingProcess:
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.DEVNULL,
-                env=child_environment(str(PACKAGE.parent)),
+                env=child_environment(os.pathsep.join({str(PACKAGE.parent), str(self._folder)})),
             )
         except OSError as error:
             raise StorageError(

@@ -13,6 +13,7 @@ from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 
 _SINGLE = "A single axis has no main axis: choose two or three axes above"
+_ALONG_ONE = "A single axis has no main axis, and this limb was measured along one alone"
 _ABOUT = "Ellipses of one standard deviation; the line is the main axis"
 _OWN = "x and y point another way at each sensor"
 
@@ -47,7 +48,7 @@ class MainAxisPanel(FigurePanel):
         if not results["shown_outputs"]:
             self._say(self.no_outputs)
         elif results["output_main_axes"] is None:
-            self._say(_SINGLE)
+            self._say(_SINGLE if results["limb_data"].n_axes > 1 else _ALONG_ONE)
         else:
             limb = results["limb_data"]
             self.copy.setEnabled(True)
@@ -56,10 +57,13 @@ class MainAxisPanel(FigurePanel):
                     found=results["output_main_axes"],
                     outputs=results["shown_outputs"],
                     axes="".join(limb.axes[k] for k in results["axis_numbers"]),
+                    limb=limb.name,
                 )
             )
-            note = " · synthetic limb" if limb.synthetic else ""
-            self.show_found(f"{_OWN}{note}")
+            # How the sensors of an own limb lie is not known.
+            words = [_OWN] if limb.map.axes_shown else []
+            words += ["synthetic limb"] if limb.synthetic else []
+            self.show_found(" · ".join(words))
 
     def show_problem(self, reason: str) -> None:
         self._say(reason)

@@ -19,15 +19,16 @@ _LEAST_SIDE_PX = 40.0
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Shown:
-    """What is drawn: ellipsoids, of which outputs, along which axes (``"xyz"``)."""
+    """What is drawn: ellipsoids, of which outputs of which limb, along which axes (``"xyz"``)."""
 
     found: MainAxes
     outputs: tuple[int, ...]
     axes: str
+    limb: str = ""
 
     def words_of(self, rank: int) -> str:
         """What is to be said of one output."""
-        found, name = self.found, output_words(self.outputs[rank]).short_name
+        found, name = self.found, output_words(self.outputs[rank], self.limb).short_name
         start = f"{self.outputs[rank]} {name}"
         if np.isnan(found.share[rank]):
             return f"{start}: silent"

@@ -55,6 +55,7 @@ class PerceptionPanel(Panel):
         self._view, self._settings = View(), PerceptionSettings()
         self._found: Sensation | None = None
         self._outputs: tuple[int, ...] = ()
+        self._limb = ""
         self._folder = Path()
         self.area = NumberField(AREA, widest_unit="cm²")
         self.area.setMaximumWidth(96)
@@ -116,8 +117,8 @@ class PerceptionPanel(Panel):
         if found.problem or not outputs:
             self._say(found.problem or output_words(self.in_sight))
             return
-        self._found, self._outputs = found, outputs
-        self.table.fill(header(found), outputs, rows(found, outputs))
+        self._found, self._outputs, self._limb = found, outputs, results["limb_data"].name
+        self.table.fill(header(found), outputs, rows(found, outputs, self._limb))
         loudest = int(np.argmax(found.level_db))
         synthetic = " Synthetic limb." if results["limb_data"].synthetic else ""
         self.limits.setToolTip(
@@ -192,7 +193,9 @@ class PerceptionPanel(Panel):
 
     def _copy(self) -> None:
         if self._found is not None:
-            QGuiApplication.clipboard().setText(tab_separated(self._found, self._outputs))
+            QGuiApplication.clipboard().setText(
+                tab_separated(self._found, self._outputs, self._limb)
+            )
 
     def _change(self, **changes: Any) -> None:
         settings = replace(self._settings, **changes)

@@ -21,18 +21,18 @@ def header(found: Sensation) -> list[tuple[str, str]]:
     return columns
 
 
-def rows(found: Sensation, outputs: tuple[int, ...]) -> list[list[str]]:
-    """Texts of the rows."""
+def rows(found: Sensation, outputs: tuple[int, ...], limb: str = "") -> list[list[str]]:
+    """Texts of the rows, for outputs of a limb."""
     return [
         [
-            f"{output}  {output_words(output).short_name}",
+            f"{output}  {output_words(output, limb).short_name}",
             *(_text(one) for one in _numbers(found, output)),
         ]
         for output in outputs
     ]
 
 
-def tab_separated(found: Sensation, outputs: tuple[int, ...]) -> str:
+def tab_separated(found: Sensation, outputs: tuple[int, ...], limb: str = "") -> str:
     """The table for a spreadsheet."""
     names = ["output", "place", "above_threshold_db"]
     names += [f"{name.replace(' ', '_').lower()}_db" for name in found.by_channel]
@@ -40,7 +40,7 @@ def tab_separated(found: Sensation, outputs: tuple[int, ...]) -> str:
     lines = ["\t".join(names)]
     for output in outputs:
         numbers = (repr(float(one)) for one in _numbers(found, output))
-        lines.append("\t".join((str(output), output_words(output).short_name, *numbers)))
+        lines.append("\t".join((str(output), output_words(output, limb).short_name, *numbers)))
     return "\n".join(lines) + "\n"
 
 

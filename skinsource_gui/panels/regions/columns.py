@@ -9,8 +9,11 @@ import numpy as np
 from skinsource.choice_words import LIMBS, word_of
 from skinsource.comparing.regions import REGION_OUTPUTS, mean_and_spread, region_levels_db
 from skinsource.decibels import FLOOR_DB
-from skinsource.errors import InvalidInputError
+from skinsource.limb import PUBLISHED
 from skinsource_gui.compared import Compared
+
+#: What is said of own limbs.
+NO_REGIONS = "Of an own limb it is not known which outputs lie in which region"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -85,11 +88,10 @@ def _column(title: str, head: str, one: Compared) -> Column:
     nothing = (float("nan"),) * len(REGION_OUTPUTS)
     if one.values is None:
         return said(hint=one.problem or "Computing…", numbers=nothing)
-    try:
-        rms = 10.0 ** (one.values["output_levels_db"] / 20.0)
-        levels = region_levels_db(rms * one.gain)
-    except InvalidInputError as error:
-        return said(hint=str(error), numbers=nothing)
+    if _limb(one) not in PUBLISHED:
+        return said(hint=NO_REGIONS, numbers=nothing)
+    rms = 10.0 ** (one.values["output_levels_db"] / 20.0)
+    levels = region_levels_db(rms * one.gain)
     limb = word_of(LIMBS, _limb(one)).title
     return said(hint=f"{title}: dB re 1 m/s², {limb}", numbers=tuple(levels.values()))
 

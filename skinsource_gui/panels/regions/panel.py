@@ -23,7 +23,7 @@ from skinsource.limb import PUBLISHED
 from skinsource.view import View
 from skinsource_gui.compared import Compared
 from skinsource_gui.panel import Panel
-from skinsource_gui.panels.regions.columns import Column, columns_of, tab_separated
+from skinsource_gui.panels.regions.columns import NO_REGIONS, Column, columns_of, tab_separated
 from skinsource_gui.theme import UNIT_PX, Theme, scaled, tabular
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 from skinsource_gui.widgets.lateness import Lateness
@@ -34,7 +34,6 @@ _NEEDS = frozenset({"output_levels_db"})
 _TEXT = 0.9
 #: Names where those of the table have too little room.
 _SHORT = {"Back of the hand": "Back", "Wrist, palm side": "W. palm"}
-_NO_REGIONS = "Of an own limb it is not known which outputs lie in which region"
 
 
 class RegionsPanel(Panel):
@@ -96,7 +95,7 @@ class RegionsPanel(Panel):
         if self._on_limbs and not self._limbs:
             self.show_on_limbs(())
         if not self._limbs:
-            self._about = _NO_REGIONS
+            self._about = NO_REGIONS
             self._say_about()
             return
         words = signal_words(view.axes, view.method)

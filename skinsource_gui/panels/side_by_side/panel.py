@@ -21,7 +21,7 @@ from skinsource_gui.panels.side_by_side.table import tab_separated
 from skinsource_gui.panels.side_by_side.view import MapsView
 from skinsource_gui.panels.side_by_side.words import about, hindrance, reference_of
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
-from skinsource_gui.widgets.figure.elided_label import ElidedLabel
+from skinsource_gui.widgets.figure.words_label import WordsLabel
 from skinsource_gui.widgets.lateness import Lateness
 
 _NEEDS = frozenset({"limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db"})
@@ -47,7 +47,7 @@ class SideBySidePanel(Panel):
         self.maps.pointed_at.connect(self._read)
         self._lateness = Lateness(self)
         self._lateness.changed.connect(self.maps.show_outdated)
-        self.words = ElidedLabel("side_by_side_words", self)
+        self.words = WordsLabel("side_by_side_words", self)
         self.copy = QToolButton(self)
         self.copy.setObjectName("side_by_side_copy")
         self.copy.setText("Copy")
@@ -147,7 +147,8 @@ class SideBySidePanel(Panel):
         return self._cells.of_levels(compared, names)
 
     def _read(self, output: int | None) -> None:
-        self.words.say(self.maps.content.readout(output))
+        # Maps that move under the pointer cannot be pointed at.
+        self.words.say(self.maps.content.readout(output), holding=True)
 
     def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
         if self._design is not None:

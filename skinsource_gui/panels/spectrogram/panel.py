@@ -18,6 +18,7 @@ from skinsource_gui.panels.spectrogram.picture import Shown, SpectrogramPicture
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.beside_or_below import BesideOrBelow
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.fields.level_text import output_text
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.plot.ranges import Range
 
@@ -74,7 +75,7 @@ class SpectrogramPanel(FigurePanel):
             self._settings.ceiling_hz,
         )
         self._view, self._settings = view, settings
-        self._show_choices()
+        self._show_choices(design.limb)
         self.picture.show_playhead(view.playhead_s)
         if not view.outputs:
             self._say(self.no_outputs)
@@ -110,14 +111,14 @@ class SpectrogramPanel(FigurePanel):
         self.figure.say(message)
         self.show_found("")
 
-    def _show_choices(self) -> None:
+    def _show_choices(self, limb: str) -> None:
         settings, outputs = self._settings, self._view.outputs
-        known = [self.output.itemData(k) for k in range(self.output.count())]
-        wanted = [str(number) for number in outputs]
+        known = [self.output.itemText(k) for k in range(self.output.count())]
+        wanted = [f"{number} {output_words(number, limb).short_name}" for number in outputs]
         if known != wanted:
             self.output.clear()
-            for number in outputs:
-                self.output.addItem(f"{number} {output_words(number).short_name}", str(number))
+            for number, words in zip(outputs, wanted, strict=True):
+                self.output.addItem(words, str(number))
         chosen = settings.output if settings.output in outputs else (outputs or (0,))[-1]
         self.output.set_value(str(chosen) if chosen else "")
         self.output.setEnabled(len(outputs) > 1)
@@ -131,11 +132,12 @@ class SpectrogramPanel(FigurePanel):
         first_s = float(results["response_time_s"][0])
         self.picture.show_spectrogram(Shown(found=found, first_s=first_s, band_hz=band))
         number = results["spectrogram_output"]
-        words = [f"Output {number}, {output_words(number).short_name}"]
+        limb = results["limb_data"]
+        words = [output_text(number, limb.name)]
         words.append(signal_words(results["axes"], results["method"]))
         if results["method"] == "mag" and len(results["axes"]) > 1:
             words.append("of a magnitude: rectified, doubled frequencies")
-        if results["limb_data"].synthetic:
+        if limb.synthetic:
             words.append("synthetic limb")
         self.show_found(" · ".join(words))
 

@@ -90,7 +90,7 @@ class StatisticsPanel(Panel):
 
     @property
     def needs(self) -> frozenset[str]:
-        drawn = {"output_statistics", "shown_outputs", "above_noise_db"}
+        drawn = {"output_statistics", "shown_outputs", "above_noise_db", "limb_data"}
         return frozenset(drawn | {"axes", "method", "span"})
 
     @property
@@ -113,7 +113,8 @@ class StatisticsPanel(Panel):
         if not outputs:
             self._say(self.no_outputs)
             return
-        rows = rows_of(outputs, results["output_statistics"], results["above_noise_db"])
+        found = results["output_statistics"], results["above_noise_db"]
+        rows = rows_of(outputs, *found, limb=results["limb_data"].name)
         self.model.show_rows(rows)
         words = signal_words(results["axes"], results["method"])
         noisy = f" · {NOISE_WORDS}" if any(row.noisy for row in rows) else ""

@@ -57,9 +57,9 @@ class Row:
 
 
 def rows_of(
-    outputs: tuple[int, ...], figures: Statistics, above_noise_db: Floats | None
+    outputs: tuple[int, ...], figures: Statistics, above_noise_db: Floats | None, limb: str = ""
 ) -> tuple[Row, ...]:
-    """A row for each selected output."""
+    """A row for each selected output of a limb."""
     found = []
     columns = (
         figures.rms,
@@ -73,7 +73,7 @@ def rows_of(
         found.append(
             Row(
                 number=output,
-                name=output_words(output).short_name,
+                name=output_words(output, limb).short_name,
                 values=tuple(float(column[rank]) for column in columns),
                 noisy=bool(above < LEAST_ABOVE_NOISE_DB),
             )

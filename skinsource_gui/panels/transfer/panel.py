@@ -117,12 +117,12 @@ class TransferPanel(FigurePanel):
         self.picture.show_transfer(
             Shown(found=found, outputs=outputs, unit=unit, coherence=self._settings.coherence)
         )
-        place = results["transfer_place"]
-        if results["limb_data"].synthetic:
+        place, limb = results["transfer_place"], results["limb_data"]
+        if limb.synthetic:
             note = " · synthetic limb, without noise"
         else:
             note = " · dotted: noise" if found.noise.any() else " · noise not known"
-        self.place.say(f"From place {place}, {input_words(place).name}{note}")
+        self.place.say(f"From place {place}, {input_words(place, limb.name).name}{note}")
         self.show_found(_usable_words(found, outputs))
 
     def _show_coherence(self, wanted: bool) -> None:

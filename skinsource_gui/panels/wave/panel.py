@@ -17,7 +17,7 @@ from skinsource_gui.widgets.figure.words_label import WordsLabel
 from skinsource_gui.widgets.first_steps import SKIN
 
 _LINE = "The line goes through the selected outputs, in the order in which they were selected"
-_ABOUT = "Along z; distances on the map, delays of the group"
+_ABOUT = "Along {axis}; distances on the map, delays of the group"
 
 
 class WavePanel(FigurePanel):
@@ -30,7 +30,7 @@ class WavePanel(FigurePanel):
         self.picture = WavePicture()
         super().__init__(self.picture, parent)
         self.about = WordsLabel("wave_about")
-        self.about.say(_ABOUT)
+        self.about.say(_ABOUT.format(axis="z"))
         self.about.setToolTip(
             f"{_LINE}. Delays are where the envelope of the cross-correlation with the first "
             "output is highest; outputs that are mostly noise are left out."
@@ -59,6 +59,7 @@ class WavePanel(FigurePanel):
             return
         outputs = results["shown_outputs"]
         self.copy.setEnabled(True)
+        self.about.say(_ABOUT.format(axis=found.axis))
         self.picture.show_wave(found, tuple(outputs.index(one) for one in found.outputs))
         left_out = len(outputs) - len(found.outputs)
         note = f" · {left_out} not on the map" if left_out else ""
@@ -84,9 +85,8 @@ class WavePanel(FigurePanel):
         if shown is None or self.picture.message:
             return ""
         wave = shown.wave
-        lines = [
-            "\t".join(("output", "way_mm", "delay_ms", "level_z_db", "alike", "counted", "timed"))
-        ]
+        header = ("output", "way_mm", "delay_ms", f"level_{shown.axis}_db", "alike")
+        lines = ["\t".join((*header, "counted", "timed"))]
         columns = (wave.distance_m * 1e3, wave.delay_s * 1e3, wave.level_db, wave.alike)
         for k, output in enumerate(shown.outputs):
             numbers = (repr(float(column[k])) for column in columns)

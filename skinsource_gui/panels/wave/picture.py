@@ -40,7 +40,7 @@ class WavePicture(Figure):
         halves = _halves(room)
         way = Axis(shown=_around(wave.distance_m), title=_WAY, factor=1e3)
         delay = Axis(shown=_around(wave.delay_s), title="Delay (ms)", factor=1e3)
-        level = Axis(shown=_around(wave.level_db), title="Level z (dB)")
+        level = Axis(shown=_around(wave.level_db), title=f"Level {self.shown.axis} (dB)")
         self._diagrams = []
         slowness = 1.0 / wave.speed_m_per_s
         for area, axis, values, slope, used in (

@@ -9,7 +9,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from skinsource.choice_words import LIMBS, signal_words, word_of
+from skinsource.choice_words import limb_word, signal_words
 from skinsource.decibels import FLOOR_DB
 from skinsource.design import Design
 from skinsource.own_limbs import facts_of
@@ -156,7 +156,7 @@ class WindowedPanel(Panel):
         if self._design is None:
             return ""
         content, view = self.strip.content, self._view
-        limb = word_of(LIMBS, self._design.limb).title
+        limb = limb_word(self._design.limb).title
         lines = [f"{limb}: RMS of {signal_words(view.axes, view.method)} in windows"]
         if content is not None:
             lines.append(content.time_phrases[0])

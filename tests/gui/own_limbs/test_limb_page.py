@@ -72,7 +72,7 @@ def test_places_are_clicked_on_a_photograph(user_data, tmp_path, window, page, q
     opened(page, tmp_path / "two.npy", "responses", qtbot)
     assert page.form.name.text() == "two"
     assert words(page) == "0 of 2 inputs have a place: click them, or open a table."
-    page.open_file(tmp_path / "hand.png", "photograph")
+    opened(page, tmp_path / "hand.png", "photograph", qtbot)
 
     def click(what, *points):
         page.click.set_value(what)
@@ -100,7 +100,7 @@ def test_what_cannot_be_read_is_said_and_nothing_is_kept(user_data, tmp_path, pa
     (tmp_path / "a.h5").write_bytes(b"nothing at all")
     opened(page, tmp_path / "a.h5", "responses", qtbot)
     assert "a.h5" in words(page)
-    page.open_file(tmp_path / "a.h5", "photograph")
+    opened(page, tmp_path / "a.h5", "photograph", qtbot)
     assert "no picture can be read" in words(page)
     np.save(tmp_path / "two.npy", np.zeros((2, 3, 9)))
     opened(page, tmp_path / "two.npy", "responses", qtbot)
