@@ -183,6 +183,18 @@ def test_a_split_curve_that_is_moved_rises_or_falls_throughout_between_its_point
             assert (np.abs(course) > 0.0).sum() >= 57
 
 
+def test_a_slope_that_was_kept_gives_way_where_the_curve_would_turn_back():
+    points = Envelope(((0.0, 0.0, "smooth", 0.0), (0.5, 1.0, "smooth", 4.0), (1.0, 2.0))).points
+    # As steep as before as long as the rise allows it; then three times the rise; then level.
+    for by_value, slope in ((0.2, 4.0), (-0.6, 2.4), (-1.0, 0.0), (1.5, 0.0)):
+        assert slope_of(moved(points, {1}, 0.0, by_value)[1]) == pytest.approx(slope)
+    # So it does where a point beside it moves, or is taken out.
+    assert slope_of(moved(points, {2}, 0.0, -0.8)[1]) == pytest.approx(1.2)
+    steep = (points[0], (0.2, 0.1, "smooth"), (0.5, 0.2, "smooth"), *points[1:])
+    steep = (*steep[:2], SlopedPoint(0.4, 0.9, "smooth", 5.0), (0.5, 1.6, "smooth"), (0.9, 1.7))
+    assert slope_of(without(Envelope(steep).points, {3})[2]) == pytest.approx(3 * 0.8 / 0.5)
+
+
 def test_scaled_slopes_are_scaled_too():
     points = ((0.0, 0.0, "smooth"), (0.4, 1.0, "smooth"), (1.0, 3.0, "straight"))
     added = with_point(points, 0.2)

@@ -10,6 +10,7 @@ from skinsource.arrays import Floats
 from skinsource.signals import BAND_HZ
 from skinsource.spectra import share_outside_band
 from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
+from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.plot.decimation import visible_points
 from skinsource_gui.widgets.plot.ticks import linear_ticks
 
@@ -43,6 +44,7 @@ class SpectrumStrip(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self.setMinimumHeight(64)
         self._theme = LIGHT
+        self._axes = KeptPicture()
         self._frequency_hz: Floats | None = None
         self._levels_db: Floats | None = None
         self._outside = 0.0
@@ -91,8 +93,15 @@ class SpectrumStrip(QWidget):
         if self._frequency_hz is None or self._levels_db is None:
             return
         highest = float(self._frequency_hz[-1])
-        self._paint_band(painter, area, highest)
-        self._paint_axes(painter, area, highest)
+        ground = QColor(self._theme.window)
+
+        def paint_axes(on_image: QPainter) -> None:
+            on_image.fillRect(area, QColor(self._theme.base))
+            self._paint_band(on_image, area, highest)
+            self._paint_axes(on_image, area, highest)
+
+        key = (self._theme.name, highest)
+        self._axes.paint(painter, QRectF(self.rect()), key, paint_axes, ground)
         columns = max(int(area.width()), 1)
         points = visible_points(
             self._frequency_hz, self._levels_db[np.newaxis], (0.0, highest), columns

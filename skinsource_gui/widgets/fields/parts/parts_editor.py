@@ -130,9 +130,7 @@ class PartsEditor(QObject):
         self._tell(without_part(self._value, self.rows.index(row)), None)
 
     def _change(self, row: PartRow, part: Any, gesture: int | None) -> None:
-        index = self.rows.index(row)
-        row.part = part
-        self._tell(with_part(self._value, index, part), gesture)
+        self._tell(with_part(self._value, self.rows.index(row), part), gesture)
 
     def _press(self, row: PartRow, name: str) -> None:
         if name == "open":
