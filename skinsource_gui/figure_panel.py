@@ -8,9 +8,9 @@ from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
 from skinsource_gui.panel import Panel
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.empty_words import output_words
 from skinsource_gui.widgets.figure.figure import Figure
 from skinsource_gui.widgets.figure.words_label import WordsLabel
-from skinsource_gui.widgets.first_steps import output_words
 
 #: What is said until there are results, and where nothing moves.
 COMPUTING = "Computing…"

@@ -13,7 +13,7 @@ from skinsource_gui.compares import ComparesDesigns
 from skinsource_gui.history import History
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.drop_place import DropPlace
-from skinsource_gui.widgets.first_steps import USUALLY_IN_SIGHT
+from skinsource_gui.widgets.empty_words import USUALLY_IN_SIGHT
 
 
 class Panel(ComparesDesigns):

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from skinsource_gui.panel import Panel
 from skinsource_gui.theme import LIGHT, Theme
-from skinsource_gui.widgets.first_steps import output_words
+from skinsource_gui.widgets.empty_words import output_words
 from skinsource_gui.widgets.plot.signal_picture import draw_signals
 from skinsource_gui.widgets.plot.signal_view import SignalView
 

@@ -19,7 +19,8 @@ from numpy.typing import ArrayLike
 from skinsource.arguments import real_array, whole_number
 from skinsource.arrays import Floats, Indices
 from skinsource.errors import InvalidInputError
-from skinsource.signals import BAND_HZ, MAX_SAMPLES
+from skinsource.limb import BAND_HZ
+from skinsource.signals import MAX_SAMPLES
 
 #: The highest rate that is known.
 MAX_RATE_HZ = 10_000_000

@@ -20,7 +20,7 @@ from skinsource.arguments import (
 )
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
-from skinsource.limb import SAMPLE_RATE_HZ
+from skinsource.limb import BAND_HZ, SAMPLE_RATE_HZ
 from skinsource.quoting import quoted
 from skinsource.sampling import shift_of, turns
 
@@ -33,8 +33,6 @@ TUKEY_TAPER = 0.25
 TAP_SAMPLES = 21
 #: Its length, in s, at any rate.
 TAP_S = TAP_SAMPLES / SAMPLE_RATE_HZ
-#: The measured band of the impulse responses.
-BAND_HZ = (25.0, 600.0)
 
 #: Samples of the longest signal that is made: a day at 1300 Hz takes 0.9 GB.
 MAX_SAMPLES = 120_000_000

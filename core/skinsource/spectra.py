@@ -12,11 +12,10 @@ from skinsource.arguments import LARGEST_SAMPLE, finite_array, one_of, positive_
 from skinsource.arrays import Complexes, Floats
 from skinsource.errors import InvalidInputError
 from skinsource.job import Stop, never, stop_if
-from skinsource.limb import SAMPLE_RATE_HZ
+from skinsource.limb import BAND_HZ, SAMPLE_RATE_HZ
 from skinsource.loudest_window import SPANS, Span, loudest_energy, window_samples
 from skinsource.quoting import quoted
 from skinsource.sampling import turns
-from skinsource.signals import BAND_HZ
 
 #: Length of the window of `peak_hold_spectrum`.
 HOLD_WINDOW_S = 0.25

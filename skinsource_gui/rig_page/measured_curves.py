@@ -5,9 +5,9 @@ import numpy as np
 from skinsource.actuators import Actuator, names, profile
 from skinsource.arrays import Floats
 from skinsource.decibels import decibels
+from skinsource.limb import BAND_HZ
 from skinsource.rig_measuring import ChannelMeasurement
 from skinsource.rigs import RigChannel
-from skinsource.signals import BAND_HZ
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import CurveName, Curves

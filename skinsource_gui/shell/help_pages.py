@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayo
 
 from skinsource import __version__
 from skinsource_gui.shell.action_spec import ActionSpec
-from skinsource_gui.widgets.key_table import WIDGET_KEYS
-from skinsource_gui.widgets.mouse_table import MOUSE
+from skinsource_gui.widgets.key_tables.key_table import WIDGET_KEYS
+from skinsource_gui.widgets.key_tables.mouse_table import MOUSE
 
 _KEYS = (
     ("Esc, Esc", "while it plays: stop at once; the gain goes back to where it starts"),

@@ -17,7 +17,7 @@ from skinsource_gui.state.installed_limbs import InstalledLimbs
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.mouse_table import MOUSE
+from skinsource_gui.widgets.key_tables.mouse_table import MOUSE
 
 #: Makes a page in front of a window.
 MakePage = Callable[[QWidget], QDialog]

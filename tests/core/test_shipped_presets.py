@@ -5,8 +5,8 @@ import pytest
 
 from skinsource import edits, presets
 from skinsource.design import Design
+from skinsource.limb import BAND_HZ
 from skinsource.presets.shipped import SHIPPED
-from skinsource.signals import BAND_HZ
 from skinsource.spectra import share_outside_band
 from skinsource.view import View
 

@@ -12,7 +12,7 @@ from skinsource_gui.panels.skin.colour_strip import key_step_db
 from skinsource_gui.panels.timeline.heads.list_keys import ListKeys
 from skinsource_gui.widgets.fields.number_gestures import NumberGestures
 from skinsource_gui.widgets.fields.number_typing import begins_typing
-from skinsource_gui.widgets.key_table import WIDGET_KEYS, key_text, meant
+from skinsource_gui.widgets.key_tables.key_table import WIDGET_KEYS, key_text, meant
 from skinsource_gui.widgets.outputs.keys import OutputKeys
 
 _Key, _Held = Qt.Key, Qt.KeyboardModifier

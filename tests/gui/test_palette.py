@@ -12,7 +12,7 @@ from skinsource_gui.shell.action_set import ActionSet
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.palette import Palette, matching, score
 from skinsource_gui.state.document import Document
-from skinsource_gui.widgets.mouse_table import MOUSE
+from skinsource_gui.widgets.key_tables.mouse_table import MOUSE
 
 
 @pytest.mark.parametrize(

@@ -16,7 +16,7 @@ from skinsource.waveforms import Tone
 from skinsource_gui.panels.timeline.lanes_view import LanesView
 from skinsource_gui.state.engine import Purpose
 from skinsource_gui.widgets.plot.plot import Plot
-from skinsource_gui.widgets.time.playhead_keys import stops_of
+from skinsource_gui.widgets.time.playhead_moves import stops_of
 
 LEFT, NONE = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
 ALT, SHIFT = Qt.KeyboardModifier.AltModifier, Qt.KeyboardModifier.ShiftModifier

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from skinsource.arguments import finite_array, positive_number
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
-from skinsource.signals import BAND_HZ
+from skinsource.limb import BAND_HZ
 
 #: Over so many hertz power is averaged before it is held against the noise.
 AVERAGED_HZ = 25.0

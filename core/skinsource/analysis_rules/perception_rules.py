@@ -10,7 +10,7 @@ import scipy
 from skinsource.arrays import Floats
 from skinsource.chain import Actuation, Drive
 from skinsource.job import Stop
-from skinsource.limb import PUBLISHED, Limb
+from skinsource.limb import BAND_HZ, PUBLISHED, Limb
 from skinsource.loudest_window import window_samples
 from skinsource.perception import CHANNELS, sensation_magnitude, site_offsets_db, threshold_rms
 from skinsource.perception.hand_arm import weighted_rms
@@ -22,7 +22,6 @@ from skinsource.rendering.segments import Played
 from skinsource.rendering.streaming import StreamedVibration
 from skinsource.rendering.total_spectrum import TotalSpectrum
 from skinsource.scaling.response_scaling import Scaling
-from skinsource.signals import BAND_HZ
 from skinsource.surface import SurfaceOperator
 
 #: Levels of what is not felt at all.

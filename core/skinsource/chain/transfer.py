@@ -9,8 +9,9 @@ import scipy
 from skinsource.actuators import Actuator
 from skinsource.arrays import Floats
 from skinsource.chain.actuation import Actuation, ActuatorAt
-from skinsource.equalising import BAND_HZ, Equaliser
+from skinsource.equalising import Equaliser
 from skinsource.errors import InvalidInputError
+from skinsource.limb import BAND_HZ
 from skinsource.quoting import quoted
 
 # Twelve seconds at the rate of the limbs: what rings longer than that is refused anyway.

@@ -8,7 +8,7 @@ import scipy
 from skinsource.arguments import finite_array, positive_number
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
-from skinsource.signals import BAND_HZ
+from skinsource.limb import BAND_HZ
 
 
 @dataclass(frozen=True, slots=True, eq=False)

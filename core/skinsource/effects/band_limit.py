@@ -12,7 +12,7 @@ from skinsource.effects.effect import ON, KeepsTime, own_duration_s
 from skinsource.effects.places import silent_outside
 from skinsource.errors import InvalidInputError
 from skinsource.fields import NumberSpec
-from skinsource.signals import BAND_HZ
+from skinsource.limb import BAND_HZ
 
 LOW = NumberSpec(
     label="Lowest",

@@ -12,7 +12,7 @@ True
 
 from skinsource.equalising.applying import equalised
 from skinsource.equalising.curves import EqualiserCurves, curves
-from skinsource.equalising.equaliser import BAND_HZ, Equaliser
+from skinsource.equalising.equaliser import Equaliser
 from skinsource.equalising.net_velocity import NetVelocity, net_velocity
 from skinsource.equalising.pole_pair import PolePairReplacement, resonance_of
 from skinsource.equalising.regularised_inverse import RegularisedInverse
@@ -21,7 +21,6 @@ from skinsource.equalising.regularised_inverse import RegularisedInverse
 EQUALISERS: tuple[type[Equaliser], ...] = (RegularisedInverse, PolePairReplacement)
 
 __all__ = [
-    "BAND_HZ",
     "EQUALISERS",
     "Equaliser",
     "EqualiserCurves",

@@ -10,9 +10,8 @@ from skinsource.actuators import Actuator
 from skinsource.arguments import finite_array
 from skinsource.arrays import Complexes, Floats
 from skinsource.errors import InvalidInputError
+from skinsource.limb import BAND_HZ
 
-#: The band in which a drive is followed: that of the measured responses.
-BAND_HZ = (25.0, 600.0)
 # Beyond it the target falls to nothing: over an octave below, and up to 700 Hz above.
 _FALLS_TO_HZ = (12.5, 700.0)
 #: Frequencies over the band by which an actuator is judged.

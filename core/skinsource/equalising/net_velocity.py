@@ -7,8 +7,8 @@ import scipy
 from numpy.typing import ArrayLike
 
 from skinsource.arguments import finite_array, positive_number
-from skinsource.equalising.equaliser import BAND_HZ
 from skinsource.errors import InvalidInputError
+from skinsource.limb import BAND_HZ
 
 #: Of the velocity that the drive would leave if all of it had one sign, so much may be left.
 ALLOWED_SHARE = 0.05

@@ -10,10 +10,9 @@ from skinsource.arrays import Floats
 from skinsource.evaluation import evaluate
 from skinsource.figures.sheet import Drawn, Sheet, Table
 from skinsource.figures.values import field_of, frequency_of
-from skinsource.limb import PRE_TRIGGER_DELAY_S
+from skinsource.limb import BAND_HZ, PRE_TRIGGER_DELAY_S
 from skinsource.plot.paper import COLOURS, INK, style
 from skinsource.scenes import OpenedScene
-from skinsource.signals import BAND_HZ
 
 _BAND_HZ = 2.0
 _SHOWN_BANDS_HZ = (50.0, 100.0, 200.0, 400.0)

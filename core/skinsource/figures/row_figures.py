@@ -12,6 +12,7 @@ from skinsource.decibels import decibels
 from skinsource.evaluation import evaluate
 from skinsource.figures.sheet import WIDTH_MM, Drawn, Sheet, Table
 from skinsource.figures.values import field_of, frames, with_values
+from skinsource.limb import BAND_HZ
 from skinsource.plot.levels import common_range
 from skinsource.plot.maps import draw_map
 from skinsource.plot.paper import COLOURS, style
@@ -19,7 +20,6 @@ from skinsource.plot.rows import Row, common_size, draw_rows, say_scale
 from skinsource.plot.signals import averaged
 from skinsource.projection import Axes
 from skinsource.scenes import OpenedScene
-from skinsource.signals import BAND_HZ
 
 _ROW_MM, _AXIS_MM = 11.0, 12.0
 _LEFT_MM, _RIGHT_MM = 34.0, 8.0

@@ -6,6 +6,7 @@ from skinsource.limb.limb import Limb
 from skinsource.limb.limb_map import LimbMap
 from skinsource.limb.places import check_input_location
 from skinsource.limb.published import (
+    BAND_HZ,
     HAND_LENGTHS_MM,
     LIMB_NAMES,
     MOST_PLACES,
@@ -21,6 +22,7 @@ from skinsource.limb.published import (
 __all__ = [
     "ALL_AXES",
     "AXES",
+    "BAND_HZ",
     "HAND_LENGTHS_MM",
     "LIMB_NAMES",
     "LIVE_INPUTS",

@@ -1,6 +1,5 @@
 """The next block of samples: all that happens between a mix and the device."""
 
-from math import inf, log10
 from time import perf_counter
 
 import numpy as np
@@ -8,6 +7,7 @@ import numpy as np
 from skinsource.arrays import Floats
 from skinsource.playing.deck import MOST_SAMPLES, Deck, Swap
 from skinsource.playing.ending import Ending
+from skinsource.playing.limiter import passes_the_rig, sound_samples
 from skinsource.playing.mix import Frames, Mix
 
 
@@ -42,7 +42,7 @@ def _fill(deck: Deck, block: Floats, *, first: bool) -> None:
     deck.panic = False
     if deck.ending is None:
         _take_what_is_wanted(deck)
-        if _passes_the_rig(deck):
+        if passes_the_rig(deck):
             deck.fallen = 0
             _fall(deck, block)
             return
@@ -52,7 +52,7 @@ def _fill(deck: Deck, block: Floats, *, first: bool) -> None:
         factors = deck.factors[: block.shape[1]]
         deck.gain.fill(factors)
         np.multiply(block, factors, out=block)
-        sound = _sound_samples(deck, block)
+        sound = sound_samples(deck, block)
         if sound < block.shape[1]:
             deck.fallen = 0
             if sound:
@@ -63,18 +63,6 @@ def _fill(deck: Deck, block: Floats, *, first: bool) -> None:
         _end_where_all_is_played(deck)
     else:
         _fall(deck, block)
-
-
-def _passes_the_rig(deck: Deck) -> bool:
-    """Whether the gain is more than the rig allows; nothing of it is played then."""
-    mix = deck.mix
-    if mix is None or max(deck.gain.wanted, deck.gain.now) <= mix.most_gain:
-        return False
-    most = mix.most_gain
-    deck.ending = Ending(
-        reason="rig", name=mix.limit, highest_db=20.0 * log10(most) if most else -inf
-    )
-    return True
 
 
 def _take_what_is_wanted(deck: Deck) -> None:
@@ -128,29 +116,6 @@ def _render(deck: Deck, block: Floats) -> None:
     deck.faded += n
     if deck.faded == deck.fade.size:
         deck.old = None
-
-
-def _sound_samples(deck: Deck, block: Floats) -> int:
-    """Samples before the first that may not be played; sets the ending where there is one."""
-    magnitude = deck.other[:, : block.shape[1]]
-    np.abs(block, out=magnitude)
-    # NaN is the maximum of whatever holds it, and not less than anything.
-    if not magnitude.size or magnitude.max() <= 1.0:
-        return block.shape[1]
-    first = int(np.argmax(~(magnitude <= 1.0).all(axis=0)))
-    output = int(np.argmax(~(magnitude[:, first] <= 1.0)))
-    peak = float(magnitude[output, first])
-    mixes = [one for one in (deck.mix, deck.old) if one is not None]
-    names = mixes[0].names if mixes else ()
-    largest = max((one.peak for one in mixes), default=peak)
-    deck.ending = Ending(
-        reason="limit" if np.isfinite(peak) else "broken",
-        output=output + 1,
-        name=names[output] if output < len(names) else "",
-        peak=peak,
-        highest_db=-20.0 * log10(largest) if 0.0 < largest < inf else 0.0,
-    )
-    return first
 
 
 def _fall(deck: Deck, block: Floats) -> None:

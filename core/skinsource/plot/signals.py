@@ -11,10 +11,10 @@ from skinsource.choice_words import signal_words
 from skinsource.design import Design
 from skinsource.errors import InvalidInputError
 from skinsource.evaluation import evaluate
+from skinsource.limb import BAND_HZ
 from skinsource.plot.paper import DIM, SYNTHETIC, axes_of, style
 from skinsource.plot.rows import Row, common_size, draw_rows, say_scale
 from skinsource.quoting import quoted
-from skinsource.signals import BAND_HZ
 from skinsource.view import View
 
 _WIDTH_MM, _ROW_MM, _AROUND_MM = 130.0, 13.0, 26.0

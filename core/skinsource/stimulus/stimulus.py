@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from skinsource.arrays import Floats
+from skinsource.limb import BAND_HZ
 from skinsource.scaling.response_scaling import Scaling
-from skinsource.signals import BAND_HZ
 from skinsource.stimulus.channel import Channel
 
 #: What samples are before a full scale is chosen, by scaling.  Under upstream scaling an amplitude

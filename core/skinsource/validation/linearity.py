@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 from skinsource.arguments import finite_array, positive_number
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
-from skinsource.signals import BAND_HZ
+from skinsource.limb import BAND_HZ
 from skinsource.validation.agreement import pearson
 
 #: Width of the bins in which outputs are held against inputs (SkinSource, 2024, Section V).

@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike
 from skinsource.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.arguments import finite_array, positive_number
 from skinsource.arrays import Floats
+from skinsource.limb import BAND_HZ
 from skinsource.scaling.response_scaling import Scaling
-from skinsource.signals import BAND_HZ
 from skinsource.spectra import share_outside_band
 from skinsource.validity.finding import Finding, Findings
 

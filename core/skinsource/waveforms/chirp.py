@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from skinsource import fields
 from skinsource.fields import ChoiceSpec
-from skinsource.signals import BAND_HZ, WindowName
+from skinsource.limb import BAND_HZ
+from skinsource.signals import WindowName
 from skinsource.synthesis.burst import burst, refuse_aliases
 from skinsource.synthesis.sweep import linear_sweep_turns, logarithmic_sweep_turns
 from skinsource.waveforms.common import DURATION, WINDOW

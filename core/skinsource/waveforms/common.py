@@ -6,7 +6,7 @@ import numpy as np
 
 from skinsource.errors import InvalidInputError
 from skinsource.fields import ChoiceSpec, NumberSpec
-from skinsource.signals import BAND_HZ
+from skinsource.limb import BAND_HZ
 
 #: Longest waveform, in s.
 LONGEST_S = 600.0

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from skinsource import fields
 from skinsource.errors import InvalidInputError
 from skinsource.fields import NumberSpec
-from skinsource.signals import BAND_HZ, WindowName, white_noise
+from skinsource.limb import BAND_HZ
+from skinsource.signals import WindowName, white_noise
 from skinsource.waveforms.common import WINDOW
 
 SEED = NumberSpec(

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from skinsource import fields
 from skinsource.fields import NumberSpec
-from skinsource.signals import BAND_HZ, WindowName, sinusoid
+from skinsource.limb import BAND_HZ
+from skinsource.signals import WindowName, sinusoid
 from skinsource.waveforms.common import DURATION, WINDOW
 
 FREQUENCY = NumberSpec(

@@ -7,7 +7,7 @@ from skinsource.actuators import Actuator, ResponseShape
 from skinsource.arrays import Floats
 from skinsource.decibels import decibels
 from skinsource.equalising import curves
-from skinsource.signals import BAND_HZ
+from skinsource.limb import BAND_HZ
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import CurveName, Curves
 

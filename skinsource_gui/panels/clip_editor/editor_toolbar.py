@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
 from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.key_table import key_text
+from skinsource_gui.widgets.key_tables.key_table import key_text
 
 _PLACE = "clip_editor"
 _TOOLS = (

@@ -26,10 +26,10 @@ from skinsource_gui.panels.clip_editor.shaping import Shaping
 from skinsource_gui.panels.clip_editor.spectrum_strip import SpectrumStrip
 from skinsource_gui.panels.clip_editor.tools.look import Look
 from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.first_steps import clip_words
+from skinsource_gui.widgets.empty_words import clip_words
 from skinsource_gui.widgets.inputs.clip_waveforms import waveforms_of
 from skinsource_gui.widgets.inputs.input_words import duration_text, figure_text
-from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.key_tables.key_table import meant
 from skinsource_gui.widgets.lateness import Lateness
 
 _NO_GLIDE = Refusal(sentence="The clip does not play a glide; choose that waveform first.")

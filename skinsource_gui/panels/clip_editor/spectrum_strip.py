@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
-from skinsource.signals import BAND_HZ
+from skinsource.limb import BAND_HZ
 from skinsource.spectra import share_outside_band
 from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
 from skinsource_gui.widgets.kept_picture import KeptPicture

@@ -21,9 +21,9 @@ from skinsource_gui.panels.frequency_and_amplitude.settings import AMPLITUDE as 
 from skinsource_gui.panels.frequency_and_amplitude.settings import FREQUENCY as TURNS_FREQUENCY
 from skinsource_gui.panels.frequency_and_amplitude.settings import ONSET as TURNS_ONSET
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.widgets.empty_words import add_words, select_words
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.field_cell import FieldCell
-from skinsource_gui.widgets.first_steps import add_words, select_words
 from skinsource_gui.widgets.folding_row import FoldingRow
 from skinsource_gui.widgets.inputs.input_words import EMPTY
 

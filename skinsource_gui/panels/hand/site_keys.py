@@ -4,7 +4,7 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 
 from skinsource_gui.widgets.fields.gesture import new_gesture
-from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.key_tables.key_table import meant
 
 #: Two digits typed within this time make one number, ms.
 TYPING_MS = 800

@@ -11,7 +11,7 @@ from skinsource_gui.panel import Panel
 from skinsource_gui.panels.history.step_delegate import StepDelegate
 from skinsource_gui.panels.history.steps_model import StepsModel
 from skinsource_gui.theme import UNIT_PX, Theme
-from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.key_tables.key_table import meant
 
 _PLACE = "history"
 

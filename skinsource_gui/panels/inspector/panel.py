@@ -16,7 +16,7 @@ from skinsource_gui.panels.inspector.input_fields import InputFields
 from skinsource_gui.panels.inspector.input_heading import InputHeading
 from skinsource_gui.panels.inspector.selection import Selection
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
-from skinsource_gui.widgets.first_steps import add_words, select_words
+from skinsource_gui.widgets.empty_words import add_words, select_words
 from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
 from skinsource_gui.widgets.lateness import Lateness
 

@@ -30,8 +30,8 @@ from skinsource_gui.panels.perception.level_table import LevelTable
 from skinsource_gui.panels.perception.rows import header, rows, tab_separated
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.beside_or_below import BesideOrBelow
+from skinsource_gui.widgets.empty_words import output_words
 from skinsource_gui.widgets.fields.number_field import NumberField
-from skinsource_gui.widgets.first_steps import output_words
 from skinsource_gui.widgets.lateness import Lateness
 
 _OWN_LIMITS = (

@@ -13,7 +13,7 @@ from skinsource_gui.panels.skin.map_painter import small_font
 from skinsource_gui.panels.skin.map_quantity import MapQuantity
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.kept_picture import KeptPicture
-from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.key_tables.key_table import meant
 from skinsource_gui.widgets.map.colour_maps import VIRIDIS, colour_table
 
 _RAMP_LEFT, _RAMP_WIDTH = 10, 14

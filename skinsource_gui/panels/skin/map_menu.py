@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QMenu
 
 from skinsource_gui.panels.skin.settings import COLOURS
 from skinsource_gui.panels.skin.skin_map import HAND, SkinMap
-from skinsource_gui.widgets.key_table import key_text
+from skinsource_gui.widgets.key_tables.key_table import key_text
 from skinsource_gui.widgets.pan_zoom import WHOLE
 
 

@@ -7,7 +7,7 @@ from skinsource_gui.panels.skin.map_icons import fit_icon, hand_icon, sensors_ic
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.skin_map import HAND
 from skinsource_gui.theme import UNIT_PX, Theme
-from skinsource_gui.widgets.key_table import key_text
+from skinsource_gui.widgets.key_tables.key_table import key_text
 from skinsource_gui.widgets.pan_zoom import WHOLE
 
 # As narrow as they are, all buttons fit into the narrowest panel.

@@ -9,9 +9,9 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.decibels import decibels
 from skinsource.design import Design
+from skinsource.limb import BAND_HZ
 from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of, with_settings
-from skinsource.signals import BAND_HZ
 from skinsource.spectra import HOLD_WINDOW_S
 from skinsource.view import View
 from skinsource_gui.panels.spectra.settings import SpectraSettings

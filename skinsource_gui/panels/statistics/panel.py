@@ -24,8 +24,8 @@ from skinsource_gui.panel import Panel
 from skinsource_gui.panels.statistics.rows import NOISE_WORDS, rows_of, tab_separated
 from skinsource_gui.panels.statistics.table_model import TableModel
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.empty_words import output_words
 from skinsource_gui.widgets.figure.words_label import WordsLabel
-from skinsource_gui.widgets.first_steps import output_words
 from skinsource_gui.widgets.lateness import Lateness
 from skinsource_gui.widgets.name_column import dress_table, give_names_the_rest
 

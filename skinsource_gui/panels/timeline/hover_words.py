@@ -4,8 +4,8 @@ from PySide6.QtCore import QPointF
 
 from skinsource_gui.panels.timeline.clip_part import Part, part_at
 from skinsource_gui.panels.timeline.content import Content
-from skinsource_gui.widgets.key_table import key_text
-from skinsource_gui.widgets.mouse_table import gesture
+from skinsource_gui.widgets.key_tables.key_table import key_text
+from skinsource_gui.widgets.key_tables.mouse_table import gesture
 from skinsource_gui.widgets.tooltips import tooltip
 
 _NEXT = key_text("timeline", "below")

@@ -11,8 +11,8 @@ from skinsource_gui.panels.timeline.content import Content
 from skinsource_gui.panels.timeline.gain.gain_points import GainPoints
 from skinsource_gui.panels.timeline.overlaps import after, overlapping
 from skinsource_gui.widgets.fields.burst import Burst
-from skinsource_gui.widgets.key_table import meant
-from skinsource_gui.widgets.time.playhead_keys import PLAYHEAD, moved_playhead
+from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.time.playhead_moves import PLAYHEAD, moved_playhead
 from skinsource_gui.widgets.time.time_scale import panned
 
 _PLACE = "timeline"

@@ -17,7 +17,7 @@ from skinsource_gui.panels.timeline.timeline_edits import TimelineEdits
 from skinsource_gui.panels.timeline.track_table import TrackTable
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.drop_place import DropPlace
-from skinsource_gui.widgets.first_steps import add_words
+from skinsource_gui.widgets.empty_words import add_words
 from skinsource_gui.widgets.inputs.clip_waveforms import waveforms_of
 
 

@@ -19,7 +19,7 @@ from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
 from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_later
-from skinsource_gui.widgets.time.playhead_keys import moved_playhead
+from skinsource_gui.widgets.time.playhead_moves import moved_playhead
 from skinsource_gui.widgets.tooltips import tooltip
 
 # Readings tell samples of 1300 Hz apart.

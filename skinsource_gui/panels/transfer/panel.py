@@ -17,8 +17,8 @@ from skinsource_gui.figure_panel import FigurePanel
 from skinsource_gui.panels.transfer.picture import Shown, TransferPicture
 from skinsource_gui.panels.transfer.settings import TransferSettings
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.empty_words import add_words
 from skinsource_gui.widgets.figure.words_label import WordsLabel
-from skinsource_gui.widgets.first_steps import add_words
 
 _UNITS = {"probe": "1 (m/s²)/(m/s²)"}
 _OTHER_UNIT = "1 m/s² per sample of 1"

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.analysis.transfer import Transfer
 from skinsource.decibels import decibels
-from skinsource.signals import BAND_HZ
+from skinsource.limb import BAND_HZ
 from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.figure.axes import Axes, Axis, fitted_axes

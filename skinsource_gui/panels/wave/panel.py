@@ -13,8 +13,8 @@ from skinsource.view import View
 from skinsource_gui.figure_panel import SILENT, FigurePanel
 from skinsource_gui.panels.wave.picture import WavePicture
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.empty_words import SKIN
 from skinsource_gui.widgets.figure.words_label import WordsLabel
-from skinsource_gui.widgets.first_steps import SKIN
 
 _LINE = "The line goes through the selected outputs, in the order in which they were selected"
 _ABOUT = "Along {axis}; distances on the map, delays of the group"

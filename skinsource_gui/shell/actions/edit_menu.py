@@ -9,8 +9,8 @@ from skinsource.view import View
 from skinsource_gui.shell.action_spec import ActionSpec, action
 from skinsource_gui.shell.actions.snapshot_actions import SNAPSHOTS
 from skinsource_gui.state.wavelet_levelling import selected_train
-from skinsource_gui.widgets.first_steps import ADD_KEY
-from skinsource_gui.widgets.key_table import key_text
+from skinsource_gui.widgets.empty_words import ADD_KEY
+from skinsource_gui.widgets.key_tables.key_table import key_text
 
 
 def _has_inputs(design: Design, view: View) -> bool:

@@ -21,8 +21,8 @@ from skinsource.fields import (
     TextSpec,
     made_for,
 )
+from skinsource.limb import BAND_HZ
 from skinsource.quoting import printable
-from skinsource.signals import BAND_HZ
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.curve_field import CurveField

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
 from skinsource.errors import InvalidInputError
 from skinsource.fields import CurveSpec, ListSpec, PointsSpec, TextSpec
-from skinsource.signals import BAND_HZ
+from skinsource.limb import BAND_HZ
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.live_text import LiveText
 from skinsource_gui.widgets.fields.sweep_dialog import SweepDialog

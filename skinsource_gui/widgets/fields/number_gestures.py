@@ -10,7 +10,7 @@ from skinsource_gui.widgets.fields.burst import Burst
 from skinsource_gui.widgets.fields.gesture import new_gesture
 from skinsource_gui.widgets.fields.round_numbers import COARSE, FINE, PLAIN, Ladder, stepped
 from skinsource_gui.widgets.fields.shown_number import ShownNumber
-from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.key_tables.key_table import meant
 from skinsource_gui.widgets.wheel import NOTCH
 
 #: Way of the mouse that makes one step, and way after which a press is a drag.

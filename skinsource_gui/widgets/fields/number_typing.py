@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QLineEdit
 from skinsource.errors import InvalidInputError
 from skinsource_gui.widgets.fields.shown_number import ShownNumber
 from skinsource_gui.widgets.fields.units import parse_number
-from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.key_tables.key_table import meant
 
 _STARTERS = frozenset("0123456789.,+-−")
 FINISHERS = frozenset({Qt.Key.Key_Return, Qt.Key.Key_Enter})

@@ -10,7 +10,7 @@ from skinsource import edits
 from skinsource.design import Design, Input
 from skinsource.edits import Edit, Refusal
 from skinsource.view import View
-from skinsource_gui.widgets.key_table import key_text
+from skinsource_gui.widgets.key_tables.key_table import key_text
 
 #: What is done to the inputs of these ids.
 InputEdit = Callable[[Design, View, Iterable[int]], Edit | Refusal]

@@ -4,7 +4,7 @@ from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 
 from skinsource.arrays import Floats
-from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.key_tables.key_table import meant
 from skinsource_gui.widgets.outputs.picking import (
     Outputs,
     dorsal_outputs,

@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QPainter, QPaintEvent,
 from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.theme import LIGHT, Theme
-from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.key_tables.key_table import meant
 
 
 class Canvas(pyqtgraph.GraphicsView):

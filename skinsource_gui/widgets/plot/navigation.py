@@ -5,7 +5,7 @@ from typing import Protocol
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 
-from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.key_tables.key_table import meant
 from skinsource_gui.widgets.plot.crosshair import Crosshair
 from skinsource_gui.widgets.plot.curves import Curves
 from skinsource_gui.widgets.plot.plot_layout import PlotLayout

@@ -12,7 +12,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
-from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.key_tables.key_table import meant
 from skinsource_gui.widgets.plot.axis_spec import ValueUnit, XAxis, value_unit
 from skinsource_gui.widgets.plot.canvas import Canvas
 from skinsource_gui.widgets.plot.crosshair import Crosshair
@@ -25,7 +25,7 @@ from skinsource_gui.widgets.plot.ranges import HeldRange, Range
 from skinsource_gui.widgets.plot.stack import Stack
 from skinsource_gui.widgets.plot.value_scale import EDGE, ValueScale, row_count
 from skinsource_gui.widgets.plot.x_window import XWindow, x_window
-from skinsource_gui.widgets.time.playhead_keys import PLAYHEAD
+from skinsource_gui.widgets.time.playhead_moves import PLAYHEAD
 
 _NOT_FINITE = "The response has values that are not finite numbers."
 # A drag shorter than this is a click.

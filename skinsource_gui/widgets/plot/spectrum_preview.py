@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor, QPainter, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
-from skinsource.signals import BAND_HZ
+from skinsource.limb import BAND_HZ
 from skinsource_gui.theme import LIGHT, Theme, tabular
 
 LOWEST_HZ, FLOOR_DB = 10.0, -80.0

@@ -5,7 +5,7 @@ from PySide6.QtCore import QPointF
 from PySide6.QtTest import QTest
 
 from skinsource_gui.panels.timeline.hover_words import hover_words
-from skinsource_gui.widgets.mouse_table import MOUSE
+from skinsource_gui.widgets.key_tables.mouse_table import MOUSE
 from tests.gui.timeline.gestures_made import MADE, SHIFT, end_of, middle, px
 from tests.gui.timeline.lanes_bench import LEFT, LanesBench
 

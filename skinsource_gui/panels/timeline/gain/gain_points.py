@@ -13,7 +13,7 @@ from skinsource_gui.panels.timeline.gestures.gesture import Gesture, Held, Stage
 from skinsource_gui.panels.timeline.gestures.move_gain import MoveGain
 from skinsource_gui.panels.timeline.settings import show_gain_curves, toggle_gain_curves
 from skinsource_gui.widgets.fields.burst import Burst
-from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.key_tables.key_table import meant
 
 _PLACE = "timeline"
 _Key = Qt.Key

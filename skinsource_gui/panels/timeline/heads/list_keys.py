@@ -3,7 +3,7 @@
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 
-from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.key_tables.key_table import meant
 
 _PLACE = "inputs"
 _Key = Qt.Key

@@ -1,6 +1,6 @@
 """Keys on the chain of effects of a clip, on a list of parts, and on a small curve."""
 
-from skinsource_gui.widgets.key_hint import KeyHint
+from skinsource_gui.widgets.key_tables.key_hint import KeyHint
 
 _ARROWS = ("Left", "Right", "Up", "Down")
 

@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 
 from skinsource.design import Design
-from skinsource_gui.widgets.key_table import meant
+from skinsource_gui.widgets.key_tables.key_table import meant
 
 #: Where these keys stand in the table of keys.
 PLAYHEAD = "playhead"

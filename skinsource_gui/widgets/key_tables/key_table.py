@@ -10,10 +10,15 @@ from functools import cache
 from PySide6.QtCore import QKeyCombination, Qt
 from PySide6.QtGui import QKeyEvent, QKeySequence
 
-from skinsource_gui.widgets.effect_keys import CURVE, EFFECTS, PARTS
-from skinsource_gui.widgets.key_hint import KeyHint
-from skinsource_gui.widgets.library_keys import LIBRARY
-from skinsource_gui.widgets.timeline_keys import CLIP_EDITOR, GAIN_CURVE, PLAYHEAD, TIMELINE
+from skinsource_gui.widgets.key_tables.effect_keys import CURVE, EFFECTS, PARTS
+from skinsource_gui.widgets.key_tables.key_hint import KeyHint
+from skinsource_gui.widgets.key_tables.library_keys import LIBRARY
+from skinsource_gui.widgets.key_tables.timeline_keys import (
+    CLIP_EDITOR,
+    GAIN_CURVE,
+    PLAYHEAD,
+    TIMELINE,
+)
 
 _ARROWS = ("Left", "Right", "Up", "Down")
 _ENTER = ("Return", "Enter", "Space")

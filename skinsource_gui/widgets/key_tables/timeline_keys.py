@@ -1,6 +1,6 @@
 """Keys of the timeline and of the editor of a clip."""
 
-from skinsource_gui.widgets.key_hint import KeyHint
+from skinsource_gui.widgets.key_tables.key_hint import KeyHint
 
 GAIN_CURVE = KeyHint(
     name="gain_curve", words="G", means="show or hide the gain curve of the track", keys=("G",)

@@ -1,6 +1,6 @@
 """Keys in the library."""
 
-from skinsource_gui.widgets.key_hint import KeyHint
+from skinsource_gui.widgets.key_tables.key_hint import KeyHint
 
 LIBRARY: tuple[KeyHint, ...] = (
     KeyHint(
