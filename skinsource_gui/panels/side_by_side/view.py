@@ -1,7 +1,7 @@
 """Maps side by side as a widget: what is pointed at in one of them is marked in all."""
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter
 from PySide6.QtWidgets import QWidget
 
@@ -55,9 +55,6 @@ class MapsView(QWidget):
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMinimumSize(200, 150)
-
-    def sizeHint(self) -> QSize:
-        return QSize(560, 460)
 
     @property
     def output(self) -> int | None:

@@ -235,6 +235,16 @@ def test_a_limb_that_is_too_large_missing_or_otherwise_laid_out_says_so_and_runs
     assert all("follow edits up to 5" in cell.words for cell in panel.maps.content.cells)
 
 
+def test_all_of_it_is_seen_in_a_narrow_dock_whatever_it_reads(window, panel, qtbot):
+    shown(panel, qtbot, 4)
+    dock = window.docks["side_by_side"]
+    point_at(panel.maps, 0, 23)
+    QApplication.processEvents()
+    assert panel.words.shown == panel.words.text
+    room = dock.widget().height()
+    assert panel.minimumSizeHint().height() < panel.height() <= room
+
+
 def test_silence_is_said(window, panel, qtbot):
     shown(panel, qtbot, 4)
     window.do("clear_inputs")
