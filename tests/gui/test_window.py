@@ -1,4 +1,5 @@
 import sys
+import threading
 from dataclasses import replace
 
 import numpy as np
@@ -132,9 +133,13 @@ def test_closing_during_an_evaluation_ends_cleanly(make_window):
         ),
         View(outputs=(1, 2, 3)),
     )
+    # What is quick would be done before it can be closed.
+    gate = threading.Event()
+    window.engine._worker.submit(gate.wait, 5)
     window.document.edit("a", window.document.design.with_clip(1, onset_s=0.1))
     assert window.engine.busy
     window.document.undo_stack.setClean()
+    gate.set()
     window.close()  # the fixture sees that no thread is left
 
 
