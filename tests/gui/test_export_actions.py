@@ -1,6 +1,5 @@
 import os
 import threading
-import zipfile
 from dataclasses import replace
 from time import monotonic
 
@@ -21,10 +20,8 @@ from skinsource.design import Design, track
 from skinsource.errors import Stopped
 from skinsource.rendering import trace_rules
 from skinsource.rendering.check import TraceError
-from skinsource.rigs import Rig, save_rig
 from skinsource.waveforms import Noise, Tone
 from skinsource_gui.files import export_actions
-from skinsource_gui.widgets.pictures.picture_options import PictureOptions
 
 YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
 #: Written in some seconds.
@@ -291,37 +288,3 @@ def test_the_status_bar_has_room_for_an_export_in_a_small_window(
         assert widget.width() >= widget.minimumSizeHint().width()
         right = widget.mapTo(window, widget.rect().topRight()).x()
         assert right < window.width(), f"{name} is cut off"
-
-
-def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_this_machine(
-    window, answers, wait, monkeypatch, write_with, tmp_path
-):
-    given, asked = [], []
-    window.panel("skin").map.pan_zoom.show("hand")
-    write_with("animation", lambda *_, options, seen, **more: given.append((options, seen.fit)))
-    wanted = PictureOptions(width_px=640, height_px=480, colours="dark")
-
-    def ask(_window, usual, *, kinds, most_px):
-        asked.append((usual.width_px, usual.height_px, kinds, most_px))
-        return answers.get("options", wanted)
-
-    monkeypatch.setattr(export_actions, "ask_picture_options", ask)
-    answers["save"] = str(tmp_path / "film.mp4")
-    window.do("export_animation")
-    wait()
-    assert asked == [(900, 1200, "MP4, WebM or GIF", 4096)]
-    assert given == [(wanted, "hand")]
-    # The next time it begins with these; cancelled, nothing is asked or written any more.
-    answers["options"] = None
-    window.do("export_animation")
-    assert asked[1][:2] == (640, 480)
-    assert len(given) == 1
-    path = tmp_path / "two.skinrig"
-    save_rig(path, Rig())
-    window.preferences.rig_path = str(path)
-    answers["save"] = str(tmp_path / "all.zip")
-    window.do("export_pack")
-    wait()
-    with zipfile.ZipFile(tmp_path / "all.zip") as archive:
-        assert archive.read("rig.skinrig") == path.read_bytes()
-        assert {"figure.svg", "figure.pdf"} <= set(archive.namelist())

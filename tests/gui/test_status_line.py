@@ -19,7 +19,6 @@ from skinsource_gui.status.computation_words import Scope
 from skinsource_gui.status.edit_times import EditTime, EditTimes, milliseconds, most_within, summary
 from skinsource_gui.status.sparkline import Sparkline
 from skinsource_gui.theme import DARK, LIGHT
-from skinsource_gui.widgets.fitting_label import FittingLabel
 
 
 def label(window, name):
@@ -171,19 +170,6 @@ def test_every_phrasing_is_shorter_than_the_one_before():
         assert lengths == sorted(set(lengths), reverse=True)
 
 
-def test_a_fitting_label_shows_the_longest_phrasing_that_fits(qtbot):
-    one = FittingLabel()
-    qtbot.addWidget(one)
-    one.show_phrases(("a rather long phrasing of it", "a short one", "short"))
-    one.resize(one.sizeHint().width(), 20)
-    one.show()
-    assert one.text() == "a rather long phrasing of it"
-    one.resize(one.sizeHint().width() - 3, 20)
-    assert one.text() == "a short one"
-    one.resize(one.minimumSizeHint().width(), 20)
-    assert one.text() == "short"
-
-
 def test_only_the_last_hundred_edits_are_remembered():
     times = EditTimes()
     for k in range(250):
@@ -270,24 +256,6 @@ def test_the_sparkline_says_its_numbers_on_hover_and_to_screen_readers(sparkline
     assert QToolTip.text() == "about them"
     assert sparkline.accessibleDescription() == "about them"
     QToolTip.hideText()
-
-
-def test_words_that_are_shorter_than_their_room_end_beside_what_follows(qtbot):
-    label = FittingLabel()
-    qtbot.addWidget(label)
-    label.show_phrases(("2 inputs · up to date · a long scene", "2 inputs"))
-    label.resize(label.minimumSizeHint().width() + 60, 20)
-    label.show()
-    assert label.text() == "2 inputs"
-    image = label.grab().toImage()
-    ground = image.pixel(0, 0)
-    inked = [
-        x
-        for x in range(image.width())
-        if any(image.pixel(x, y) != ground for y in range(image.height()))
-    ]
-    assert inked[0] > 30
-    assert inked[-1] > image.width() - 10
 
 
 def test_a_message_has_the_line_for_itself_also_when_words_become_larger(window, settle, qtbot):

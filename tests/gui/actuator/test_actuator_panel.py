@@ -255,14 +255,6 @@ def test_a_track_that_lost_its_clips_asks_nothing_of_the_actuator(window, panel,
     assert number(panel, "Peak acceleration") == 0.0
 
 
-def test_settings_of_another_studio_do_no_harm():
-    odd = ActuatorSettings(actuator="no such", parameters=(("no_field", 1.0),))
-    assert odd.model == ss.actuators.load("example-voice-coil")
-    worse = ActuatorSettings(parameters=(("resistance_ohm", -1.0),))
-    assert worse.model.resistance_ohm == 4.0
-    assert ActuatorSettings(parameters=("x",)).model is not None
-
-
 def test_a_response_that_was_measured_is_looked_at_and_predicted_through(
     make_window, qtbot, tmp_path, monkeypatch
 ):

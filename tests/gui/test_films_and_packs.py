@@ -1,0 +1,48 @@
+"""Films of the skin map, and packs of all that belongs to a design, from the window."""
+
+import zipfile
+
+from PySide6.QtWidgets import QFileDialog
+
+from skinsource.rigs import Rig, save_rig
+from skinsource_gui.files import export_actions
+from skinsource_gui.widgets.pictures.picture_options import PictureOptions
+
+
+def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_this_machine(
+    window, qtbot, monkeypatch, write_with, tmp_path
+):
+    given, asked, answers = [], [], {}
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (answers["save"], ""))
+
+    def wait():
+        qtbot.waitUntil(lambda: not window.runner.busy, timeout=20_000)
+
+    window.panel("skin").map.pan_zoom.show("hand")
+    write_with("animation", lambda *_, options, seen, **more: given.append((options, seen.fit)))
+    wanted = PictureOptions(width_px=640, height_px=480, colours="dark")
+
+    def ask(_window, usual, *, kinds, most_px):
+        asked.append((usual.width_px, usual.height_px, kinds, most_px))
+        return answers.get("options", wanted)
+
+    monkeypatch.setattr(export_actions, "ask_picture_options", ask)
+    answers["save"] = str(tmp_path / "film.mp4")
+    window.do("export_animation")
+    wait()
+    assert asked == [(900, 1200, "MP4, WebM or GIF", 4096)]
+    assert given == [(wanted, "hand")]
+    # The next time it begins with these; cancelled, nothing is asked or written any more.
+    answers["options"] = None
+    window.do("export_animation")
+    assert asked[1][:2] == (640, 480)
+    assert len(given) == 1
+    path = tmp_path / "two.skinrig"
+    save_rig(path, Rig())
+    window.preferences.rig_path = str(path)
+    answers["save"] = str(tmp_path / "all.zip")
+    window.do("export_pack")
+    wait()
+    with zipfile.ZipFile(tmp_path / "all.zip") as archive:
+        assert archive.read("rig.skinrig") == path.read_bytes()
+        assert {"figure.svg", "figure.pdf"} <= set(archive.namelist())

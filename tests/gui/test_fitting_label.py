@@ -1,0 +1,34 @@
+"""A label that says as much as there is room for."""
+
+from skinsource_gui.widgets.fitting_label import FittingLabel
+
+
+def test_words_that_are_shorter_than_their_room_end_beside_what_follows(qtbot):
+    label = FittingLabel()
+    qtbot.addWidget(label)
+    label.show_phrases(("2 inputs · up to date · a long scene", "2 inputs"))
+    label.resize(label.minimumSizeHint().width() + 60, 20)
+    label.show()
+    assert label.text() == "2 inputs"
+    image = label.grab().toImage()
+    ground = image.pixel(0, 0)
+    inked = [
+        x
+        for x in range(image.width())
+        if any(image.pixel(x, y) != ground for y in range(image.height()))
+    ]
+    assert inked[0] > 30
+    assert inked[-1] > image.width() - 10
+
+
+def test_a_fitting_label_shows_the_longest_phrasing_that_fits(qtbot):
+    one = FittingLabel()
+    qtbot.addWidget(one)
+    one.show_phrases(("a rather long phrasing of it", "a short one", "short"))
+    one.resize(one.sizeHint().width(), 20)
+    one.show()
+    assert one.text() == "a rather long phrasing of it"
+    one.resize(one.sizeHint().width() - 3, 20)
+    assert one.text() == "a short one"
+    one.resize(one.minimumSizeHint().width(), 20)
+    assert one.text() == "short"
