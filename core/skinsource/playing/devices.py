@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 from skinsource.errors import NothingToPlayOnError, PlaybackError
 from skinsource.playing.output import RATES_HZ, Output
@@ -42,8 +43,20 @@ class Device:
         return f"{self.name} ({self.host_api}, {self.n_outputs} outputs)"
 
 
-def devices() -> tuple[Device, ...]:
-    """Return what can be played on, the default device first.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Listed:
+    """What the system says of a device."""
+
+    index: int
+    name: str
+    host_api: str
+    n_channels: int
+    sample_rate_hz: int
+    is_default: bool
+
+
+def listed(direction: Literal["input", "output"]) -> list[Listed]:
+    """Return what has inputs, or outputs, the default device first.
 
     Raises
     ------
@@ -52,25 +65,46 @@ def devices() -> tuple[Device, ...]:
     """
     library = sound_library()
     try:
-        apis, listed = library.query_hostapis(), library.query_devices()
-        default = library.default.device["output"]
+        apis, known = library.query_hostapis(), library.query_devices()
+        default = library.default.device[direction]
         if default < 0:
-            default = next((one["default_output_device"] for one in apis), -1)
+            default = next((one[f"default_{direction}_device"] for one in apis), -1)
     except library.PortAudioError as error:
         raise PlaybackError(f"The sound system does not answer: {printable(error)}.") from error
     found = [
-        Device(
+        Listed(
             index=index,
             name=one["name"],
             host_api=apis[one["hostapi"]]["name"],
-            n_outputs=one["max_output_channels"],
+            n_channels=one[f"max_{direction}_channels"],
             sample_rate_hz=round(one["default_samplerate"]),
             is_default=index == default,
         )
-        for index, one in enumerate(listed)
-        if one["max_output_channels"] > 0
+        for index, one in enumerate(known)
+        if one[f"max_{direction}_channels"] > 0
     ]
-    return tuple(sorted(found, key=lambda one: not one.is_default))
+    return sorted(found, key=lambda one: not one.is_default)
+
+
+def devices() -> tuple[Device, ...]:
+    """Return what can be played on, the default device first.
+
+    Raises
+    ------
+    PlaybackError
+        sounddevice or PortAudio is missing, or does not answer.
+    """
+    return tuple(
+        Device(
+            index=one.index,
+            name=one.name,
+            host_api=one.host_api,
+            n_outputs=one.n_channels,
+            sample_rate_hz=one.sample_rate_hz,
+            is_default=one.is_default,
+        )
+        for one in listed("output")
+    )
 
 
 def look_again() -> tuple[Device, ...]:

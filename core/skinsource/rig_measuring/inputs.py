@@ -4,9 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from skinsource.errors import PlaybackError
-from skinsource.playing.devices import Device
-from skinsource.playing.sounding import sound_library
-from skinsource.quoting import printable, quoted
+from skinsource.playing.devices import Device, listed
+from skinsource.quoting import quoted
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,26 +44,16 @@ def input_devices() -> tuple[InputDevice, ...]:
     PlaybackError
         sounddevice or PortAudio is missing, or does not answer.
     """
-    library = sound_library()
-    try:
-        apis, listed = library.query_hostapis(), library.query_devices()
-        default = library.default.device["input"]
-        if default < 0:
-            default = next((one["default_input_device"] for one in apis), -1)
-    except library.PortAudioError as error:
-        raise PlaybackError(f"The sound system does not answer: {printable(error)}.") from error
-    found = [
+    return tuple(
         InputDevice(
-            index=index,
-            name=one["name"],
-            host_api=apis[one["hostapi"]]["name"],
-            n_inputs=one["max_input_channels"],
-            is_default=index == default,
+            index=one.index,
+            name=one.name,
+            host_api=one.host_api,
+            n_inputs=one.n_channels,
+            is_default=one.is_default,
         )
-        for index, one in enumerate(listed)
-        if one["max_input_channels"] > 0
-    ]
-    return tuple(sorted(found, key=lambda one: not one.is_default))
+        for one in listed("input")
+    )
 
 
 def input_device_of(name: str, played_on: Device, found: Sequence[InputDevice]) -> InputDevice:

@@ -14,6 +14,10 @@ from pathlib import Path
 from time import perf_counter, sleep
 
 import numpy as np
+import pytest
+
+from skinsource.errors import SkinSourceError
+from skinsource.playing.sounding import sound_library
 
 RATE_HZ = 48_000
 N_OUTPUTS = 3
@@ -39,6 +43,18 @@ def read_heard(folder: Path) -> np.ndarray:
     """What arrived, (n_outputs, n_times)."""
     raw = np.fromfile(folder / "heard.raw", np.float32)
     return raw[: raw.size // N_OUTPUTS * N_OUTPUTS].reshape(-1, N_OUTPUTS).T
+
+
+def skip_where_there_is_none() -> None:
+    """Skip the tests of a machine without such cards, saying why."""
+    if not sys.platform.startswith("linux"):
+        pytest.skip("sound cards that are files are a thing of ALSA, on Linux")
+    try:
+        sound_library()
+    except SkinSourceError as missing:
+        pytest.skip(str(missing))
+    if not _ALSA.is_file():
+        pytest.skip(f"{_ALSA} is not there: the settings of ALSA are not installed")
 
 
 def configure(folder: Path, file: Path) -> None:

@@ -5,8 +5,6 @@ import sys
 import numpy as np
 import pytest
 
-from skinsource.errors import SkinSourceError
-from skinsource.playing.sounding import sound_library
 from tests.core.playing import file_card
 from tests.core.playing.file_card import LONG, RATE_HZ, first_sounding, read_heard, rows
 
@@ -15,14 +13,7 @@ FADE = 240
 
 @pytest.fixture(scope="module", autouse=True)
 def _sound():
-    if not sys.platform.startswith("linux"):
-        pytest.skip("sound cards that are files are a thing of ALSA, on Linux")
-    try:
-        sound_library()
-    except SkinSourceError as missing:
-        pytest.skip(str(missing))
-    if not file_card._ALSA.is_file():
-        pytest.skip(f"{file_card._ALSA} is not there: the settings of ALSA are not installed")
+    file_card.skip_where_there_is_none()
 
 
 def seen(scene, folder):

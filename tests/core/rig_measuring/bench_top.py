@@ -126,6 +126,6 @@ class Card:
 
 def use(monkeypatch, card: Card) -> Card:
     """Let all that measures use ``card``."""
-    for module in ("playing.devices", "rig_measuring.inputs", "rig_measuring.duplex"):
+    for module in ("playing.devices", "rig_measuring.duplex"):
         monkeypatch.setattr(f"skinsource.{module}.sound_library", lambda: card)
     return card
