@@ -6,7 +6,7 @@ picture makes it skip what stands between.
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtCore import QPoint, QRect, QSize, Qt
 from PySide6.QtWidgets import QAbstractButton, QMainWindow, QScrollArea, QWidget
 
 
@@ -79,7 +79,7 @@ def _as_read(stops: Sequence[QWidget], part: QWidget) -> list[QWidget]:
     """Stops inside ``part`` from top to bottom, those beside each other from left to right."""
     if not all(part.isAncestorOf(stop) for stop in stops):
         return list(stops)
-    places = {stop: QRect(stop.mapTo(part, QPoint()), stop.size()) for stop in stops}
+    places = {stop: _place(stop, stops, part) for stop in stops}
     lines: list[list[QWidget]] = []
     for stop in sorted(stops, key=lambda one: places[one].center().y()):
         above = places[lines[-1][0]] if lines else None
@@ -88,6 +88,12 @@ def _as_read(stops: Sequence[QWidget], part: QWidget) -> list[QWidget]:
         else:
             lines.append([stop])
     return [stop for line in lines for stop in sorted(line, key=lambda one: places[one].x())]
+
+
+def _place(stop: QWidget, stops: Sequence[QWidget], part: QWidget) -> QRect:
+    # What holds other stops, and scrolls them, is read before them, not half way down.
+    holds = any(stop is not one and stop.isAncestorOf(one) for one in stops)
+    return QRect(stop.mapTo(part, QPoint()), QSize() if holds else stop.size())
 
 
 def _give_back(window: QWidget) -> None:

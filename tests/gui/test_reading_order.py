@@ -5,7 +5,7 @@ from itertools import pairwise
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QScrollArea
 
 from skinsource import edits
 from skinsource.design import Design, track
@@ -68,7 +68,18 @@ def test_other_panels_of_fields_too(window, settle, name):
     window.docks[name].bring_forward()
     settle()
     panel = window.panel(name)
-    stops = tab_stops(panel, (panel,))
+    # Wherever its middle is: what scrolls is no line among those that it holds.
+    inside = panel.findChild(QScrollArea).widget().layout()
+    for top_px in range(0, 60, 6):
+        inside.setContentsMargins(0, top_px, 0, 0)
+        QApplication.processEvents()
+        stops = tab_stops(panel, (panel,))
+        check_places([one for one in stops if not isinstance(one, QScrollArea)], panel)
+        scrolling = [k for k, one in enumerate(stops) if isinstance(one, QScrollArea)]
+        assert all(stops[k].isAncestorOf(stops[k + 1]) for k in scrolling)
+
+
+def check_places(stops, panel):
     places = [(one.objectName(), one.mapTo(panel, one.rect().center()).y()) for one in stops]
     assert all(after[1] >= before[1] - 4 for before, after in pairwise(places)), places
 
