@@ -86,14 +86,21 @@ class Cell:
 
     def value_text(self, output: int | None) -> str:
         """The value of an output; of none: the largest one, and where it is."""
+        return self.value_texts(output)[0]
+
+    def value_texts(self, output: int | None) -> tuple[str, ...]:
+        """The same in ever fewer words."""
         values = self.values_db
         if values is None or self.scale is None:
-            return ""
+            return ("",)
+        if output is not None and output > values.size:
+            return ("no such output", "none")
         if output is not None:
-            here = output <= values.size
-            return self.scale.text(float(values[output - 1])) if here else "no such output"
+            value = self.scale.text(float(values[output - 1]))
+            return value, value.removesuffix(" dB")
         largest = int(np.argmax(np.abs(values) if self.scale.signed else values))
-        return f"{self.scale.text(float(values[largest]))} at {largest + 1}"
+        value = self.scale.text(float(values[largest]))
+        return f"{value} at {largest + 1}", value, value.removesuffix(" dB")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -1,5 +1,7 @@
 """Draws maps side by side, what is selected and pointed at in all of them, and their scales."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QImage, QPainter, QPen
@@ -84,7 +86,7 @@ def _paint_cell(
     bold.setBold(True)
     painter.setFont(bold)
     painter.setPen(QColor(theme.text))
-    painter.drawText(place.heading, _CENTRE, _fitting(painter, cell, place.heading.width()))
+    painter.drawText(place.heading, _CENTRE, fitting(painter, cell.headings, place.heading.width()))
     painter.setFont(plain)
     if cell.small is None or cell.scale is None:
         painter.setPen(QColor(theme.dim))
@@ -92,18 +94,19 @@ def _paint_cell(
         painter.drawText(place.map, flags, cell.words or "Computing…")
         return
     painter.setPen(QColor(theme.text if pointed_at is not None else theme.dim))
-    painter.drawText(place.value, _CENTRE, cell.value_text(pointed_at))
+    value = fitting(painter, cell.value_texts(pointed_at), place.value.width())
+    painter.drawText(place.value, _CENTRE, value)
     table = colour_table(cell.scale.colours)
     paint_small_map(painter, place.map, cell.small, cell.design, theme, cell.scale.range_db, table)
     _paint_rings(painter, cell.small, place, content, theme, pointed_at)
 
 
-def _fitting(painter: QPainter, cell: Cell, width: float) -> str:
-    """The heading in as many words as there is room for."""
+def fitting(painter: QPainter, wordings: Sequence[str], width: float) -> str:
+    """The first of some wordings, each shorter than the one before, for which there is room."""
     metrics = painter.fontMetrics()
     width -= 0.5 * metrics.height()
-    fits = (words for words in cell.headings if metrics.horizontalAdvance(words) <= width)
-    shortest = metrics.elidedText(cell.headings[-1], Qt.TextElideMode.ElideRight, int(width))
+    fits = (words for words in wordings if metrics.horizontalAdvance(words) <= width)
+    shortest = metrics.elidedText(wordings[-1], Qt.TextElideMode.ElideRight, int(width))
     return next(fits, shortest)
 
 

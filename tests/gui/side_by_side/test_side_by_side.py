@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QGuiApplication, QMouseEvent
+from PySide6.QtGui import QGuiApplication, QImage, QMouseEvent, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -13,6 +13,7 @@ from skinsource.decibels import map_range_db
 from skinsource.design import track
 from skinsource.evaluation import evaluate
 from skinsource.panel_settings import settings_of, with_settings
+from skinsource_gui.panels.side_by_side.painter import fitting
 from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 from tests.core.own_limbs.lab_bench import installed
 
@@ -69,6 +70,22 @@ def ring(maps, index, output):
     image = maps.grab().toImage()
     x, y = (round(one) for one in maps.points_of(index)[output - 1])
     return [image.pixel(x + dx, y + dy) for dx in range(-9, 10) for dy in range(-9, 10)]
+
+
+def test_values_are_said_in_as_many_words_as_a_narrow_dock_has_room_for(window, panel, qtbot):
+    cell = shown(panel, qtbot, 4)[0]
+    whole, level, number = cell.value_texts(None)
+    assert whole == f"{level} at {int(np.argmax(cell.values_db)) + 1}"
+    assert level == f"{number} dB"
+    assert cell.value_texts(3)[0].endswith(" dB")
+    assert cell.value_texts(10_000) == ("no such output", "none")
+    image = QImage(200, 40, QImage.Format.Format_RGB32)
+    painter = QPainter(image)
+    metrics = painter.fontMetrics()
+    for words in (whole, level, number):
+        room = metrics.horizontalAdvance(words) + 0.5 * metrics.height()
+        assert fitting(painter, cell.value_texts(None), room) == words
+    painter.end()
 
 
 def test_four_limbs_have_their_own_levels_one_scale_one_pointer_and_one_selection(
