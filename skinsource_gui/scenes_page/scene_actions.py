@@ -35,6 +35,8 @@ class SceneActions(QObject):
     """
 
     failed = Signal(str)
+    #: The name of a scene that was opened.
+    opened = Signal(str)
     #: What went well, in a few words.
     done = Signal(str)
 
@@ -76,6 +78,7 @@ class SceneActions(QObject):
         self._files.suggested = self._preferences.folder / f"{opened.scene.name}{SUFFIX}"
         self._last = opened.scene.name
         self._bring(opened)
+        self.opened.emit(name)
         words = f"Opened {opened.scene.heading}"
         self.done.emit(f"{words}, on a SYNTHETIC limb" if opened.synthetic else words)
 

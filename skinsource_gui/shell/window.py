@@ -226,6 +226,7 @@ class MainWindow(QMainWindow):
         self.arrangements.text_scaled.connect(self.appearance.fit_room)
         self.setup_bar.edited.connect(document.apply)
         self.files.opened.connect(self.layout_of_docks.show_panels)
+        self.scenes.opened.connect(self.presenter.note_scene)
         saving = self.files, self.scenes, self.library, self.presenter
         for fails in (*saving, self.exports, self.stimuli, self.levelling):
             fails.failed.connect(reports.complain)

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QMessageBox
 
 import skinsource as ss
 from skinsource.design_file import save_design
@@ -106,25 +106,65 @@ def test_without_a_file_the_scenes_are_those_of_the_paper(make_window):
     assert all(not window.docks[name].isHidden() for name in all_scenes()[1].panels)
 
 
-def test_what_is_turned_in_a_scene_is_not_asked_about_and_other_work_is(make_window, monkeypatch):
-    window, asked = make_window(DESIGN), []
+@pytest.fixture
+def asked(monkeypatch):
+    """Questions about what would be lost; they are answered with Cancel."""
+    found = []
 
-    def may_lose():
-        asked.append(1)
-        return len(asked) > 1
+    def question(*given):
+        found.append(given)
+        return QMessageBox.StandardButton.Cancel
 
-    monkeypatch.setattr(window.files, "may_lose_changes", may_lose)
+    monkeypatch.setattr(QMessageBox, "exec", lambda box: question(box.text()))
+    for kind in ("question", "warning"):
+        monkeypatch.setattr(QMessageBox, kind, question)
+    return found
+
+
+def louder(window, amplitude):
+    window.document.edit("Louder", window.document.design.with_input(0, amplitude=amplitude))
+    return window.document.design
+
+
+def test_what_is_turned_while_a_scene_is_presented_is_not_asked_about(make_window, asked):
+    window = make_window(DESIGN)
     window.do("next_scene")
-    assert window.document.design == DESIGN
+    window.do("present")
+    first = louder(window, 2.0)
     window.do("next_scene")
-    assert window.document.design != DESIGN
-    window.document.edit("Louder", window.document.design.with_input(0, amplitude=2.0))
+    assert window.document.design != first
+    louder(window, 3.0)
     window.do("next_scene")
-    assert len(asked) == 2
+    assert all_scenes()[2].name in title(window)
+    assert not asked
+
+
+@pytest.mark.parametrize("presented", ["never", "afterwards", "before"])
+def test_work_that_was_done_in_a_scene_is_not_lost_unasked(make_window, asked, presented):
+    window = make_window(DESIGN)
+    window.do("next_scene")
+    if presented == "before":
+        window.do("present")
+        window.do("present")
+    edited = louder(window, 2.0)
+    if presented == "afterwards":
+        window.do("present")
+    window.do("next_scene")
+    assert len(asked) == 1
+    assert window.document.design == edited
+    window.document.undo_stack.setClean()
+
+
+def test_the_next_scene_is_that_after_the_one_that_was_opened_last(make_window):
+    window = make_window(DESIGN)
+    names = [one.name for one in all_scenes()]
+    window.do("next_scene")
+    window.scenes.open(names[5])
+    window.do("next_scene")
+    assert names[6] in title(window)
     window.files.new()
-    before = len(asked)
     window.do("next_scene")
-    assert len(asked) == before + 1
+    assert names[0] in title(window)
 
 
 def test_a_covered_map_shows_nothing_that_was_computed(window, settle):

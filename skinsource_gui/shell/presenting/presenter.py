@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QMainWindow, QToolBar, QWidget
 from shiboken6 import isValid
 
 from skinsource.errors import SkinSourceError
+from skinsource.scenes import all_scenes
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.shell.docks import Arrangements, Dock, DockLayout
@@ -73,7 +74,8 @@ class Presenter(QObject):
         self._arranged = ""
         self._steps: tuple[Step, ...] = ()
         self._at = -1
-        # Whether what is open is a scene that was opened here: what is turned in it is not kept.
+        # Whether what is open is a scene that was whole when it was presented: what is turned in it
+        # meanwhile is not kept.
         self._is_scene = self._opening = False
         self._notes: NotesWindow | None = None
         self._keys: list[QShortcut] = []
@@ -87,6 +89,7 @@ class Presenter(QObject):
         """Take the bars away, and arrange the panels for people further off."""
         window = self._window
         self.presenting = True
+        self._is_scene = self._at >= 0 and not self._document.modified
         self._before, self._arranged = window.saveState(), self._preferences.arrangement
         self._size, self._focused = window.size(), window.focusWidget()
         self._arrangements.show(_ARRANGEMENT)
@@ -102,7 +105,7 @@ class Presenter(QObject):
     def end(self) -> None:
         """Bring the bars back, the panels where they stood, and the map."""
         window = self._window
-        self.presenting = False
+        self.presenting = self._is_scene = False
         for action in self._actions().values():
             window.removeAction(action)
         for key in self._keys:
@@ -138,6 +141,11 @@ class Presenter(QObject):
     def previous_scene(self) -> None:
         """Go to the scene before."""
         self._go(-1)
+
+    def note_scene(self, name: str) -> None:
+        """A scene of the paper was opened elsewhere: the next one comes after it."""
+        self._steps = steps_of_paper()
+        self._at = [one.name for one in all_scenes()].index(name)
 
     def show_notes(self) -> None:
         """Show what the speaker reads, on another screen where there is one."""
@@ -201,7 +209,7 @@ class Presenter(QObject):
         self._at, self._opening = number, True
         self._document.start_over(shown.design, shown.view, None)
         self._files.leave_file()
-        self._opening, self._is_scene = False, True
+        self._opening, self._is_scene = False, self.presenting
         for name in shown.panels:
             if name in self._docks:
                 self._docks[name].bring_forward()
@@ -211,7 +219,7 @@ class Presenter(QObject):
     def _look(self) -> None:
         # With another design the history is empty; with a step of it, it is not.
         if not self._opening and self._document.undo_stack.count() == 0:
-            self._is_scene = False
+            self._is_scene, self._steps, self._at = False, (), -1
 
     def _show_notes(self) -> None:
         if self._notes is None:
