@@ -43,6 +43,7 @@ from skinsource_gui.widgets.rig_field import RESPONSE_FILES
 _KINDS = f"Rigs (*{SUFFIX});;All files (*)"
 _ENDS = (("open", "Open…"), ("save", "Save…"), ("close", "Close"))
 _NOTHING = "No channel yet: add one for each actuator."
+_Answer = QMessageBox.StandardButton
 
 
 class RigPage(QDialog):
@@ -242,10 +243,18 @@ class RigPage(QDialog):
             self._say(f"Predicted through {through.words}")
 
     def _agreed(self) -> bool:
+        """Whether changes may go: they are saved now, or the user gives them up."""
         answer = QMessageBox.question(
-            self, "Changes of the rig", "The changes of the rig are not saved. Give them up?"
+            self,
+            "Changes of the rig",
+            "The changes of the rig are not saved. Save them?",
+            _Answer.Save | _Answer.Discard | _Answer.Cancel,
+            _Answer.Save,
         )
-        return answer == QMessageBox.StandardButton.Yes
+        if answer == _Answer.Save:
+            self._save()
+            return not self.draft.unsaved
+        return answer == _Answer.Discard
 
 
 def _row(*buttons: tuple[str, str]) -> QHBoxLayout:

@@ -200,7 +200,7 @@ class CurveField(QWidget):
         """The chosen point, in words."""
         x, y, segment = self._points[self._chosen]
         place = f"{self._chosen + 1}/{len(self._points)}"
-        return f"{place} · {1000.0 * x:g} ms · {y:g} · {_SEGMENT_WORDS[segment]}"
+        return f"{place} · {1000.0 * x:.4g} ms · {y:.3g} · {_SEGMENT_WORDS[segment]}"
 
     def _act(self, name: str) -> None:
         k, points, last = self._chosen, self._points, len(self._points) - 1
