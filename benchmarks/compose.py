@@ -52,6 +52,8 @@ def main() -> int:
     parser.add_argument("--folder", type=Path, default=Path("build/compose"))
     options = parser.parse_args()
     make_application()
+    if not options.screen:  # a quick hand: what is typed next begins anew sooner
+        QApplication.setKeyboardInputInterval(100)
     # A file dialog of the desktop belongs to another program, which a script cannot look into.
     QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
     options.folder.mkdir(parents=True, exist_ok=True)
