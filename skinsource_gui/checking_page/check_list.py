@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QVBoxLayout, QWidget
 
 from skinsource.design_file import open_design
 from skinsource.errors import SkinSourceError
+from skinsource.quoting import printable
 from skinsource.validation.report import Condition
 from skinsource_gui.checking_page.checking import Row
 from skinsource_gui.checking_page.table import CheckTable
@@ -42,6 +43,8 @@ class CheckList(QWidget):
     changed = Signal()
     #: Why a file was not taken.
     failed = Signal(str)
+    #: What was taken, and what comes next.
+    took = Signal(str)
 
     def __init__(self, rows: Sequence[Row], preferences: Preferences) -> None:
         super().__init__()
@@ -88,6 +91,8 @@ class CheckList(QWidget):
         if 0 <= chosen < len(rows):
             rows[chosen] = replace(rows[chosen], recording=path, result=None)
             self._put(tuple(rows))
+            name = printable(path.name)
+            self.took.emit(f"{name} is chosen for {rows[chosen].name}. Now press Check.")
 
     def take_results(self, results: Sequence[Condition | str]) -> None:
         """Take over what was found of each row."""

@@ -136,6 +136,7 @@ class CheckingPage(QDialog):
         self._close.clicked.connect(self.close)
         self.list.changed.connect(self._show)
         self.list.failed.connect(self._complain)
+        self.list.took.connect(self._say)
         # What was found was found along other axes, or at another rate.
         self.axes.chosen.connect(self.list.forget_results)
         self.rate.edited.connect(self.list.forget_results)

@@ -7,7 +7,9 @@ picture makes it skip what stands between.
 from collections.abc import Sequence
 
 from PySide6.QtCore import QPoint, QRect, QSize, Qt
-from PySide6.QtWidgets import QAbstractButton, QMainWindow, QScrollArea, QWidget
+from PySide6.QtWidgets import QAbstractButton, QMainWindow, QWidget
+
+from skinsource_gui.widgets.into_sight import bring_into_sight
 
 
 def tab_stops(top: QWidget, regions: Sequence[QWidget]) -> list[QWidget]:
@@ -51,7 +53,7 @@ def move_focus(window: QMainWindow, regions: Sequence[QWidget], *, forward: bool
         target = stops[(stops.index(here) + (1 if forward else -1)) % len(stops)]
     reason = Qt.FocusReason.TabFocusReason if forward else Qt.FocusReason.BacktabFocusReason
     target.setFocus(reason)
-    _bring_into_sight(target)
+    bring_into_sight(target)
     return True
 
 
@@ -113,11 +115,3 @@ def _takes_tab(widget: QWidget) -> bool:
         if group is not None and group.exclusive() and group.checkedButton() is not None:
             return False
     return widget.isVisible() and widget.isEnabled()
-
-
-def _bring_into_sight(widget: QWidget) -> None:
-    around = widget.parentWidget()
-    while around is not None:
-        if isinstance(around, QScrollArea):
-            around.ensureWidgetVisible(widget)
-        around = around.parentWidget()

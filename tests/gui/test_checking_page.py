@@ -85,6 +85,17 @@ def test_designs_are_checked_against_recordings_of_other_rates_and_reported(page
 def test_what_does_not_fit_is_said_in_its_row_and_the_others_are_checked(page, qtbot, tmp_path):
     np.savez(tmp_path / "small.npz", response=np.ones((50, 6, 3)), fs=1300.0)
     save_design(tmp_path / "other.skinsource", design_of(200.0), View())
+    np.savez(tmp_path / "z.npz", response=np.ones((600, 72)), fs=1300.0)
+    checked(page, qtbot)
+    assert page.words.text() == "Checked. Choose a recording to hold it against."
+    page.list.take_recording(tmp_path / "z.npz")
+    assert page.words.text() == "z.npz is chosen for This design. Now press Check."
+    (flat,) = checked(page, qtbot)
+    assert "or choose one axis (x, y or z), which takes 72 signals" in flat.result
+    page.axes.choose("z")
+    (along_z,) = checked(page, qtbot)
+    assert isinstance(along_z.result, Condition)
+    page.axes.choose("all")
     page.list.take_recording(tmp_path / "small.npz")
     page.list.add_design(tmp_path / "other.skinsource")
     refused, alone = (row.result for row in checked(page, qtbot))

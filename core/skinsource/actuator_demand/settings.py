@@ -141,10 +141,17 @@ class ActuatorSettings:
         return None
 
     def with_measured(self, found: MeasuredResponse, title: str) -> "ActuatorSettings":
-        """Look at a response that was measured; of very many points, at every so many-th."""
+        """Look at all of a response that was measured; of very many points, at some."""
         step = -(-len(found.points) // _MOST_POINTS)
         points = found.points[::step]
-        return replace(self, actuator=MEASURED, measured=points, measured_from=title, parameters=())
+        return replace(
+            self,
+            actuator=MEASURED,
+            measured=points,
+            measured_from=title,
+            parameters=(),
+            zoom=None,
+        )
 
     def with_parameter(self, name: str, value: float) -> "ActuatorSettings":
         """Another value of one field of the model; what is as published is not kept."""

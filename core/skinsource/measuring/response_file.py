@@ -18,6 +18,8 @@ from skinsource.recordings.reading_process import ReadingProcess
 _FREQUENCY = ("frequency", "freq", "f", "hz")
 _GAIN, _GAIN_DB = ("gain", "magnitude", "mag", "amplitude", "response"), ("db", "gain_db", "level")
 _RADIANS, _DEGREES = ("phase_rad",), ("phase_deg", "phase")
+# So many names say what a table is.
+_MOST_NAMES = 5
 _REAL, _IMAGINARY = ("real", "re"), ("imag", "imaginary", "im")
 
 
@@ -63,12 +65,19 @@ def open_response(
             return _of_table(table)
         if rate_hz is None or len(values) < 2:
             raise InvalidInputError(
-                f"it holds {quoted([one.name for one in found.series])}, expected a table with "
-                "frequency_hz and gain, or sound with a voltage and an acceleration"
+                f"it holds {_names(found)}; expected a table with columns frequency_hz and gain, "
+                "or sound with a voltage and an acceleration"
             )
         return response_from_sweep(values[0] * scales[0], values[1] * scales[1], rate_hz)
     except InvalidInputError as error:
         raise RecordingError(f"{named(Path(file.name))}: {sentence(str(error))}") from error
+
+
+def _names(found: Found) -> str:
+    """What a file holds, in words, and only the first of many."""
+    names = [quoted(one.name) for one in found.series]
+    more = len(names) - _MOST_NAMES
+    return ", ".join(names[:_MOST_NAMES]) + (f" and {more} more" if more > 0 else "")
 
 
 def _columns(found: Found, values: Floats) -> dict[str, Floats]:

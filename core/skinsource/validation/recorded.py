@@ -131,11 +131,12 @@ def _from_columns(
     signals = [one for one in found.series if not one.is_time]
     expected = n_outputs * n_axes
     if len(signals) != expected or len({one.n_samples for one in signals}) != 1:
+        one_axis = f", or choose one axis (x, y or z), which takes {n_outputs} signals"
         raise _refusal(
             file,
             f"{len(signals)} signals, expected {expected} of one length: {n_outputs} outputs along "
             f"{n_axes} axes, output by output. Save the responses as an array of times by outputs "
-            "by axes",
+            f"by axes{one_axis if n_axes > 1 else ''}",
         )
     keys, n_times = [one.key for one in signals], signals[0].n_samples
     values = reader.read(file, keys, 0, n_times, stop=stop).astype(np.float64)

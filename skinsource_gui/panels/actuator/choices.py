@@ -140,7 +140,7 @@ class ActuatorChoices(QObject):
         if name.startswith(_PARAMETER):
             settings = self._settings.with_parameter(name.removeprefix(_PARAMETER), value)
         elif name == "actuator":
-            settings = replace(self._settings, actuator=value, parameters=())
+            settings = replace(self._settings, actuator=value, parameters=(), zoom=None)
         else:
             settings = replace(self._settings, **{name: value})
         if settings != self._settings:

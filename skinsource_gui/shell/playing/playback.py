@@ -81,6 +81,8 @@ class Playback(QObject):
         player.changed.connect(self._follow)
         player.failed.connect(reports.complain)
         self.rigs.failed.connect(reports.complain)
+        # What went wrong with the file before is over.
+        self.rigs.opened.connect(reports.report)
         player.told.connect(reports.report)
         panel.output_wanted.connect(player.settings.choose)
         panel.devices_wanted.connect(player.settings.look)

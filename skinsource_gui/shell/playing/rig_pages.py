@@ -14,6 +14,7 @@ from skinsource.edits import Refusal, predict_through
 from skinsource.errors import SkinSourceError
 from skinsource.measuring import open_response
 from skinsource.panel_settings import settings_of, with_settings
+from skinsource.quoting import printable
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing.sound_settings import SoundSettings
@@ -39,6 +40,8 @@ class RigPages(QObject):
 
     #: Why a response was not opened.
     failed = Signal(str)
+    #: What was opened, in words.
+    opened = Signal(str)
 
     def __init__(self, document: Document, settings: SoundSettings, window: QWidget) -> None:
         super().__init__(window)
@@ -67,29 +70,30 @@ class RigPages(QObject):
         )
         if name:
             path = Path(name)
-            self._thread.do(partial(open_response, path), partial(self._look_at, path.stem))
+            self._thread.do(partial(open_response, path), partial(self._look_at, path))
 
     def end(self) -> None:
         """Open nothing more."""
         self._thread.end(lambda: None)
 
     def _look_at(
-        self, title: str, found: MeasuredResponse | None, error: SkinSourceError | None
+        self, path: Path, found: MeasuredResponse | None, error: SkinSourceError | None
     ) -> None:
         if found is None:
             self.failed.emit(str(error))
             return
         design, view = self._document.design, self._document.view
         before = settings_of(view, _PANEL, ActuatorSettings)
-        after = before.with_measured(found, title[:_LONGEST_TITLE])
+        after = before.with_measured(found, path.stem[:_LONGEST_TITLE])
         view = with_settings(view, _PANEL, after)
         through = design.actuated
         if through is None or through != actuation_of(settings_through(before, through)):
             self._document.look(view)
-            return
-        # What is predicted goes with what the panel shows.
-        outcome = predict_through(design, view, actuation_of(after))
-        if isinstance(outcome, Refusal):
-            self.failed.emit(outcome.sentence)
         else:
+            # What is predicted goes with what the panel shows.
+            outcome = predict_through(design, view, actuation_of(after))
+            if isinstance(outcome, Refusal):
+                self.failed.emit(outcome.sentence)
+                return
             self._document.apply(outcome)
+        self.opened.emit(f"Opened {printable(path.name)}.")

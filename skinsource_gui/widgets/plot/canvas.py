@@ -4,11 +4,22 @@ from typing import Any, ClassVar
 
 import pyqtgraph
 from PySide6.QtCore import QEvent, QRectF
-from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QPainter, QPaintEvent, QPen, QResizeEvent
+from PySide6.QtGui import (
+    QColor,
+    QFocusEvent,
+    QKeyEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QResizeEvent,
+    QShowEvent,
+    QWheelEvent,
+)
 from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.wheel import ScrollingOn
 
 
 class Canvas(pyqtgraph.GraphicsView):
@@ -20,6 +31,8 @@ class Canvas(pyqtgraph.GraphicsView):
         Where in the table of keys its own stand.
     theme
         Its colours.
+    scrolling_on
+        Knows when the wheel is for what is around it.
     """
 
     key_place: ClassVar[str] = ""
@@ -29,6 +42,7 @@ class Canvas(pyqtgraph.GraphicsView):
         pyqtgraph.setConfigOption("mouseRateLimit", 0)
         self.theme = LIGHT
         super().__init__(parent, **options)
+        self.scrolling_on = ScrollingOn(self)
 
     def set_ground(self, theme: Theme) -> None:
         """Take over colours of ground and frame."""
@@ -48,6 +62,16 @@ class Canvas(pyqtgraph.GraphicsView):
             event.accept()
             return True
         return super().event(event)
+
+    def viewportEvent(self, event: QEvent) -> bool:
+        if isinstance(event, QWheelEvent) and self.scrolling_on.passes(event):
+            event.ignore()
+            return False
+        return super().viewportEvent(event)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.scrolling_on.watch()
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)

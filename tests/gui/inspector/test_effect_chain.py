@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QCheckBox, QToolButton
+from PySide6.QtWidgets import QApplication, QCheckBox, QScrollArea, QToolButton
 
 from skinsource.clips import Clip
 from skinsource.design import Design, Input
@@ -61,6 +61,30 @@ def test_every_effect_can_be_added_and_stands_open(bench):
         assert bench.titles[-1] == kind.title
         assert bench.chain.rows[-1].open
     assert len(bench.effects) == len(CHAIN) + len(EFFECTS)
+
+
+def test_what_was_added_is_in_sight_and_has_the_keyboard(bench, qtbot):
+    area = bench.panel.findChild(QScrollArea, "inspector_fields")
+    bench.panel.resize(320, 420)
+    for title in ("Repeat", "Fade"):
+        bench.add(title)
+        row = bench.chain.rows[-1]
+        assert row.title.text() == title
+        qtbot.waitUntil(row.title.hasFocus)
+        sight = area.viewport().rect()
+
+        def whole(row=row, sight=sight):
+            top = row.mapTo(area.viewport(), QPoint(0, 0)).y()
+            return top >= 0 and top + row.height() <= sight.height()
+
+        qtbot.waitUntil(whole)
+    # One that comes back by undo leaves the keyboard where it is.
+    before = bench.design
+    bench.chain.removed.emit(0)
+    field = bench.panel.findChild(QToolButton, "add_effect")
+    field.setFocus()
+    bench.show(before)
+    assert field.hasFocus()
 
 
 def test_a_switch_leaves_an_effect_out(bench):

@@ -2,20 +2,30 @@
 
 from functools import partial
 
-from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
+from PySide6.QtWidgets import (
+    QApplication,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from skinsource.effects import Effect, effect_kinds
 from skinsource_gui.panels.inspector.effects.effect_row import EffectRow
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.fields.parts.row_column import RowColumn
+from skinsource_gui.widgets.into_sight import bring_into_sight
 from skinsource_gui.widgets.tooltips import tooltip
 
 
 class EffectChain(QWidget):
     """Rows of effects and a button that adds one.
 
-    A row follows its effect when that is moved; what is new stands open.
+    A row follows its effect when that is moved; what is new stands open, and what was added here
+    is in sight and has the keyboard.
     """
 
     #: Name of a kind of effect.
@@ -33,6 +43,7 @@ class EffectChain(QWidget):
         super().__init__(parent)
         self._theme = LIGHT
         self._clip_id: int | None = None
+        self._adds = False
         self._words = QLabel("Effects")
         self._add = QToolButton()
         self._add.setObjectName("add_effect")
@@ -66,11 +77,11 @@ class EffectChain(QWidget):
         self.setVisible(clip_id is not None)
         same_clip = clip_id == self._clip_id
         self._clip_id = clip_id
-        rows, left = [], list(self.rows)
+        rows, left, new = [], list(self.rows), None
         for index, effect in enumerate(effects):
             row = _row_for(effect, index, left, self.rows)
             if row is None:
-                row = self._new_row(effect)
+                row = new = self._new_row(effect)
                 row.set_open(same_clip)
             else:
                 left.remove(row)
@@ -79,6 +90,11 @@ class EffectChain(QWidget):
                 row.show_effect(effect)
             rows.append(row)
         self._column.show_rows(tuple(rows))
+        if self._adds and new is not None and same_clip:
+            self._adds = False
+            new.title.setFocus(Qt.FocusReason.OtherFocusReason)
+            # It has a place only when it was laid out.
+            QTimer.singleShot(0, new, partial(_show_whole, new))
 
     def show_refused(self, index: int, name: str, reason: str) -> None:
         """Say why a field of an effect stays as it is."""
@@ -108,6 +124,7 @@ class EffectChain(QWidget):
             action.triggered.connect(partial(self._tell_added, kind.__name__))
 
     def _tell_added(self, name: str, _checked: bool = False) -> None:
+        self._adds = True
         self.added.emit(name)
 
     def _new_row(self, effect: Effect) -> EffectRow:
@@ -140,3 +157,11 @@ def _row_for(
         if type(row.effect) is type(effect):
             return row
     return None
+
+
+def _show_whole(row: EffectRow) -> None:
+    """Scroll to a new row; of one that is too tall, to its beginning."""
+    # Layouts inside layouts ask again; on some systems a timer comes before the last of them.
+    QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
+    bring_into_sight(row)
+    bring_into_sight(row.title)
