@@ -64,7 +64,7 @@ def run(path: Path | None) -> int:
     end_signals.received.connect(end)
     window.keeping.offer(window.notice)
     window.show()
-    FirstStart(window.preferences, window.notice).offer()
+    FirstStart(window.preferences, window.notice, window.document).offer()
     settled = QTimer(window, singleShot=True, interval=_SETTLED_ANYWAY_MS)
     settled.timeout.connect(partial(take_over_collection, window))
     settled.start()

@@ -2,7 +2,10 @@
 
 from PySide6.QtCore import QObject
 
+from skinsource.design import Design
+from skinsource.view import View
 from skinsource_gui.shell.notice import Notice
+from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
 
 HINTS = (
@@ -19,17 +22,23 @@ NEXT, DONE, ENOUGH = "Next", "Done", "No more hints"
 class FirstStart(QObject):
     """Says three hints, one after the other, where the studio was never started before.
 
+    The next one comes with its button, or once what the hint says was done.
+
     Parameters
     ----------
     preferences
         Know whether it was; they remember that the hints were shown as soon as the first one is.
     notice
         Says them; also the parent.
+    document
+        Tells what was done.
     """
 
-    def __init__(self, preferences: Preferences, notice: Notice) -> None:
+    def __init__(self, preferences: Preferences, notice: Notice, document: Document) -> None:
         super().__init__(notice)
-        self._preferences, self._notice = preferences, notice
+        self._preferences, self._notice, self._document = preferences, notice, document
+        self._step: int | None = None
+        self._design, self._view = document.design, document.view
 
     def offer(self) -> None:
         """Begin, unless it was done before or there is something more urgent to say."""
@@ -37,9 +46,13 @@ class FirstStart(QObject):
             return
         self._preferences.hinted = True
         self._preferences.flush()
+        self._notice.closed.connect(self._end)
+        self._document.settled.connect(self._follow)
         self._say(0)
 
     def _say(self, step: int) -> None:
+        self._step = step
+        self._design, self._view = self._document.design, self._document.view
         words = f"{step + 1} of {len(HINTS)}: {HINTS[step]}"
         last = step == len(HINTS) - 1
         if last:
@@ -48,5 +61,33 @@ class FirstStart(QObject):
             choices = ((NEXT, lambda: self._say(step + 1)), (ENOUGH, self._end))
         self._notice.say(words, choices=choices)
 
+    def _follow(self) -> None:
+        """Say what is next where a hint was followed; say it again where an edit took it away."""
+        if self._step is None:
+            return
+        design, view = self._document.design, self._document.view
+        if not _followed(self._step, self._design, self._view, design, view):
+            if not self._notice.text:
+                self._say(self._step)
+        elif self._step + 1 < len(HINTS):
+            self._say(self._step + 1)
+        else:
+            self._end()
+            if self._notice.text.endswith(HINTS[-1]):
+                self._notice.be_quiet()
+
     def _end(self) -> None:
-        """Nothing is left to say: the notice has gone already."""
+        """Nothing is left to say: the notice has gone already, or goes by itself."""
+        if self._step is not None:
+            self._step = None
+            self._notice.closed.disconnect(self._end)
+            self._document.settled.disconnect(self._follow)
+
+
+def _followed(step: int, was: Design, looked: View, design: Design, view: View) -> bool:
+    """Whether what hint ``step`` says was done since it was said."""
+    if step == 0:
+        return len(design.inputs) > len(was.inputs)
+    if step == 1:
+        return design.inputs != was.inputs
+    return bool(view.outputs) and view.outputs != looked.outputs

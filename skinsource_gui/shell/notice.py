@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from functools import partial
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt, QTimer
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import (
     QApplication,
@@ -39,6 +39,9 @@ class Notice(QObject):
         Over whose panels they lie, just above the status bar; also the parent.
     """
 
+    #: The user has closed it, with its cross.
+    closed = Signal()
+
     def __init__(self, window: QMainWindow) -> None:
         super().__init__(window)
         self._window = window
@@ -66,6 +69,7 @@ class Notice(QObject):
         self._close.setToolTip("Close this notice")
         self._close.setAccessibleName("Close this notice")
         self._close.clicked.connect(self.be_quiet)
+        self._close.clicked.connect(self.closed)
         self._row.addWidget(self._close)
         self._passing, self._watches = QTimer(self), False
         self._passing.setSingleShot(True)

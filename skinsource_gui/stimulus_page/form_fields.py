@@ -45,7 +45,7 @@ LEAD_IN = NumberSpec(
     minimum=0.0,
     maximum=LONGEST_LEAD_IN_S,
     step=0.05,
-    hint="Silence before the stimulus",
+    hint="Silence before the stimulus, in which it may ring",
 )
 SCALE = ChoiceSpec(
     label="Full scale",

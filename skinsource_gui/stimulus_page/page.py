@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource.design import Design
+from skinsource.motions.fields_of_motions import in_ms
 from skinsource.quoting import sentence
 from skinsource.rigs.sending import UNCALIBRATED
 from skinsource.stimulus_export import Overview
@@ -162,7 +163,9 @@ class StimulusPage(QDialog):
         self._shown = order
         self.channels.show_overview(overview, self._colours)
         self._summary.setText(summary_of(overview))
-        self._loses.setText(" ".join(filter(None, (overview.loses, calibration_of(overview)))))
+        self._loses.setText(
+            " ".join(filter(None, (overview.edges, overview.loses, calibration_of(overview))))
+        )
         self._show_problem(" ".join(overview.objections), ask=bool(overview.objections))
 
     def _show_failed(self, order: Order, words: str) -> None:
@@ -197,7 +200,7 @@ def summary_of(overview: Overview) -> str:
     # What the design wants is no volts of a device before a rig says so.
     stands = "shall be" if _wants_volts(overview) else "is"
     return (
-        f"{n} channel{'' if n == 1 else 's'}{many}, {overview.duration_s:.4g} s at "
+        f"{n} channel{'' if n == 1 else 's'}{many}, {duration_words(overview.duration_s)} at "
         f"{rate} Hz, about {bytes_in_words(overview.n_bytes)}. Full scale {stands} "
         f"{overview.full_scale:.4g}{unit}."
     )
@@ -216,6 +219,13 @@ def calibration_of(overview: Overview) -> str:
 def _wants_volts(overview: Overview) -> bool:
     """Whether volts are known that the actuators shall get, and none that they will."""
     return overview.unit == "V" and overview.calibration == UNCALIBRATED
+
+
+def duration_words(time_s: float) -> str:
+    """A length of time as people read it: ms below a second."""
+    if time_s < 1e-3:
+        return f"{1e3 * time_s:.2g} ms"
+    return in_ms(time_s) if time_s < 1.0 else f"{time_s:.4g} s"
 
 
 def bytes_in_words(n_bytes: int) -> str:

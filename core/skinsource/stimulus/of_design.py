@@ -21,6 +21,7 @@ from skinsource.quoting import quoted
 from skinsource.resampling import MAX_RATE_HZ, by_ratio
 from skinsource.stimulus.channel import Channel
 from skinsource.stimulus.stimulus import Stimulus
+from skinsource.stimulus.times import lead_in_samples
 
 #: Something that is done to a stimulus at the rate of the device: an equaliser, for instance.
 Stage = Callable[[Stimulus], Stimulus]
@@ -39,20 +40,19 @@ def stimulus_of(
     clips: Iterable[int] | None = None,
     stages: Sequence[Stage] = (),
     limb: Limb | None = None,
+    lead_in_s: float = 0.0,
     stop: Stop = never,
 ) -> Stimulus:
     """Return what the actuators get to play a design.
 
     Each channel is amplitude x gain x waveform, at the rate of the limb, where the prediction is
     made from the same samples; another rate is reached by `skinsource.resample`, so that what is
-    played is what is predicted.  Sample 0 is time 0 of the design.
+    played is what is predicted.  Sample 0 is time 0 of the design, unless there is a lead-in.
 
     Parameters
     ----------
-    design
-        Inputs that are not heard are left out.
-    sample_rate_hz
-        A whole number of hertz; None: the rate of the limb.
+    design, sample_rate_hz
+        Only inputs that are heard take part; a whole number of hertz, None: the rate of the limb.
     per
         ``"place"``: one channel for each place in use, in the order of first use, so that inputs
         at one place add up.  ``"input"``: one channel for each input.
@@ -62,15 +62,15 @@ def stimulus_of(
         What is done at the end, at ``sample_rate_hz``, one after the other.
     limb
         Of the design, where it is open already.
+    lead_in_s
+        How long before time 0 it begins: silence, but for what rings there at another rate.
     stop
         Asked now and then; once true, `skinsource.errors.Stopped` is raised.
 
     Raises
     ------
-    InvalidInputError
-        A place, an id, a rate or a sample that cannot be, or more samples than can be held.
-    DatasetMissingError
-        The limb is a measured one, and the measured dataset is not installed.
+    InvalidInputError, DatasetMissingError
+        A place, an id, a rate, a sample or a number of samples that cannot be; no measured limbs.
 
     Examples
     --------
@@ -85,7 +85,7 @@ def stimulus_of(
     if sample_rate_hz is not None:
         sample_rate_hz = whole_number("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ)
     heard = _taking_part(design, inputs, clips)
-    found = _made(design, limb, heard, one_of("per", per, _PER), sample_rate_hz, stop)
+    found = _made(design, limb, heard, one_of("per", per, _PER), sample_rate_hz, lead_in_s, stop)
     for stage in stages:
         stop_if(stop)
         found = stage(found)
@@ -98,6 +98,7 @@ def _made(
     heard: tuple[Input, ...],
     per: str,
     sample_rate_hz: int | None,
+    lead_in_s: float,
     stop: Stop,
 ) -> Stimulus:
     """What ``heard`` plays."""
@@ -107,10 +108,12 @@ def _made(
     own_rate_hz = limb.sample_rate_hz
     rate_hz = own_rate_hz if sample_rate_hz is None else float(sample_rate_hz)
     channels = _channels(heard, per, design.limb)
+    lead = lead_in_samples(lead_in_s, rate_hz)
     return Stimulus(
         channels=channels,
-        samples=_sampled(heard, channels, own_rate_hz, rate_hz, stop),
+        samples=_sampled(heard, channels, own_rate_hz, rate_hz, lead, stop),
         sample_rate_hz=rate_hz,
+        start_s=-lead / rate_hz if lead else 0.0,
         limb=design.limb,
         scaling=design.scaling,
         own_rate_hz=own_rate_hz,
@@ -155,9 +158,10 @@ def _sampled(
     channels: tuple[Channel, ...],
     own_rate_hz: float,
     rate_hz: float,
+    lead: int,
     stop: Stop,
 ) -> Floats:
-    """Samples of the channels at ``rate_hz``, (n_channels, n_times); at least one."""
+    """Samples at ``rate_hz`` from ``lead`` before time 0, (n_channels, n_times); at least one."""
     ratio = Fraction(rate_hz) / Fraction(own_rate_hz)
     rows = {id: row for row, one in enumerate(channels) for id in one.inputs}
     pieces: list[tuple[int, int, float, Floats]] = []
@@ -171,12 +175,19 @@ def _sampled(
         drive = drive_played(chain, own_rate_hz, one.location, drawn)
         pieces.append((rows[one.id], start, one.amplitude * drive.factor, drive.samples))
     n = max([1, *(start + samples.size for _, start, _, samples in pieces)])
+    # Samples of both rates meet at time 0: what comes before is whole numbers of either.
+    steps = -(-lead // ratio.numerator)
+    before, surplus = steps * ratio.denominator, steps * ratio.numerator - lead
+    n += before
     _refuse_too_long(len(channels), -(-n * ratio.numerator // ratio.denominator))
     total = np.zeros((len(channels), n))
     for row, start, factor, samples in pieces:
-        total[row, start : start + samples.size] += factor * samples
+        begin = before + start
+        total[row, begin : begin + samples.size] += factor * samples
     stop_if(stop)
-    return total if ratio == 1 else by_ratio(total, ratio, min(own_rate_hz, rate_hz))
+    if ratio == 1:
+        return total
+    return by_ratio(total, ratio, min(own_rate_hz, rate_hz))[:, surplus:]
 
 
 def _refuse_too_long(n_channels: int, n_times: int) -> None:

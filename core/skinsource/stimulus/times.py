@@ -44,16 +44,27 @@ def part_of_time(stimulus: Stimulus, from_s: float, to_s: float) -> Stimulus:
 
 def with_lead_in(stimulus: Stimulus, silence_s: float) -> Stimulus:
     """Put silence before a stimulus, rounded up to whole samples."""
-    length_s = real_number(
-        "lead_in_s",
-        silence_s,
-        f"a time from 0 to {LONGEST_LEAD_IN_S:g} s",
-        least=0.0,
-        most=LONGEST_LEAD_IN_S,
-    )
-    n = ceil(length_s * stimulus.sample_rate_hz - NEAR)
+    n = lead_in_samples(silence_s, stimulus.sample_rate_hz)
     if not n:
         return stimulus
     found = np.zeros((len(stimulus.channels), n + stimulus.n_times))
     found[:, n:] = stimulus.samples
     return stimulus.with_samples(found, start_s=stimulus.start_s - n / stimulus.sample_rate_hz)
+
+
+def lead_in_samples(length_s: float, sample_rate_hz: float) -> int:
+    """Return how many samples a lead-in has: rounded up.
+
+    Raises
+    ------
+    InvalidInputError
+        It is negative, or longer than `LONGEST_LEAD_IN_S`.
+    """
+    length_s = real_number(
+        "lead_in_s",
+        length_s,
+        f"a time from 0 to {LONGEST_LEAD_IN_S:g} s",
+        least=0.0,
+        most=LONGEST_LEAD_IN_S,
+    )
+    return ceil(length_s * sample_rate_hz - NEAR)

@@ -26,7 +26,7 @@ class StimulusOptions:
     fade_in_s, fade_out_s
         Fades at the ends of that part.
     lead_in_s
-        Silence before it.
+        Silence before it; where nothing is cut off or faded in, what rings before time 0 is kept.
     sync
         Whether a last channel marks time 0, or ``from_s``, with a pulse at full scale.
     channel_map

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from skinsource.arrays import Floats
+from skinsource.stimulus_export.edges import edge_words
 from skinsource.stimulus_export.preparing import Prepared, clipped_samples
 from skinsource.stimulus_export.safety import Limit, objections
 
@@ -55,6 +56,8 @@ class Overview:
         Of each.
     full_scale, unit
         What full scale stands for.
+    edges
+        Which channels begin or end hard, in words; "": none.
     loses
         What of the drive is not in the files; "": nothing.
     calibration
@@ -70,6 +73,7 @@ class Overview:
     duration_s: float
     full_scale: float
     unit: str
+    edges: str
     loses: str
     calibration: str
     objections: tuple[str, ...]
@@ -108,6 +112,7 @@ def overview_of(ready: Prepared, limits: Sequence[Limit] = ()) -> Overview:
         duration_s=first.stimulus.duration_s,
         full_scale=first.full_scale,
         unit=first.stimulus.unit,
+        edges=edge_words([one.stimulus for _, one in ready.files], ready.cut),
         loses=ready.format.loses(first.choices),
         calibration=first.calibration,
         objections=objections(ready, limits),

@@ -29,6 +29,7 @@ from skinsource.stimulus import (
     with_sync,
 )
 from skinsource.stimulus.wiring import FULL_SCALE_UNIT, for_rig, through_actuators
+from skinsource.stimulus_export.edges import Ends, cut_ends
 from skinsource.stimulus_export.options import StimulusOptions
 from skinsource.stimulus_export.rigged import about_rig
 from skinsource.stimulus_formats import Outgoing, StimulusFormat
@@ -48,6 +49,8 @@ class Prepared:
         All channels before that factor, in the unit of the drive: what limits are about.
     files
         Path and content of each file.
+    cut
+        At which ends a part of the design was cut out.
     rig, equaliser
         What it is made for, and what makes volts of accelerations; None: neither is known.
     """
@@ -56,6 +59,7 @@ class Prepared:
     gain: float
     drives: Stimulus
     files: tuple[tuple[Path, Outgoing], ...]
+    cut: tuple[Ends, ...] = ()
     rig: Rig | None = None
     equaliser: Equaliser | None = None
 
@@ -113,23 +117,13 @@ def prepared(
     """
     choices = format.chosen(options.choices)
     own_rate = format.fixed_rate or rate_hz is None
+    rate_hz = format.rate_hz if own_rate else rate_hz
+    cut, lead_in_s = cut_ends(options), 0.0
+    if not cut and options.fade_in_s == 0.0:
+        # What rings before time 0 is kept where nothing is cut off or faded in.
+        lead_in_s, options = options.lead_in_s, replace(options, lead_in_s=0.0)
     progress(0, 0, "Computing")
-    made = stimulus_of(
-        design,
-        format.rate_hz if own_rate else rate_hz,
-        per="input" if options.one_file_per_input else options.per,
-        inputs=options.inputs,
-        clips=options.clips,
-        stages=stages,
-        stop=stop,
-    )
-    if not made.channels:
-        raise InvalidInputError(
-            "Nothing is heard: there is no channel to export. Unmute an input, or choose others."
-        )
-    if equaliser is not None and _only_led_in(options):
-        # An equaliser rings before what it makes: the silence is where it may.
-        made, options = with_lead_in(made, options.lead_in_s), replace(options, lead_in_s=0.0)
+    made = _made(design, rate_hz, options, stages, lead_in_s, stop)
     drives = _cut(_for_rig(made, rig, equaliser, options, design.actuated), options)
     gain = 1.0 if drives.unit == FULL_SCALE_UNIT else _gain(drives, options)
     files = tuple(
@@ -138,13 +132,34 @@ def prepared(
         for own_place, own in _own_files(_finished(scaled(one, gain), options), place, format)
     )
     return Prepared(
-        format=format, gain=gain, drives=drives, files=files, rig=rig, equaliser=equaliser
+        format=format, gain=gain, drives=drives, files=files, cut=cut, rig=rig, equaliser=equaliser
     )
 
 
-def _only_led_in(options: StimulusOptions) -> bool:
-    """Whether nothing is cut off or faded in before the silence is put there."""
-    return options.from_s is None and options.to_s is None and options.fade_in_s == 0.0
+def _made(
+    design: Design,
+    rate_hz: int | None,
+    options: StimulusOptions,
+    stages: Sequence[Stage],
+    lead_in_s: float,
+    stop: Stop,
+) -> Stimulus:
+    """What the design plays of what was chosen."""
+    made = stimulus_of(
+        design,
+        rate_hz,
+        per="input" if options.one_file_per_input else options.per,
+        inputs=options.inputs,
+        clips=options.clips,
+        stages=stages,
+        lead_in_s=lead_in_s,
+        stop=stop,
+    )
+    if not made.channels:
+        raise InvalidInputError(
+            "Nothing is heard: there is no channel to export. Unmute an input, or choose others."
+        )
+    return made
 
 
 def _gain(drives: Stimulus, options: StimulusOptions) -> float:

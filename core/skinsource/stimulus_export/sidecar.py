@@ -12,6 +12,7 @@ from skinsource.choice_words import SCALINGS, word_of
 from skinsource.decibels import decibels
 from skinsource.design import Input
 from skinsource.stimulus import Stimulus
+from skinsource.stimulus_export.edges import edge_words
 from skinsource.stimulus_export.preparing import Prepared, clipped_samples
 from skinsource.stimulus_export.rigged import about_channels, about_equaliser
 from skinsource.stimulus_export.validity import about_validity
@@ -77,6 +78,7 @@ def sidecar_of(
         "validity": about_validity(outgoing.design),
         "clip_count": int(sum(counts)),
         "confirmed": list(confirmed),
+        "edges": edge_words([stimulus], ready.cut),
         "errors": _errors(stimulus, facts),
         "loses": ready.format.loses(outgoing.choices),
         "versions": versions(),

@@ -26,6 +26,12 @@ from skinsource.perception.threshold_table import read_threshold_table
 from skinsource.view import View
 from skinsource_gui.figure_panel import COMPUTING
 from skinsource_gui.panel import Panel
+from skinsource_gui.panels.perception.contact import (
+    Weighted,
+    contact_list,
+    contact_table,
+    contact_words,
+)
 from skinsource_gui.panels.perception.level_table import LevelTable
 from skinsource_gui.panels.perception.rows import header, rows, tab_separated
 from skinsource_gui.theme import UNIT_PX, Theme
@@ -40,7 +46,6 @@ _OWN_LIMITS = (
 )
 _TAKE_OWN = "Take thresholds from a CSV file: frequency_hz, threshold_m_per_s2 (RMS)"
 _MOST_NAME_PX = 120
-_NO_WEIGHTED = "Wh: only where drives are accelerations of the probe"
 
 
 class PerceptionPanel(Panel):
@@ -56,6 +61,7 @@ class PerceptionPanel(Panel):
         self._found: Sensation | None = None
         self._outputs: tuple[int, ...] = ()
         self._limb = ""
+        self._weighted: Weighted = None
         self._folder = Path()
         self.area = NumberField(AREA, widest_unit="cm²")
         self.area.setMaximumWidth(96)
@@ -113,7 +119,9 @@ class PerceptionPanel(Panel):
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._lateness.set_stale(False)
         found, outputs = results["sensation"], results["shown_outputs"]
-        self.contact.setText(_contact_words(results["contact_weighted_rms"]))
+        self._weighted = results["contact_weighted_rms"]
+        self.contact.setText(contact_words(self._weighted))
+        self.contact.setToolTip(contact_list(self._weighted))
         if found.problem or not outputs:
             self._say(found.problem or output_words(self.in_sight))
             return
@@ -135,6 +143,7 @@ class PerceptionPanel(Panel):
         self._lateness.set_stale(False)
         self._say(reason)
         self.contact.setText("")
+        self.contact.setToolTip("")
 
     def show_in_sight(self, names: frozenset[str]) -> None:
         said = self.message.text() == output_words(self.in_sight)
@@ -195,22 +204,13 @@ class PerceptionPanel(Panel):
         if self._found is not None:
             QGuiApplication.clipboard().setText(
                 tab_separated(self._found, self._outputs, self._limb)
+                + contact_table(self._weighted)
             )
 
     def _change(self, **changes: Any) -> None:
         settings = replace(self._settings, **changes)
         if settings != self._settings:
             self.view_changed.emit(with_settings(self._view, self.name, settings))
-
-
-def _contact_words(weighted: tuple[tuple[int, float], ...] | None) -> str:
-    """What ISO 5349-1 makes of the contact; it says nothing of the skin elsewhere."""
-    if weighted is None:
-        return _NO_WEIGHTED
-    if not weighted:
-        return ""
-    said = ", ".join(f"place {place}: {value:.3g} m/s²" for place, value in weighted)
-    return f"ISO 5349-1 Wh, a health weighting, not perception, of the probe itself: {said} RMS"
 
 
 def _button(parent: QWidget, name: str, words: str) -> QToolButton:

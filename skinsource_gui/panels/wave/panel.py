@@ -110,17 +110,17 @@ class WavePanel(FigurePanel):
 
 def wave_words(wave: TravellingWave) -> str:
     """Speed and attenuation, with what is known of their error."""
-    speed = "none: it does not arrive later with the way"
+    speed = "No speed: the arrival is not later farther away"
     if wave.counted.sum() < 2:
         return "fewer than two outputs are more than noise"
     if wave.timed.sum() < 2:
-        speed = "none: the shapes are too unlike"
+        speed = "No speed: the shapes are too unlike"
     if wave.speed_deviation_m_per_s >= abs(wave.speed_m_per_s):
-        speed = "none: delays do not grow in step with the way"
+        speed = "No speed: delays do not grow in step with the distance"
     elif np.isfinite(wave.speed_m_per_s):
-        speed = f"{wave.speed_m_per_s:.1f}{_spread(wave.speed_deviation_m_per_s, 1)} m/s"
+        speed = f"Speed {wave.speed_m_per_s:.1f}{_spread(wave.speed_deviation_m_per_s, 1)} m/s"
     loss = f"{wave.attenuation_db_per_cm:.2f}{_spread(wave.attenuation_deviation_db_per_cm, 2)}"
-    return f"Speed {speed} · attenuation {loss} dB/cm, spreading included".replace("-", "−")
+    return f"{speed} · attenuation {loss} dB/cm, spreading included".replace("-", "−")
 
 
 def _spread(deviation: float, decimals: int) -> str:

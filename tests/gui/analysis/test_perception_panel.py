@@ -9,6 +9,7 @@ from skinsource.edits import Edit
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.perception import LIMITS
 from skinsource.perception.settings import PerceptionSettings
+from skinsource_gui.panels.perception.contact import contact_list, contact_table, contact_words
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.state.engine import FIRST_SLOT
 
@@ -32,8 +33,10 @@ def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
     assert "not perception" in panel.contact.text()
     assert "place 7" in panel.contact.text()
     panel.copy.click()
-    lines = QGuiApplication.clipboard().text().splitlines()
+    copied, contacts = QGuiApplication.clipboard().text().split("\n\n")
+    lines = copied.splitlines()
     assert [line.split("\t")[0] for line in lines] == ["output", "29", "33", "57"]
+    assert [line.split("\t")[0] for line in contacts.splitlines()] == ["place", "7"]
     path = tmp_path / "mine.csv"
     path.write_text("frequency_hz,threshold_m_per_s2\n25,0.1\n600,0.1\n")
     panel.take_thresholds(path)
@@ -98,3 +101,15 @@ def test_words_on_the_contact_go_while_they_are_late_even_with_nothing_selected(
     qtbot.waitUntil(lambda: not panel.contact.isVisible())
     panel.show_stale(False)
     assert panel.contact.isVisible()
+
+
+def test_of_many_contacts_the_largest_is_said_and_all_are_listed():
+    weighted = tuple((place, 0.5 + 0.1 * (place == 4)) for place in range(1, 21))
+    words = contact_words(weighted)
+    assert "largest 0.6 m\u2060/\u2060s² RMS at place 4, of 20 places" in words
+    assert contact_list(weighted).count("place ") == 20
+    assert contact_table(weighted).splitlines()[5] == "4\t0.6"
+    few = weighted[:2]
+    assert "place 1: 0.5 m\u2060/\u2060s², place 2: 0.5" in contact_words(few)
+    assert contact_list(few) == ""
+    assert contact_table(None) == contact_table(()) == contact_words(()) == ""

@@ -25,6 +25,6 @@ def test_a_speed_is_said_where_delays_grow_with_the_way():
 
 def test_a_speed_less_sure_than_itself_is_none():
     unsure = replace(the_wave(), speed_m_per_s=688.1, speed_deviation_m_per_s=3090.9)
-    assert wave_words(unsure).startswith("Speed none: delays do not grow in step with the way")
+    assert wave_words(unsure).startswith("No speed: delays do not grow in step with the distance")
     negative = replace(unsure, speed_m_per_s=-20.0, speed_deviation_m_per_s=30.0)
-    assert wave_words(negative).startswith("Speed none")
+    assert wave_words(negative).startswith("No speed")

@@ -13,7 +13,7 @@ from skinsource.actuators import MeasuredResponse
 from skinsource.rigs import Rig, RigChannel, save_rig
 from skinsource.stimulus_formats import FORMATS
 from skinsource.view import View
-from skinsource_gui.stimulus_page.page import StimulusPage, bytes_in_words
+from skinsource_gui.stimulus_page.page import StimulusPage, bytes_in_words, duration_words
 
 #: The first one imports scipy, on a machine that may be busy.
 WAIT_MS = 30_000
@@ -85,7 +85,7 @@ def test_it_shows_the_channels_as_they_will_be(page, design):
     assert "1  Place 7, Digit II, pad; peak" in page.channels.accessibleDescription()
     text = label(page, "summary")
     n_times = ss.stimulus_of(design, 48_000).n_times
-    assert text.startswith(f"2 channels, {n_times / 48_000:.4g} s at 48 000 Hz, about ")
+    assert text.startswith(f"2 channels, {1e3 * n_times / 48_000:.4g} ms at 48 000 Hz, about ")
     assert bytes_in_words(found.n_bytes) in text
     assert "Uncalibrated" in label(page, "loses")
 
@@ -288,3 +288,8 @@ def test_closing_the_studio_closes_the_page(page, window):
     page.form.field("format").choose("csv")
     window.close_unasked()
     assert window.stimuli.page is None
+
+
+def test_lengths_of_time_are_said_as_people_read_them():
+    said = [duration_words(time_s) for time_s in (37 / 48_000, 0.2, 1.5)]
+    assert said == ["0.77 ms", "200 ms", "1.5 s"]

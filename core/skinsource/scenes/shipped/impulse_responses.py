@@ -14,7 +14,10 @@ _TRACES = made(
         title="A pulse runs down the hand",
         sentence="A pulse on the pad of digit III arrives later and longer at outputs along the "
         "back of the hand and arm; within 3 ms it leaves the finger.",
-        inferred=("each trace is drawn relative to its own peak",),
+        inferred=(
+            "in the figure each trace is relative to its own peak, in the panel Traces all have "
+            "one scale",
+        ),
         panels=("skin", "traces"),
     ),
     played(4, *at([8], _PULSE), scaling="relative"),
@@ -33,7 +36,10 @@ _SPECTRA = made(
         title="High frequencies stay near the finger",
         sentence="Spectra of the same responses: the farther from the pulse, the less is left of "
         "high frequencies.",
-        inferred=("each spectrum is drawn relative to its own largest magnitude",),
+        inferred=(
+            "in the figure each spectrum is relative to its own largest magnitude, in the panel "
+            "Spectra all have one scale",
+        ),
         panels=("skin", "spectra"),
     ),
     played(4, *at([8], _PULSE), scaling="relative"),

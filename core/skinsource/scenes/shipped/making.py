@@ -89,5 +89,5 @@ def made(
 
 def _titled(scene: Scene, design: Design, rank: int) -> Design:
     label = scene.labels[rank]
-    words = f"Fig. {scene.name}: {label}" if label else f"Fig. {scene.name}: {scene.title}"
+    words = f"Fig. {scene.name}: {scene.title}{' · ' if label else ''}{label}"
     return replace(design, title=words, notes=scene.notes)
