@@ -1,4 +1,4 @@
-"""What is under the pointer, in words."""
+"""What is under the pointer, or else selected, in words."""
 
 from PySide6.QtCore import QPointF
 
@@ -25,6 +25,14 @@ def pixel_readout(content: MapContent, layout: MapLayout, at: QPointF) -> str:
         return ""
     level = field.level_at(levels, *layout.frame.to_drawing(at))
     return "" if level is None else _value_text(level, content)
+
+
+def selection_readout(outputs: tuple[int, ...]) -> str:
+    """How many outputs are selected, and in a second line how to select others."""
+    if not outputs:
+        return "No output selected\nClick one, or drag around several"
+    count = "1 output" if len(outputs) == 1 else f"{len(outputs)} outputs"
+    return f"{count} selected\nShift+click adds or removes one"
 
 
 def _value_text(value: float, content: MapContent) -> str:

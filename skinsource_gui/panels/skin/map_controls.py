@@ -1,0 +1,35 @@
+"""The controls around the map: they show the settings, and what they tell is chosen."""
+
+from skinsource.view import View
+from skinsource_gui.panels.skin.colour_bar import ColourBar
+from skinsource_gui.panels.skin.map_choices import MapChoices
+from skinsource_gui.panels.skin.map_quantity import Z
+from skinsource_gui.panels.skin.map_toolbar import MapToolbar
+from skinsource_gui.panels.skin.time.time_view import TimeView
+
+
+class MapControls:
+    """Connects the controls around the map to what is chosen, and shows them what was."""
+
+    def __init__(
+        self, choices: MapChoices, toolbar: MapToolbar, time: TimeView, colour_bar: ColourBar
+    ) -> None:
+        self._choices = choices
+        self._toolbar, self._time, self._colour_bar = toolbar, time, colour_bar
+        toolbar.style_chosen.connect(choices.choose_style)
+        toolbar.sensors_switched.connect(choices.switch_sensors)
+        colour_bar.range_chosen.connect(choices.choose_range)
+        time.bar.limits_chosen.connect(choices.choose_limits)
+        time.row.quantity_chosen.connect(choices.choose_quantity)
+        time.row.window_chosen.connect(choices.choose_window)
+        time.row.pace_chosen.connect(choices.choose_pace)
+
+    def show_settings(self, view: View) -> None:
+        """Show what is chosen; of the two colour bars the one for it."""
+        settings = self._choices.settings
+        signed = settings.quantity == Z
+        self._toolbar.show_settings(settings)
+        self._time.show_state(settings, view)
+        self._time.bar.setVisible(signed)
+        self._colour_bar.setVisible(not signed)
+        self._colour_bar.choose(self._choices.chosen_range)
