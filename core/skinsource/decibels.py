@@ -1,7 +1,5 @@
 """Levels: the only place where decibels are made."""
 
-from math import ceil
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -10,13 +8,6 @@ from skinsource.errors import InvalidInputError
 
 #: What silence is shown as.  Nothing measured or predicted comes near it.
 FLOOR_DB = -200.0
-#: What the colours of a map span, unless another range is chosen: from the loudest output down.
-MAP_RANGE_DB = 50.0
-#: The level of the highest colour is a multiple of it.
-MAP_ROUND_TO_DB = 5.0
-#: Its highest value, and what the colours span in silence.
-MAP_HIGHEST_DB = 200.0
-SILENT_MAP_RANGE_DB = (-MAP_RANGE_DB, 0.0)
 
 
 def decibels(
@@ -57,18 +48,3 @@ def decibels(
     np.log10(amplitude, out=level, where=amplitude > 0)
     level = np.where(amplitude > 0, 20.0 * (level - np.log10(reference)), floor_db)
     return np.maximum(level, floor_db)
-
-
-def map_range_db(levels_db: ArrayLike) -> tuple[float, float]:
-    """Levels of the lowest and the highest colour of maps that show these levels, in dB.
-
-    The highest is the loudest level, rounded up to `MAP_ROUND_TO_DB`; in silence it is 0 dB.  They
-    stay between `FLOOR_DB` and `MAP_HIGHEST_DB`.
-    """
-    loudest = float(np.max(real_array("levels_db", levels_db, "levels in dB"), initial=FLOOR_DB))
-    if loudest <= FLOOR_DB:
-        return SILENT_MAP_RANGE_DB
-    # What rounding has added to a level is not worth five more decibels.
-    top = ceil(loudest / MAP_ROUND_TO_DB - 1e-9) * MAP_ROUND_TO_DB
-    top = min(max(top, FLOOR_DB + MAP_RANGE_DB), MAP_HIGHEST_DB)
-    return top - MAP_RANGE_DB, top

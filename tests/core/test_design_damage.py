@@ -24,7 +24,7 @@ from pathlib import Path
 
 import numpy as np
 
-from skinsource.design_file import apart, open_design, version_1_child
+from skinsource.design_file import version_1_process, open_design, version_1_child
 from skinsource.errors import DesignFileError, FileFormatError, InvalidInputError
 
 

@@ -13,7 +13,7 @@ import pytest
 
 from skinsource import waveforms
 from skinsource.design import Design, track
-from skinsource.design_file import apart, open_design, save_design, version_1
+from skinsource.design_file import open_design, save_design, version_1, version_1_process
 from skinsource.design_file.version_1_child import answer
 from skinsource.errors import DesignFileError, FileFormatError, InvalidInputError
 from skinsource.quantities import new_graph, sources
@@ -38,7 +38,7 @@ PANELS = {
 
 @pytest.fixture(autouse=True)
 def _read_in_this_process(monkeypatch):
-    """By the same code: a hundred processes take long; `test_version_1_apart` starts some."""
+    """By the same code: a hundred processes take long; `test_version_1_process` starts some."""
 
     def as_today(stored):
         version_1.check_beginning(stored)
@@ -48,7 +48,7 @@ def _read_in_this_process(monkeypatch):
             raise kinds[word](content.decode())
         return content
 
-    monkeypatch.setattr(apart, "as_today", as_today)
+    monkeypatch.setattr(version_1_process, "as_today", as_today)
 
 
 def value(found: Any) -> Any:

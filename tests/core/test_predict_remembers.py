@@ -9,7 +9,7 @@ from scipy.signal import fftconvolve
 
 import skinsource as ss
 from skinsource import response
-from skinsource.prediction import helped
+from skinsource.prediction import second_thread
 from skinsource.prediction.spectra_of_limbs import SpectraOfLimbs
 from skinsource.work import counting
 
@@ -101,7 +101,7 @@ def test_one_input_alone_is_the_convolution_however_it_is_cut_into_parts(limb, n
 
 def test_one_input_alone_asks_for_no_second_thread(limb, monkeypatch):
     asked = []
-    monkeypatch.setattr(helped, "start_new_thread", lambda *_: asked.append("one"))
+    monkeypatch.setattr(second_thread, "start_new_thread", lambda *_: asked.append("one"))
     for _ in range(3):
         ss.predict(limb, DRIVES[:1], [7])
     assert not asked

@@ -2,7 +2,7 @@
 
 from skinsource.actuator_demand.demand import LONGEST_S, Demand, demand_of, drive_at, strongest
 from skinsource.actuator_demand.settings import MEASURED, ActuatorSettings, actuator_spec
-from skinsource.actuator_demand.through import actuation_of, settings_through
+from skinsource.actuator_demand.settings_of_actuation import actuation_of, settings_through
 
 __all__ = [
     "LONGEST_S",

@@ -8,7 +8,7 @@ from skinsource.effects import Effect, effect_kinds, placed, played, played_s
 from skinsource.effects.places import LONGEST_S
 from skinsource.errors import InvalidInputError
 from skinsource.fields import ListSpec, NumberSpec, RecipeSpec, SwitchSpec, TextSpec
-from skinsource.synthesis.known_kinds import first_kind, known_kinds
+from skinsource.synthesis.kind_registry import first_kind, known_kinds
 from skinsource.synthesis.waveform import Waveform
 
 #: Effects in the chain of one clip.

@@ -16,7 +16,7 @@ from pathlib import Path
 from skinsource import codec, fields
 from skinsource.codec import image
 from skinsource.design import Design
-from skinsource.design_file import apart, version_2
+from skinsource.design_file import version_1_process, version_2
 from skinsource.errors import DesignFileError, FileFormatError, InvalidInputError
 from skinsource.fields import Address, BytesSpec, RecipeSpec
 from skinsource.files import named, read_bytes, write_bytes
@@ -101,5 +101,5 @@ def _content(stored: bytes) -> DesignFile:
         return codec.decode(tree, (DesignFile,), Address())
     if version is not None:
         return codec.decode(image.from_image(stored, VERSION), (DesignFile,), Address())
-    today = image.from_image(apart.as_today(stored), VERSION)
+    today = image.from_image(version_1_process.as_today(stored), VERSION)
     return codec.decode(today, (DesignFile,), Address())

@@ -9,7 +9,7 @@ import sys
 from skinsource import codec
 from skinsource.codec import image
 from skinsource.design_file import VERSION, DesignFile, version_1
-from skinsource.design_file.apart import DAMAGED, FOUND, REFUSED
+from skinsource.design_file.version_1_process import DAMAGED, FOUND, REFUSED
 from skinsource.errors import FileFormatError, InvalidInputError
 from skinsource.files.child_limits import limit_memory, limit_time, own_output
 

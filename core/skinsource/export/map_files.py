@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.arrays import Floats
-from skinsource.decibels import MAP_RANGE_DB
 from skinsource.design import Design
 from skinsource.export.csv_table import CsvTable
 from skinsource.export.exported_design import ExportedDesign
@@ -22,6 +21,7 @@ from skinsource.export.figures import (
 from skinsource.export.output_file import output_file
 from skinsource.export.png import write_png
 from skinsource.job import Progress, Stop, never, silent
+from skinsource.map_range import MAP_RANGE_DB
 from skinsource.surface import SurfaceOperator
 from skinsource.view import View
 

@@ -6,9 +6,9 @@ from dataclasses import replace
 import numpy as np
 
 from skinsource.arrays import Floats
-from skinsource.decibels import MAP_RANGE_DB
 from skinsource.figures.sheet import WIDTH_MM, Drawn, Sheet, Table
 from skinsource.figures.values import relative
+from skinsource.map_range import MAP_RANGE_DB
 from skinsource.plot.levels import Levels, Range, common_range, levels_of
 from skinsource.plot.maps import Bar, draw_map
 from skinsource.plot.paper import style

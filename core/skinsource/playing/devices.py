@@ -6,7 +6,7 @@ from typing import Literal
 
 from skinsource.errors import NothingToPlayOnError, PlaybackError
 from skinsource.playing.output import RATES_HZ, Output
-from skinsource.playing.sounding import sound_library
+from skinsource.playing.portaudio import sound_library
 from skinsource.quoting import printable, quoted
 
 _NONE = "No device to play on was found. Connect one and look again."

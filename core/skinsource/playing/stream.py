@@ -10,8 +10,8 @@ from skinsource.playing.block import next_block
 from skinsource.playing.deck import Deck
 from skinsource.playing.devices import Device
 from skinsource.playing.mix import Frames
+from skinsource.playing.portaudio import sound_library
 from skinsource.playing.refusals import refusal
-from skinsource.playing.sounding import sound_library
 from skinsource.playing.timing import Delay, HeardPosition
 
 #: What a device asks for at once.

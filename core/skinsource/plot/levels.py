@@ -8,11 +8,11 @@ from numpy.typing import ArrayLike
 from skinsource.arguments import finite_array
 from skinsource.arrays import Floats
 from skinsource.catalogue import load_limb
-from skinsource.decibels import map_range_db
 from skinsource.design import Design, audible_inputs
 from skinsource.errors import InvalidInputError
 from skinsource.evaluation import evaluate
 from skinsource.limb import Limb
+from skinsource.map_range import map_range_db
 from skinsource.quoting import quoted
 from skinsource.surface import SurfaceOperator, surface_operator
 from skinsource.view import View
@@ -74,5 +74,5 @@ def levels_of(shown: Design | ArrayLike, limb: Limb | str | None, view: View | N
 
 
 def common_range(*levels_db: Floats) -> Range:
-    """Colours for maps of all of these: see `skinsource.decibels.map_range_db`."""
+    """Colours for maps of all of these: see `skinsource.map_range.map_range_db`."""
     return map_range_db(np.concatenate(levels_db, axis=None))

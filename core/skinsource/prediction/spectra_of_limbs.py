@@ -9,7 +9,7 @@ from weakref import WeakKeyDictionary
 
 from skinsource.arrays import Complexes, Floats
 from skinsource.limb import Limb
-from skinsource.prediction.helped import helped
+from skinsource.prediction.second_thread import helped
 from skinsource.rendering.budgets import PREDICT_BYTES
 from skinsource.rendering.large_pages import room_for
 from skinsource.rendering.response_spectra import Norms, ResponseSpectrum, scaled_taps

@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 
 from skinsource.arrays import Complexes, Floats
-from skinsource.prediction.helped import helped
+from skinsource.prediction.second_thread import helped
 from skinsource.rendering.response_spectra import ResponseSpectrum
 from skinsource.rendering.sums import add_up, parts_of
 from skinsource.rendering.transforms import forward_in_parts, inverse_here

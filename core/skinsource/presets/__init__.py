@@ -5,7 +5,7 @@ file of its own, see `skinsource.presets.preset_file`: those that the library sh
 folder, and are made by ``python -m skinsource.presets.shipped``; those of the user in the user's.
 """
 
-from skinsource.presets.mixed import mixed
+from skinsource.presets.fragment_mix import mixed
 from skinsource.presets.preset import Preset, tags_of
 from skinsource.presets.preset_file import SUFFIX, preset_from, preset_text, read_preset
 from skinsource.presets.searching import matching

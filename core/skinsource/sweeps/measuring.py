@@ -19,10 +19,16 @@ from skinsource.sweeps.actuator_metrics import ACTUATOR_METRICS, actuator_metric
 from skinsource.sweeps.drive_metrics import DriveMetrics
 from skinsource.sweeps.extents import OF_EXTENT, Extents
 from skinsource.sweeps.field import Fields
+from skinsource.sweeps.neighbours import Together
 from skinsource.sweeps.plan import Plan
 from skinsource.sweeps.prepared import Prepared, Preparing
-from skinsource.sweeps.seen import Seen, looked_at, seen_alone, seen_together, windows_of
-from skinsource.sweeps.together import Together
+from skinsource.sweeps.stimulus_response import (
+    Seen,
+    looked_at,
+    seen_alone,
+    seen_together,
+    windows_of,
+)
 from skinsource.view import View
 
 #: What one number each says of a stimulus, in the order of the columns: without those of outputs.

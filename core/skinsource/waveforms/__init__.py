@@ -1,10 +1,10 @@
 """Recipes of what one actuator plays.
 
 A waveform is a frozen dataclass with fields from `skinsource.fields`, and everything that
-`Waveform` names.  To add one: write a file beside these, and name its class in `COMMON` or `MORE`.
+`Waveform` names.  To add one: write a file beside these, and name its class in `COMMON` or `MORE`
+(`every_kind`).
 """
 
-from skinsource.synthesis.known_kinds import tell_kinds
 from skinsource.synthesis.waveform import Waveform
 from skinsource.waveforms.amplitude_modulated import AmplitudeModulated
 from skinsource.waveforms.centred_tap import CentredTap
@@ -12,6 +12,7 @@ from skinsource.waveforms.chirp import Chirp
 from skinsource.waveforms.chirplet import Chirplet
 from skinsource.waveforms.damped_sine import DampedSine
 from skinsource.waveforms.drawn import Drawn
+from skinsource.waveforms.every_kind import COMMON, KINDS, MORE, kinds
 from skinsource.waveforms.formula import Formula
 from skinsource.waveforms.frequency_modulated import FrequencyModulated
 from skinsource.waveforms.frequency_sweep import frequency_sweep
@@ -30,47 +31,6 @@ from skinsource.waveforms.tap import Tap
 from skinsource.waveforms.tone import Tone
 from skinsource.waveforms.triangle import Triangle
 from skinsource.waveforms.wavelet_train import WaveletTrain
-
-#: The eight kinds that a menu of waveforms shows at once, in the order in which a user meets them.
-COMMON: tuple[type[Waveform], ...] = (
-    Tone,
-    Chirp,
-    Noise,
-    Tap,
-    Impulse,
-    Gabor,
-    WaveletTrain,
-    Formula,
-)
-#: All others, which it shows under "More".
-MORE: tuple[type[Waveform], ...] = (
-    Ricker,
-    Morlet,
-    Chirplet,
-    CentredTap,
-    Glide,
-    DampedSine,
-    Square,
-    Saw,
-    Triangle,
-    PulseTrain,
-    AmplitudeModulated,
-    FrequencyModulated,
-    Drawn,
-    Recording,
-    Layers,
-)
-#: Every kind of waveform.
-KINDS: tuple[type[Waveform], ...] = (*COMMON, *MORE)
-
-
-def kinds() -> tuple[type[Waveform], ...]:
-    """Every kind of waveform that there is now; whoever needs them asks when he does."""
-    return KINDS
-
-
-tell_kinds(kinds)
-
 
 __all__ = [
     "COMMON",

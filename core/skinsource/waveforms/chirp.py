@@ -13,8 +13,8 @@ from skinsource.limb import BAND_HZ
 from skinsource.signals import WindowName
 from skinsource.synthesis.burst import burst, refuse_aliases
 from skinsource.synthesis.sweep import linear_sweep_turns, logarithmic_sweep_turns
-from skinsource.waveforms.common import DURATION, WINDOW
 from skinsource.waveforms.instants import count_of, turns
+from skinsource.waveforms.shared_specs import DURATION, WINDOW
 from skinsource.waveforms.tone import FREQUENCY, PHASE
 
 Law = Literal["linear", "logarithmic"]

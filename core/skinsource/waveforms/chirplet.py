@@ -16,7 +16,7 @@ from skinsource.signals import sample_count
 from skinsource.synthesis.bent_turns import DIGITS, bent_turns
 from skinsource.synthesis.burst import refuse_aliases
 from skinsource.synthesis.centred import about_middle, begun
-from skinsource.waveforms.common import CENTRE
+from skinsource.waveforms.shared_specs import CENTRE
 
 SLOPE = NumberSpec(
     label="Slope",

@@ -11,8 +11,8 @@ from skinsource import fields
 from skinsource.fields import NumberSpec
 from skinsource.signals import WindowName
 from skinsource.synthesis.burst import burst, refuse_aliases
-from skinsource.waveforms.common import DURATION, WINDOW
 from skinsource.waveforms.instants import count_of, instants, turns
+from skinsource.waveforms.shared_specs import DURATION, WINDOW
 from skinsource.waveforms.tone import FREQUENCY, PHASE
 
 DECAY = NumberSpec(

@@ -8,8 +8,8 @@ from skinsource import fields, formula
 from skinsource.arrays import Floats
 from skinsource.fields import TextSpec
 from skinsource.limb import SAMPLE_RATE_HZ
-from skinsource.waveforms.common import DURATION
 from skinsource.waveforms.instants import count_of
+from skinsource.waveforms.shared_specs import DURATION
 
 TEXT = TextSpec(
     label="Formula",

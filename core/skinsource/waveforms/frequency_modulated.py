@@ -12,8 +12,8 @@ from skinsource.fields import NumberSpec
 from skinsource.signals import WindowName
 from skinsource.synthesis.burst import burst, refuse_aliases
 from skinsource.waveforms.amplitude_modulated import CARRIER, MODULATOR, MODULATOR_PHASE
-from skinsource.waveforms.common import DURATION, WINDOW
 from skinsource.waveforms.instants import count_of, turns
+from skinsource.waveforms.shared_specs import DURATION, WINDOW
 from skinsource.waveforms.tone import PHASE
 
 DEVIATION = NumberSpec(

@@ -14,8 +14,8 @@ from skinsource.errors import InvalidInputError
 from skinsource.fields import NumberSpec, PointsSpec
 from skinsource.synthesis.bent_turns import DIGITS, bent_turns
 from skinsource.synthesis.burst import refuse_aliases
-from skinsource.waveforms.common import LONGEST_S, take_lists
 from skinsource.waveforms.instants import count_of
+from skinsource.waveforms.shared_specs import LONGEST_S, take_lists
 from skinsource.waveforms.tone import FREQUENCY
 
 #: Time, frequency, amplitude.

@@ -13,7 +13,7 @@ from skinsource.sampling import shift_of
 from skinsource.signals import sample_count
 from skinsource.synthesis.burst import refuse_aliases
 from skinsource.synthesis.centred import about_middle, begun, turns_about_middle
-from skinsource.waveforms.common import CENTRE, refuse_length
+from skinsource.waveforms.shared_specs import CENTRE, refuse_length
 
 W0 = NumberSpec(
     label="w0",

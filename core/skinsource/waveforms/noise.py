@@ -11,7 +11,7 @@ from skinsource.errors import InvalidInputError
 from skinsource.fields import NumberSpec
 from skinsource.limb import BAND_HZ
 from skinsource.signals import WindowName, white_noise
-from skinsource.waveforms.common import WINDOW
+from skinsource.waveforms.shared_specs import WINDOW
 
 SEED = NumberSpec(
     label="Seed", minimum=0, maximum=2**31 - 1, whole=True, hint="The same seed, the same noise"

@@ -12,7 +12,7 @@ from skinsource.sampling import shift_of
 from skinsource.signals import sample_count
 from skinsource.synthesis.burst import refuse_aliases
 from skinsource.synthesis.centred import about_middle, begun
-from skinsource.waveforms.common import CENTRE
+from skinsource.waveforms.shared_specs import CENTRE
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,8 +13,8 @@ from skinsource.fields import NumberSpec
 from skinsource.signals import WindowName
 from skinsource.synthesis.burst import burst, refuse_aliases
 from skinsource.synthesis.harmonics import sampled_series
-from skinsource.waveforms.common import DURATION, WINDOW
 from skinsource.waveforms.instants import count_of
+from skinsource.waveforms.shared_specs import DURATION, WINDOW
 from skinsource.waveforms.tone import FREQUENCY, PHASE
 
 # Slower than 1 Hz, it is a few edges: each a clip of its own.

@@ -11,7 +11,7 @@ from skinsource import fields
 from skinsource.fields import NumberSpec
 from skinsource.limb import BAND_HZ
 from skinsource.signals import WindowName, sinusoid
-from skinsource.waveforms.common import DURATION, WINDOW
+from skinsource.waveforms.shared_specs import DURATION, WINDOW
 
 FREQUENCY = NumberSpec(
     label="Frequency",

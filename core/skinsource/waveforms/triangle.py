@@ -12,8 +12,8 @@ from skinsource.arrays import Complexes, Floats
 from skinsource.signals import WindowName
 from skinsource.synthesis.burst import burst, refuse_aliases
 from skinsource.synthesis.harmonics import sampled_series
-from skinsource.waveforms.common import DURATION, WINDOW
 from skinsource.waveforms.instants import count_of
+from skinsource.waveforms.shared_specs import DURATION, WINDOW
 from skinsource.waveforms.square import FUNDAMENTAL
 from skinsource.waveforms.tone import PHASE
 

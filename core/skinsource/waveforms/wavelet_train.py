@@ -14,9 +14,9 @@ from skinsource.errors import InvalidInputError
 from skinsource.fields import ChoiceSpec, ListSpec, NumberSpec
 from skinsource.synthesis.bent_turns import DIGITS, bent_turns
 from skinsource.synthesis.burst import refuse_aliases
-from skinsource.waveforms.common import CENTRE, CYCLES, refuse_length, take_lists
 from skinsource.waveforms.frequency_sweep import MOST
 from skinsource.waveforms.instants import count_of
+from skinsource.waveforms.shared_specs import CENTRE, CYCLES, refuse_length, take_lists
 
 Family = Literal["gabor", "ricker", "hann"]
 Equalise = Literal["none", "energy"]

@@ -18,14 +18,14 @@ from skinsource.view import View
 from skinsource.waveforms import CentredTap, Tap
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.actuator.choices import ActuatorChoices
-from skinsource_gui.panels.actuator.curves_of import (
+from skinsource_gui.panels.actuator.demand_curves import (
     FREQUENCY_AXIS,
     TIME_AXIS,
     response_curves,
     step_curves,
 )
 from skinsource_gui.panels.actuator.figures_view import FiguresView
-from skinsource_gui.panels.actuator.through import ThroughSwitch
+from skinsource_gui.panels.actuator.prediction_switch import ThroughSwitch
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.plot.signal_view import SignalView
 

@@ -14,8 +14,8 @@ from skinsource.comparing import (
     mean_and_spread_over,
     same_outputs,
 )
-from skinsource.decibels import map_range_db
 from skinsource.limb import PUBLISHED
+from skinsource.map_range import map_range_db
 from skinsource_gui.compared import Compared
 from skinsource_gui.panels.side_by_side.content import DIVERGING, Cell, Scale
 from skinsource_gui.widgets.map.small_map import SmallMap, SmallMaps

@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
-from skinsource.decibels import MAP_RANGE_DB, MAP_ROUND_TO_DB, map_range_db
+from skinsource.map_range import MAP_RANGE_DB, MAP_ROUND_TO_DB, map_range_db
 from skinsource_gui.panels.skin.colour_strip import ColourStrip
 from skinsource_gui.panels.skin.level_field import high_field, low_field
 from skinsource_gui.panels.skin.level_range import (

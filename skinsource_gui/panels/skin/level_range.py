@@ -2,7 +2,8 @@
 
 import math
 
-from skinsource.decibels import FLOOR_DB, MAP_HIGHEST_DB, SILENT_MAP_RANGE_DB
+from skinsource.decibels import FLOOR_DB
+from skinsource.map_range import MAP_HIGHEST_DB, SILENT_MAP_RANGE_DB
 
 Range = tuple[float, float]
 

@@ -12,7 +12,6 @@ from skinsource_gui.panels.timeline.clip_part import CURSORS, Part, part_at
 from skinsource_gui.panels.timeline.content import Content
 from skinsource_gui.panels.timeline.gain.gain_points import GainPoints
 from skinsource_gui.panels.timeline.gestures.clip_ends import FadeEnd, MoveEnd
-from skinsource_gui.panels.timeline.gestures.either import Either
 from skinsource_gui.panels.timeline.gestures.gesture import Gesture, Held, Shown, Stage
 from skinsource_gui.panels.timeline.gestures.marquee import Marquee
 from skinsource_gui.panels.timeline.gestures.move_clips import MoveClips
@@ -24,6 +23,7 @@ from skinsource_gui.panels.timeline.gestures.times import (
     Pan,
     snapped_time,
 )
+from skinsource_gui.panels.timeline.gestures.up_or_along import Either
 from skinsource_gui.panels.timeline.lane import Box
 from skinsource_gui.panels.timeline.overlaps import after
 from skinsource_gui.widgets.drop_place import DropPlace

@@ -4,8 +4,8 @@ from dataclasses import dataclass, replace
 
 from skinsource.analysis import Extent, Windows
 from skinsource.arrays import Floats
-from skinsource.decibels import map_range_db
 from skinsource.design import Design
+from skinsource.map_range import map_range_db
 from skinsource_gui.widgets.map.small_map import Range, SmallMap
 
 

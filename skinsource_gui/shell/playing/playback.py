@@ -12,8 +12,8 @@ from skinsource_gui.shell.playing.transport import Transport
 from skinsource_gui.shell.reports import Reports
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing.pace import Pace
+from skinsource_gui.state.playing.played_by import played_by
 from skinsource_gui.state.playing.player import Player
-from skinsource_gui.state.playing.telling import played_by
 from skinsource_gui.state.preferences import Preferences
 
 # How often levels are shown.

@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 from skinsource.errors import SkinSourceError
-from skinsource.playing.sounding import sound_library
+from skinsource.playing.portaudio import sound_library
 
 RATE_HZ = 48_000
 N_OUTPUTS = 3

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 from skinsource.errors import NothingToPlayOnError, PlaybackError, SkinSourceError
-from skinsource.playing import Deck, Output, devices, sounding, stream
+from skinsource.playing import Deck, Output, devices, portaudio, stream
 
 CARDS = (("Built-in", 0, 2, 44100.0), ("Microphone", 0, 0, 44100.0), ("Eight", 1, 8, 48000.0))
 
@@ -130,7 +130,7 @@ def test_what_a_device_refuses_is_said_in_plain_words(library, refusal, words):
 def test_without_the_extra_the_line_to_type_is_said(monkeypatch):
     monkeypatch.setitem(sys.modules, "sounddevice", None)
     with pytest.raises(NothingToPlayOnError, match=r'pip install "skinsource\[audio\]"'):
-        sounding.sound_library()
+        portaudio.sound_library()
 
 
 def test_without_portaudio_the_package_of_the_system_is_said(monkeypatch):
@@ -139,7 +139,7 @@ def test_without_portaudio_the_package_of_the_system_is_said(monkeypatch):
 
     monkeypatch.setattr(importlib, "import_module", fail)
     with pytest.raises(NothingToPlayOnError, match=r"apt install libportaudio2.*library not found"):
-        sounding.sound_library()
+        portaudio.sound_library()
 
 
 def test_nothing_of_sound_is_imported_before_somebody_asks():

@@ -15,7 +15,7 @@ from skinsource.quantities import new_graph, sources
 from skinsource.view import View
 from skinsource.waveforms import CentredTap, Tap, Tone
 from skinsource.work import counting
-from skinsource_gui.panels.actuator.curves_of import FREQUENCY_HZ, response_curves, step_curves
+from skinsource_gui.panels.actuator.demand_curves import FREQUENCY_HZ, response_curves, step_curves
 
 TONE = track(7, Tone(frequency_hz=100.0, duration_s=0.3), amplitude=10.0)
 TAP = track(3, Tap(), colour=1)

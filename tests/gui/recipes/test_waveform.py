@@ -93,9 +93,9 @@ print("all of it works")
 
 def test_a_new_waveform_is_a_file_and_a_name_and_a_new_field_is_a_line(make_copy, tmp_path):
     copy = make_copy()
-    # A file in waveforms and a name in KINDS.
+    # A file in waveforms and a name in MORE.
     copy.write(copy.library / "waveforms" / "clicks.py", CLICKS)
-    kinds = copy.library / "waveforms" / "__init__.py"
+    kinds = copy.library / "waveforms" / "every_kind.py"
     line = "from skinsource.waveforms.impulse import Impulse\n"
     copy.insert(kinds, line, "from skinsource.waveforms.clicks import Clicks\n")
     copy.insert(kinds, "    Impulse,\n", "    Clicks,\n")

@@ -9,9 +9,9 @@ from PySide6.QtGui import QGuiApplication, QImage, QMouseEvent, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource.decibels import map_range_db
 from skinsource.design import track
 from skinsource.evaluation import evaluate
+from skinsource.map_range import map_range_db
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.side_by_side.painter import fitting
 from skinsource_gui.panels.side_by_side.settings import SideBySideSettings

@@ -3,7 +3,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from skinsource.decibels import map_range_db
+from skinsource.map_range import map_range_db
 from skinsource_gui.panels.skin.level_range import tick_levels
 from tests.gui.skin.bench import (
     CONTROL,

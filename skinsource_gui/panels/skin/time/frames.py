@@ -8,7 +8,8 @@ import numpy as np
 
 from skinsource.arrays import Floats
 from skinsource.choice_words import signal_words
-from skinsource.decibels import decibels, map_range_db
+from skinsource.decibels import decibels
+from skinsource.map_range import map_range_db
 from skinsource.rendering.in_time import Moving, SlidingEnergy, block_of
 from skinsource.view import View
 from skinsource_gui.panels.skin.level_range import Range

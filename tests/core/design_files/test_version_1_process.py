@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from skinsource.codec import image
-from skinsource.design_file import VERSION, apart, open_design, version_1
+from skinsource.design_file import VERSION, open_design, version_1, version_1_process
 from skinsource.design_file.version_1_child import answer
 from skinsource.errors import FileFormatError, InvalidInputError, StorageError
 
@@ -40,7 +40,7 @@ def test_what_the_process_finds_is_what_is_in_the_file_and_this_one_reads_no_byt
 def test_a_process_that_crashes_or_hangs_makes_a_damaged_file(code, words):
     longest_s = 2.0 if "sleep" in code else 60.0
     with pytest.raises(FileFormatError, match=words):
-        apart.as_today(STORED.read_bytes(), python(code), longest_s)
+        version_1_process.as_today(STORED.read_bytes(), python(code), longest_s)
 
 
 @pytest.mark.parametrize(
@@ -48,23 +48,25 @@ def test_a_process_that_crashes_or_hangs_makes_a_damaged_file(code, words):
 )
 def test_its_sentence_is_ours(word, kind):
     with pytest.raises(kind, match=r"^This and that\.$"):
-        apart.as_today(STORED.read_bytes(), python(f"print('{word}\\nThis and that.', end='')"))
+        version_1_process.as_today(
+            STORED.read_bytes(), python(f"print('{word}\\nThis and that.', end='')")
+        )
 
 
 def test_where_no_process_can_be_started_the_file_is_not_called_damaged():
     with pytest.raises(StorageError, match="no other process can be started"):
-        apart.as_today(STORED.read_bytes(), ("/nowhere/at/all",))
+        version_1_process.as_today(STORED.read_bytes(), ("/nowhere/at/all",))
 
 
 def test_for_what_cannot_be_such_a_file_none_is_started():
     with pytest.raises(FileFormatError, match="not a SkinSource design"):
-        apart.as_today(b"something else", ("/nowhere/at/all",))
+        version_1_process.as_today(b"something else", ("/nowhere/at/all",))
 
 
 def test_a_damaged_answer_is_refused_like_any_damaged_file(monkeypatch):
     today = answer(STORED.read_bytes())
-    assert today.startswith(apart.FOUND)
-    content = bytearray(today.removeprefix(apart.FOUND))
+    assert today.startswith(version_1_process.FOUND)
+    content = bytearray(today.removeprefix(version_1_process.FOUND))
     assert image.from_image(bytes(content), VERSION)
     content[len(content) // 2] ^= 1
     with pytest.raises((FileFormatError, InvalidInputError)):

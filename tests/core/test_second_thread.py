@@ -4,8 +4,8 @@ from threading import Event, get_ident
 
 import pytest
 
-from skinsource.prediction import helped as module
-from skinsource.prediction.helped import helped
+from skinsource.prediction import second_thread as module
+from skinsource.prediction.second_thread import helped
 from skinsource.rendering.side_by_side import side_by_side
 
 

@@ -9,8 +9,8 @@ from skinsource.shared import Shared
 from skinsource.sweeps import Measurer, Plan
 from skinsource.sweeps.main_axes import main_axes
 from skinsource.sweeps.measuring import METRICS
+from skinsource.sweeps.neighbours import Together
 from skinsource.sweeps.prepared import Preparing
-from skinsource.sweeps.together import Together
 
 PLACES = (3, 7, 7, 18)
 FREQUENCIES = (40.0, 75.0, 110.0, 240.0, 390.0)

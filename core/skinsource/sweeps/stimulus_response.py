@@ -17,9 +17,9 @@ from skinsource.sweeps.extents import Extents
 from skinsource.sweeps.field import Field
 from skinsource.sweeps.levels import above_threshold
 from skinsource.sweeps.main_axes import main_axes
+from skinsource.sweeps.neighbours import Vibrations
 from skinsource.sweeps.plan import Plan
 from skinsource.sweeps.prepared import Prepared
-from skinsource.sweeps.together import Vibrations
 
 # Outputs whose signals are looked at together when the loudest one is searched.
 _AT_ONCE = 6
