@@ -54,6 +54,7 @@ def main() -> int:
     make_application()
     if not options.screen:  # a quick hand: what is typed next begins anew sooner
         QApplication.setKeyboardInputInterval(100)
+        QApplication.setDoubleClickInterval(100)
     # A file dialog of the desktop belongs to another program, which a script cannot look into.
     QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
     options.folder.mkdir(parents=True, exist_ok=True)

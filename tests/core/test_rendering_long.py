@@ -179,8 +179,10 @@ def test_however_long_the_scene_no_output_need_be_selected(duration_s, span):
     design = LONG.with_clip(1, waveform=Tone(frequency_hz=100.0, duration_s=duration_s))
     design = replace(design, inputs=design.inputs[::2])
     graph = new_graph()
-    for axes in AXES:
-        for method in METHODS:
+    # The longest are summed as those of 20 s are, three times as long: each method and axis once.
+    fewer = duration_s > 20.0
+    for k, axes in enumerate(AXES):
+        for method in (METHODS[k % len(METHODS)],) if fewer else METHODS:
             view = View(axes=axes, method=method, outputs=(), span=span, selected_inputs=(1,))
             found = graph.evaluate(PANELS_NEED, sources(design, view))
             n_times = found["response_time_s"].size

@@ -55,11 +55,22 @@ def test_a_single_sample_gives_the_response_and_a_later_one_the_same_later(
         noted("a9 shift", difference(found[..., onset:], expected))
 
 
-@pytest.mark.parametrize("n_times", LENGTHS)
+METHODS = ("mag", "pca", "rms", "soc")
+
+
+@pytest.fixture(scope="module", params=LENGTHS)
+def once(request, scene, limb):
+    """Give a scene, its field both ways, and its levels by method."""
+    drives = noise(request.param, 1), noise(request.param, 2)
+    one = scene(limb=limb, drives=drives, places=(4, 5), amplitudes=(0.7, -0.3))
+    levels = {way: one.by_engine(OUTPUTS, method=way)["output_rms"] for way in METHODS}
+    return one, one.both_ways(), levels
+
+
 @pytest.mark.parametrize("power", [-90, -7, 1, 90])
-def test_powers_of_two_scale_every_bit(scene, limb, limb_of, noted, n_times, power):
-    drives, size = (noise(n_times, 1), noise(n_times, 2)), 2.0**power
-    once = scene(limb=limb, drives=drives, places=(4, 5), amplitudes=(0.7, -0.3))
+def test_powers_of_two_scale_every_bit(once, limb_of, noted, power):
+    once, fields, levels = once
+    drives, size = once.drives, 2.0**power
     louder = limb_of(lambda place: made_up_response(place) * size)
     scaled = [
         replace(once, drives=(drives[0] * size, drives[1] * size)),
@@ -68,12 +79,10 @@ def test_powers_of_two_scale_every_bit(scene, limb, limb_of, noted, n_times, pow
     if abs(power) < 10:
         scaled.append(replace(once, amplitudes=(0.7 * size, -0.3 * size)))
     for one in scaled:
-        for found, expected in zip(one.both_ways(), once.both_ways(), strict=True):
+        for found, expected in zip(one.both_ways(), fields, strict=True):
             noted("a9 powers", np.count_nonzero(found != expected * size))
-        for method in ("mag", "pca", "rms", "soc"):
-            found, expected = (
-                each.by_engine(OUTPUTS, method=method)["output_rms"] for each in (one, once)
-            )
+        for method, expected in levels.items():
+            found = one.by_engine(OUTPUTS, method=method)["output_rms"]
             noted("a9 powers", np.count_nonzero(found != expected * size))
 
 

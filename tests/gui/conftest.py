@@ -98,8 +98,9 @@ def make_window(qtbot, preferences, monkeypatch):
         window.resize(1366, 728)
         qtbot.addWidget(window, before_close_func=_forget_changes)
         opened.append(window)
-        window.show()
+        # Before it is shown: docks that are in sight are laid out and painted once more.
         window.do("arrange_design")
+        window.show()
         qtbot.waitExposed(window)
         qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
         return window
