@@ -1,10 +1,12 @@
 """What panels are told of what is played."""
 
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
-from skinsource.playing import START_DB, Delay, Output
-from skinsource.playing.devices import Device
-from skinsource.playing.meters import Levels
+from skinsource.playing import START_DB, Output
+
+if TYPE_CHECKING:
+    from skinsource.playing import Delay, Device, Levels
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -41,7 +43,7 @@ class Played:
 
     playing: bool = False
     looked: bool = False
-    devices: tuple[Device, ...] = ()
+    devices: "tuple[Device, ...]" = ()
     missing: str = ""
     output: Output = field(default_factory=Output)
     rates_hz: tuple[int, ...] = ()
@@ -49,8 +51,8 @@ class Played:
     rig_title: str = ""
     calibration: str = ""
     names: tuple[str, ...] = ()
-    levels: Levels | None = None
-    delay: Delay | None = None
+    levels: "Levels | None" = None
+    delay: "Delay | None" = None
     underruns: int = 0
     gain_db: float = START_DB
     loops: bool = False

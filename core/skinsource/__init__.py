@@ -15,48 +15,94 @@ Or with a design, as the studio has it and saves it:
 (72,)
 """
 
-import importlib
 from typing import TYPE_CHECKING
 
-from skinsource import edits, effects, motions, waveforms
-from skinsource.analysis import Extent, extent, windowed_rms
-from skinsource.catalogue import available_limbs, load_limb
-from skinsource.chain import Actuation, ActuatorAt, actuation_of_rig
-from skinsource.clips import Clip, Marker
-from skinsource.decibels import decibels
-from skinsource.design import Design, Input, track
-from skinsource.design_file import open_design, save_design
+from skinsource.decibels import decibels  # its module has the same name
 from skinsource.errors import SkinSourceError
-from skinsource.evaluation import evaluate
-from skinsource.limb import Limb, LimbMap
-from skinsource.projection import project_axes
-from skinsource.quoting import quoted
-from skinsource.resampling import resample
-from skinsource.response import predict
-from skinsource.signals import impulse, sinusoid, tap, white_noise, window
-from skinsource.spectra import magnitude_spectrum, peak_hold_spectrum, rms
-from skinsource.surface import SurfaceOperator, surface_operator
+from skinsource.late import late_names
 from skinsource.version import __version__
-from skinsource.view import View
 
 if TYPE_CHECKING:
     from skinsource import (
         actuators,
+        edits,
+        effects,
         equalising,
         matching,
         measuring,
+        motions,
         perception,
         plot,
         recordings,
+        rig_measuring,
         rigs,
         scenes,
         sweeps,
+        waveforms,
     )
+    from skinsource.analysis import Extent, extent, windowed_rms
+    from skinsource.catalogue import available_limbs, load_limb
+    from skinsource.chain import Actuation, ActuatorAt, actuation_of_rig
+    from skinsource.clips import Clip, Marker
+    from skinsource.design import Design, Input, track
+    from skinsource.design_file import open_design, save_design
+    from skinsource.evaluation import evaluate
+    from skinsource.limb import Limb, LimbMap
+    from skinsource.projection import project_axes
+    from skinsource.resampling import resample
+    from skinsource.response import predict
     from skinsource.rigs import open_rig, save_rig
+    from skinsource.signals import impulse, sinusoid, tap, white_noise, window
+    from skinsource.spectra import magnitude_spectrum, peak_hold_spectrum, rms
     from skinsource.stimulus import Stimulus, stimulus_of
     from skinsource.stimulus_export import StimulusOptions, export_stimulus
     from skinsource.stimulus_formats import export_formats
+    from skinsource.surface import SurfaceOperator, surface_operator
     from skinsource.sweeps import sweep
+    from skinsource.view import View
+else:
+    __getattr__, __dir__ = late_names(
+        __name__,
+        {
+            "analysis": "Extent extent windowed_rms",
+            "catalogue": "available_limbs load_limb",
+            "chain": "Actuation ActuatorAt actuation_of_rig",
+            "clips": "Clip Marker",
+            "design": "Design Input track",
+            "design_file": "open_design save_design",
+            "evaluation": "evaluate",
+            "limb": "Limb LimbMap",
+            "projection": "project_axes",
+            "resampling": "resample",
+            "response": "predict",
+            "rigs": "open_rig save_rig",
+            "signals": "impulse sinusoid tap white_noise window",
+            "spectra": "magnitude_spectrum peak_hold_spectrum rms",
+            "stimulus": "Stimulus stimulus_of",
+            "stimulus_export": "StimulusOptions export_stimulus",
+            "stimulus_formats": "export_formats",
+            "surface": "SurfaceOperator surface_operator",
+            "sweeps": "sweep",
+            "view": "View",
+        },
+        packages=(
+            "actuators",
+            "edits",
+            "effects",
+            "equalising",
+            "matching",
+            "measuring",
+            "motions",
+            "perception",
+            "plot",
+            "recordings",
+            "rig_measuring",
+            "rigs",
+            "scenes",
+            "sweeps",
+            "waveforms",
+        ),
+    )
 
 __all__ = [
     "Actuation",
@@ -100,6 +146,7 @@ __all__ = [
     "project_axes",
     "recordings",
     "resample",
+    "rig_measuring",
     "rigs",
     "rms",
     "save_design",
@@ -117,37 +164,3 @@ __all__ = [
     "window",
     "windowed_rms",
 ]
-
-
-# What few scripts need is imported when it is first asked for: packages, and names of theirs.
-_PACKAGES = (
-    "actuators",
-    "equalising",
-    "matching",
-    "measuring",
-    "perception",
-    "plot",
-    "recordings",
-    "rig_measuring",
-    "rigs",
-    "scenes",
-    "sweeps",
-)
-_NAMES = {
-    "Stimulus": "stimulus",
-    "StimulusOptions": "stimulus_export",
-    "export_formats": "stimulus_formats",
-    "export_stimulus": "stimulus_export",
-    "open_rig": "rigs",
-    "save_rig": "rigs",
-    "stimulus_of": "stimulus",
-    "sweep": "sweeps",
-}
-
-
-def __getattr__(name: str) -> object:
-    if name in _PACKAGES:
-        return importlib.import_module(f"skinsource.{name}")
-    if name in _NAMES:
-        return getattr(importlib.import_module(f"skinsource.{_NAMES[name]}"), name)
-    raise AttributeError(f"module 'skinsource' has no attribute {quoted(name)}")

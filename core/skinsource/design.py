@@ -3,12 +3,11 @@
 from dataclasses import dataclass, replace
 from typing import Any
 
-from skinsource import choice_words, fields
+from skinsource import choice_words, displaying, fields
 from skinsource.chain import Actuation, amplitude_meaning, amplitude_unit
 from skinsource.clips import Clip, Marker, numbered
 from skinsource.clips.clip import ID
 from skinsource.clips.marker import LATEST_S
-from skinsource.displaying import html_of
 from skinsource.errors import InvalidInputError
 from skinsource.fields import (
     ChoiceSpec,
@@ -164,7 +163,7 @@ class Design:
 
     def _repr_html_(self) -> str:
         """What a notebook shows."""
-        return html_of(self, audible_indices(self.inputs), amplitude_unit(self.scaling))
+        return displaying.html_of(self, audible_indices(self.inputs), amplitude_unit(self.scaling))
 
     @property
     def ids(self) -> tuple[int, ...]:

@@ -11,9 +11,9 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMessageBox, QWidget
 
+from skinsource import packing
 from skinsource.design import Design
 from skinsource.errors import SkinSourceError, TooInaccurateError
-from skinsource.packing import citation
 from skinsource.view import View
 from skinsource_gui.files.export_jobs import ExportJobs
 from skinsource_gui.files.exports import EXPORTS, SEEN, SIZED, WIRED, ExportSpec
@@ -110,7 +110,7 @@ class ExportActions(QObject):
 
     def copy_citation(self) -> None:
         """Put what to cite for the open design on the clipboard."""
-        QGuiApplication.clipboard().setText(citation(self._document.design))
+        QGuiApplication.clipboard().setText(packing.citation(self._document.design))
         self._files.done.emit("Copied what to cite")
 
     def _ask_where(self, spec: ExportSpec) -> Path | None:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
+from skinsource import packing, rigs
 from skinsource.design import Design
 from skinsource.export import (
     export_field,
@@ -14,8 +15,6 @@ from skinsource.export import (
     export_windows,
 )
 from skinsource.job import Progress, Stop
-from skinsource.packing import pack
-from skinsource.rigs import open_rig
 from skinsource.view import View
 from skinsource_gui.panels.skin.time.animation import SIZE_PX, export_animation
 from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT, IN_USE
@@ -119,8 +118,8 @@ def _pack(
     largest_error: float,
 ) -> None:
     del largest_error  # each table says its own
-    rig = None if rig_path is None else open_rig(rig_path)
-    pack(path, design, view, rig=rig, progress=progress, stop=stop)
+    rig = None if rig_path is None else rigs.open_rig(rig_path)
+    packing.pack(path, design, view, rig=rig, progress=progress, stop=stop)
 
 
 EXPORTS: tuple[ExportSpec, ...] = (

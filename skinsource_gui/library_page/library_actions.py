@@ -2,18 +2,21 @@
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
 from skinsource import edits, presets
 from skinsource.errors import SkinSourceError
-from skinsource.presets import Preset
-from skinsource_gui.library_page.choices import choices
-from skinsource_gui.library_page.save_page import SavePage
+from skinsource_gui import library_page
 from skinsource_gui.state.document import Document
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.drop_place import DropPlace
+
+if TYPE_CHECKING:
+    from skinsource.presets import Preset
+    from skinsource_gui.library_page import SavePage
 
 
 class LibraryActions(QObject):
@@ -37,15 +40,15 @@ class LibraryActions(QObject):
         super().__init__(window)
         self._document, self._theme, self._window = document, theme, window
 
-    def ask_and_save(self) -> SavePage | None:
+    def ask_and_save(self) -> "SavePage | None":
         """Open the page that asks for a name; None where there is nothing to keep."""
-        found = choices(self._document.design, self._document.view)
+        found = library_page.choices(self._document.design, self._document.view)
         if not found:
             self.failed.emit("There is no clip to keep; place one first.")
             return None
-        page = SavePage(found, self._theme(), self._window)
+        page = library_page.SavePage(found, self._theme(), self._window)
 
-        def save(preset: Preset) -> None:
+        def save(preset: "Preset") -> None:
             try:
                 presets.save_preset(presets.users_folder(), preset)
             except SkinSourceError as error:

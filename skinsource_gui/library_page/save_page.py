@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 from skinsource.errors import InvalidInputError
 from skinsource.presets import Preset, tags_of
 from skinsource.quoting import sentence
-from skinsource_gui.library_page.choices import Choice
+from skinsource_gui.library_page.preset_choices import Choice
 from skinsource_gui.theme import Theme
 
 TITLE = "Save to library"

@@ -1,20 +1,24 @@
 """Opening scenes in the window, in the arrangement that shows them."""
 
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
+from skinsource import scenes
 from skinsource.design_file import SUFFIX
 from skinsource.errors import SkinSourceError
-from skinsource.scenes import OpenedScene, open_scene
+from skinsource_gui import scenes_page
 from skinsource_gui.files.file_actions import FileActions
-from skinsource_gui.scenes_page.page import ScenesPage
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.installed_limbs import InstalledLimbs
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.theme import Theme
+
+if TYPE_CHECKING:
+    from skinsource.scenes import OpenedScene
+    from skinsource_gui.scenes_page import ScenesPage
 
 
 class SceneActions(QObject):
@@ -57,9 +61,9 @@ class SceneActions(QObject):
         self._theme, self._window = theme, window
         self._last = ""
 
-    def show(self) -> ScenesPage:
+    def show(self) -> "ScenesPage":
         """Open the gallery; the scene that was opened last is selected."""
-        page = ScenesPage(self._limbs.names, self._last, self._theme(), self._window)
+        page = scenes_page.ScenesPage(self._limbs.names, self._last, self._theme(), self._window)
         page.chosen.connect(self.open)
         page.open()
         return page
@@ -67,7 +71,7 @@ class SceneActions(QObject):
     def open(self, name: str) -> None:
         """Open a scene in place of what is open, which is asked for if it is not saved."""
         try:
-            opened = open_scene(name, available=self._limbs.names)
+            opened = scenes.open_scene(name, available=self._limbs.names)
         except SkinSourceError as error:
             self.failed.emit(str(error))
             return
@@ -82,7 +86,7 @@ class SceneActions(QObject):
         words = f"Opened {opened.scene.heading}"
         self.done.emit(f"{words}, on a SYNTHETIC limb" if opened.synthetic else words)
 
-    def _bring(self, opened: OpenedScene) -> None:
+    def _bring(self, opened: "OpenedScene") -> None:
         self._arrange(opened.scene.arrangement)
         for panel in opened.scene.panels:
             if panel in self._docks:

@@ -5,8 +5,8 @@ from pathlib import Path
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from skinsource import rigs
 from skinsource.fields import ChoiceSpec
-from skinsource.rigs import SUFFIX
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 
 _SPEC = ChoiceSpec(
@@ -49,7 +49,7 @@ class RigField(ChoiceField):
     def _want(self, option: str) -> None:
         if option == "file":
             name, _ = QFileDialog.getOpenFileName(
-                self, "Choose a rig", "", f"Rigs (*{SUFFIX});;All files (*)"
+                self, "Choose a rig", "", f"Rigs (*{rigs.SUFFIX});;All files (*)"
             )
             # What there was stays until the file is read.
             self.show_rig(self._title)

@@ -14,6 +14,23 @@ from skinsource_gui.shell.garbage import GarbageCollector, take_over_collection
 from skinsource_gui.shell.window import MainWindow
 
 UNNEEDED = (
+    # What opens a page, reads a file, plays or exports comes with that, see `skinsource.late`.
+    "skinsource.displaying.design_html",
+    "skinsource.measuring.response_file",
+    "skinsource.packing.design_pack",
+    "skinsource.playing.mixer",
+    "skinsource.playing.session",
+    "skinsource.presets.storing",
+    "skinsource.recordings.found",
+    "skinsource.recordings.importing",
+    "skinsource.response",
+    "skinsource.rigs.rig_file",
+    "skinsource.scenes.shelf",
+    "skinsource.stimulus.stimulus",
+    "skinsource.surface.building",
+    "skinsource_gui.library_page.save_page",
+    "skinsource_gui.scenes_page.page",
+    # Modules that nothing of the start calls, and large packages.
     "skinsource.stimulus_export",
     "skinsource.stimulus_formats",
     "sounddevice",

@@ -3,7 +3,7 @@
 from functools import cache
 
 from skinsource import codec
-from skinsource.actuators.profile import ActuatorProfile, Model
+from skinsource.actuators.actuator_profile import ActuatorProfile, Model
 from skinsource.actuators.response_shape import ResponseShape
 from skinsource.arguments import one_of
 from skinsource.codec.json_text import MAX_TEXT_BYTES

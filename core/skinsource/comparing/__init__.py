@@ -1,22 +1,38 @@
 """Designs side by side: snapshots, alike in level, and how their levels differ."""
 
-from skinsource.comparing.difference import difference_db, end_db, loudest_db, matching_gain
-from skinsource.comparing.limbs import (
-    MOST_BESIDE,
-    limbs_beside,
-    mean_and_spread_over,
-    same_outputs,
-)
-from skinsource.comparing.snapshot import (
-    EDITED,
-    NUMBERS,
-    Snapshot,
-    louder,
-    nothing_to_compare,
-    other_than,
-    reference,
-    shown,
-)
+from typing import TYPE_CHECKING
+
+from skinsource.late import late_names
+
+if TYPE_CHECKING:
+    from skinsource.comparing.difference import difference_db, end_db, loudest_db, matching_gain
+    from skinsource.comparing.limbs import (
+        MOST_BESIDE,
+        limbs_beside,
+        mean_and_spread_over,
+        same_outputs,
+    )
+    from skinsource.comparing.snapshot import (
+        EDITED,
+        NUMBERS,
+        Snapshot,
+        louder,
+        nothing_to_compare,
+        other_than,
+        reference,
+        shown,
+    )
+else:
+    __getattr__, __dir__ = late_names(
+        __name__,
+        {
+            "difference": "difference_db end_db loudest_db matching_gain",
+            "limbs": "MOST_BESIDE limbs_beside mean_and_spread_over same_outputs",
+            "snapshot": (
+                "EDITED NUMBERS Snapshot louder nothing_to_compare other_than reference shown"
+            ),
+        },
+    )
 
 __all__ = [
     "EDITED",

@@ -8,7 +8,7 @@ from skinsource.design import Design
 from skinsource.fields import NumberSpec, RecipeSpec
 
 #: Numbers that the user stores under.
-NUMBERS = (1, 2, 3, 4)
+NUMBERS: tuple[int, ...] = (1, 2, 3, 4)
 #: Stands for the design that was edited and not stored when another one was shown.
 EDITED = 0
 

@@ -8,7 +8,7 @@ from skinsource.actuators import Actuator
 from skinsource.arguments import finite_array, positive_number, real_number
 from skinsource.arrays import Floats
 from skinsource.equalising.equaliser import Equaliser
-from skinsource.equalising.net_velocity import net_velocity
+from skinsource.equalising.velocity_of_drive import net_velocity
 from skinsource.errors import InvalidInputError
 
 # What a filter rings for before and after, at most.

@@ -13,6 +13,7 @@ from skinsource.limb import Limb
 from skinsource.playing.device_rows import DeviceRows
 from skinsource.playing.mix import SHORTEST_LOOP_S, Mix, mix_of
 from skinsource.playing.output import Output
+from skinsource.playing.output_of_place import outputs_by_place
 from skinsource.playing.stand_in import analytic, on_two_ears, turned_up
 from skinsource.rigs import Margin, Rig, RigChannel, highest_gain
 from skinsource.stimulus import Stimulus, stimulus_of
@@ -115,15 +116,6 @@ class Mixer:
             self._margins[key] = one
             found = min(found, one, key=lambda margin: margin.factor)
         return found
-
-
-def outputs_by_place(design: Design, output: Output, rig: Rig | None = None) -> dict[int, int]:
-    """Output of each place of a design, heard or not; none where a rig does not wire it."""
-    places = tuple(dict.fromkeys(one.location for one in design.inputs))
-    if rig is None or output.stand_in:
-        return output.outputs_of(places)
-    channels = (rig.channel_of(place) for place in places)
-    return {one.place: one.output for one in channels if one is not None}
 
 
 def _equaliser_of(design: Design) -> Equaliser | None:

@@ -12,8 +12,9 @@ from skinsource.errors import NothingToPlayOnError, PlaybackError, SkinSourceErr
 from skinsource.playing.deck import Deck
 from skinsource.playing.devices import Device, check_outputs, device_of, devices, look_again
 from skinsource.playing.mix import Mix
-from skinsource.playing.mixer import Mixer, loop_of, outputs_by_place
+from skinsource.playing.mixer import Mixer, loop_of
 from skinsource.playing.output import Output
+from skinsource.playing.output_of_place import outputs_by_place
 from skinsource.playing.silent_run import SilentRun
 from skinsource.playing.stream import Stream
 from skinsource.playing.tones import tone_of

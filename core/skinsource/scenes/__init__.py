@@ -13,8 +13,21 @@ skinsource.scenes.shipped``.
 True
 """
 
-from skinsource.scenes.scene import Condition, OpenedScene, Scene
-from skinsource.scenes.shelf import all_scenes, names, open_scene, scene, scenes_folder
+from typing import TYPE_CHECKING
+
+from skinsource.late import late_names
+
+if TYPE_CHECKING:
+    from skinsource.scenes.paper_scene import Condition, OpenedScene, Scene
+    from skinsource.scenes.shelf import all_scenes, names, open_scene, scene, scenes_folder
+else:
+    __getattr__, __dir__ = late_names(
+        __name__,
+        {
+            "paper_scene": "Condition OpenedScene Scene",
+            "shelf": "all_scenes names open_scene scene scenes_folder",
+        },
+    )
 
 __all__ = [
     "Condition",

@@ -11,7 +11,7 @@ from skinsource.design_file import SUFFIX, DesignFile, open_design
 from skinsource.errors import InvalidInputError
 from skinsource.files.assets import data_folder
 from skinsource.quoting import quoted
-from skinsource.scenes.scene import Condition, OpenedScene, Scene
+from skinsource.scenes.paper_scene import Condition, OpenedScene, Scene
 from skinsource.scenes.shipped import SHIPPED
 
 FOLDER = "scenes"

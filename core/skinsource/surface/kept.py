@@ -15,12 +15,12 @@ from pathlib import Path
 import numpy as np
 import scipy
 
+from skinsource import surface
 from skinsource.errors import SkinSourceError
 from skinsource.files import make_folder, read_bytes, write_bytes
 from skinsource.files.assets import cache_folder
 from skinsource.job import Stop, never
 from skinsource.limb import Limb
-from skinsource.surface.building import surface_operator
 from skinsource.surface.operator import SurfaceOperator
 from skinsource.version import __version__
 from skinsource.work import tally
@@ -41,7 +41,7 @@ def kept_surface_operator(
     path = cache_folder() / "surface" / f"{_key(limb, spacing_mm)}.operator"
     found = _read(path)
     if found is None:
-        found = surface_operator(limb, spacing_mm, stop=stop)
+        found = surface.surface_operator(limb, spacing_mm, stop=stop)
         tally(operators_built=1)
         _keep(path, found)
     return found

@@ -3,16 +3,14 @@
 import importlib
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from skinsource.actuator_demand import ActuatorSettings, actuation_of, settings_through
-from skinsource.actuators import MeasuredResponse
+from skinsource import actuator_demand, measuring
 from skinsource.edits import Refusal, predict_through
 from skinsource.errors import SkinSourceError
-from skinsource.measuring import open_response
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.quoting import printable
 from skinsource_gui.shell.appearance import Appearance
@@ -20,6 +18,9 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing.sound_settings import SoundSettings
 from skinsource_gui.state.playing.sound_thread import SoundThread
 from skinsource_gui.widgets.rig_field import RESPONSE_FILES
+
+if TYPE_CHECKING:
+    from skinsource.actuators import MeasuredResponse
 
 # The panel that it is looked at in, and the longest title there.
 _PANEL, _LONGEST_TITLE = "actuator", 100
@@ -70,28 +71,30 @@ class RigPages(QObject):
         )
         if name:
             path = Path(name)
-            self._thread.do(partial(open_response, path), partial(self._look_at, path))
+            self._thread.do(partial(measuring.open_response, path), partial(self._look_at, path))
 
     def end(self) -> None:
         """Open nothing more."""
         self._thread.end(lambda: None)
 
     def _look_at(
-        self, path: Path, found: MeasuredResponse | None, error: SkinSourceError | None
+        self, path: Path, found: "MeasuredResponse | None", error: SkinSourceError | None
     ) -> None:
         if found is None:
             self.failed.emit(str(error))
             return
         design, view = self._document.design, self._document.view
-        before = settings_of(view, _PANEL, ActuatorSettings)
+        before = settings_of(view, _PANEL, actuator_demand.ActuatorSettings)
         after = before.with_measured(found, path.stem[:_LONGEST_TITLE])
         view = with_settings(view, _PANEL, after)
         through = design.actuated
-        if through is None or through != actuation_of(settings_through(before, through)):
+        if through is None or through != actuator_demand.actuation_of(
+            actuator_demand.settings_through(before, through)
+        ):
             self._document.look(view)
         else:
             # What is predicted goes with what the panel shows.
-            outcome = predict_through(design, view, actuation_of(after))
+            outcome = predict_through(design, view, actuator_demand.actuation_of(after))
             if isinstance(outcome, Refusal):
                 self.failed.emit(outcome.sentence)
                 return

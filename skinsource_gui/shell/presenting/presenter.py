@@ -7,8 +7,8 @@ from PySide6.QtGui import QAction, QKeySequence, QShortcut
 from PySide6.QtWidgets import QMainWindow, QToolBar, QWidget
 from shiboken6 import isValid
 
+from skinsource import scenes
 from skinsource.errors import SkinSourceError
-from skinsource.scenes import all_scenes
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.shell.docks import Arrangements, Dock, DockLayout
@@ -145,7 +145,7 @@ class Presenter(QObject):
     def note_scene(self, name: str) -> None:
         """A scene of the paper was opened elsewhere: the next one comes after it."""
         self._steps = steps_of_paper()
-        self._at = [one.name for one in all_scenes()].index(name)
+        self._at = [one.name for one in scenes.all_scenes()].index(name)
 
     def show_notes(self) -> None:
         """Show what the speaker reads, on another screen where there is one."""

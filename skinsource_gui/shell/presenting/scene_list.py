@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
+from skinsource import scenes
 from skinsource.design import Design
 from skinsource.design_file import SUFFIX, open_design
-from skinsource.scenes import all_scenes, open_scene
 from skinsource.view import View
 
 
@@ -55,7 +55,9 @@ def steps_of_folder(folder: Path) -> tuple[Step, ...]:
 
 def steps_of_paper() -> tuple[Step, ...]:
     """The scenes that are shipped, in the order of the figures."""
-    return tuple(Step(title=one.heading, open=partial(_of_paper, one.name)) for one in all_scenes())
+    return tuple(
+        Step(title=one.heading, open=partial(_of_paper, one.name)) for one in scenes.all_scenes()
+    )
 
 
 def _of_file(path: Path) -> Shown:
@@ -64,5 +66,5 @@ def _of_file(path: Path) -> Shown:
 
 
 def _of_paper(name: str) -> Shown:
-    opened = open_scene(name)
+    opened = scenes.open_scene(name)
     return Shown(design=opened.design, view=opened.view, panels=opened.scene.panels)

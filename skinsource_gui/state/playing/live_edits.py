@@ -2,16 +2,20 @@
 
 from functools import partial
 from time import perf_counter
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
 from skinsource.design import Design
 from skinsource.errors import SkinSourceError
 from skinsource.playing import Output
-from skinsource.playing.session import Playing, Session
-from skinsource.rigs import Rig
 from skinsource_gui.state.document import Document
+from skinsource_gui.state.playing.late_session import LateSession
 from skinsource_gui.state.playing.sound_thread import SoundThread
+
+if TYPE_CHECKING:
+    from skinsource.playing import Playing
+    from skinsource.rigs import Rig
 
 
 class LiveEdits(QObject):
@@ -36,7 +40,7 @@ class LiveEdits(QObject):
     failed = Signal(str)
 
     def __init__(
-        self, document: Document, session: Session, thread: SoundThread, parent: QObject
+        self, document: Document, session: LateSession, thread: SoundThread, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._document, self._session, self._thread = document, session, thread
@@ -48,7 +52,7 @@ class LiveEdits(QObject):
         self._edited_s = self.render_s = 0.0
 
     def begin(
-        self, playing: Playing, design: Design, output: Output, rig: Rig | None, *, loops: bool
+        self, playing: "Playing", design: Design, output: Output, rig: "Rig | None", *, loops: bool
     ) -> None:
         """Follow the document, of which ``design`` is what is played."""
         self._playing, self._output, self._loops, self._rig = playing, output, loops, rig
@@ -74,7 +78,7 @@ class LiveEdits(QObject):
             return
         self._busy, self._rendered, self._edited_s = True, wanted, perf_counter()
         change = partial(
-            self._session.change,
+            self._session.made.change,
             self._playing,
             wanted[0],
             self._output,
@@ -84,7 +88,7 @@ class LiveEdits(QObject):
         self._thread.do(partial(_timed, change), self._take)
 
     def _take(
-        self, timed: tuple[Playing | None, float] | None, error: SkinSourceError | None
+        self, timed: "tuple[Playing | None, float] | None", error: SkinSourceError | None
     ) -> None:
         self._busy = False
         if self._playing is None:
@@ -99,6 +103,6 @@ class LiveEdits(QObject):
         self._follow()
 
 
-def _timed(change: partial[Playing | None]) -> tuple[Playing | None, float]:
+def _timed(change: "partial[Playing | None]") -> "tuple[Playing | None, float]":
     """What ``change`` returns, and when."""
     return change(), perf_counter()

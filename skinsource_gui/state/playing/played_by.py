@@ -1,8 +1,8 @@
 """What can be told of a player."""
 
+from skinsource import rigs
 from skinsource.design import Design
-from skinsource.playing.mixer import outputs_by_place
-from skinsource.rigs import calibration_words
+from skinsource.playing import outputs_by_place
 from skinsource_gui.played import Played
 from skinsource_gui.state.playing.player import Player
 from skinsource_gui.state.playing.sound_settings import SoundSettings
@@ -14,7 +14,8 @@ def _calibration(settings: SoundSettings, design: Design) -> str:
         return settings.rig_problem
     if settings.rig is None:
         return ""
-    return calibration_words(settings.rig, tuple(dict.fromkeys(x.location for x in design.inputs)))
+    places = tuple(dict.fromkeys(one.location for one in design.inputs))
+    return rigs.calibration_words(settings.rig, places)
 
 
 def played_by(player: Player, design: Design) -> Played:

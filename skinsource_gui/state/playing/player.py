@@ -3,19 +3,22 @@
 import sys
 from collections.abc import Callable
 from functools import partial
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from skinsource.errors import SkinSourceError
-from skinsource.playing.session import Playing, Session
-from skinsource.playing.stream import Stream
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing.gain_setting import GainSetting
+from skinsource_gui.state.playing.late_session import LateSession
 from skinsource_gui.state.playing.live_edits import LiveEdits
 from skinsource_gui.state.playing.running_playhead import RunningPlayhead
 from skinsource_gui.state.playing.sound_settings import SoundSettings
 from skinsource_gui.state.playing.sound_thread import SoundThread
 from skinsource_gui.state.preferences import Preferences
+
+if TYPE_CHECKING:
+    from skinsource.playing import Playing, Stream
 
 _GONE = (
     "The device does not ask for sound any more: it may have been unplugged. Connect it, look for "
@@ -65,7 +68,7 @@ class Player(QObject):
         super().__init__(parent)
         self._document = document
         self._thread = SoundThread(self)
-        self._session = Session(self._finished.emit)
+        self._session = LateSession(self._finished.emit)
         self.settings = SoundSettings(preferences, self._session, self._thread, self)
         self.edits = LiveEdits(document, self._session, self._thread, self)
         self.playhead = RunningPlayhead(document, self)
@@ -105,7 +108,7 @@ class Player(QObject):
         design, view = self._document.design, self._document.view
         output, loops, rig = self.settings.output, self.loops, self.settings.rig
         play = partial(
-            self._session.play,
+            self._session.made.play,
             design,
             output,
             loops=loops,
@@ -127,7 +130,7 @@ class Player(QObject):
         if not self._starting and self.settings.rig_is_read():
             self._leave()
             output, gain_db, rig = self.settings.output, self.gain.gain_db, self.settings.rig
-            self._begin(partial(self._session.tone, number, output, gain_db, rig), None)
+            self._begin(partial(self._session.made.tone, number, output, gain_db, rig), None)
 
     def stop(self) -> None:
         """Fade out."""
@@ -159,10 +162,10 @@ class Player(QObject):
         self._leave()
         self._thread.end(self._session.close)
 
-    def _begin(self, play: Callable[[], Playing], follow: Callable[[], None] | None) -> None:
+    def _begin(self, play: "Callable[[], Playing]", follow: Callable[[], None] | None) -> None:
         self._starting = True
 
-        def take(playing: Playing | None, error: SkinSourceError | None) -> None:
+        def take(playing: "Playing | None", error: SkinSourceError | None) -> None:
             if playing is None:
                 self._starting = False
                 self.failed.emit(str(error))
@@ -193,7 +196,7 @@ class Player(QObject):
     def _position(self) -> float | None:
         return None if self.now is None else self.now.position_s()
 
-    def _replace(self, playing: Playing) -> None:
+    def _replace(self, playing: "Playing") -> None:
         self.now = playing
         self.changed.emit()
 
@@ -202,10 +205,10 @@ class Player(QObject):
         if now is not None and now.over:
             self._leave()
             if now.stream is not None:
-                self._thread.do(partial(self._session.let_go, now.stream), _nothing_more)
+                self._thread.do(partial(self._session.made.let_go, now.stream), _nothing_more)
                 self.failed.emit(_GONE)
 
-    def _end_of(self, stream: Stream) -> None:
+    def _end_of(self, stream: "Stream") -> None:
         if stream.closed or self.now is None or self.now.stream is not stream:
             return
         ending = stream.deck.ending
@@ -216,7 +219,7 @@ class Player(QObject):
         else:
             # The last waves are still on their way.
             self.now = seen_on
-        self._thread.do(partial(self._session.let_go, stream), _nothing_more)
+        self._thread.do(partial(self._session.made.let_go, stream), _nothing_more)
         if ending is None:
             self.failed.emit(_GONE)
         elif ending.reason == "panic":

@@ -2,16 +2,20 @@
 
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from skinsource import playing, rigs
 from skinsource.errors import InvalidInputError, SkinSourceError
 from skinsource.playing import Output, output_from_text
-from skinsource.playing.devices import Device, device_of, rates_of
-from skinsource.playing.session import Session
-from skinsource.rigs import Rig, open_rig
+from skinsource_gui.state.playing.late_session import LateSession
 from skinsource_gui.state.playing.sound_thread import SoundThread
 from skinsource_gui.state.preferences import Preferences
+
+if TYPE_CHECKING:
+    from skinsource.playing import Device
+    from skinsource.rigs import Rig
 
 
 class SoundSettings(QObject):
@@ -46,7 +50,7 @@ class SoundSettings(QObject):
     refused = Signal(str)
 
     def __init__(
-        self, preferences: Preferences, session: Session, thread: SoundThread, parent: QObject
+        self, preferences: Preferences, session: LateSession, thread: SoundThread, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._preferences, self._session, self._thread = preferences, session, thread
@@ -107,7 +111,7 @@ class SoundSettings(QObject):
         self.device_changed.emit()
 
     def _take_rig(self, path: Path | None) -> None:
-        found = None if path is None else open_rig(path)
+        found = None if path is None else rigs.open_rig(path)
         self.rig, self.rig_problem = found, ""
         self.rig_title = "" if found is None or path is None else found.title or path.stem
 
@@ -125,7 +129,7 @@ class SoundSettings(QObject):
 
     def look(self) -> None:
         """Look for devices; what is played ends."""
-        self._thread.do(self._session.devices, self._take_devices)
+        self._thread.do(self._session.made.devices, self._take_devices)
 
     def note_missing(self, reason: str) -> None:
         """Take over why nothing was heard; "": it was."""
@@ -134,7 +138,7 @@ class SoundSettings(QObject):
             self.changed.emit()
 
     def _take_devices(
-        self, found: tuple[Device, ...] | None, error: SkinSourceError | None
+        self, found: "tuple[Device, ...] | None", error: SkinSourceError | None
     ) -> None:
         self.looked, self.devices, self.rates_hz = True, found or (), ()
         self.missing = "" if error is None else str(error)
@@ -145,11 +149,11 @@ class SoundSettings(QObject):
         if not self.looked:
             return
         try:
-            device = device_of(self.output, self.devices)
+            device = playing.device_of(self.output, self.devices)
         except SkinSourceError as error:
             self.missing = self.missing or str(error)
             return
-        self._thread.do(partial(rates_of, device), self._take_rates)
+        self._thread.do(partial(playing.rates_of, device), self._take_rates)
 
     def _take_rates(self, found: tuple[int, ...] | None, error: SkinSourceError | None) -> None:
         self.rates_hz = found or ()

@@ -18,7 +18,7 @@ from skinsource.version import __version__
 from skinsource.view import View
 
 # The package has a function of the same name.
-packing_module = importlib.import_module("skinsource.packing.pack")
+packing_module = importlib.import_module("skinsource.packing.design_pack")
 DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7),), title="One tone")
 VIEW = View(outputs=(29,))
 

@@ -9,7 +9,7 @@ from skinsource.clips import Clip
 from skinsource.design import Design, track
 from skinsource.view import View
 from skinsource.waveforms import Tap, Tone
-from skinsource_gui.library_page.choices import choices
+from skinsource_gui.library_page.preset_choices import choices
 from tests.gui.library.bench import labels, names
 
 SEVERAL = Design(

@@ -4,7 +4,7 @@ from math import pi
 
 from skinsource.clips import Clip
 from skinsource.design import Design, Input
-from skinsource.scenes.scene import Scene
+from skinsource.scenes.paper_scene import Scene
 from skinsource.scenes.shipped.making import MOVING, MadeScene, at, made, played
 from skinsource.waveforms import Chirp, Tone
 

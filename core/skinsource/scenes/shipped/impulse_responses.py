@@ -1,6 +1,6 @@
 """Fig. 1: what the skin does after a single pulse."""
 
-from skinsource.scenes.scene import Scene
+from skinsource.scenes.paper_scene import Scene
 from skinsource.scenes.shipped.making import MOVING, MadeScene, at, made, played
 from skinsource.waveforms import Impulse
 

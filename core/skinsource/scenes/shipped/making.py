@@ -8,7 +8,7 @@ from skinsource.comparing import NUMBERS, Snapshot
 from skinsource.design import Design, Input, track
 from skinsource.design_file import DesignFile
 from skinsource.scaling.response_scaling import Scaling
-from skinsource.scenes.scene import Scene
+from skinsource.scenes.paper_scene import Scene
 from skinsource.view import View
 from skinsource.waveforms import Waveform
 

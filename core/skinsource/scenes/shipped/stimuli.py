@@ -1,6 +1,6 @@
 """Fig. 2: stimuli, and what arrives of them."""
 
-from skinsource.scenes.scene import Scene
+from skinsource.scenes.paper_scene import Scene
 from skinsource.scenes.shipped.making import MOVING, MadeScene, at, made, played
 from skinsource.waveforms import Noise, Tap, Tone, WaveletTrain
 

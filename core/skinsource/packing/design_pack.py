@@ -21,7 +21,7 @@ from skinsource.export import export_levels, export_map, export_map_picture, exp
 from skinsource.extras import package_of_extra
 from skinsource.files import replacing
 from skinsource.job import Progress, Stop, never, silent, stop_if
-from skinsource.packing.citation import citation, data_of
+from skinsource.packing.data_citation import citation, data_of
 from skinsource.rigs import Rig, save_rig
 from skinsource.version import __version__
 from skinsource.view import View

@@ -15,7 +15,7 @@ from skinsource.fields import OptionalSpec, RecipeSpec, SwitchSpec, TextSpec
 KINDS = (VoiceCoil, RecoilVoiceCoil, Piezo, MeasuredResponse)
 Model = VoiceCoil | RecoilVoiceCoil | Piezo | MeasuredResponse
 
-MODEL = RecipeSpec(label="Model", kinds=lambda: KINDS)
+MODEL: RecipeSpec = RecipeSpec(label="Model", kinds=lambda: KINDS)
 _ANY = RecipeSpec(label="Model", kinds=lambda: (*KINDS, ResponseShape))
 _LIMITS = RecipeSpec(label="Limits", kinds=lambda: (Limits,))
 _THERMAL = OptionalSpec(label="Warming", of=RecipeSpec(label="Warming", kinds=lambda: (Thermal,)))
