@@ -65,7 +65,11 @@ class Panel(ComparesDesigns):
         return frozenset()
 
     def show_state(self, design: Design, view: View) -> None:
-        """Take over the present design and view; called at each change, before any results."""
+        """Take over the present design and view, before any results.
+
+        Called when it is made and at each change while it is visible; what has changed while it
+        was hidden is told when it comes into sight.
+        """
 
     def show_playhead(self, view: View) -> None:
         """Take over a view in which the playhead alone has moved; at each step while it plays.
@@ -84,6 +88,9 @@ class Panel(ComparesDesigns):
 
     def show_problem(self, reason: str) -> None:
         """Empty the picture and say why there is none."""
+
+    def show_noisy(self, outputs: tuple[int, ...]) -> None:
+        """Take over at which outputs the prediction is mostly noise; once that was judged."""
 
     def show_history(self, history: History) -> None:
         """Take over what was done; called while it is visible, where it lists that."""

@@ -1,6 +1,6 @@
 """Files that are dropped on the window: designs, presets, and recordings."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource import presets
 from skinsource.design_file import SUFFIX
+from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.widgets.drop_place import DropPlace
 
@@ -30,9 +31,9 @@ class FileDrops(QObject):
     #: A preset, also one that is dragged from the library, `Path`, and its `DropPlace` or None.
     preset_dropped = Signal(object, object)
 
-    def __init__(self, window: QWidget, panels: Sequence[Panel]) -> None:
+    def __init__(self, window: QWidget, panels: MadePanels) -> None:
         super().__init__(window)
-        self._window, self._panels = window, tuple(panels)
+        self._window, self._panels = window, panels
         window.setAcceptDrops(True)
         window.installEventFilter(self)
 

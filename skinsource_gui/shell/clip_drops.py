@@ -1,11 +1,11 @@
 """What is dragged from one panel onto another."""
 
-from collections.abc import Sequence
 from functools import partial
 
 from PySide6.QtCore import QObject, QPoint
 from PySide6.QtWidgets import QApplication
 
+from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.widgets.drop_place import DropPlace
 
@@ -19,11 +19,13 @@ class ClipDrops(QObject):
         All of a window, each of which gets to know whom to ask; the window is the parent.
     """
 
-    def __init__(self, panels: Sequence[Panel], parent: QObject) -> None:
+    def __init__(self, panels: MadePanels, parent: QObject) -> None:
         super().__init__(parent)
-        self._panels = tuple(panels)
-        for panel in self._panels:
-            panel.held_over = partial(self._find, panel)
+        self._panels = panels
+        panels.each(self._meet)
+
+    def _meet(self, panel: Panel) -> None:
+        panel.held_over = partial(self._find, panel)
 
     def _find(self, dragged_from: Panel, at: QPoint | None) -> DropPlace | None:
         """Where something goes that is held over a place of the screen; None: it is let go."""

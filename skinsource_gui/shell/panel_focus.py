@@ -1,11 +1,11 @@
 """Moves the keyboard from panel to panel."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QApplication
 
-from skinsource_gui.panel import Panel
+from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.shell.focus_order import focus_into, tab_stops
 
 
@@ -20,9 +20,7 @@ class PanelFocus(QObject):
         Brings a panel into sight, by its name.
     """
 
-    def __init__(
-        self, panels: Sequence[Panel], bring: Callable[[str], None], parent: QObject
-    ) -> None:
+    def __init__(self, panels: MadePanels, bring: Callable[[str], None], parent: QObject) -> None:
         super().__init__(parent)
         self._panels, self._bring = panels, bring
         # Where the keyboard was before a panel was shown, and which panels it came in front of.
@@ -50,8 +48,7 @@ class PanelFocus(QObject):
             self._bring(name)
             if here != name:
                 self._left, self._covered = here, before - self._in_sight()
-        panel = next(one for one in self._panels if one.name == name)
-        panel.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        self._panels[name].setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def _in_sight(self) -> frozenset[str]:
         # A dock that comes to the front moves the one behind it away a moment later.

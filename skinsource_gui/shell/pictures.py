@@ -1,6 +1,6 @@
 """Pictures of panels and of the whole window, as they are on the screen."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
 
@@ -8,6 +8,7 @@ from PySide6.QtCore import QPoint, QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter
 from PySide6.QtWidgets import QApplication, QWidget
 
+from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.shell.appearance import Appearance
@@ -33,36 +34,34 @@ class PanelPictures:
     appearance
         The colours in use.
     catch_up
-        Waits until the panels show the present design.
+        Waits until the panels show the present design, and one more that may be hidden.
     """
 
     def __init__(
         self,
         frame: QWidget,
         document: Document,
-        panels: Sequence[Panel],
+        panels: MadePanels,
         appearance: Appearance,
-        catch_up: Callable[[], None],
+        catch_up: Callable[[Panel | None], None],
     ) -> None:
-        self._frame, self._document, self._panels = frame, document, tuple(panels)
+        self._frame, self._document, self._panels = frame, document, panels
         self._appearance, self._catch_up = appearance, catch_up
 
     def picture_of(self, name: str) -> WholePicture:
         """The picture of a panel, `IN_USE` or `ALL_IN_SIGHT`, with the stimulus in its caption."""
-        self._catch_up()
-        caption = caption_of(self._document.design)
         panel: Panel | None = None
-        if name == ALL_IN_SIGHT:
+        if name != ALL_IN_SIGHT:
+            panel = self._in_use() if name == IN_USE else self._panels[name]
+        self._catch_up(panel)
+        caption = caption_of(self._document.design)
+        if panel is None:
             draw, size = self._draw_all, (self._frame.width(), self._frame.height())
         else:
-            panel = self._in_use() if name == IN_USE else self._named(name)
             draw = partial(self._draw_one, panel)
             size = None if name != IN_USE else (2 * panel.width(), 2 * panel.height())
         seen = panel.map.seen if isinstance(panel, SkinPanel) else None
         return WholePicture(draw=with_caption(draw, caption), size_px=size, seen=seen)
-
-    def _named(self, name: str) -> Panel:
-        return next(panel for panel in self._panels if panel.name == name)
 
     def _in_use(self) -> Panel:
         """The panel that has the keyboard, or else the first one in sight."""

@@ -1,6 +1,5 @@
 """Has it judged, when there is time for it, what the present prediction is not good for."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 from PySide6.QtCore import QObject, QPoint, QTimer
@@ -8,8 +7,7 @@ from PySide6.QtWidgets import QStatusBar
 
 from skinsource import edits
 from skinsource.validity import Finding
-from skinsource_gui.panel import Panel
-from skinsource_gui.panels.skin.panel import SkinPanel
+from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request
 from skinsource_gui.status.validity_card import ValidityCard
@@ -42,12 +40,14 @@ class Validity(QObject):
         self,
         document: Document,
         engine: Engine,
-        panels: Sequence[Panel],
+        panels: MadePanels,
         status_bar: QStatusBar,
     ) -> None:
         super().__init__(document)
         self._document, self._engine = document, engine
-        self._maps = [panel for panel in panels if isinstance(panel, SkinPanel)]
+        self._panels = panels
+        self._noisy: tuple[int, ...] = ()
+        panels.each(lambda panel: panel.show_noisy(self._noisy))
         self._theme: Theme = LIGHT
         self._shown: Request | None = None
         self.lamps = ValidityLamps()
@@ -87,9 +87,9 @@ class Validity(QObject):
     def _tell(self, outcome: Outcome | None) -> None:
         found = () if outcome is None or outcome.values is None else outcome.values["validity"]
         self.lamps.show_findings(found)
-        noisy = next((one.outputs for one in found if one.name == "noise"), ())
-        for panel in self._maps:
-            panel.show_noisy(noisy)
+        self._noisy = next((one.outputs for one in found if one.name == "noise"), ())
+        for panel in self._panels:
+            panel.show_noisy(self._noisy)
 
     def _explain(self, name: str, place: QPoint) -> None:
         card = ValidityCard(self.lamps.findings, name, self._theme, self.lamps)

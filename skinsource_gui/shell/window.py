@@ -1,6 +1,8 @@
 """The main window."""
 
 from collections.abc import Sequence
+from contextlib import nullcontext
+from functools import partial
 
 from PySide6.QtCore import QEventLoop
 from PySide6.QtGui import QAction
@@ -14,6 +16,7 @@ from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.import_page.file_drops import FileDrops
 from skinsource_gui.import_page.import_actions import ImportActions
 from skinsource_gui.library_page.library_actions import LibraryActions
+from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.scenes_page.scene_actions import SceneActions
 from skinsource_gui.shell import docks
@@ -48,6 +51,7 @@ from skinsource_gui.state.first_paint_engine import FirstPaintEngine
 from skinsource_gui.state.historian import Historian
 from skinsource_gui.state.installed_limbs import InstalledLimbs
 from skinsource_gui.state.job_runner import JobRunner
+from skinsource_gui.state.panel_wishes import PanelWishes
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.state.wavelet_levelling import WaveletLevelling
 from skinsource_gui.status.accuracy import Accuracy
@@ -58,7 +62,6 @@ from skinsource_gui.stimulus_page.stimulus_actions import StimulusActions
 from skinsource_gui.theme import Theme
 
 _LARGEST_AT_FIRST = (1600, 940)
-_PREPARING = "Preparing…"
 
 
 class MainWindow(QMainWindow):
@@ -80,8 +83,9 @@ class MainWindow(QMainWindow):
         self.document = Document(design, view, self)
         self.engine = FirstPaintEngine(graphs_that_share(), self)
         self.runner = JobRunner(self)
-        self.panels: tuple[Panel, ...] = tuple(spec.panel() for spec in PANELS)
-        self.docks = {panel.name: docks.Dock(panel, self) for panel in self.panels}
+        self.panels = MadePanels({spec.panel.name: spec.panel for spec in PANELS})
+        titles = {spec.panel.name: spec.panel.title for spec in PANELS}
+        self.docks = {name: docks.Dock(name, titles[name], self.panels, self) for name in titles}
         self.limbs = InstalledLimbs(tuple(available_limbs), self)
         self.notice = Notice(self)
         self.setup_bar = SetupBar()
@@ -98,15 +102,16 @@ class MainWindow(QMainWindow):
         ShortcutsInFields(self.actions_by_name.values(), self)
         self._build()
         self.conductor = Conductor(self.document, self.engine, self.panels, self.status_line.needs)
+        PanelWishes(self.document, self.panels)
         self.comparison.begin()
         Historian(self.document, self.panels)
         self._connect()
         self.appearance.apply()
+        told = self.files, preferences, self.appearance
+        self.panels.each(docks.Welcome(self.docks, self.do, self.reports.complain, *told))
         self.layout_of_docks.restore()
         self._show_limbs()
         self._show_state()
-        for panel in (one for one in self.panels if one.needs):
-            panel.show_problem(_PREPARING)
 
     @property
     def theme(self) -> Theme:
@@ -114,8 +119,8 @@ class MainWindow(QMainWindow):
         return self.appearance.theme
 
     def panel(self, name: str) -> Panel:
-        """The panel of that name."""
-        return next(panel for panel in self.panels if panel.name == name)
+        """The panel of that name; it is made if nobody has looked at it before."""
+        return self.panels[name]
 
     def do(self, name: str) -> None:
         """Do what the table of actions calls ``name``, if it can be done now."""
@@ -127,12 +132,13 @@ class MainWindow(QMainWindow):
         self.document.undo_stack.setClean()
         self.close()
 
-    def catch_up(self) -> None:
-        """Wait until the panels show the present design."""
+    def catch_up(self, also: Panel | None = None) -> None:
+        """Wait until the panels show the present design; ``also`` one that may be hidden."""
         loop = QEventLoop()
         self.engine.rested.connect(loop.quit)
-        while self.engine.busy:
-            loop.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
+        with self.conductor.as_if_seen(also) if also else nullcontext():
+            while self.engine.busy:
+                loop.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
 
     def _make_capabilities(self) -> None:
         self.appearance = Appearance(self.preferences, self)
@@ -161,22 +167,15 @@ class MainWindow(QMainWindow):
         desk = self.docks, self.arrangements, self.layout_of_docks
         keys = self.document, self.preferences, self.files, *desk
         self.presenter = Presenter(self, *keys, lambda: self.actions_by_name)
+        theme = partial(getattr, self, "theme")
+        measured = self.runner, self.status_line, theme, self.preferences
         self.pages = Pages(
             self,
             ACTIONS,
             self._findable,
-            late(
-                "skinsource_gui.accuracy_page.page",
-                "AccuracyPage",
-                self.runner,
-                self.status_line,
-                lambda: self.theme,
-                self.preferences,
-            ),
-            *limb_pages(self.runner, self.limbs, lambda: self.theme, *saving[:2]),
-            late(
-                "skinsource_gui.motion_page.page", "MotionPage", self.document, lambda: self.theme
-            ),
+            late("skinsource_gui.accuracy_page.page", "AccuracyPage", *measured),
+            *limb_pages(self.runner, self.limbs, theme, *saving[:2]),
+            late("skinsource_gui.motion_page.page", "MotionPage", self.document, theme),
         )
 
     def _capabilities(self) -> dict[str, object]:
@@ -238,14 +237,8 @@ class MainWindow(QMainWindow):
         drops.design_dropped.connect(self.files.open)
         drops.recording_dropped.connect(self.imports.open_page)
         drops.preset_dropped.connect(self.library.place_file)
-        self.playback.connect_to(self.panel("playback"), self.appearance, reports)
+        self.playback.connect_to(self.panels, self.appearance, reports)
         self.keeping.connect_to(self.conductor, reports)
-        for panel in self.panels:
-            panel.action_wanted.connect(self.do)
-            panel.failed.connect(reports.complain)
-            panel.written.connect(self.files.note_written)
-            panel.show_folder(self.preferences.folder)
-            self.files.folder_changed.connect(panel.show_folder)
         cancel = self.actions_by_name["cancel_job"]
         cancel.setEnabled(False)
         self.running_jobs.can_cancel.connect(cancel.setEnabled)

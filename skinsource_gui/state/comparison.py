@@ -1,6 +1,6 @@
 """Snapshots of the design: stored, shown in turn, and predicted side by side."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,6 +19,7 @@ from skinsource.comparing import (
 )
 from skinsource.edits import Refusal
 from skinsource_gui.compared import Compared
+from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request, Slot
@@ -72,10 +73,10 @@ class Comparison(QObject):
     #: What was done, in a few words.
     done = Signal(str)
 
-    def __init__(self, document: Document, engine: Engine, panels: Sequence[Panel]) -> None:
+    def __init__(self, document: Document, engine: Engine, panels: MadePanels) -> None:
         super().__init__(document)
         self._document, self._engine = document, engine
-        self._panels = tuple(panels)
+        self._panels = panels
         self._on_limbs = OnLimbs(document, engine, panels)
         self._asked: dict[int, Request] = {}
         self._known: dict[int, _Known] = {}
@@ -87,9 +88,8 @@ class Comparison(QObject):
         self._on_limbs.begin()
         self._engine.finished.connect(self._note)
         self._engine.rested.connect(self._ask)
-        for panel in self._panels:
-            panel.visibility_changed.connect(self._follow)
-            panel.snapshot_wanted.connect(self.show)
+        self._panels.each(lambda panel: panel.visibility_changed.connect(self._follow))
+        self._panels.each(lambda panel: panel.snapshot_wanted.connect(self.show))
 
     def store(self, number: str) -> None:
         """Keep the present design under a number."""

@@ -1,17 +1,16 @@
 """Keeps the visible panels in step with the document."""
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from functools import partial
 from time import perf_counter
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource import edits
-from skinsource.edits import Edit, Refusal
 from skinsource.errors import SkinSourceError
 from skinsource.quantities import sources
-from skinsource.view import View
+from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import (
@@ -26,7 +25,9 @@ from skinsource_gui.state.predicting import reason_of, too_large
 
 
 class Conductor(QObject):
-    """Asks the engine for what visible panels need, and hands them the results.
+    """Tells visible panels the state, asks the engine for what they need, and hands it to them.
+
+    Those that are hidden are told nothing: they take over all of it when they come into sight.
 
     Parameters
     ----------
@@ -47,7 +48,7 @@ class Conductor(QObject):
         self,
         document: Document,
         engine: Engine,
-        panels: Sequence[Panel],
+        panels: MadePanels,
         also: frozenset[str] = frozenset(),
     ):
         super().__init__(document)
@@ -60,23 +61,50 @@ class Conductor(QObject):
         self._answered: dict[Panel, tuple[frozenset[str], Mapping[str, Any]]] = {}
         # Panels whose next results have nothing to do with what they show.
         self._anew: set[Panel] = set()
+        # Those that know the present state, and one that is wanted though nobody sees it.
+        self._told: set[Panel] = set()
+        self._unseen: Panel | None = None
         document.jumped.connect(self._begin_anew)
         document.changed.connect(self._follow)
         document.settled.connect(self._wait_for_results)
         document.playhead_moved.connect(self._follow_playhead)
         engine.finished.connect(self._deliver)
-        for panel in panels:
-            panel.visibility_changed.connect(self._ask)
-            panel.edited.connect(self._apply)
-            panel.view_changed.connect(self._look)
-            panel.playhead_wanted.connect(self._put_playhead)
-            panel.input_pointed_at.connect(self._point_at)
-            panel.show_state(document.design, document.view)
+        panels.each(self._meet)
+
+    @contextmanager
+    def as_if_seen(self, panel: Panel) -> Iterator[None]:
+        """Keep a panel in step that may be hidden, as long as somebody has a picture made of it."""
+        before, self._unseen = self._unseen, panel
+        self._note_visibility(panel)
+        try:
+            yield
+        finally:
+            self._unseen = before
+            self._ask()
+
+    def _meet(self, panel: Panel) -> None:
+        panel.visibility_changed.connect(partial(self._note_visibility, panel))
+        self._tell(panel)
+
+    def _tell(self, panel: Panel) -> None:
+        self._told.add(panel)
+        panel.show_state(self._document.design, self._document.view)
+
+    def _note_visibility(self, panel: Panel) -> None:
+        if self._is_seen(panel) and panel not in self._told:
+            self._tell(panel)
+        self._ask()
+
+    def _is_seen(self, panel: Panel) -> bool:
+        return panel.isVisible() or panel is self._unseen
 
     def _follow(self) -> None:
         since_s = perf_counter()
         for panel in self._panels:
-            panel.show_state(self._document.design, self._document.view)
+            if self._is_seen(panel) or panel.isVisibleTo(panel.window()):
+                self._tell(panel)
+            else:
+                self._told.discard(panel)
         self._ask(since_s)
 
     def _wait_for_results(self) -> None:
@@ -87,36 +115,17 @@ class Conductor(QObject):
 
     def _follow_playhead(self) -> None:
         for panel in self._panels:
-            panel.show_playhead(self._document.view)
-
-    def _apply(self, outcome: Edit | Refusal, gesture: int | None) -> None:
-        if isinstance(outcome, Edit):
-            outcome = replace(outcome, view=self._with_playhead(outcome.view))
-        self._document.apply(outcome, gesture)
-
-    def _look(self, view: View) -> None:
-        self._document.look(self._with_playhead(view))
-
-    def _put_playhead(self, time_s: float) -> None:
-        outcome = edits.move_playhead(self._document.design, self._document.view, time_s)
-        self._document.apply(outcome)
-
-    def _point_at(self, input_id: int | None) -> None:
-        for panel in self._panels:
-            if panel is not self.sender():
-                panel.show_pointed_input(input_id)
-
-    def _with_playhead(self, view: View) -> View:
-        # While it moves, most panels know where it was, not where it is.
-        playhead_s = self._document.view.playhead_s
-        return view if view.playhead_s == playhead_s else replace(view, playhead_s=playhead_s)
+            if panel.isVisible():
+                panel.show_playhead(self._document.view)
+            else:
+                self._told.discard(panel)
 
     def _begin_anew(self) -> None:
         self._anew.update(self._panels)
 
     def _ask(self, since_s: float | None = None) -> None:
         """Ask for what is not known yet."""
-        visible = [panel for panel in self._panels if panel.isVisible()]
+        visible = [panel for panel in self._panels if self._is_seen(panel)]
         for panel in self._panels:
             if panel not in visible:
                 self._shown.pop(panel, None)
@@ -153,7 +162,7 @@ class Conductor(QObject):
     def _deliver(self, outcome: Outcome) -> None:
         if outcome.request.place != (FIRST_SLOT, Purpose.SHOW):
             return
-        visible = [panel for panel in self._panels if panel.isVisible() and panel.needs]
+        visible = [panel for panel in self._panels if self._is_seen(panel) and panel.needs]
         if outcome.values is None:
             self._explain(visible, _reason(outcome.error))
             self.stale.emit(outcome.request is not self._asked)

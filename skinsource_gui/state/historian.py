@@ -1,11 +1,11 @@
 """Shows panels the history of a document, and goes where they want."""
 
-from collections.abc import Sequence
 from functools import partial
 
 from PySide6.QtCore import QObject
 
 from skinsource_gui.history import MOST_STEPS, History, Step
+from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.state.document import Document
 
@@ -23,17 +23,13 @@ class Historian(QObject):
         Of which those hear of it that want to.
     """
 
-    def __init__(self, document: Document, panels: Sequence[Panel]) -> None:
+    def __init__(self, document: Document, panels: MadePanels) -> None:
         super().__init__(document)
         self._document = document
         self._shown: list[Panel] = []
         document.undo_stack.indexChanged.connect(self._tell)
         document.title_changed.connect(self._tell)
-        for panel in panels:
-            if not panel.lists_history:
-                continue
-            panel.visibility_changed.connect(partial(self._note_visibility, panel))
-            panel.step_wanted.connect(document.go_to)
+        panels.each(self._meet)
 
     def history(self) -> History:
         """All that can be taken back or done again now."""
@@ -47,6 +43,11 @@ class Historian(QObject):
             present=stack.index(),
             saved=clean if clean >= 0 and document.path else None,
         )
+
+    def _meet(self, panel: Panel) -> None:
+        if panel.lists_history:
+            panel.visibility_changed.connect(partial(self._note_visibility, panel))
+            panel.step_wanted.connect(self._document.go_to)
 
     def _note_visibility(self, panel: Panel) -> None:
         self._shown = [one for one in self._shown if one is not panel]

@@ -1,6 +1,5 @@
 """The present design on several limbs, predicted while somebody looks."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -12,6 +11,7 @@ from skinsource.design import Design
 from skinsource.edits import Refusal
 from skinsource.view import View
 from skinsource_gui.compared import Compared
+from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request, Slot
@@ -36,10 +36,10 @@ class OnLimbs(QObject):
         Those that name limbs are told of them, while they are visible.
     """
 
-    def __init__(self, document: Document, engine: Engine, panels: Sequence[Panel]) -> None:
+    def __init__(self, document: Document, engine: Engine, panels: MadePanels) -> None:
         super().__init__(document)
         self._document, self._engine = document, engine
-        self._panels = tuple(panels)
+        self._panels = panels
         self._asked: dict[str, Request] = {}
         self._found: dict[str, Outcome] = {}
 
@@ -48,8 +48,7 @@ class OnLimbs(QObject):
         self._document.changed.connect(self._follow)
         self._engine.finished.connect(self._note)
         self._engine.rested.connect(self._ask)
-        for panel in self._panels:
-            panel.visibility_changed.connect(self._follow)
+        self._panels.each(lambda panel: panel.visibility_changed.connect(self._follow))
 
     def forget_problems(self) -> None:
         """Try again what could not be predicted: limbs came or went."""

@@ -8,10 +8,12 @@ from skinsource.design import Design, track
 from skinsource.errors import InvalidInputError
 from skinsource.graph import Graph
 from skinsource.view import View
+from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.state.conductor import Conductor
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Engine
+from skinsource_gui.state.panel_wishes import PanelWishes
 
 
 def loudness(inputs):
@@ -29,6 +31,7 @@ def colours(inputs):
 class Recorder(Panel):
     def __init__(self, *needs):
         super().__init__()
+        self.name = "+".join(needs)
         self._needs = frozenset(needs)
         self.results, self.problems, self.stale, self.states = [], [], False, []
         self.story, self.marks = [], []
@@ -77,7 +80,9 @@ def stage(qtbot):
     for panel in (loud, colourful):
         panel.setParent(window)
     colourful.move(0, loud.height())
-    conductor = Conductor(document, engine, (loud, colourful))
+    panels = MadePanels.of(loud, colourful)
+    conductor = Conductor(document, engine, panels)
+    PanelWishes(document, panels)
     window.show()
     qtbot.waitUntil(lambda: not engine.busy)
 

@@ -10,6 +10,7 @@ from skinsource.design import MAX_INPUTS, Design, track
 from skinsource.view import View
 from skinsource.waveforms import Tone
 from skinsource_gui.panels.timeline.heads.input_list import InputRows
+from skinsource_gui.state.engine import Purpose
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
 from skinsource_gui.widgets.plot.plot import Plot
@@ -27,7 +28,11 @@ def counted(window, settle):
         counts[name] += 1
 
     window.document.changed.connect(lambda: count("told"))
-    window.engine.finished.connect(lambda _: count("evaluated"))
+    # What is judged once nothing happens is no part of an edit.
+    shown = Purpose.SHOW
+    window.engine.finished.connect(
+        lambda outcome: outcome.request.purpose is shown and count("evaluated")
+    )
     return counts
 
 

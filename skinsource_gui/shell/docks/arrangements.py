@@ -166,6 +166,10 @@ class Arrangements(QObject):
         Docks that move lose it to whatever comes next: then keys would change another thing.
         """
         docks = [dock for panel, dock in self._docks.items() if panel in shown]
+        if self._window.focusWidget() is None and docks:
+            # A window that opens: else its first list would have the keyboard, and Space.
+            docks[0].panel.setFocus(Qt.FocusReason.OtherFocusReason)
+            return
         if focused is None or not any(one.isAncestorOf(focused) for one in self._docks.values()):
             return
         if any(dock.isAncestorOf(focused) for dock in docks):

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 
 _BUTTONS = {
@@ -21,13 +22,15 @@ _BUTTONS = {
 class Dock(QDockWidget):
     """Holds a panel, which scrolls where there is too little room.
 
-    A panel behind another one, as a tab, is hidden, so that nothing is computed for it: Qt only
-    moves its dock to where nobody looks.
+    The panel is made when the dock first comes into sight.  A panel behind another one, as a tab,
+    is hidden, so that nothing is computed for it: Qt only moves its dock to where nobody looks.
 
     Parameters
     ----------
-    panel
-        What it holds.
+    name, title
+        Those of the panel that it holds.
+    panels
+        Where it has its panel from.
     window
         Its parent.
     """
@@ -39,17 +42,16 @@ class Dock(QDockWidget):
     #: The panel came into sight, or left it.
     sight_changed = Signal()
 
-    def __init__(self, panel: Panel, window: QWidget) -> None:
-        super().__init__(panel.title, window)
-        self.panel = panel
-        self._tabbed = False
-        self.setObjectName(panel.name)
-        area = QScrollArea()
-        area.setObjectName(f"{panel.name}_area")
+    def __init__(self, name: str, title: str, panels: MadePanels, window: QWidget) -> None:
+        super().__init__(title, window)
+        self._panels = panels
+        self._tabbed = self._behind = False
+        self.setObjectName(name)
+        self._area = area = QScrollArea()
+        area.setObjectName(f"{name}_area")
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         area.setWidgetResizable(True)
-        area.setWidget(panel)
         self.setWidget(area)
         for name, hint in _BUTTONS.items():
             self.findChild(QAbstractButton, name).setToolTip(hint)
@@ -58,9 +60,25 @@ class Dock(QDockWidget):
         self.toggleViewAction().triggered.connect(self._raise_shown)
 
     @property
+    def panel(self) -> Panel:
+        """What it holds; made now, if nobody has looked at it before."""
+        return self._panels[self.objectName()]
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether its panel was not made yet."""
+        return self.objectName() not in self._panels
+
+    @property
     def in_sight(self) -> bool:
         """Whether it is shown, and nothing is in front of it."""
-        return not self.isHidden() and not self.panel.isHidden()
+        return not (self.isHidden() or self._behind)
+
+    def hold(self, panel: Panel) -> None:
+        """Take its panel, which was just made and knows all that panels are told."""
+        self._area.setWidget(panel)
+        panel.setVisible(not self._behind)
+        self.sight_changed.emit()
 
     def bring_forward(self) -> None:
         """Show it, in front of those that share its place."""
@@ -94,12 +112,17 @@ class Dock(QDockWidget):
         # Qt says whether a dock is behind another one for some of the ways to get there; where it
         # puts those behind is the same for all of them.
         behind = not self.isFloating() and self.geometry().right() < 0
-        if self.panel.isHidden() != behind:
-            if behind:
-                self.goes_behind.emit()
+        turned = self._behind != behind
+        self._behind = behind
+        if turned and behind:
+            self.goes_behind.emit()
+        if not self.is_empty:
             self.panel.setVisible(not behind)
-            if not behind:
-                self.came_forward.emit()
+        elif self.in_sight and self.isVisible():
+            # To make it is to have it held.
+            self._panels[self.objectName()]
+        if turned and not behind:
+            self.came_forward.emit()
         self.sight_changed.emit()
 
     def _raise_shown(self) -> None:

@@ -93,7 +93,7 @@ class DockLayout(QObject):
             return
         docks = self._docks.values()
         hidden = {dock: dock.isHidden() for dock in docks}
-        in_sight = [dock for dock in docks if dock.panel.isVisible()]
+        in_sight = [dock for dock in docks if dock.isVisible() and dock.in_sight]
         self._window.restoreState(before)
         for dock, hide in hidden.items():
             if dock.isHidden() != hide:

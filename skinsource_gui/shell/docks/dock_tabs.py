@@ -57,12 +57,12 @@ class DockTabs(QObject):
         for dock in self._docks.values():
             others = self._window.tabifiedDockWidgets(dock)
             dock.show_tabbed(any(not one.isHidden() for one in others))
-            if dock.panel.in_sight != names:
+            if not dock.is_empty and dock.panel.in_sight != names:
                 dock.panel.show_in_sight(names)
 
     def _free_keyboard(self, dock: Dock) -> None:
         focused = QApplication.focusWidget()
-        if focused is None or not dock.panel.isAncestorOf(focused):
+        if focused is None or not dock.isAncestorOf(focused):
             return
         # Qt would give it to what comes next in its own order, and keys change another thing.
         focused.clearFocus()

@@ -1,10 +1,13 @@
 """Brings what is played to those who show it, and what they want to the player."""
 
+from typing import TYPE_CHECKING, cast
+
 from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QWidget
 
+from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.matching_page.matching_actions import MatchingActions
-from skinsource_gui.panels.playback.panel import PlaybackPanel
+from skinsource_gui.panel import Panel
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.playing.escape_twice import EscapeTwice
 from skinsource_gui.shell.playing.rig_pages import RigPages
@@ -16,6 +19,10 @@ from skinsource_gui.state.playing.played_by import played_by
 from skinsource_gui.state.playing.player import Player
 from skinsource_gui.state.preferences import Preferences
 
+if TYPE_CHECKING:
+    from skinsource_gui.panels.playback.panel import PlaybackPanel
+
+_PANEL = "playback"
 # How often levels are shown.
 _STEP_MS = 50
 
@@ -68,10 +75,9 @@ class Playback(QObject):
         self.rigs.end()
         self.player.end()
 
-    def connect_to(self, panel: PlaybackPanel, appearance: Appearance, reports: Reports) -> None:
-        """Show it in ``panel``, while that is visible, and say in ``reports`` what goes wrong."""
+    def connect_to(self, panels: MadePanels, appearance: Appearance, reports: Reports) -> None:
+        """Show it in its panel, while that is visible, and say in ``reports`` what goes wrong."""
         player, bar = self.player, self.bar
-        self._panel = panel
         self.matching.theme = lambda: appearance.theme
         self.rigs.use(appearance)
         appearance.changed.connect(bar.show_theme)
@@ -84,13 +90,20 @@ class Playback(QObject):
         # What went wrong with the file before is over.
         self.rigs.opened.connect(reports.report)
         player.told.connect(reports.report)
+        panels.each(self._meet)
+        self._document.changed.connect(self._show_places)
+        self._follow()
+
+    def _meet(self, panel: Panel) -> None:
+        if panel.name != _PANEL:
+            return
+        player = self.player
+        self._panel = panel = cast("PlaybackPanel", panel)
         panel.output_wanted.connect(player.settings.choose)
         panel.devices_wanted.connect(player.settings.look)
         panel.rig_wanted.connect(player.settings.choose_rig)
         panel.tone_wanted.connect(player.play_tone)
         panel.visibility_changed.connect(self._look)
-        self._document.changed.connect(self._show_places)
-        self._follow()
 
     def _follow(self) -> None:
         playing = self.player.playing

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource.design import Design, track
 from skinsource.view import View
+from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panels.history.panel import HistoryPanel
 from skinsource_gui.panels.history.steps_model import DONE, PRESENT, TIME
 from skinsource_gui.state.document import Document
@@ -109,7 +110,7 @@ def test_a_thousand_steps_are_kept_and_older_ones_are_said_to_be_forgotten(qtbot
         HistoryPanel(),
     )
     qtbot.addWidget(panel)
-    Historian(document, [panel])
+    Historian(document, MadePanels.of(panel))
     panel.show()
     for k in range(1, 1004):
         document.edit("a", document.design.with_input(0, amplitude=k / 8))

@@ -4,13 +4,14 @@ from pathlib import Path
 
 from skinsource.design import start_design
 from skinsource.view import View
+from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.historian import Historian
 
 
 def test_a_design_that_is_saved_under_another_name_was_not_opened_by_that_name(qtbot):
     document = Document(start_design("any"))
-    historian = Historian(document, ())
+    historian = Historian(document, MadePanels.of())
     assert historian.history().start == "New design"
     document.mark_saved(Path("b.skinsource"))
     assert historian.history().start == "New design"

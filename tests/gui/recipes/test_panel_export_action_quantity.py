@@ -212,13 +212,14 @@ def facts(make_copy, tmp_path_factory):
     copy.write(folder / "settings.py", SETTINGS)
     copy.write(folder / "panel.py", PANEL)
     panels = copy.studio / "shell" / "panels.py"
-    imported = "from skinsource_gui.panels.skin.panel import SkinPanel\n"
-    copy.insert(panels, imported, "from skinsource_gui.panels.loudest.panel import LoudestPanel\n")
+    imported = "from skinsource_gui.panels.skin.settings import SkinSettings\n"
     copy.insert(
         panels, imported, "from skinsource_gui.panels.loudest.settings import LoudestSettings\n"
     )
-    line = "    PanelSpec(panel=LoudestPanel, settings=LoudestSettings),\n"
-    copy.insert(panels, "    PanelSpec(panel=InspectorPanel", line)
+    line = (
+        '    PanelSpec(panel=LatePanel("loudest", "Loudest output"), settings=LoudestSettings),\n'
+    )
+    copy.insert(panels, '    PanelSpec(panel=LatePanel("inspector"', line)
     # A module, its name in the package, and a line.
     export = copy.library / "export"
     copy.write(export / "loudest.py", EXPORT)

@@ -1,0 +1,49 @@
+"""What a panel is told, and who hears it, when it is made."""
+
+from collections.abc import Callable, Mapping
+
+from skinsource_gui.files.file_actions import FileActions
+from skinsource_gui.panel import Panel
+from skinsource_gui.shell.appearance import Appearance
+from skinsource_gui.shell.docks.dock import Dock
+from skinsource_gui.state.preferences import Preferences
+
+_PREPARING = "Preparing…"
+
+
+class Welcome:
+    """Takes each panel into the window, after all others have met it.
+
+    Parameters
+    ----------
+    docks
+        By the name of their panel: where it goes.
+    do, complain
+        Does what the table of actions calls by a name; says what went wrong.
+    files, preferences, appearance
+        Who hears of files that are written; folder and colours that it is told.
+    """
+
+    def __init__(
+        self,
+        docks: Mapping[str, Dock],
+        do: Callable[[str], None],
+        complain: Callable[[str], None],
+        files: FileActions,
+        preferences: Preferences,
+        appearance: Appearance,
+    ) -> None:
+        self._docks, self._do, self._complain = docks, do, complain
+        self._files, self._preferences, self._appearance = files, preferences, appearance
+
+    def __call__(self, panel: Panel) -> None:
+        """Take in a panel."""
+        panel.action_wanted.connect(self._do)
+        panel.failed.connect(self._complain)
+        panel.written.connect(self._files.note_written)
+        self._files.folder_changed.connect(panel.show_folder)
+        panel.show_folder(self._preferences.folder)
+        panel.show_theme(self._appearance.theme)
+        if panel.needs:
+            panel.show_problem(_PREPARING)
+        self._docks[panel.name].hold(panel)

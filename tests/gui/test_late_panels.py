@@ -1,0 +1,146 @@
+"""A panel that nobody looks at costs nothing: it is not even made."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtGui import QImage, QPainter
+from PySide6.QtWidgets import QApplication
+
+from skinsource_gui.late_panel import LatePanel
+from skinsource_gui.made_panels import MadePanels
+from skinsource_gui.panel import Panel
+from skinsource_gui.shell.docks.arrangements import Place
+from skinsource_gui.shell.panels import PANELS
+
+
+def made(window):
+    return {panel.name for panel in window.panels}
+
+
+def told(panel, monkeypatch):
+    """What a panel is told of the state from now on."""
+    states, show = [], panel.show_state
+
+    def show_state(design, view):
+        states.append((design, view))
+        show(design, view)
+
+    monkeypatch.setattr(panel, "show_state", show_state)
+    return states
+
+
+def test_a_window_makes_the_panels_of_its_arrangement_and_no_other(window):
+    placed = {spec.panel.name for spec in PANELS if isinstance(spec.places["design"], Place)}
+    assert made(window) == placed
+    assert all(dock.is_empty for name, dock in window.docks.items() if name not in placed)
+
+
+def test_a_panel_is_made_with_the_first_look_and_shows_what_is_now(window, qtbot, monkeypatch):
+    document = window.document
+    document.edit("louder", document.design.with_input(0, amplitude=3.25))
+    assert "statistics" not in made(window)
+    window.docks["statistics"].bring_forward()
+    panel = window.panel("statistics")
+    qtbot.waitUntil(lambda: panel.isVisible() and not window.engine.busy)
+    late = panel.grab().toImage()
+    # One that was there from the beginning shows the same after the same edits.
+    document.undo_stack.undo()
+    document.undo_stack.redo()
+    qtbot.waitUntil(lambda: not window.engine.busy)
+    assert panel.grab().toImage() == late
+    document.undo_stack.undo()
+    qtbot.waitUntil(lambda: not window.engine.busy)
+    assert panel.grab().toImage() != late
+
+
+def test_at_first_the_keyboard_is_with_the_first_panel(window, qtbot):
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    assert window.panel("hand").isAncestorOf(QApplication.focusWidget())
+
+
+def test_panels_are_listed_in_the_order_of_the_table_whenever_they_were_made(window):
+    for name in ("perception", "compare", "clip_editor"):
+        window.panel(name)
+    order = [spec.panel.name for spec in PANELS]
+    names = [panel.name for panel in window.panels]
+    assert names == sorted(names, key=order.index)
+    assert {"perception", "compare", "clip_editor"} <= set(names)
+
+
+def test_a_hidden_panel_is_told_nothing_and_takes_over_what_is_now_when_it_is_shown(
+    window, monkeypatch
+):
+    window.docks["inspector"].hide()
+    states = told(window.panel("inspector"), monkeypatch)
+    document = window.document
+    for amplitude in (2.0, 3.0):
+        document.edit("louder", document.design.with_input(0, amplitude=amplitude))
+    document.look(replace(document.view, playhead_s=0.1))
+    assert states == []
+    window.docks["inspector"].bring_forward()
+    assert states == [(document.design, document.view)]
+    window.docks["inspector"].hide()
+    window.docks["inspector"].bring_forward()
+    assert len(states) == 1
+
+
+def test_a_playhead_that_moved_meanwhile_is_where_it_is_now(window, monkeypatch):
+    panel = window.panel("traces")
+    window.docks["traces"].hide()
+    states = told(panel, monkeypatch)
+    shown = []
+    monkeypatch.setattr(panel, "show_playhead", shown.append)
+    document = window.document
+    document.look(replace(document.view, playhead_s=0.05))
+    assert shown == []
+    window.docks["traces"].bring_forward()
+    assert states[-1][1].playhead_s == 0.05
+
+
+def test_the_picture_of_a_hidden_panel_is_that_of_the_present_design(window, qtbot):
+    document = window.document
+    seen = picture(window)
+    document.edit("place", document.design.with_input(0, location=15))
+    qtbot.waitUntil(lambda: not window.engine.busy)
+    expected = picture(window)
+    assert expected != seen
+    document.undo_stack.undo()
+    qtbot.waitUntil(lambda: not window.engine.busy)
+    window.docks["skin"].hide()
+    document.undo_stack.redo()
+    assert picture(window) == expected
+
+
+def picture(window):
+    drawn = window.pictures.picture_of("skin")
+    image = QImage(400, 600, QImage.Format.Format_RGB32)
+    painter = QPainter(image)
+    drawn.draw(painter, 400, 600)
+    painter.end()
+    return image
+
+
+def test_what_the_table_says_of_each_panel_its_class_says_too(qapp):
+    for spec in PANELS:
+        assert issubclass(spec.panel.type, Panel)
+    with pytest.raises(ValueError, match="says of itself 'wave', 'Wave'; the table"):
+        LatePanel("wave", "Waves")()
+
+
+def test_each_panel_is_met_once_whenever_it_is_made(qapp):
+    class One(Panel):
+        name = "one"
+
+    class Other(Panel):
+        name = "other"
+
+    panels, met = MadePanels({"one": One, "other": Other}), []
+    panels["other"]
+    panels.each(lambda panel: met.append(panel.name))
+    assert met == ["other"]
+    panels["one"], panels["other"]
+    assert met == ["other", "one"]
+    assert [panel.name for panel in panels] == ["one", "other"]
+    assert "one" in panels
+    assert "third" not in panels
