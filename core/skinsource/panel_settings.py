@@ -6,12 +6,16 @@ files can hold the settings of panels that this library does not know.
 
 from dataclasses import fields as dataclass_fields
 from dataclasses import replace
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 from skinsource.errors import InvalidInputError
 from skinsource.view import Plain, View
 
 Settings = TypeVar("Settings")
+
+# Settings that were asked for last, and what they were read from: while something is dragged they
+# are asked for many times.  By identity: equal plain data need not be of the same types.
+_latest: dict[tuple[str, type], tuple[object, object]] = {}
 
 
 def settings_of(view: View, panel: str, kind: type[Settings]) -> Settings:
@@ -20,11 +24,15 @@ def settings_of(view: View, panel: str, kind: type[Settings]) -> Settings:
     A field that the view does not hold has its default, and so has one whose value does not fit
     its specification: what is only looked at must not keep a design from being seen.
     """
+    found = _latest.get((panel, kind))
+    if found is not None and found[0] is view.panels:
+        return cast(Settings, found[1])
     held = dict(dict(view.panels).get(panel, ()))
     settings = kind()
     for field in dataclass_fields(settings):  # type: ignore[arg-type]
         if field.name in held:
             settings = _with_field(settings, field.name, held[field.name])
+    _latest[panel, kind] = view.panels, settings
     return settings
 
 

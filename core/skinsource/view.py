@@ -178,7 +178,9 @@ class View:
                 "fields, each once"
             )
         in_order = tuple((name, tuple(sorted(held))) for name, held in sorted(self.panels))
-        object.__setattr__(self, "panels", in_order)
+        # What is as it was keeps its identity, by which panels find their settings again.
+        if in_order != self.panels:
+            object.__setattr__(self, "panels", in_order)
 
     @property
     def selected_input(self) -> int | None:

@@ -17,7 +17,7 @@ from skinsource.own_limbs import facts_of, own_limb_names
 from skinsource.view import View
 from skinsource_gui.dataset_page.title import TITLE
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
-from skinsource_gui.widgets.tooltips import tooltip
+from skinsource_gui.widgets.tooltips import show_tooltip, tooltip
 
 _LEAST_PX = 420
 _ENABLED = Qt.ItemFlag.ItemIsEnabled
@@ -67,7 +67,8 @@ class SetupBar(QWidget):
         self._offer_axes(design.limb)
         single = len(view.axes) == 1
         self._method.setEnabled(not single)
-        self._method.setToolTip("A single axis needs no method" if single else self._method_hint)
+        hint = "A single axis needs no method" if single else self._method_hint
+        show_tooltip(self._method, hint)
 
     def show_playhead(self, view: View) -> None:
         """Take over a view in which the playhead alone has moved."""

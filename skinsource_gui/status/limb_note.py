@@ -32,6 +32,7 @@ class LimbNote(QLabel):
         self._theme = LIGHT
         self._synthetic = False
         self._limb = self._note = self._own = ""
+        self._said: tuple[object, ...] = ()
         # Words and their HTML, longest first.
         self._phrases: tuple[tuple[str, str], ...] = (("", ""),)
         self.setTextFormat(Qt.TextFormat.RichText)
@@ -71,6 +72,10 @@ class LimbNote(QLabel):
             super().focusNextPrevChild(True)
 
     def _say(self) -> None:
+        said = (self._synthetic, self._note, self._own, self._measured, self._theme)
+        if said == self._said:
+            return  # else the window is laid out anew at each edit
+        self._said = said
         self.setVisible(self._synthetic or bool(self._note) or bool(self._own))
         note = f"{self._note[:1].upper()}{self._note[1:]}"
         self.setToolTip(f"{self._own} {note}".strip() or _SYNTHETIC)

@@ -33,7 +33,6 @@ class TimingLabel(QLabel):
         self.setAccessibleName("Time from edit to screen")
         self.setFont(tabular(self.font()))
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self.setMinimumWidth(self.fontMetrics().horizontalAdvance(_WIDEST))
         self.times = EditTimes()
         self.last: EditTime | None = None
         self._window = window
@@ -42,6 +41,7 @@ class TimingLabel(QLabel):
         self._is_first = True
         self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
         self._pause.timeout.connect(self._say)
+        self._fit()
         window.installEventFilter(self)
         engine.finished.connect(self._note_arrival)
 
@@ -61,6 +61,11 @@ class TimingLabel(QLabel):
     def about_times(self) -> str:
         """Words about the last edits."""
         return summary(self.times.seconds())
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._fit()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.UpdateRequest and self._delivered is not None:
@@ -96,5 +101,12 @@ class TimingLabel(QLabel):
         words = "" if self.last is None else milliseconds(self.last.total_s)
         if words != self.text():
             self.setText(words)
+            self._fit()
         sentence = "" if self.last is None else self.last.sentence()
         self.setToolTip(f"{sentence}\n{self.about_times()}".strip())
+
+    def _fit(self) -> None:
+        """Stay of one size: else the whole window is laid out anew for each time that is said."""
+        metrics = self.fontMetrics()
+        words = max(map(metrics.horizontalAdvance, (_WIDEST, self.text())))
+        self.setFixedSize(words, metrics.height())

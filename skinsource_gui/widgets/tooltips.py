@@ -2,6 +2,8 @@
 
 from textwrap import fill
 
+from PySide6.QtWidgets import QWidget
+
 # Characters in a line: about as wide as a panel.
 _LINE = 64
 
@@ -9,3 +11,9 @@ _LINE = 64
 def tooltip(*sentences: str) -> str:
     """Sentences below each other, each in lines of readable length; empty ones are left out."""
     return "\n".join(fill(sentence, _LINE) for sentence in sentences if sentence)
+
+
+def show_tooltip(widget: QWidget, words: str) -> None:
+    """Give a widget a tooltip; one that it has already is told to nobody."""
+    if widget.toolTip() != words:
+        widget.setToolTip(words)

@@ -1,6 +1,6 @@
 """Every kind of field checks what it is given, and comes back from a tree."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -270,6 +270,33 @@ def _with(tree: Any, place: tuple, value: Any) -> Any:
     known = copy.get(place[0]) if isinstance(copy, dict) else copy[place[0]]
     copy[place[0]] = _with(known, place[1:], value)
     return copy
+
+
+def test_points_that_were_checked_before_are_not_checked_again(monkeypatch):
+    asked, check = [], BreakpointsSpec._is_kept
+    monkeypatch.setattr(
+        BreakpointsSpec, "_is_kept", lambda spec, point: asked.append(point) or check(spec, point)
+    )
+    spec = BreakpointsSpec(label="Dragged", x=UNIT, y=UNIT)
+    points = tuple((k / 200, 0.5, "straight") for k in range(150))
+    assert spec.checked(points) is points
+    assert asked == list(points)
+    asked.clear()
+    dragged = (*points[:70], (0.351, 0.7, "held"), *points[71:])
+    assert spec.checked(dragged) is dragged
+    assert asked == [(0.351, 0.7, "held")]
+    # What is known of a point holds where it stands, and among others in order.
+    for wrong in (
+        (*points[:70], (0.9, 0.7, "held"), *points[71:]),
+        (*dragged[:70], (0.351, 0.7, "bent"), *dragged[71:]),
+        (dragged[1], dragged[0], *dragged[2:]),
+    ):
+        with pytest.raises(InvalidInputError):
+            spec.checked(wrong)
+    # Another specification knows nothing of it.
+    strict = BreakpointsSpec(label="Dragged", x=UNIT, y=replace(UNIT, maximum=0.6))
+    with pytest.raises(InvalidInputError):
+        strict.checked(dragged)
 
 
 def test_points_that_are_kept_as_they_are_stay_the_very_same():

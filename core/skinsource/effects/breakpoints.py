@@ -207,7 +207,7 @@ def _settled(points: Points, moved_ones: Iterable[int]) -> Points:
     Beside a moved point a slope that was kept may lead beyond the level of the next one; it is
     made as steep as a cubic surely can be that rises, or falls, throughout.
     """
-    if not any(isinstance(point, SlopedPoint) for point in points):
+    if SlopedPoint not in set(map(type, points)):
         return points
     found = list(points)
     pieces = _pieces(points)
@@ -257,19 +257,19 @@ def _hermite(share: Any, y0: Any, y1: Any, d0: Any, d1: Any) -> Any:
 
 @lru_cache(maxsize=64)
 def _pieces(points: Points) -> _Pieces:
+    kinds = [point[2] for point in points]
     x, y = (np.array([point[k] for point in points], np.float64) for k in (0, 1))
-    kinds = np.array([point[2] for point in points])
+    smooth, held = (np.array([one == kind for one in kinds]) for kind in ("smooth", "held"))
     slope = np.zeros(len(points))
     # What is smooth does not look beyond a jump; a held segment ends with one.
-    breaks = np.flatnonzero((np.diff(x) < CLOSEST) | (kinds[:-1] == "held")) + 1
-    for run in np.split(np.arange(len(points)), breaks):
-        if len(run) > 1 and (kinds[run[:-1]] == "smooth").any():
+    breaks = np.flatnonzero((np.diff(x) < CLOSEST) | held[:-1]) + 1
+    # Where nothing is smooth, no slope follows from the points beside.
+    for run in np.split(np.arange(len(points)), breaks) if smooth.any() else ():
+        if len(run) > 1 and smooth[run[:-1]].any():
             slope[run] = scipy.interpolate.PchipInterpolator(x[run], y[run]).derivative()(x[run])
     for k, point in enumerate(points):
-        own = slope_of(point)
-        if own is not None:
-            slope[k] = own
-    smooth = kinds == "smooth"
+        if type(point) is SlopedPoint:
+            slope[k] = point.slope
     before_smooth = np.append(smooth[:-1], False)
     bent = before_smooth | np.append(False, before_smooth[:-1])
-    return _Pieces(x, y, slope, smooth, kinds == "held", bent)
+    return _Pieces(x, y, slope, smooth, held, bent)

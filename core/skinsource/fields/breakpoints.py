@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from functools import lru_cache
 from math import isfinite
 from operator import is_
 from typing import Any, Literal, Self, get_args
@@ -82,22 +82,28 @@ class BreakpointsSpec(Spec):
 
         A fourth number is the slope of a point's own, in units of y per unit of x.
         """
-        expected = (
-            f"1 to {self.most} points (x, y, segment), x {self.x.expected} and never falling, "
-            f"y {self.y.expected}, segment {', '.join(SEGMENTS)}, and perhaps a finite slope"
-        )
+        expected = _expected(self)
         if not isinstance(value, tuple) or not 1 <= len(value) <= self.most:
             raise Misfit(expected)
+        # While one of many points is dragged, the others are those that were checked before.
+        before = _checked.get(self, ())
+        known = before if len(before) == len(value) else (None,) * len(value)
         try:
             points = tuple(
-                point if self._is_kept(point) else self._point(point, expected) for point in value
+                point if point is same or self._is_kept(point) else self._point(point, expected)
+                for point, same in zip(value, known, strict=True)
             )
         except Misfit:
             raise Misfit(expected) from None
-        if any(after[0] < before[0] for before, after in pairwise(points)):
+        x = [point[0] for point in points]
+        if x != sorted(x):
             raise Misfit(expected)
         # What is as it was keeps its identity.
-        return value if all(map(is_, points, value)) else points
+        points = value if all(map(is_, points, value)) else points
+        if len(_checked) >= _MOST_CHECKED:
+            _checked.clear()
+        _checked[self] = points
+        return points
 
     def encoded(self, value: tuple[Breakpoint, ...]) -> Tree:
         """Return a list of lists of three values, or of four where a point has its own slope."""
@@ -142,6 +148,20 @@ class BreakpointsSpec(Spec):
         slope = point.slope if isinstance(point, SlopedPoint) else None
         slope = point[3] if len(point) == 4 else slope
         return (x, y, segment) if slope is None else SlopedPoint(x, y, segment, _slope(slope))
+
+
+# By specification, the points that fitted it last.  They are kept, so that no other point can take
+# the place of one in memory.
+_checked: "dict[BreakpointsSpec, tuple[Breakpoint, ...]]" = {}
+_MOST_CHECKED = 16
+
+
+@lru_cache(maxsize=64)
+def _expected(spec: BreakpointsSpec) -> str:
+    return (
+        f"1 to {spec.most} points (x, y, segment), x {spec.x.expected} and never falling, "
+        f"y {spec.y.expected}, segment {', '.join(SEGMENTS)}, and perhaps a finite slope"
+    )
 
 
 def _slope(value: Any) -> float:

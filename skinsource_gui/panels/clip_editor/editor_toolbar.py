@@ -72,8 +72,9 @@ class EditorToolbar(QWidget):
 
     def show_words(self, words: str, *, enabled: bool) -> None:
         """Words about the clip; whether there is one to edit."""
-        self._words.setText(words)
-        self._words.setToolTip(words)
+        if words != self._words.text():
+            self._words.setText(words)
+            self._words.setToolTip(words)
         for button in (*self._tools.values(), self._bound, self._fit):
             button.setEnabled(enabled)
 

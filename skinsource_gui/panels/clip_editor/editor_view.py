@@ -175,9 +175,10 @@ class EditorView(Canvas):
         shown_s = self._whole_s
         if self._shown_s is not None:
             shown_s = within(self._shown_s, shown_s) or shown_s
-        reach = reach_of(self._drawn, self._played)
         if self._held is not None:
             shown_s, reach = self._held
+        else:
+            reach = reach_of(self._drawn, self._played)
         width = max(area.width(), 1.0)
         return EditorContent(
             clip=clip,

@@ -48,6 +48,7 @@ class ClipEditorPanel(Panel):
         self._rate_hz = facts_of("").sample_rate_hz
         self._waveforms: Mapping[int, Floats] = {}
         self._raw: tuple[Any, float, Floats | None] = (None, 0.0, None)
+        self._said: tuple[Clip | None, Design | None, str] = (None, None, "")
         self._drawing, self._shaping = Drawing(self), Shaping(self)
         self._look, self._pen = Look(self), self._drawing.pen
         self._gliding = Gliding(self)
@@ -172,10 +173,11 @@ class ClipEditorPanel(Panel):
         self._toolbar.show_words(self._words(clip), enabled=True)
 
     def _words(self, clip: Clip) -> str:
-        place = input_words(self._design.track_of(clip.id).location, self._design.limb)
-        label = f"{clip.label} · " if clip.label else ""
-        figure = f"{figure_text(clip.waveform)} · {duration_text(clip.duration_s)}"
-        return f"{label}{place.number} {place.short_name} · {figure}"
+        said_of, design, words = self._said
+        if said_of is not clip or design is not self._design:
+            words = _words(clip, self._design)
+            self._said = clip, self._design, words
+        return words
 
     def _sampled(self, clip: Clip) -> Floats | None:
         """What the clip plays before its effects; it is drawn once for each waveform."""
@@ -205,3 +207,11 @@ class ClipEditorPanel(Panel):
                 if self._canvas.tool is one.tool:
                     one.press(wanted, event)
             self._canvas.lay_out()
+
+
+def _words(clip: Clip, design: Design) -> str:
+    """Where a clip plays, and what."""
+    place = input_words(design.track_of(clip.id).location, design.limb)
+    label = f"{clip.label} · " if clip.label else ""
+    figure = f"{figure_text(clip.waveform)} · {duration_text(clip.duration_s)}"
+    return f"{label}{place.number} {place.short_name} · {figure}"

@@ -13,6 +13,7 @@ from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
 from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.plot.decimation import visible_points
 from skinsource_gui.widgets.plot.ticks import linear_ticks
+from skinsource_gui.widgets.tooltips import show_tooltip
 
 _TEXT = 0.9
 _LEFT_PX, _RIGHT_PX, _TOP_PX, _BOTTOM_PX = 40, 10, 4, 18
@@ -43,6 +44,8 @@ class SpectrumStrip(QWidget):
         self.setAccessibleName("Spectrum of the clip")
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self.setMinimumHeight(64)
+        # All of it is painted: nothing behind needs to be.
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self._theme = LIGHT
         self._axes = KeptPicture()
         self._frequency_hz: Floats | None = None
@@ -69,7 +72,7 @@ class SpectrumStrip(QWidget):
         else:
             self._outside = share_outside_band(samples, sample_rate_hz)
             self._frequency_hz, self._levels_db = spectrum_db(samples, sample_rate_hz)
-        self.setToolTip(self.words)
+        show_tooltip(self, self.words)
         self.update()
 
     @property
@@ -89,11 +92,12 @@ class SpectrumStrip(QWidget):
         painter = QPainter(self)
         painter.setFont(scaled(tabular(self.font()), _TEXT))
         area = QRectF(self.rect()).adjusted(_LEFT_PX, _TOP_PX, -_RIGHT_PX, -_BOTTOM_PX)
-        painter.fillRect(area, QColor(self._theme.base))
+        ground = QColor(self._theme.window)
         if self._frequency_hz is None or self._levels_db is None:
+            painter.fillRect(self.rect(), ground)
+            painter.fillRect(area, QColor(self._theme.base))
             return
         highest = float(self._frequency_hz[-1])
-        ground = QColor(self._theme.window)
 
         def paint_axes(on_image: QPainter) -> None:
             on_image.fillRect(area, QColor(self._theme.base))

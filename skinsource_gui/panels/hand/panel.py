@@ -34,6 +34,7 @@ class HandPanel(Panel):
         self._design: Design | None = None
         self._view = View()
         self._theme = LIGHT
+        self._words: dict[int, tuple[Input, str]] = {}
         self.diagram = HandDiagram(drawing_of(""), self._theme, self)
         self.diagram.add_requested.connect(self._add)
         self.diagram.add_besides_requested.connect(partial(self._add, besides=True))
@@ -76,12 +77,17 @@ class HandPanel(Panel):
         if self._design is None:
             return
         heard = {id(one) for one in audible_inputs(self._design.inputs)}
+        # Words of inputs that are as they were are not made again.
+        known, self._words = self._words, {one.id: (one, "") for one in self._design.inputs}
+        for number, (one, _) in self._words.items():
+            before, words = known.get(number, (None, ""))
+            self._words[number] = one, words if before is one else _words(one)
         marks = tuple(
             Mark(
                 site=one.location,
                 colour=self._theme.input_colour(one.colour),
                 silent=id(one) not in heard,
-                words=_words(one),
+                words=self._words[one.id][1],
                 chosen=one.id in self._view.selected_inputs,
             )
             for one in self._design.inputs

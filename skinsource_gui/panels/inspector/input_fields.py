@@ -1,5 +1,7 @@
 """The fields of an input."""
 
+from functools import lru_cache
+
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QApplication
 
@@ -9,6 +11,7 @@ from skinsource.design import AMPLITUDE, GAIN_CURVE, Input
 from skinsource.edits.kinds import kind_name, kind_spec
 from skinsource.edits.selection import clip_of, clips_of
 from skinsource.fields import ChoiceSpec, NumberSpec, specs_of
+from skinsource.limb import LimbFacts
 from skinsource.locations import input_words
 from skinsource.own_limbs import facts_of
 from skinsource.view import View
@@ -21,7 +24,12 @@ from skinsource_gui.widgets.inputs.input_words import fixed_length_text, played_
 
 
 def _places_of(limb: str) -> ChoiceSpec:
-    numbers = range(1, facts_of(limb).n_inputs + 1)
+    return _places(limb, facts_of(limb))
+
+
+@lru_cache(maxsize=8)
+def _places(limb: str, facts: LimbFacts) -> ChoiceSpec:
+    numbers = range(1, facts.n_inputs + 1)
     return ChoiceSpec(
         label="Place",
         options=tuple((str(k), f"{k} · {input_words(k, limb).name}") for k in numbers),

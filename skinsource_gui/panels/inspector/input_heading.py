@@ -9,6 +9,7 @@ from skinsource.locations import PlaceWords, input_words
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.inputs.letter_button import mute_button, solo_button
 from skinsource_gui.widgets.inputs.swatch import Swatch
+from skinsource_gui.widgets.tooltips import show_tooltip
 
 
 class InputHeading(QWidget):
@@ -51,7 +52,7 @@ class InputHeading(QWidget):
         self._place = place
         self._swatch.show_input(shown.location, shown.colour, silent=silent)
         contact = f" ({place.kind})" if place.kind else ""
-        self._words.setToolTip(f"Input place {place.number}: {place.name}{contact}")
+        show_tooltip(self._words, f"Input place {place.number}: {place.name}{contact}")
         of_whom = "last silent" if len(together) > 1 else "silent"
         self._state.setText(of_whom if silent else "")
         self._mute.setChecked(all(one.muted for one in together))

@@ -118,6 +118,8 @@ class ColourStrip(QWidget):
         self.setToolTip("Drag to move the range, double-click for the automatic one")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMinimumHeight(70)
+        # All of it is painted: nothing behind needs to be.
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.high = self._new_handle("range_high", "Level of the highest colour", with_high)
         self.low = self._new_handle("range_low", "Level of the lowest colour", with_low)
 

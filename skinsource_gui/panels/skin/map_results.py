@@ -83,19 +83,21 @@ class MapResults:
         """Show what is known, as design, view and settings say it is to be seen."""
         settings, display = self._choices.settings, self._display
         limbs = (display.content.limb, "" if design is None else design.limb)
+        still: dict[str, Any] = {}
+        if not self.moves:
+            still = {
+                "quantity": MapQuantity(name=settings.quantity, span=view.span),
+                "value_range": display.colour_bar.range_db,
+                "fixed": self._choices.chosen_range is not None,
+                "colours": settings.colours,
+            }
         display.change(
             outputs=view.outputs,
             inputs=() if design is None else marks_of(design, view),
             sensors_shown=settings.sensors_shown,
             synthetic=any(facts_of(limb).synthetic for limb in limbs),
+            **still,
         )
-        if not self.moves:
-            display.change(
-                quantity=MapQuantity(name=settings.quantity, span=view.span),
-                value_range=display.colour_bar.range_db,
-                fixed=self._choices.chosen_range is not None,
-                colours=settings.colours,
-            )
         display.show()
 
     def forget(self, message: str = "") -> None:

@@ -10,8 +10,10 @@ from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from skinsource.design import Design
+from skinsource.own_limbs import facts_of
 from skinsource.view import View
 from skinsource_gui.panel import Panel
+from skinsource_gui.panels.skin.inputs.marks import marks_of
 from skinsource_gui.panels.skin.map_choices import MapChoices
 from skinsource_gui.panels.skin.map_controls import MapControls
 from skinsource_gui.panels.skin.map_display import MapDisplay
@@ -42,6 +44,8 @@ class SkinPanel(Panel):
         super().__init__(parent)
         self._design: Design | None = None
         self._view = View()
+        # What of design and view is seen here, as it was shown last.
+        self._seen: tuple[object, ...] = ()
         # Tab goes through them as they are made.
         self.toolbar, self.time = MapToolbar(self), TimeView(self)
         self._display = MapDisplay(self)
@@ -68,6 +72,10 @@ class SkinPanel(Panel):
         self._design, self._view = design, view
         before = self._choices.settings.quantity
         self._choices.show_state(design, view)
+        seen = (view, facts_of(design.limb), marks_of(design, view))
+        if seen == self._seen and not self._results.moves:
+            return  # another waveform is another map, but only once that is computed
+        self._seen = seen
         self._controls.show_settings(view)
         if self._choices.settings.quantity == before:
             self._results.follow(view)

@@ -19,8 +19,16 @@ def same_ground(one: Lane, other: Lane) -> bool:
     return (one.selected, one.silent) == (other.selected, other.silent)
 
 
+def same_chosen(before: Content, after: Content) -> bool:
+    """Whether the same clips are selected, and shown elsewhere, in all lanes."""
+    return (before.selected, before.chosen) == (after.selected, after.chosen)
+
+
 def same_clips(before: Content, then: Lane, after: Content, now: Lane) -> bool:
-    """Whether clips look alike on the same ground: the very same ones, with the same samples."""
+    """Whether clips look alike on the same ground: the very same ones, with the same samples.
+
+    Which of them are selected, or shown elsewhere, is another question.
+    """
     mine, theirs = now.track, then.track
     if mine is not theirs and not (
         mine.colour == theirs.colour
@@ -28,15 +36,16 @@ def same_clips(before: Content, then: Lane, after: Content, now: Lane) -> bool:
         and all(map(is_, mine.clips, theirs.clips))
     ):
         return False
-    ids = [clip.id for clip in mine.clips]
-    if before.waveforms is not after.waveforms and not all(
-        map(is_, map(before.waveforms.get, ids), map(after.waveforms.get, ids))
-    ):
-        return False
+    then_played, now_played = before.waveforms, after.waveforms
+    return then_played is now_played or all(
+        then_played.get(clip.id) is now_played.get(clip.id) for clip in mine.clips
+    )
+
+
+def same_choice(before: Content, after: Content, lane: Lane) -> bool:
+    """Whether the same clips of a lane are selected, and shown elsewhere."""
+    ids = frozenset(clip.id for clip in lane.track.clips)
     return all(
-        old is new or old.intersection(ids) == new.intersection(ids)
-        for old, new in (
-            (before.selected, after.selected),
-            (frozenset(before.chosen), frozenset(after.chosen)),
-        )
+        ids.intersection(old) == ids.intersection(new)
+        for old, new in ((before.selected, after.selected), (before.chosen, after.chosen))
     )

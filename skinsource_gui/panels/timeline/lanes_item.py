@@ -10,7 +10,13 @@ from skinsource_gui.panels.timeline.clip_painter import paint_clip
 from skinsource_gui.panels.timeline.clip_pictures import ClipPictures
 from skinsource_gui.panels.timeline.content import Content
 from skinsource_gui.panels.timeline.lane import MARGIN_PX, Lane
-from skinsource_gui.panels.timeline.lane_look import frame_of, same_clips, same_ground
+from skinsource_gui.panels.timeline.lane_look import (
+    frame_of,
+    same_choice,
+    same_chosen,
+    same_clips,
+    same_ground,
+)
 from skinsource_gui.panels.timeline.overlaps import paint_overlaps
 from skinsource_gui.panels.timeline.ruler_painter import grid_lines, paint_ruler
 from skinsource_gui.theme import LIGHT, Theme
@@ -112,10 +118,13 @@ class LanesItem(pyqtgraph.GraphicsObject):
 
     def _update_lanes(self, before: Content, after: Content) -> None:
         """Have painted the lanes that look different now."""
+        chosen_alike = same_chosen(before, after)
         for then, now in zip(before.lanes, after.lanes, strict=True):
             if not same_ground(then, now):
                 self.update(self._strip(now))
-            elif not same_clips(before, then, after, now):
+            elif not same_clips(before, then, after, now) or not (
+                chosen_alike or same_choice(before, after, now)
+            ):
                 self.update(self._strip(now).adjusted(0, _INSIDE_PX, 0, -_INSIDE_PX))
 
     def _strip(self, lane: Lane) -> QRectF:

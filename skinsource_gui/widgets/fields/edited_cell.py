@@ -75,7 +75,7 @@ class EditedCell(LabelledCell):
         super().__init__(spec.label, parent)
         self.name, self._words = name, spec.label
         self._theme = LIGHT
-        self._warns = False
+        self._warns = self._differs = False
         self._problem = ""
         self.editor = new_editor(spec, self)
         self.editor.edited.connect(self._edit)
@@ -112,8 +112,10 @@ class EditedCell(LabelledCell):
 
     def show_differs(self, differs: bool) -> None:
         """Say whether the value shown is only that of one of several inputs."""
-        self.label.setText(f"{self._words} ≠" if differs else self._words)
-        self.label.setToolTip(_DIFFERS if differs else "")
+        if differs != self._differs:
+            self._differs = differs
+            self.label.setText(f"{self._words} ≠" if differs else self._words)
+            self.label.setToolTip(_DIFFERS if differs else "")
 
     def forget_typing(self) -> None:
         """Close an open editor without committing."""

@@ -4,6 +4,7 @@ import math
 import re
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 
 from skinsource.errors import InvalidInputError
 from skinsource.fields import NumberSpec
@@ -120,6 +121,7 @@ def display_unit(unit: str, value_si: float = 0.0) -> DisplayUnit:
     return _DISPLAY_UNITS.get(unit) or DisplayUnit(symbol=unit)
 
 
+@lru_cache(maxsize=512)
 def number_text(value_si: float, unit: str, digits: int = SHOWN_DIGITS) -> str:
     """Number to show for a value, without its unit, to ``digits`` significant digits.
 

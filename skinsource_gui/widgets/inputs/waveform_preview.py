@@ -14,6 +14,7 @@ from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.plot.decimation import visible_points
+from skinsource_gui.widgets.tooltips import show_tooltip
 
 _AXIS_PX = 18
 _MARGIN_PX = 4
@@ -52,6 +53,8 @@ class WaveformPreview(QWidget):
         self.setObjectName("waveform_preview")
         self.setAccessibleName("Waveform")
         self.setFont(tabular(self.font()))
+        # With an axis all of it is painted: nothing behind needs to be.
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent, axis)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
     @property
@@ -73,7 +76,7 @@ class WaveformPreview(QWidget):
             return
         self._sample_rate_hz, self._words = sample_rate_hz, ""
         self._height = max(float(np.abs(samples).max(initial=0.0)), 1.0)
-        self.setToolTip("")
+        show_tooltip(self, "")
         self.update()
 
     def show_words(self, words: str) -> None:
@@ -101,18 +104,21 @@ class WaveformPreview(QWidget):
 
     def paintEvent(self, event) -> None:
         painter = QPainter(self)
+        drawn = not self._words and self._samples is not None and self._samples.size > 0
+        ground = self.palette().window().color()
+        if self._has_axis and not drawn:
+            painter.fillRect(self.rect(), ground)
         if self._words:
             painter.setPen(QColor(self._theme.dim))
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(self.rect(), flags, self._words_that_fit(flags))
             return
-        if self._samples is None or not self._samples.size:
+        if not drawn:
             return
         plot = QRectF(self.rect()).adjusted(_MARGIN_PX, 2, -_MARGIN_PX, -2)
         if self._has_axis:
             plot.setBottom(plot.bottom() - _AXIS_PX)
             shown = (self._theme, self._span_s())
-            ground = self.palette().window().color()
             self._axis.paint(
                 painter, QRectF(self.rect()), shown, partial(self._paint_axis, plot=plot), ground
             )

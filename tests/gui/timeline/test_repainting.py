@@ -132,6 +132,16 @@ def test_a_clip_that_the_inspector_showed_already_is_seen_to_be_selected(bench):
     assert picture(bench) != shown
 
 
+def test_the_clip_that_the_inspector_shows_is_another_one_where_tracks_stay_selected(bench):
+    first, second = (one.id for one in bench.design.inputs[:2])
+    bench._look(replace(bench.view, selected_inputs=(first, second)))
+    settled(bench)
+    shown = picture(bench)
+    bench._look(replace(bench.view, selected_inputs=(second, first)))
+    assert settled(bench) == 2
+    assert picture(bench) != shown
+
+
 @pytest.mark.parametrize("name", EDITS)
 def test_what_was_not_repainted_looks_as_if_everything_were(bench, name):
     before = picture(bench)

@@ -19,6 +19,7 @@ from skinsource_gui.widgets.inputs.letter_button import (
     remove_button,
     solo_button,
 )
+from skinsource_gui.widgets.tooltips import show_tooltip
 
 
 class InputRow(QWidget):
@@ -79,7 +80,7 @@ class InputRow(QWidget):
             f"Input at {place.number}, {place.name}: {state.title}"
             f"{', silent' if state.silent else ''}"
         )
-        self.setToolTip(f"{place.number} · {place.name}\n{state.figure}")
+        show_tooltip(self, f"{place.number} · {place.name}\n{state.figure}")
         if old is None or old.frame != state.frame:
             self.update()
         else:
