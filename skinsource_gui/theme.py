@@ -169,7 +169,8 @@ def apply_theme(app: QApplication, theme: Theme, text_scale: float = 1.0) -> Non
     sheet = _sheet(theme)
     if sheet == app.styleSheet() and font == app.font():
         return
-    app.setStyle("Fusion")
+    if not app.styleSheet():  # else it has the style already, and would go through all widgets
+        app.setStyle("Fusion")
     if font != app.font():
         app.setFont(font)
     app.setPalette(_palette(theme))

@@ -3,6 +3,7 @@
 import gc
 import threading
 from dataclasses import replace
+from time import thread_time
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
@@ -15,15 +16,18 @@ from skinsource.design import start_design
 from skinsource_gui.files import export_actions
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
+from tests.gui.desk import Desk
 
 
 class _Tidy:
-    """Whether the test before made widgets; whether modules are left out of the search."""
+    """Whether the test before made widgets."""
 
-    due, frozen = True, False
+    due = True
 
 
 _TIDY = _Tidy()
+#: Of a thread; a search of what one test leaves takes a thousandth.
+_LONG_SEARCH_S = 0.02
 
 
 def _makes_widgets(request):
@@ -34,15 +38,17 @@ def _makes_widgets(request):
 def _garbage_is_collected_in_this_thread(qapp, request):
     """As in the studio: elsewhere, widgets would be destroyed while this thread paints them.
 
-    The window of the test before is let go of by pytest only now.  Modules are not looked through.
+    The window of the test before is let go of by pytest only now.  Modules are looked through once:
+    not again and again those that were imported since, or that a test has thawed.
     """
     automatic = gc.isenabled()
     gc.disable()
     if _TIDY.due:
+        began_s = thread_time()
         gc.collect()
-        if not _TIDY.frozen:  # to ask how much is frozen takes as long as collecting
+        if thread_time() - began_s > _LONG_SEARCH_S:  # to ask how much there is takes as long
             gc.freeze()
-        _TIDY.due, _TIDY.frozen = False, True
+        _TIDY.due = False
     yield
     _TIDY.due = _makes_widgets(request) or _TIDY.due
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
@@ -112,6 +118,34 @@ def make_window(qtbot, preferences, monkeypatch):
     QApplication.processEvents()
     left = [thread for thread in threading.enumerate() if thread not in before]
     assert not left, f"threads outlive the window: {left}"
+
+
+@pytest.fixture
+def make_desk(qtbot, preferences):
+    """Make what pages stand in front of, without panels; see that no thread is left."""
+    opened = []
+    before = set(threading.enumerate())
+
+    def make(design=None, view=None):
+        desk = Desk(preferences, design, view)
+        qtbot.addWidget(desk)
+        opened.append(desk)
+        desk.show()
+        qtbot.waitExposed(desk)
+        return desk
+
+    yield make
+    for desk in opened:
+        desk.end()
+    QApplication.processEvents()
+    left = [thread for thread in threading.enumerate() if thread not in before]
+    assert not left, f"threads outlive the desk: {left}"
+
+
+@pytest.fixture
+def desk(make_desk):
+    """A desk with the start design."""
+    return make_desk()
 
 
 @pytest.fixture

@@ -13,9 +13,8 @@ from skinsource_gui.motion_page.page import MotionPage
 
 
 @pytest.fixture
-def page(window, qtbot):
-    window.do("make_motion")
-    found = window.findChild(MotionPage)
+def page(desk, qtbot):
+    found = desk.show_motion()
     qtbot.waitExposed(found)
     return found
 
@@ -49,31 +48,31 @@ def field_of(page: MotionPage, name: str):
     return next(cell for cell in grids if cell.name == name)
 
 
-def test_a_motion_on_clicked_places_is_added_in_one_step(window, page):
-    before = window.document.design
+def test_a_motion_on_clicked_places_is_added_in_one_step(desk, page):
+    before = desk.document.design
     choose(page, "TapSequence")
     button(page, "clear_path").click()
     click(page, 7, 12, 17)
     assert page.path_row.field.text() == "7, 12, 17"
-    assert window.document.design is before
-    assert window.document.undo_stack.count() == 0
+    assert desk.document.design is before
+    assert desk.document.undo_stack.count() == 0
     button(page, "add_motion").click()
-    design = window.document.design
+    design = desk.document.design
     assert design.inputs[:1] == before.inputs
     assert [one.location for one in design.inputs[1:]] == [7, 12, 17]
     assert [len(one.clips) for one in design.inputs[1:]] == [3, 3, 3]
-    assert window.document.view.selected_inputs == design.ids[1:]
-    assert window.document.undo_stack.count() == 1
-    window.document.undo_stack.undo()
-    assert window.document.design == before
+    assert desk.document.view.selected_inputs == design.ids[1:]
+    assert desk.document.undo_stack.count() == 1
+    desk.document.undo_stack.undo()
+    assert desk.document.design == before
 
 
-def test_cancel_changes_nothing(window, page):
+def test_cancel_changes_nothing(desk, page):
     click(page, 7)
-    before = window.document.design
+    before = desk.document.design
     button(page, "cancel_motion").click()
-    assert window.document.design is before
-    assert window.document.undo_stack.count() == 0
+    assert desk.document.design is before
+    assert desk.document.undo_stack.count() == 0
 
 
 def test_a_place_may_come_again(page):
@@ -129,7 +128,7 @@ def test_a_path_that_is_too_short_asks_for_more(page):
 
 
 @pytest.mark.parametrize("kind", MOTIONS)
-def test_the_preview_shows_the_tracks_that_are_added(window, page, kind):
+def test_the_preview_shows_the_tracks_that_are_added(desk, page, kind):
     choose(page, kind.__name__)
     lanes = page.strip.lanes
     summary = page.findChild(QLabel, "motion_summary")
@@ -138,7 +137,7 @@ def test_the_preview_shows_the_tracks_that_are_added(window, page, kind):
     assert all(part in about for part in ("Law", "Source", "On the palm"))
     page.grab()
     button(page, "add_motion").click()
-    added = window.document.design.inputs[1:]
+    added = desk.document.design.inputs[1:]
     assert [(one.location, one.colour) for one in added] == [
         (lane.place, lane.colour) for lane in lanes
     ]
@@ -210,11 +209,9 @@ def test_a_motion_begins_at_the_playhead(make_window):
     page.reject()
 
 
-def test_a_full_design_takes_no_motion(make_window):
+def test_a_full_design_takes_no_motion(make_desk):
     full = Design(limb="synthetic-1", inputs=(track(1, amplitude=0.0),) * (MAX_INPUTS - 1))
-    window = make_window(full)
-    window.do("make_motion")
-    page = window.findChild(MotionPage)
+    page = make_desk(full).show_motion()
     assert "inputs more" in page.strip.words
     assert not button(page, "add_motion").isEnabled()
     page.reject()

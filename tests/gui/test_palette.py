@@ -73,15 +73,23 @@ def test_every_action_of_the_table_stands_in_its_menu_under_its_words(window):
         ]
 
 
-@pytest.mark.parametrize("spec", ACTIONS, ids=[spec.name for spec in ACTIONS])
-def test_every_action_of_the_table_does_what_its_line_says(qtbot, spec):
-    parent = QWidget()
-    qtbot.addWidget(parent)
-    document = Document(start_design("synthetic-1"))
-    capabilities = defaultdict(Mock)
+@pytest.fixture(scope="module")
+def table(qapp):
+    """Give the actions of the table, who would carry them out, a document and what is asked."""
+    parent, document = QWidget(), Document(start_design("synthetic-1"))
+    capabilities, asked = defaultdict(Mock), []
     actions = ActionSet(ACTIONS, document, capabilities, parent)
-    asked = []
     actions.edited.connect(asked.append)
+    yield actions, capabilities, document, asked
+    parent.deleteLater()
+
+
+@pytest.mark.parametrize("spec", ACTIONS, ids=[spec.name for spec in ACTIONS])
+def test_every_action_of_the_table_does_what_its_line_says(table, spec):
+    actions, capabilities, document, asked = table
+    asked.clear()
+    for mock in capabilities.values():
+        mock.reset_mock()
     actions[spec.name].setEnabled(True)
     actions[spec.name].trigger()
     called = [
@@ -106,29 +114,24 @@ def found(window, qtbot, letters):
     return words
 
 
-@pytest.mark.parametrize(
-    ("letters", "expected"),
-    [
-        ("colour", "Dark theme"),
-        ("color", "Light theme"),
-        ("matlab", "Export traces as CSV…"),
-        ("download", "Get the measured limbs…"),
-        ("font", "Larger text"),
-        ("delete", "Remove input"),
-        ("excel", "Export RMS levels as CSV…"),
-        ("noise", "Waveform: Noise"),
-    ],
-)
-def test_other_words_for_an_action_find_it(window, qtbot, letters, expected):
-    assert expected in found(window, qtbot, letters)
+def test_other_words_for_an_action_find_it(window, qtbot):
+    for letters, expected in {
+        "colour": "Dark theme",
+        "color": "Light theme",
+        "matlab": "Export traces as CSV…",
+        "download": "Get the measured limbs…",
+        "font": "Larger text",
+        "delete": "Remove input",
+        "excel": "Export RMS levels as CSV…",
+        "noise": "Waveform: Noise",
+    }.items():
+        assert expected in found(window, qtbot, letters), letters
 
 
-@pytest.mark.parametrize(
-    ("letters", "first"),
-    [("library", "Show panel: Library"), ("save", "Save"), ("noise", "Waveform: Noise")],
-)
-def test_what_is_called_just_so_comes_first(window, qtbot, letters, first):
-    assert found(window, qtbot, letters)[0] == first
+def test_what_is_called_just_so_comes_first(window, qtbot):
+    expected = {"library": "Show panel: Library", "save": "Save", "noise": "Waveform: Noise"}
+    for letters, first in expected.items():
+        assert found(window, qtbot, letters)[0] == first
 
 
 def test_a_name_that_begins_so_comes_before_one_that_says_it_later(qapp):
@@ -179,12 +182,12 @@ def test_no_shortcut_is_given_twice():
     assert len(keys) == len(set(keys))
 
 
-@pytest.mark.parametrize("name", ["find_action", "show_keys", "show_dataset", "show_about"])
-def test_each_page_opens(window, name):
-    window.actions_by_name[name].trigger()
-    dialog = window.findChild(QDialog)
-    assert dialog.isVisible()
-    dialog.reject()
+def test_each_page_opens(window):
+    for name in ("find_action", "show_keys", "show_dataset", "show_about"):
+        before = {one for one in window.findChildren(QDialog) if one.isVisible()}
+        window.actions_by_name[name].trigger()
+        (dialog,) = {one for one in window.findChildren(QDialog) if one.isVisible()} - before
+        dialog.reject()
 
 
 @pytest.mark.parametrize("name", ["light", "dark"])

@@ -1,5 +1,7 @@
 """A recording, and the page opened on it."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 import soundfile
@@ -20,14 +22,18 @@ def sound(tmp_path):
 @pytest.fixture
 def page_on(window, qtbot):
     """Open the page on a file, and wait until it shows what it can."""
-    opened = []
+    return partial(opened, window.imports, qtbot)
 
-    def open_on(path, place=None):
-        window.imports.open_page(path, place)
-        page = window.imports.pages[-1]
-        opened.append(page)
-        qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
-        QApplication.processEvents()
-        return page
 
-    return open_on
+@pytest.fixture
+def page_at(desk, qtbot):
+    """The same without panels."""
+    return partial(opened, desk.imports, qtbot)
+
+
+def opened(imports, qtbot, path, place=None):
+    imports.open_page(path, place)
+    page = imports.pages[-1]
+    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
+    QApplication.processEvents()
+    return page

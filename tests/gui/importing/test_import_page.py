@@ -46,8 +46,8 @@ def test_what_is_shown_is_placed_in_one_step(window, settle, page_on, sound):
     assert window.document.design == before
 
 
-def test_only_what_the_file_leaves_open_is_asked(page_on, sound, tmp_path):
-    form = page_on(sound).form
+def test_only_what_the_file_leaves_open_is_asked(page_at, sound, tmp_path):
+    form = page_at(sound).form
     shown = {w.objectName() for w in form.children() if w.isWidgetType() and w.isVisible()}
     asked = {name for name in shown if name.startswith("import_")}
     assert asked == {
@@ -56,7 +56,7 @@ def test_only_what_the_file_leaves_open_is_asked(page_on, sound, tmp_path):
     }  # fmt: skip
     rows = "\n".join(f"{k / 1300:.6f},{np.sin(k):.6f}" for k in range(500))
     (tmp_path / "a.csv").write_text(f"time [s],acc [g]\n{rows}\n")
-    form = page_on(tmp_path / "a.csv").form
+    form = page_at(tmp_path / "a.csv").form
     shown = {w.objectName() for w in form.children() if w.isWidgetType() and w.isVisible()}
     assert "import_unit" not in shown
     assert "import_rate" not in shown
@@ -64,23 +64,23 @@ def test_only_what_the_file_leaves_open_is_asked(page_on, sound, tmp_path):
     assert form.choice.time == "0"
 
 
-def test_choices_change_what_is_shown_and_placed(window, page_on, qtbot, sound):
-    page = page_on(sound)
+def test_choices_change_what_is_shown_and_placed(desk, page_at, qtbot, sound):
+    page = page_at(sound)
     choose(page, qtbot, "signal", "1")
     choose(page, qtbot, "unit", "g")
     choose(page, qtbot, "scale", "keep")
     assert "peak 3.89" in page.preview.words
     assert "m/s²" in page.preview.words
     page.accept()
-    waveform = window.document.design.inputs[-1].clips[-1].waveform
+    waveform = desk.document.design.inputs[-1].clips[-1].waveform
     assert waveform.samples.unit == "m/s²"
     assert waveform.name == "tap.wav, channel 2"
     assert np.abs(waveform.samples.values).max() == pytest.approx(0.4 * 9.80665, rel=0.02)
 
 
-def test_a_rate_that_is_assumed_is_said_so_until_it_is_typed(page_on, qtbot, tmp_path):
+def test_a_rate_that_is_assumed_is_said_so_until_it_is_typed(page_at, qtbot, tmp_path):
     np.save(tmp_path / "raw.npy", np.sin(np.arange(2600) * 0.3))
-    page = page_on(tmp_path / "raw.npy")
+    page = page_at(tmp_path / "raw.npy")
     warning = page.findChild(object, "import_warning")
     assert warning.isVisible()
     assert "1300" in warning.text()
@@ -93,11 +93,11 @@ def test_a_rate_that_is_assumed_is_said_so_until_it_is_typed(page_on, qtbot, tmp
     assert page.preview.words.startswith("1 s")
 
 
-def test_missing_numbers_are_a_choice(page_on, qtbot, tmp_path):
+def test_missing_numbers_are_a_choice(page_at, qtbot, tmp_path):
     values = np.sin(np.arange(2600) * 0.3)
     values[7] = np.nan
     np.save(tmp_path / "raw.npy", values)
-    page = page_on(tmp_path / "raw.npy")
+    page = page_at(tmp_path / "raw.npy")
     assert not page.ready
     assert "the first is number 8" in page.preview.words
     box = page.form.findChild(object, "import_missing")
@@ -109,21 +109,21 @@ def test_missing_numbers_are_a_choice(page_on, qtbot, tmp_path):
     assert "1 missing numbers count as 0" in page.preview.words
 
 
-def test_a_file_that_is_none_says_why_and_imports_nothing(window, page_on, tmp_path):
+def test_a_file_that_is_none_says_why_and_imports_nothing(desk, page_at, tmp_path):
     (tmp_path / "bad.wav").write_bytes(b"RIFF\x10\0\0\0WAVEnothing here")
-    before = window.document.design
-    page = page_on(tmp_path / "bad.wav")
+    before = desk.document.design
+    page = page_at(tmp_path / "bad.wav")
     assert not page.ready
     assert "bad.wav: cannot be read" in page.preview.words
     page.reject()
-    assert window.document.design is before
+    assert desk.document.design is before
 
 
-def test_the_whole_is_shown_and_its_part_is_dragged(page_on, qtbot, tmp_path):
+def test_the_whole_is_shown_and_its_part_is_dragged(page_at, qtbot, tmp_path):
     values = np.zeros(8 * 8000)
     values[5 * 8000 : 6 * 8000] = np.sin(np.arange(8000) * 0.1)
     soundfile.write(tmp_path / "long.wav", values, 8000)
-    page = page_on(tmp_path / "long.wav")
+    page = page_at(tmp_path / "long.wav")
     strip = page.findChild(object, "import_overview")
     qtbot.waitUntil(lambda: strip.extremes is not None, timeout=30_000)
     loud = np.flatnonzero(strip.extremes[1] > 0.5) * 8.0 / strip.extremes.shape[1]
@@ -153,9 +153,9 @@ def drag(qtbot, strip, *times_s):
 
 
 def test_where_all_is_taken_a_drag_chooses_a_part_and_a_double_click_takes_all_again(
-    page_on, qtbot, sound
+    page_at, qtbot, sound
 ):
-    page = page_on(sound)
+    page = page_at(sound)
     strip, form = page.findChild(object, "import_overview"), page.form
     assert (form.choice.start_s, form.choice.duration_s) == (0.0, 0.5)
     drag(qtbot, strip, 0.1)  # a press alone chooses nothing
@@ -171,12 +171,12 @@ def test_where_all_is_taken_a_drag_chooses_a_part_and_a_double_click_takes_all_a
     qtbot.waitUntil(lambda: page.ready, timeout=60_000)
 
 
-def test_time_stamps_say_how_long_a_table_is(page_on, qtbot, tmp_path):
+def test_time_stamps_say_how_long_a_table_is(page_at, qtbot, tmp_path):
     times_s = np.concatenate((np.arange(1000) / 1000, 4.0 + np.arange(1000) / 1000))
     values = np.where(times_s < 1.0, 0.2, 1.0) * np.sin(times_s * 500.0)
     rows = "\n".join(f"{t:.6f},{x:.6f}" for t, x in zip(times_s, values, strict=True))
     (tmp_path / "gap.csv").write_text(f"time [s],acc [g]\n{rows}\n")
-    page = page_on(tmp_path / "gap.csv")
+    page = page_at(tmp_path / "gap.csv")
     qtbot.waitUntil(lambda: page.ready, timeout=60_000)
     assert page.form.choice.duration_s == pytest.approx(4.999 * 2000 / 1999, abs=1e-6)
     assert page.form.lasts_s == page.form.choice.duration_s
@@ -203,15 +203,15 @@ def test_time_stamps_say_how_long_a_table_is(page_on, qtbot, tmp_path):
     assert page.form.choice.duration_s == pytest.approx(0.6, abs=0.02)
 
 
-def test_a_shorter_recording_of_an_assumed_rate_is_taken_whole(page_on, qtbot, tmp_path):
+def test_a_shorter_recording_of_an_assumed_rate_is_taken_whole(page_at, qtbot, tmp_path):
     np.save(tmp_path / "raw.npy", np.sin(np.arange(2601) * 0.3))
-    page = page_on(tmp_path / "raw.npy")
+    page = page_at(tmp_path / "raw.npy")
     qtbot.waitUntil(lambda: page.ready, timeout=60_000)
     assert page.form.choice.duration_s == pytest.approx(2601 / 1300, rel=1e-12)
 
 
-def test_what_was_wanted_before_is_not_taken_for_what_is_wanted_now(page_on, qtbot, sound):
-    page = page_on(sound)
+def test_what_was_wanted_before_is_not_taken_for_what_is_wanted_now(page_at, qtbot, sound):
+    page = page_at(sound)
     before, worker = page.form.choice, page.findChild(ReadingWorker)
     page.form.findChild(QWidget, "import_scale").choose("keep")
     worker.taken.emit(before, take(sound))
@@ -228,19 +228,19 @@ def test_a_track_that_has_gone_meanwhile_is_said_to_be_gone(window, page_on, sou
     assert "no longer there" in window.notice.text
 
 
-def test_a_page_that_is_closed_while_it_reads_leaves_nothing(window, sound):
-    window.imports.open_page(sound)
-    page = window.imports.pages[-1]
+def test_a_page_that_is_closed_while_it_reads_leaves_nothing(desk, sound):
+    desk.imports.open_page(sound)
+    page = desk.imports.pages[-1]
     page.reject()
     QApplication.processEvents()
-    assert window.imports.pages == ()
+    assert desk.imports.pages == ()
 
 
-def test_without_a_place_it_starts_at_the_playhead(window, page_on, sound):
-    design, view = window.document.design, window.document.view
-    window.document.apply(edits.move_playhead(design, view, 0.25), None)
-    page_on(sound).accept()
-    assert window.document.design.inputs[0].clips[-1].onset_s == 0.25
+def test_without_a_place_it_starts_at_the_playhead(desk, page_at, sound):
+    design, view = desk.document.design, desk.document.view
+    desk.document.apply(edits.move_playhead(design, view, 0.25), None)
+    page_at(sound).accept()
+    assert desk.document.design.inputs[0].clips[-1].onset_s == 0.25
 
 
 def test_the_menu_asks_for_a_file(window, monkeypatch, qtbot, sound):
@@ -259,8 +259,8 @@ def test_the_menu_asks_for_a_file(window, monkeypatch, qtbot, sound):
     page.reject()
 
 
-def test_places_begin_with_the_likeliest(window):
-    design, view = window.document.design, window.document.view
+def test_places_begin_with_the_likeliest(desk):
+    design, view = desk.document.design, desk.document.view
     one = design.inputs[0]
     names = [name for name, _ in placing.options(design, view, DropPlace(location=4))]
     assert names[0] == "new 4"
@@ -270,11 +270,11 @@ def test_places_begin_with_the_likeliest(window):
     assert [name for name, _ in nothing][:2] == ["new 7", "new 1"]
 
 
-def test_three_axes_are_offered_as_one(window, page_on, qtbot, tmp_path):
+def test_three_axes_are_offered_as_one(desk, page_at, qtbot, tmp_path):
     axes = np.random.default_rng(1).normal(size=(650, 3))
     rows = "\n".join(",".join(f"{x:.9f}" for x in row) for row in axes)
     (tmp_path / "a.csv").write_text(f"acc_x [g],acc_y [g],acc_z [g]\n{rows}\n")
-    page = page_on(tmp_path / "a.csv")
+    page = page_at(tmp_path / "a.csv")
     field = page.form.findChild(QWidget, "import_axes")
     assert field.isVisible()
     assert [field.itemText(k) for k in range(field.count())] == [
@@ -286,7 +286,7 @@ def test_three_axes_are_offered_as_one(window, page_on, qtbot, tmp_path):
     assert "DFT321, Landin et al. 2010" in page.preview.words
     assert page.form.choice.others == ("1", "2")
     page.accept()
-    waveform = window.document.design.inputs[-1].clips[-1].waveform
+    waveform = desk.document.design.inputs[-1].clips[-1].waveform
     assert waveform.name == "a.csv, acc_x, acc_y, acc_z"
     expected = dft321((axes - axes.mean(axis=0)).T)
     expected /= np.abs(expected).max()

@@ -9,7 +9,6 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 
 from skinsource.actuators import Limits
-from skinsource.design import start_design
 from skinsource.rigs import Rig, RigChannel, save_rig
 from tests.core.playing.made_up_sound import MadeUpLibrary, use
 
@@ -25,21 +24,25 @@ def no_sound(monkeypatch):
 
 
 @pytest.fixture
-def studio(make_window):
-    return make_window(start_design("synthetic-1"))
+def studio(desk):
+    return desk
 
 
 @pytest.fixture
 def page(studio, qtbot, tmp_path):
-    studio.do("match_strength")
-    found = studio.playback.matching.page
+    studio.playback.matching.show()
+    yield filled(studio.playback.matching.page, qtbot, tmp_path)
+    studio.playback.matching.end()
+
+
+def filled(found, qtbot, tmp_path):
+    """The page with a plan of four matches."""
     qtbot.waitExposed(found)
     found.form.field("person").setText("Anna")
     found.form.field("frequencies").setText("60")
     found.form.field("places").setText("3; 12")
     found.form.table.setText(str(tmp_path / "matches.csv"))
-    yield found
-    studio.playback.matching.end()
+    return found
 
 
 def press(page, name):
@@ -94,7 +97,7 @@ def test_it_goes_on_where_it_ended(sound, studio, page, qtbot, tmp_path):
     key(page, Qt.Key.Key_Return)
     second = page.run.trial
     page.reject()
-    studio.do("match_strength")
+    studio.playback.matching.show()
     again = studio.playback.matching.page
     again.form.field("person").setText("Anna")
     again.form.field("frequencies").setText("60")
@@ -212,7 +215,7 @@ def test_the_rig_of_the_machine_holds_while_matching(sound, studio, qtbot, tmp_p
     channel = RigChannel(place=7, output=5, full_scale_v=1.0, limits=limits)
     save_rig(tmp_path / "bench.rig", Rig(channels=(channel,)))
     studio.playback.player.settings.choose_rig(tmp_path / "bench.rig")
-    studio.do("match_strength")
+    studio.playback.matching.show()
     page = studio.playback.matching.page
     page.form.field("person").setText("Anna")
     page.form.field("places").setText("7")
@@ -222,8 +225,10 @@ def test_the_rig_of_the_machine_holds_while_matching(sound, studio, qtbot, tmp_p
     studio.playback.matching.end()
 
 
-def test_a_studio_that_closes_lets_go_of_the_device(sound, studio, page, qtbot):
-    begin(page, qtbot)
+def test_a_studio_that_closes_lets_go_of_the_device(sound, make_window, qtbot, tmp_path):
+    studio = make_window()
+    studio.do("match_strength")
+    begin(filled(studio.playback.matching.page, qtbot, tmp_path), qtbot)
     studio.close_unasked()
     assert studio.playback.matching.page is None
     assert not sound.streams[0]._thread.is_alive()

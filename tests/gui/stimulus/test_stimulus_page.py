@@ -13,7 +13,7 @@ from skinsource.actuators import MeasuredResponse
 from skinsource.rigs import Rig, RigChannel, save_rig
 from skinsource.stimulus_formats import FORMATS
 from skinsource.view import View
-from skinsource_gui.stimulus_page.page import StimulusPage, bytes_in_words, duration_words
+from skinsource_gui.stimulus_page.page import bytes_in_words, duration_words
 
 #: The first one imports scipy, on a machine that may be busy.
 WAIT_MS = 30_000
@@ -33,21 +33,39 @@ def design():
     )
 
 
+def selected(design):
+    return View(selected_inputs=(2,), selected_clips=(design.inputs[1].clips[0].id,))
+
+
+@pytest.fixture
+def desk(make_desk, design):
+    return make_desk(design, selected(design))
+
+
 @pytest.fixture
 def window(make_window, design):
-    clip = design.inputs[1].clips[0].id
-    return make_window(design, View(selected_inputs=(2,), selected_clips=(clip,)))
+    return make_window(design, selected(design))
+
+
+def opened(actions, qtbot):
+    """The page, once it shows what would be exported."""
+    qtbot.waitExposed(actions.page)
+    qtbot.waitUntil(lambda: not actions.page.busy, timeout=WAIT_MS)
+    return actions.page
 
 
 @pytest.fixture
-def page(window, qtbot):
+def page(desk, qtbot):
+    desk.stimuli.show()
+    yield opened(desk.stimuli, qtbot)
+    desk.stimuli.end()
+
+
+@pytest.fixture
+def page_in_window(window, qtbot):
     window.do("export_stimulus")
-    found = window.findChild(StimulusPage)
-    qtbot.waitExposed(found)
-    qtbot.waitUntil(lambda: not found.busy, timeout=WAIT_MS)
-    yield found
-    for one in window.findChildren(StimulusPage):
-        one.reject()
+    yield opened(window.stimuli, qtbot)
+    window.stimuli.end()
 
 
 @pytest.fixture
@@ -90,18 +108,20 @@ def test_it_shows_the_channels_as_they_will_be(page, design):
     assert "Uncalibrated" in label(page, "loses")
 
 
-def test_the_bytes_that_are_told_are_those_of_the_file(page, window, qtbot, save_as):
+def test_the_bytes_that_are_told_are_those_of_the_file(page, desk, qtbot, save_as):
     told = page.channels.overview.n_bytes
     path = save_as("drive.wav")
-    export(window, page, qtbot)
+    export(desk, page, qtbot)
     assert abs(path.stat().st_size - told) < 300
 
 
-def test_what_was_looked_at_is_written_with_its_sidecar(page, window, qtbot, save_as, design):
-    choose(page, qtbot, "samples", "pcm24")
-    choose(page, qtbot, "rate", "44100")
+def test_what_was_looked_at_is_written_with_its_sidecar(
+    page_in_window, window, qtbot, save_as, design
+):
+    choose(page_in_window, qtbot, "samples", "pcm24")
+    choose(page_in_window, qtbot, "rate", "44100")
     path = save_as("drive.wav")
-    export(window, page, qtbot)
+    export(window, page_in_window, qtbot)
     about = soundfile.info(path)
     assert (about.samplerate, about.channels, about.subtype) == (44_100, 2, "PCM_24")
     told = json.loads((path.parent / "drive.wav.json").read_text())
@@ -111,7 +131,7 @@ def test_what_was_looked_at_is_written_with_its_sidecar(page, window, qtbot, sav
     assert window.document.undo_stack.count() == 0
 
 
-def test_it_can_be_done_with_keys_alone(page, window, qtbot, save_as):
+def test_it_can_be_done_with_keys_alone(page, desk, qtbot, save_as):
     first = page.form.field("format")
     assert QApplication.focusWidget() is first
     QTest.keyClick(first, Qt.Key.Key_Down)
@@ -130,7 +150,7 @@ def test_it_can_be_done_with_keys_alone(page, window, qtbot, save_as):
     qtbot.waitUntil(lambda: page.ready, timeout=WAIT_MS)
     path = save_as("drive.flac")
     QTest.keyClick(page, Qt.Key.Key_Return)
-    qtbot.waitUntil(lambda: path.exists() and not window.runner.busy, timeout=WAIT_MS)
+    qtbot.waitUntil(lambda: path.exists() and not desk.runner.busy, timeout=WAIT_MS)
     assert soundfile.info(path).subtype == "PCM_24"
 
 
@@ -172,7 +192,7 @@ def test_options_reach_what_is_shown(page, qtbot):
     assert "in 3 files" in label(page, "summary")
 
 
-def test_what_would_clip_is_shown_and_must_be_confirmed(page, window, qtbot, save_as):
+def test_what_would_clip_is_shown_and_must_be_confirmed(page, desk, qtbot, save_as):
     choose(page, qtbot, "scale", "own")
     field = page.form.field("full_scale")
     field.setFocus()
@@ -191,7 +211,7 @@ def test_what_would_clip_is_shown_and_must_be_confirmed(page, window, qtbot, sav
     assert not page.ready
     page.findChild(QCheckBox, "stimulus_confirm").click()
     path = save_as("loud.wav")
-    export(window, page, qtbot)
+    export(desk, page, qtbot)
     assert json.loads((path.parent / "loud.wav.json").read_text())["clip_count"] > 0
 
 
@@ -216,7 +236,7 @@ def test_lossy_formats_say_what_they_lose(page, qtbot):
 
 
 def test_a_rig_says_what_is_wired_and_an_equaliser_makes_volts(
-    page, window, qtbot, save_as, monkeypatch, tmp_path
+    page, desk, qtbot, save_as, monkeypatch, tmp_path
 ):
     flat = MeasuredResponse(((1.0, 50.0, 0.0), (2000.0, 50.0, 0.0)))
     channels = tuple(
@@ -236,7 +256,7 @@ def test_a_rig_says_what_is_wired_and_an_equaliser_makes_volts(
     # 1 m/s² needs a fiftieth of a volt.
     assert page.channels.overview.channels[0].peak == pytest.approx(0.02, rel=0.05)
     path = save_as("volts.wav")
-    export(window, page, qtbot)
+    export(desk, page, qtbot)
     told = json.loads((path.parent / "volts.wav.json").read_text())
     assert told["rig"] == "Bench 3"
     assert told["equaliser"]["phase"] == "linear"
@@ -252,22 +272,22 @@ def test_what_is_no_rig_says_so_and_changes_nothing(page, qtbot, monkeypatch, tm
     assert page.form.rigs.rig is None
 
 
-def test_cancel_writes_nothing_and_leaves_no_thread(page, window, tmp_path):
+def test_cancel_writes_nothing_and_leaves_no_thread(page, desk, tmp_path):
     page.form.field("format").choose("hdf5")
     page.reject()
-    assert not window.runner.busy
+    assert not desk.runner.busy
     assert list(tmp_path.glob("*.h5")) == []
 
 
-def test_no_name_writes_nothing(page, window, qtbot, monkeypatch):
+def test_no_name_writes_nothing(page_in_window, window, qtbot, monkeypatch):
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: ("", ""))
-    export(window, page, qtbot)
+    export(window, page_in_window, qtbot)
     assert "Saved" not in window.statusBar().currentMessage()
 
 
-def test_a_folder_that_is_missing_is_said_to_be(page, window, qtbot, save_as):
+def test_a_folder_that_is_missing_is_said_to_be(page_in_window, window, qtbot, save_as):
     save_as("missing/drive.wav")
-    export(window, page, qtbot)
+    export(window, page_in_window, qtbot)
     assert "Choose a folder that exists" in window.notice.text
 
 
@@ -284,8 +304,8 @@ def test_every_format_of_the_table_is_offered_and_shown(page, qtbot):
             assert page.form.field(name).isVisible()
 
 
-def test_closing_the_studio_closes_the_page(page, window):
-    page.form.field("format").choose("csv")
+def test_closing_the_studio_closes_the_page(page_in_window, window):
+    page_in_window.form.field("format").choose("csv")
     window.close_unasked()
     assert window.stimuli.page is None
 

@@ -1,0 +1,46 @@
+"""What a page stands in front of where the panels of a studio are not the point."""
+
+from PySide6.QtWidgets import QWidget
+
+from skinsource.design import Design, start_design
+from skinsource.view import View
+from skinsource_gui.files.file_actions import FileActions
+from skinsource_gui.import_page.import_actions import ImportActions
+from skinsource_gui.motion_page.page import MotionPage
+from skinsource_gui.shell.playing.playback import Playback
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.job_runner import JobRunner
+from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.stimulus_page.stimulus_actions import StimulusActions
+from skinsource_gui.theme import LIGHT
+
+
+class Desk(QWidget):
+    """A document and what opens pages on it, put together as a window does it.
+
+    A window makes all panels besides, arranges and paints them, which takes longer than most tests
+    of a page.  That its menu leads to the pages is seen in a window.
+    """
+
+    def __init__(self, preferences: Preferences, design: Design | None, view: View | None) -> None:
+        super().__init__()
+        self.document = Document(design or start_design("synthetic-1"), view, self)
+        self.runner = JobRunner(self)
+        self.files = FileActions(self.document, preferences, self, lambda: b"")
+        self.imports = ImportActions(self.document, preferences, lambda: LIGHT, self)
+        self.playback = Playback(self.document, preferences, self)
+        saving = self.document, preferences, self.files
+        self.stimuli = StimulusActions(*saving, self.runner, lambda: LIGHT, self)
+
+    def show_motion(self) -> MotionPage:
+        """Open the page of motions."""
+        page = MotionPage(self.document, lambda: LIGHT, self)
+        page.open()
+        return page
+
+    def end(self) -> None:
+        """Let go of devices, pages and threads."""
+        for one in (self.playback, self.imports, self.stimuli):
+            one.end()
+        self.runner.close()
+        self.close()
