@@ -8,7 +8,7 @@ AT_ONCE := -n auto --maxprocesses 8 --dist worksteal
 
 BENCHMARKS := "engine_speed.py --long" predict_speed.py slots.py frequency_drag.py slider_storm.py start.py long_design.py import_hour.py sweeps.py
 
-.PHONY: run test checks fix pictures bench nightly growth clean
+.PHONY: run test checks types tests fix pictures bench nightly growth clean
 
 run: .venv/ready-to-run  ## open the studio
 	@$(BIN)/python -m skinsource_gui
@@ -20,8 +20,13 @@ checks:  # the same in an environment that is there already: make checks BIN=...
 	@$(BIN)/python -m skinsource_gui.system_libraries
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/mypy
 	$(BIN)/lint-imports
+	@$(MAKE) --no-print-directory --jobs=2 types tests
+
+types:  # beside the tests: alone it would leave the other cores idle
+	$(BIN)/mypy
+
+tests:
 	QT_QPA_PLATFORM=offscreen $(BIN)/python -m pytest $(AT_ONCE) $(PYTEST_OPTIONS)
 
 fix: .venv/ready-to-test  ## let ruff mend what it can
