@@ -74,6 +74,8 @@ class Player(QObject):
         self.playhead = RunningPlayhead(document, self)
         self.now: Playing | None = None
         self._starting = False
+        # A stream that was over before its thread had said that it plays.
+        self._over_early: Stream | None = None
         self._usual_switch_s = sys.getswitchinterval()
         self.gain, self.loops = GainSetting(self), False
         self._watcher = QTimer(self, interval=_WATCH_MS)
@@ -183,6 +185,9 @@ class Player(QObject):
                     follow()
                 # A device that goes while a tone is played tells nobody.
                 self._watcher.start()
+                if playing.stream is not None and playing.stream is self._over_early:
+                    self._end_of(playing.stream)
+            self._over_early = None
             self.changed.emit()
 
         self._thread.do(play, take)
@@ -210,6 +215,7 @@ class Player(QObject):
 
     def _end_of(self, stream: "Stream") -> None:
         if stream.closed or self.now is None or self.now.stream is not stream:
+            self._over_early = stream if self._starting else None
             return
         ending = stream.deck.ending
         natural = ending is not None and ending.reason == "end"

@@ -47,7 +47,7 @@ def test_the_page_opens_once(window, page):
 def test_present_figures_stand_beside_the_promised(window, page, qtbot):
     window.document.edit("a", window.document.design.with_input(0, amplitude=2.0))
     error = find(page, QLabel, "now_error")
-    qtbot.waitUntil(lambda: error.text().startswith("≈ "), timeout=5000)
+    qtbot.waitUntil(lambda: error.text().startswith("≈ "), timeout=20_000)
     assert "at most" in error.text()
     for name in ("now_median", "now_most"):
         words, _, reason = find(page, QLabel, name).text().partition(" – ")

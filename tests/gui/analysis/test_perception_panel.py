@@ -68,24 +68,24 @@ def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
 @pytest.mark.parametrize("style", ["interpolated", "sensors"])
 def test_the_map_shows_levels_above_threshold_with_their_limits(window, settle, style):
     document, skin = window.document, window.panel("skin")
-    level = skin._content.values
+    level = skin._display.content.values
     settings = SkinSettings(quantity="sensation", map_style=style)
     document.look(with_settings(document.view, "skin", settings))
     settle()
-    assert skin._content.values is not level
-    assert (skin._content.field_values is None) == (style == "sensors")
+    assert skin._display.content.values is not level
+    assert (skin._display.content.field_values is None) == (style == "sensors")
     assert skin.note.text().startswith("Thresholds are of glabrous skin")
-    assert "threshold" in skin._content.quantity.titles[0]
+    assert "threshold" in skin._display.content.quantity.titles[0]
     skin.picture(300, 500)
     relative = replace(document.design, scaling="upstream")
     document.apply(Edit(label="Scaling", design=relative, view=document.view))
     settle()
-    assert "Probe acceleration" in skin._content.message
-    assert skin._content.coloured_values is None
+    assert "Probe acceleration" in skin._display.content.message
+    assert skin._display.content.coloured_values is None
     document.look(with_settings(document.view, "skin", SkinSettings()))
     settle()
-    assert skin._content.message == ""
-    assert skin._content.quantity.name == "levels"
+    assert skin._display.content.message == ""
+    assert skin._display.content.quantity.name == "levels"
 
 
 def test_words_on_the_contact_go_while_they_are_late_even_with_nothing_selected(

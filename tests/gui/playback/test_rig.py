@@ -99,6 +99,28 @@ def test_a_limit_that_would_be_passed_is_said(sound, studio, player, tmp_path, l
     assert "a limit of the rig would have been passed (place" in studio.notice.text
 
 
+def test_a_limit_in_the_first_block_is_said_even_if_that_is_over_before_play_was_under_way(
+    sound, studio, player, tmp_path, qtbot, monkeypatch
+):
+    limited = Rig(
+        channels=tuple(replace(one, limits=Limits(peak_voltage_v=0.01)) for one in BENCH.channels)
+    )
+    save_rig(tmp_path / "limited.skinrig", limited)
+    player.settings.choose_rig(tmp_path / "limited.skinrig")
+    make = player._session.made.play
+
+    def play_to_the_end(*which, **how):
+        playing = make(*which, **how)
+        sound.streams[-1]._thread.join(20)
+        return playing
+
+    monkeypatch.setattr(player._session.made, "play", play_to_the_end)
+    studio.do("play")
+    qtbot.waitUntil(lambda: "Stopped" in studio.notice.text, **WAIT)
+    assert not player.playing
+    assert "a limit of the rig would have been passed (place" in studio.notice.text
+
+
 def test_a_device_that_goes_while_a_tone_is_played_is_told(
     sound, studio, player, qtbot, monkeypatch
 ):
