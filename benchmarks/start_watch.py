@@ -29,6 +29,8 @@ def main() -> None:
 def import_watched(name: str) -> ModuleType:
     """Import the module of the application; each window it makes is watched."""
     module = importlib.import_module(name)
+    if not hasattr(module, "make_window"):
+        return module  # the library, which comes before
     make_window = module.make_window
 
     def make_watched(path: Path | None, preferences: Any) -> Any:

@@ -31,6 +31,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     # What is made at the start stays; to look for garbage in it takes a tenth of the time.  The
     # studio collects it itself once its window stands, and rendering to files is over by then.
     gc.disable()
+    importlib.import_module("skinsource_gui.library_first")
     if on_a_screen:
         return int(importlib.import_module("skinsource_gui.shell.app").run(options.design))
     folder = options.render or _FIRST_RUN

@@ -1,5 +1,6 @@
 """Words of a tooltip, in lines that the eye can follow."""
 
+from functools import lru_cache
 from textwrap import fill
 
 from PySide6.QtWidgets import QWidget
@@ -10,10 +11,16 @@ _LINE = 64
 
 def tooltip(*sentences: str) -> str:
     """Sentences below each other, each in lines of readable length; empty ones are left out."""
-    return "\n".join(fill(sentence, _LINE) for sentence in sentences if sentence)
+    return "\n".join(_in_lines(sentence) for sentence in sentences if sentence)
 
 
 def show_tooltip(widget: QWidget, words: str) -> None:
     """Give a widget a tooltip; one that it has already is told to nobody."""
     if widget.toolTip() != words:
         widget.setToolTip(words)
+
+
+@lru_cache(maxsize=512)
+def _in_lines(sentence: str) -> str:
+    # Many fields say the same of keys and mouse.
+    return fill(sentence, _LINE)

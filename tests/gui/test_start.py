@@ -144,6 +144,7 @@ def tell():
     visible = [one for one in window.findChildren(QWidget) if not one.visibleRegion().isEmpty()]
     print(len(visible), [one.objectName() for one in visible if one not in painted])
     print([name for name in names if name in sys.modules])
+    print(*(name for name in sys.modules if name.startswith("skinsource.")))
     sys.stdout.flush()
     os._exit(0)
 
@@ -154,20 +155,41 @@ application.exec()
 """
 
 
-def test_the_whole_window_is_painted_before_anything_is_imported_for_computing(tmp_path):
-    late = " ".join((*UNNEEDED, *LATE))
+@pytest.fixture(scope="module")
+def first_paint(tmp_path_factory):
+    """What a window tells when it is painted: its widgets, what is there too soon, the library."""
+    preferences = tmp_path_factory.mktemp("studio") / "studio.ini"
     done = subprocess.run(
-        [sys.executable, "-c", FIRST_PAINT, str(tmp_path / "studio.ini"), late],
+        [sys.executable, "-c", FIRST_PAINT, str(preferences), " ".join((*UNNEEDED, *LATE))],
         capture_output=True,
         text=True,
         timeout=60,
     )
     assert done.returncode == 0, done.stderr
-    painted, imported = done.stdout.splitlines()
+    return done.stdout.splitlines()
+
+
+def test_the_whole_window_is_painted_before_anything_is_imported_for_computing(first_paint):
+    painted, imported, _ = first_paint
     count, _, unpainted = painted.partition(" ")
     assert int(count) > 80
     assert unpainted == "[]"
     assert imported == "[]"
+
+
+def test_what_the_window_needs_of_the_library_is_there_before_qt_which_reads_what_follows(
+    first_paint,
+):
+    probe = "import sys, skinsource_gui.library_first; print(*sys.modules)"
+    done = subprocess.run(
+        [sys.executable, "-c", probe], capture_output=True, text=True, check=True, timeout=60
+    )
+    before = set(done.stdout.split())
+    needed = set(first_paint[-1].split())
+    assert not {"PySide6", "pyqtgraph", *UNNEEDED, *LATE} & before
+    first = {name for name in before if name.startswith("skinsource.")}
+    assert first <= needed
+    assert len(first) > 0.8 * len(needed)
 
 
 def test_until_there_are_results_every_picture_says_so(qtbot, preferences):

@@ -1,11 +1,12 @@
 """What a kind of waveform looks like, for menus and lists."""
 
 from functools import lru_cache
+from math import ceil
 
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
-from PySide6.QtCore import QPointF, QSize, Qt
-from PySide6.QtGui import QColor, QIcon, QPainter, QPen, QPixmap
+from PySide6.QtCore import QPointF, QRect, QSize, Qt
+from PySide6.QtGui import QColor, QIcon, QIconEngine, QPainter, QPen, QPixmap
 
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
@@ -66,20 +67,49 @@ _SHOWN: tuple[Waveform, ...] = (
 
 @lru_cache(maxsize=128)
 def waveform_icon(kind: type[Waveform], theme: Theme) -> QIcon:
-    """Picture of a kind of waveform, drawn from samples of its own."""
-    samples = _samples_of(kind)
-    icon = QIcon()
-    for mode, colour in (
-        (QIcon.Mode.Normal, theme.text),
-        (QIcon.Mode.Active, theme.on_accent),
-        (QIcon.Mode.Selected, theme.on_accent),
-        (QIcon.Mode.Disabled, theme.dim),
-    ):
-        for per_px in range(1, _SHARPEST + 1):
-            icon.addPixmap(_drawn(samples, QColor(colour), per_px), mode)
-    return icon
+    """Picture of a kind of waveform, drawn from samples of its own when it is first seen."""
+    return QIcon(_WaveformEngine(kind, theme))
 
 
+class _WaveformEngine(QIconEngine):
+    """Draws what is asked for: of four modes and three sharpnesses few are ever seen."""
+
+    def __init__(self, kind: type[Waveform], theme: Theme) -> None:
+        super().__init__()
+        self._kind, self._theme = kind, theme
+
+    def scaledPixmap(
+        self, size: QSize, mode: QIcon.Mode, state: QIcon.State, scale: float
+    ) -> QPixmap:
+        del size, state  # pictures have one size, and look the same on and off
+        per_px = min(max(ceil(scale), 1), _SHARPEST)
+        return _drawn(_samples_of(self._kind), _colour(mode, self._theme), per_px)
+
+    def pixmap(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QPixmap:
+        return self.scaledPixmap(size, mode, state, 1.0)
+
+    def actualSize(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QSize:
+        del mode, state
+        return PICTURE_PX.boundedTo(size)
+
+    def paint(self, painter: QPainter, rect: QRect, mode: QIcon.Mode, state: QIcon.State) -> None:
+        sharp = painter.device().devicePixelRatioF()
+        picture = self.scaledPixmap(rect.size(), mode, state, sharp)
+        area = QRect(0, 0, PICTURE_PX.width(), PICTURE_PX.height())
+        area.moveCenter(rect.center())
+        painter.drawPixmap(area, picture)
+
+    def clone(self) -> QIconEngine:
+        return _WaveformEngine(self._kind, self._theme)
+
+
+def _colour(mode: QIcon.Mode, theme: Theme) -> QColor:
+    if mode == QIcon.Mode.Disabled:
+        return QColor(theme.dim)
+    return QColor(theme.text if mode == QIcon.Mode.Normal else theme.on_accent)
+
+
+@lru_cache(maxsize=64)
 def _samples_of(kind: type[Waveform]) -> Floats:
     shown = next((one for one in _SHOWN if type(one) is kind), None) or kind()
     try:

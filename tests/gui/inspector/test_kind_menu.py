@@ -13,7 +13,8 @@ from PySide6.QtWidgets import QMenu, QWidget
 from skinsource import waveforms
 from skinsource.edits.kinds import kind_spec
 from skinsource.waveforms import COMMON, KINDS, MORE, Tone
-from skinsource_gui.theme import THEMES
+from skinsource_gui.theme import LIGHT, THEMES
+from skinsource_gui.widgets.inputs import waveform_picture
 from skinsource_gui.widgets.inputs.kind_field import KindField
 from skinsource_gui.widgets.inputs.kind_menu import fill_kind_menu
 from skinsource_gui.widgets.inputs.waveform_picture import PICTURE_PX, waveform_icon
@@ -92,6 +93,25 @@ def test_a_picture_has_the_colour_of_the_words_beside_it(theme):
                 darkest.getRgb()[:3], bytes.fromhex(colour.removeprefix("#")), strict=True
             )
         )
+
+
+def test_a_picture_is_drawn_when_it_is_seen_and_as_sharp_as_the_screen(monkeypatch):
+    drawn = []
+    really = waveform_picture._drawn
+
+    def noted(samples, colour, per_px):
+        drawn.append((colour.name(), per_px))
+        return really(samples, colour, per_px)
+
+    monkeypatch.setattr(waveform_picture, "_drawn", noted)
+    icon = QIcon(waveform_icon.__wrapped__(Tone, LIGHT))
+    assert drawn == []
+    for mode, colour in ((QIcon.Mode.Normal, LIGHT.text), (QIcon.Mode.Disabled, LIGHT.dim)):
+        for ratio, per_px in ((1.0, 1), (1.5, 2), (5.0, 3)):
+            picture = icon.pixmap(PICTURE_PX, ratio, mode)
+            assert picture.size() == PICTURE_PX * per_px
+            assert drawn.pop() == (colour, per_px)
+    assert icon.actualSize(PICTURE_PX * 4) == PICTURE_PX
 
 
 def test_eight_kinds_are_seen_at_once_and_the_rest_under_more(menu):
