@@ -2,6 +2,7 @@
 
 import sys
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QMessageLogContext, QtMsgType, qInstallMessageHandler
 
@@ -50,7 +51,8 @@ def _tell(_kind: QtMsgType, _context: QMessageLogContext, text: str) -> None:
 def _write(window: MainWindow, folder: Path) -> list[str]:
     design, view = window.document.design, window.document.view
     save_picture(folder / "window.png", window.grab())
-    save_picture(folder / "rms-map.png", window.panel("skin").picture(800, 1200))
+    skin: Any = window.panel("skin")
+    save_picture(folder / "rms-map.png", skin.picture(800, 1200))
     export_levels(folder / "rms-map.csv", design, view)
     export_traces(folder / "traces.csv", design, view)
     return ["window.png", "rms-map.png", "rms-map.csv", "traces.csv"]

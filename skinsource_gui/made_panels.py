@@ -1,11 +1,12 @@
 """The panels of a window that somebody has looked at."""
 
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 
 from skinsource_gui.panel import Panel
 
 #: Does what is to be done once with each panel.
-Meet = Callable[[Panel], None]
+Meet = Callable[[Panel], object]
 
 
 class MadePanels:
@@ -29,7 +30,7 @@ class MadePanels:
     @classmethod
     def of(cls, *panels: Panel) -> "MadePanels":
         """Panels that stand already."""
-        made = cls({panel.name: (lambda panel=panel: panel) for panel in panels})
+        made = cls({panel.name: partial(_itself, panel) for panel in panels})
         for panel in panels:
             made[panel.name]
         return made
@@ -57,3 +58,7 @@ class MadePanels:
         self._meetings.append(meet)
         for panel in self._in_order:
             meet(panel)
+
+
+def _itself(panel: Panel) -> Panel:
+    return panel

@@ -3,7 +3,13 @@
 from collections.abc import Sequence
 from typing import Any
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, Qt
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    Qt,
+)
 from PySide6.QtGui import QColor, QFont
 
 from skinsource.method_comparison.every_scene import any_scene
@@ -27,7 +33,7 @@ _COLUMNS = (
 )
 _FIRST_NUMBER, _LAST_NUMBER = 4, 8
 _PROMISE = 9
-_Index = QModelIndex
+_Index = QModelIndex | QPersistentModelIndex
 _Role = Qt.ItemDataRole
 
 

@@ -3,11 +3,13 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import cast
 
 from skinsource.checking import Recorded, condition_of
 from skinsource.design import Design
 from skinsource.errors import SkinSourceError, Stopped
 from skinsource.job import Progress, Stop
+from skinsource.projection import Axes
 from skinsource.recordings.reading_process import ReadingProcess
 from skinsource.validation.report import Condition
 
@@ -77,7 +79,7 @@ def check_rows(
                         row.design,
                         row.name,
                         recorded,
-                        axes=axes,
+                        axes=cast(Axes, axes),
                         process=process,
                         progress=tell,
                         stop=stop,

@@ -88,8 +88,9 @@ class CheckingPage(QDialog):
         self._close = page_button("close_page", "Close", "Close; what is being checked is given up")
         self._lay_out()
         self._connect()
-        for part in (self.rate, *self.boxes):
-            part.show_theme(theme())
+        self.rate.show_theme(theme())
+        for figure in self.boxes:
+            figure.show_theme(theme())
         self._show()
 
     def check(self) -> None:

@@ -47,6 +47,8 @@ class _Order:
     def work(self) -> Callable[..., Any]:
         """Writes it."""
         what = self.path, self.design, self.view
+        if self.spec.write is None:
+            raise TypeError(f"{self.spec.name} is a picture of a panel: nothing writes it")
         return partial(self.spec.write, *what, largest_error=self.largest_error, **self.besides)
 
 

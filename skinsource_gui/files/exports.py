@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 from skinsource import packing, rigs
 from skinsource.design import Design
@@ -24,21 +24,9 @@ from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT, IN_USE
 SIZED, SEEN, WIRED = "options", "seen", "rig_path"
 
 
-class Write(Protocol):
-    """A function of `skinsource.export`."""
-
-    def __call__(
-        self,
-        path: Path,
-        design: Design,
-        view: View,
-        *,
-        progress: Progress,
-        stop: Stop,
-        largest_error: float,
-        **besides: Any,
-    ) -> Any:
-        """Compute and write; ``besides`` is what the export wants."""
+#: A function of `skinsource.export`: given path, design and view, and by name ``progress``,
+#: ``stop``, ``largest_error`` and what the export wants, it computes and writes.
+Write = Callable[..., Any]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -47,5 +47,7 @@ def png_of(image: QImage) -> bytes:
     content = QByteArray()
     buffer = QBuffer(content)
     buffer.open(QBuffer.OpenModeFlag.WriteOnly)
-    image.save(buffer, "PNG")
-    return content.data()
+    # The stubs of PySide ask for bytes, which it does not take.
+    saved: Any = image
+    saved.save(buffer, "PNG")
+    return bytes(content.data())

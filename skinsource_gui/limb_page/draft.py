@@ -52,7 +52,8 @@ class Draft:
     def with_point(self, what: str, point: tuple[float, float]) -> "Draft":
         """With one more point of ``what``: a third end of the hand takes the place of the first."""
         points = np.vstack((getattr(self, what), [point]))
-        return replace(self, **{what: points[-2:] if what == "hand" else points})
+        changed: dict[str, Any] = {what: points[-2:] if what == "hand" else points}
+        return replace(self, **changed)
 
     def without_last(self, what: str) -> "Draft":
         """Without the last point of ``what``."""

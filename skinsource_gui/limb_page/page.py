@@ -162,7 +162,7 @@ class LimbPage(QDialog):
         header, in_layout = about["header"], about["header"] is not None
         if in_layout:
             shape = tuple(header["shape"])
-            places = {
+            places: dict[str, Any] = {
                 what: _points_of(header[field])
                 for what, field in (
                     ("outline", "outline"),

@@ -27,9 +27,11 @@ from skinsource.own_limbs import facts_of
 from skinsource.quoting import sentence
 from skinsource.waveforms import kinds
 from skinsource_gui.motion_page.draft import Draft
-from skinsource_gui.motion_page.path_hand import PathHand
+from skinsource_gui.motion_page.path_layer import PathLayer
 from skinsource_gui.motion_page.path_row import PathRow
 from skinsource_gui.motion_page.recipe_fields import RecipeFields
+from skinsource_gui.panels.hand.drawings import drawing_of
+from skinsource_gui.panels.hand.hand_diagram import HandDiagram
 from skinsource_gui.state.document import Document
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.inputs.clip_strip import ClipStrip
@@ -63,7 +65,9 @@ class MotionPage(QDialog):
         self.resize(980, _HEIGHT_PX)
         self._document, self._theme = document, theme
         self.draft = Draft(document.design, document.view.playhead_s, self)
-        self.hand = PathHand(document.design.limb, theme(), self)
+        self.hand = HandDiagram(drawing_of(document.design.limb), theme(), self)
+        self.hand.setAccessibleName("Path on the hand, palm side")
+        self._path = PathLayer(self.hand, theme())
         self.path_row = PathRow()
         self.strip = ClipStrip()
         self.motion_fields = RecipeFields(self._of_motion, self)
@@ -125,8 +129,9 @@ class MotionPage(QDialog):
         self.draft.changed.connect(self._show)
         self.draft.field_refused.connect(self._show_refused)
         self.draft.waveform_field_refused.connect(self._show_waveform_refused)
-        self.hand.place_added.connect(self.path_row.append)
-        self.hand.last_removed.connect(self.path_row.remove_last)
+        self.hand.add_requested.connect(self.path_row.append)
+        self.hand.add_besides_requested.connect(self.path_row.append)
+        self.hand.remove_requested.connect(self.path_row.remove_last)
         self.path_row.path_wanted.connect(self.draft.change_path)
         self.path_row.misread.connect(self._show_problem)
         self.path_row.finished.connect(self._show_lanes)
@@ -169,7 +174,7 @@ class MotionPage(QDialog):
             self.strip.show_lanes(lanes)
         except InvalidInputError as error:
             problem = problem or sentence(str(error))
-        self.hand.show_path(self.draft.path, colours)
+        self._path.show_path(self.draft.path, colours)
         self._show_problem(problem)
 
     def _show_problem(self, problem: str) -> None:
@@ -188,7 +193,7 @@ class MotionPage(QDialog):
 
     def _show_theme(self) -> None:
         theme = self._theme()
-        for part in (self.hand, self.strip, self.motion_fields, self.waveform_fields):
+        for part in (self.hand, self._path, self.strip, self.motion_fields, self.waveform_fields):
             part.show_theme(theme)
         self._about.setStyleSheet(f"color: {theme.dim};")
 

@@ -115,7 +115,8 @@ class ChannelFields(QObject):
                 after = replace(channel, limits=limits)
             else:
                 optional = isinstance(specs_of(RigChannel)[name], OptionalSpec)
-                after = replace(channel, **{name: (value or None) if optional else value})
+                changed: dict[str, Any] = {name: (value or None) if optional else value}
+                after = replace(channel, **changed)
         except InvalidInputError as error:
             self.show_channel(channel)
             self.refused.emit(str(error))

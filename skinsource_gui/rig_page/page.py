@@ -109,7 +109,7 @@ class RigPage(QDialog):
 
     def button(self, name: str) -> QPushButton:
         """One of its buttons."""
-        return self.findChild(QPushButton, f"rig_{name}")
+        return self.findChildren(QPushButton, f"rig_{name}")[0]
 
     def _lay_out(self) -> None:
         left = QVBoxLayout()

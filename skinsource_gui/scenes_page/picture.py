@@ -1,7 +1,7 @@
 """The picture of a scene, as large as there is room."""
 
 from PySide6.QtCore import QRectF, QSize, QSizeF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPixmap
 from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.theme import Theme
@@ -43,7 +43,7 @@ class ScenePicture(QWidget):
         area.moveCenter(room.center())
         return area
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
         ground = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)

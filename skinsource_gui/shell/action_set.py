@@ -1,6 +1,6 @@
 """The actions of a window, made from the table of actions."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
 from PySide6.QtCore import QObject, Signal
@@ -85,7 +85,8 @@ class ActionSet(QObject):
 
     def _edit(self, spec: ActionSpec, _checked: bool = False) -> None:
         document = self._document
-        self.edited.emit(spec.edit(document.design, document.view))
+        if spec.edit is not None:
+            self.edited.emit(spec.edit(document.design, document.view))
         # A switch whose edit was refused is what it was.
         self.show_state()
 
@@ -99,7 +100,7 @@ class ActionSet(QObject):
             text_change.connect(partial(_name_step, action))
 
 
-def _run(command, words: tuple[str, ...], _checked: bool = False) -> None:
+def _run(command: Callable[..., object], words: tuple[str, ...], _checked: bool = False) -> None:
     command(*words)
 
 

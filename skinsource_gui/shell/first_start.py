@@ -1,5 +1,7 @@
 """Three hints on the first start, which never come back."""
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QObject
 
 from skinsource.design import Design
@@ -55,6 +57,7 @@ class FirstStart(QObject):
         self._design, self._view = self._document.design, self._document.view
         words = f"{step + 1} of {len(HINTS)}: {HINTS[step]}"
         last = step == len(HINTS) - 1
+        choices: tuple[tuple[str, Callable[[], None]], ...]
         if last:
             choices = ((DONE, self._end),)
         else:

@@ -60,7 +60,8 @@ def about_page(parent: QWidget) -> QDialog:
 
 def _scroll_to(page: QDialog, heading: str) -> None:
     if heading:
-        page.findChild(QTextBrowser, "page_text").scrollToAnchor(heading)
+        for text in page.findChildren(QTextBrowser, "page_text"):
+            text.scrollToAnchor(heading)
 
 
 def _shown(keys: tuple[str, ...]) -> str:

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QModelIndex, QObject, QSize, Qt
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, QSize, Qt
 from PySide6.QtGui import QAction, QKeyEvent, QKeySequence, QPainter, QPalette
 from PySide6.QtWidgets import (
     QDialog,
@@ -103,10 +103,17 @@ class Palette(QDialog):
 class _KeysAtTheRight(QStyledItemDelegate):
     """Draws an action with its shortcut at the right, and whether it is on."""
 
-    def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex) -> QSize:
+    def sizeHint(
+        self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+    ) -> QSize:
         return super().sizeHint(option, index) + QSize(0, 10)
 
-    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex) -> None:
+    def paint(
+        self,
+        painter: QPainter,
+        option: QStyleOptionViewItem,
+        index: QModelIndex | QPersistentModelIndex,
+    ) -> None:
         super().paint(painter, option, index)
         action = index.data(Qt.ItemDataRole.UserRole)
         if action is None:
@@ -136,9 +143,9 @@ def matching(actions: Sequence[QAction], letters: str) -> list[QAction]:
     said = [one for one in actions if typed in one.text().lower()]
     meant = [one for one in actions if one not in said and _is_keyword(one, typed)]
     if not (said or meant or besides):
-        gaps = {one: score(letters, one.text()) for one in actions}
-        found = [one for one in actions if gaps[one] is not None]
-        return sorted(found, key=lambda one: gaps[one])
+        scores = ((one, score(letters, one.text())) for one in actions)
+        gaps = {one: gap for one, gap in scores if gap is not None}
+        return sorted(gaps, key=lambda one: gaps[one])
     return [*sorted(said, key=lambda one: _nearness(one, typed)), *meant, *besides]
 
 

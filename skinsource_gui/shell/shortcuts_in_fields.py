@@ -62,7 +62,9 @@ class ShortcutsInFields(QObject):
         # The list that was clicked, or chosen from, and still has the keyboard.
         self._used: QComboBox | None = None
         # One widget at a time: a filter on all widgets would see each event of the studio.
-        QApplication.instance().focusChanged.connect(self._watch)
+        application = QApplication.instance()
+        if isinstance(application, QApplication):
+            application.focusChanged.connect(self._watch)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() != QEvent.Type.ShortcutOverride or not isinstance(event, QKeyEvent):
@@ -99,7 +101,7 @@ class ShortcutsInFields(QObject):
         # A button that was clicked has the keyboard too, but nobody means it any more.
         clicked = isinstance(new, QAbstractButton) and bool(QApplication.mouseButtons())
         wanted = isinstance(new, (*_TEXTS, *_PRESSED)) and not clicked
-        if wanted and self._window.isAncestorOf(new):
+        if wanted and new is not None and self._window.isAncestorOf(new):
             self._watched = new
             new.installEventFilter(self)
             new.destroyed.connect(self._forget)

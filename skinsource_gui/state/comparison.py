@@ -224,8 +224,8 @@ class Comparison(QObject):
         """Factor with which a snapshot is as loud as the one that others are matched to."""
         together = self._together()
         this = next((one for one in together if one.number == number), None)
-        levels = [self._loudest_db(one) for one in (this, reference(together))]
-        return 1.0 if None in levels else matching_gain(*levels)
+        own_db, other_db = (self._loudest_db(one) for one in (this, reference(together)))
+        return 1.0 if own_db is None or other_db is None else matching_gain(own_db, other_db)
 
     def _loudest_db(self, one: Snapshot | None) -> float | None:
         known = None if one is None else self._found(one, _LEVELS)

@@ -116,8 +116,9 @@ class OnLimbs(QObject):
         needs = self._wanted().get(limb)
         if needs is None:
             return
-        of_window = request.place == (FIRST_SLOT, Purpose.SHOW) and outcome.values is not None
-        if request.slot != _slot(limb) and not (of_window and needs <= outcome.values.keys()):
+        of_window = request.place == (FIRST_SLOT, Purpose.SHOW)
+        known = set() if outcome.values is None else outcome.values.keys()
+        if request.slot != _slot(limb) and not (of_window and needs <= known):
             return
         self._found[limb] = outcome
         self._tell()

@@ -92,8 +92,8 @@ class Preferences:
     def autosave_s(self) -> float:
         """Longest time for which unsaved work is not kept; SKINSOURCE_AUTOSAVE_S overrides it."""
         for value in (os.environ.get("SKINSOURCE_AUTOSAVE_S"), self.settings.value("autosave_s")):
-            with suppress(TypeError, ValueError):
-                seconds = float(value)
+            with suppress(ValueError):
+                seconds = float(str(value))
                 if _LEAST_AUTOSAVE_S <= seconds <= _MOST_AUTOSAVE_S:
                     return seconds
         return AUTOSAVE_S
@@ -102,8 +102,8 @@ class Preferences:
     def text_scale(self) -> float:
         """Size of words, 1 as the desktop has it."""
         try:
-            return float(self.settings.value("text_scale", 1.0))
-        except (TypeError, ValueError):
+            return float(str(self.settings.value("text_scale", 1.0)))
+        except ValueError:
             return 1.0
 
     @text_scale.setter
@@ -132,7 +132,7 @@ class Preferences:
     def own_arrangements(self) -> dict[str, bytes]:
         """By the name of an arrangement, where the user's docks stand in it."""
         names = str(self.settings.value("own_arrangements", "")).split()
-        found = {name: self._bytes(f"own_arrangement_{name}").data() for name in names}
+        found = {name: bytes(self._bytes(f"own_arrangement_{name}").data()) for name in names}
         return {name: layout for name, layout in found.items() if layout}
 
     @own_arrangements.setter
@@ -155,7 +155,9 @@ class Preferences:
     def recent_names(self) -> list[str]:
         """What is remembered of recent files, as they stand."""
         found = self.settings.value("recent", [])
-        return [found] if isinstance(found, str) else list(found or [])
+        if isinstance(found, str):
+            return [found]
+        return [str(one) for one in found] if isinstance(found, list) else []
 
     @recent_names.setter
     def recent_names(self, names: list[str]) -> None:

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QEvent, QRect, QSize, Qt, QTimer
-from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from skinsource_gui.status.pause import PAUSE_MS
@@ -53,7 +53,7 @@ class Sparkline(QWidget):
         self.update()
 
     def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.ToolTip:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             QToolTip.showText(event.globalPos(), self._about(), self)
             return True
         return super().event(event)
@@ -62,7 +62,8 @@ class Sparkline(QWidget):
         painter = QPainter(self)
         width, height = self.width(), self.height()
         shown = self._times_s[-width:]
-        slow, quick = [], []
+        slow: list[QRect] = []
+        quick: list[QRect] = []
         for column, time_s in enumerate(shown, start=width - len(shown)):
             bar = round(height * min(time_s / _TOP_S, 1.0))
             bars = slow if time_s > FRAME_S else quick

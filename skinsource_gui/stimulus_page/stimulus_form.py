@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QLineEdit, QWidget
@@ -181,12 +181,11 @@ class StimulusForm(QWidget):
         for field in self._choices.values():
             self._form.removeRow(field)
         self._choices = {}
-        row, _ = self._form.getWidgetPosition(self._about)
-        for name, spec in format.choices.items():
+        position: Any = self._form.getWidgetPosition(self._about)
+        for row, (name, spec) in enumerate(format.choices.items(), start=position[0] + 1):
             field = ChoiceField(spec)
             field.setObjectName(f"stimulus_choice_{name}")
             field.chosen.connect(self.want)
-            row += 1
             self._form.insertRow(row, spec.label, field)
             self._choices[name] = field
         self._fields["rate"].set_value(str(format.rate_hz or specs.RATES_HZ[0]))

@@ -31,7 +31,8 @@ class NameDelegate(QStyledItemDelegate):
         if short is None:
             return
         metrics = option.fontMetrics
-        names = (index.siblingAtRow(row).data() for row in range(index.model().rowCount()))
+        model, column = index.model(), index.column()
+        names = (model.index(row, column).data() for row in range(model.rowCount()))
         if any(metrics.horizontalAdvance(str(one)) > room for one in names):
             option.text = str(short)
 

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import QByteArray
 
 from skinsource.files.assets import config_folder, user_folder
 from skinsource_gui.state.preferences import Preferences, settings_path
@@ -50,3 +51,11 @@ def test_whoever_sets_the_data_folder_has_everything_in_it(user_data, monkeypatc
     assert user_data in config_folder().parents
     monkeypatch.delenv("SKINSOURCE_DATA")
     assert config_folder().name == "skinsource"
+
+
+@pytest.mark.parametrize("stored", [QByteArray(b"abc"), 5, {"a": 1}, None])
+def test_recent_files_that_are_no_list_of_names_are_none(tmp_path, stored):
+    preferences = Preferences(tmp_path / "studio.ini")
+    preferences.settings.setValue("recent", stored)
+    assert all(isinstance(one, str) for one in preferences.recent_names)
+    assert len(preferences.recent_names) <= 1

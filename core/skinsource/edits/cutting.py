@@ -26,6 +26,7 @@ SHORTEST_S = 0.001
 _FULL = (
     f"A clip has at most {MAX_EFFECTS} effects, and cut in two it needs one more; remove one first."
 )
+_NO_TIME = Refusal(sentence="A time is a number of seconds.")
 _GONE = Refusal(sentence="That clip is no longer there; choose another one.")
 
 
@@ -35,7 +36,7 @@ def split_clips(design: Design, view: View, ids: Iterable[int], at_s: float) -> 
     if not chosen:
         return NO_CLIP
     if not _is_time(at_s):
-        return Refusal(sentence="A time is a number of seconds.")
+        return _NO_TIME
     cut = parts_by_id(chosen, at_s)
     if isinstance(cut, Refusal):
         return cut
@@ -88,12 +89,9 @@ def join_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal
 
 def trim_clip(design: Design, view: View, id: int, start_s: float, end_s: float) -> Edit | Refusal:
     """Let a clip begin and end at times of the design, as far as it plays anything there."""
-    found = present_clips(design, (id,))
-    if not found:
-        return _GONE
-    if not (_is_time(start_s) and _is_time(end_s)):
-        return Refusal(sentence="A time is a number of seconds.")
-    [one] = found
+    one = _one_clip(design, id, start_s, end_s)
+    if isinstance(one, Refusal):
+        return one
     before, fades = _without_fades(one.effects)
     old = before[-1] if before and isinstance(before[-1], Trim) and before[-1].on else None
     inner = before if old is None else before[:-1]
@@ -115,12 +113,9 @@ def stretch_clip(
     design: Design, view: View, id: int, start_s: float, end_s: float
 ) -> Edit | Refusal:
     """Let a clip play faster or slower, so that it begins and ends at times of the design."""
-    found = present_clips(design, (id,))
-    if not found:
-        return _GONE
-    if not (_is_time(start_s) and _is_time(end_s)):
-        return Refusal(sentence="A time is a number of seconds.")
-    [one] = found
+    one = _one_clip(design, id, start_s, end_s)
+    if isinstance(one, Refusal):
+        return one
     if one.duration_s == 0.0:
         return Refusal(sentence="This clip cannot be stretched; change its duration instead.")
     start_s = max(start_s, 0.0)
@@ -146,12 +141,9 @@ def stretch_clip(
 
 def fade_clip(design: Design, view: View, id: int, in_s: float, out_s: float) -> Edit | Refusal:
     """Let a clip fade in and out within some times; 0 for neither."""
-    found = present_clips(design, (id,))
-    if not found:
-        return _GONE
-    if not (_is_time(in_s) and _is_time(out_s)):
-        return Refusal(sentence="A time is a number of seconds.")
-    [one] = found
+    one = _one_clip(design, id, in_s, out_s)
+    if isinstance(one, Refusal):
+        return one
     in_s = short(min(max(in_s, 0.0), one.duration_s))
     out_s = short(min(max(out_s, 0.0), one.duration_s - in_s))
     effects: list[Any] = list(one.effects)
@@ -164,6 +156,14 @@ def fade_clip(design: Design, view: View, id: int, in_s: float, out_s: float) ->
     except InvalidInputError as error:
         return refused(error)
     return _changed(design, view, "Fade", one, {"effects": tuple(effects)})
+
+
+def _one_clip(design: Design, id: int, *times_s: float) -> Clip | Refusal:
+    """The clip that is to be changed to these times; or why that cannot be."""
+    found = present_clips(design, (id,))
+    if not found:
+        return _GONE
+    return found[0] if all(_is_time(one) for one in times_s) else _NO_TIME
 
 
 def fades_of(one: Clip) -> tuple[float, float]:

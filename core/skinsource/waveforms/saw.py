@@ -10,9 +10,7 @@ from numpy.typing import NDArray
 from skinsource import fields
 from skinsource.arrays import Complexes, Floats
 from skinsource.signals import WindowName
-from skinsource.synthesis.burst import burst, refuse_aliases
-from skinsource.synthesis.harmonics import sampled_series
-from skinsource.waveforms.instants import count_of
+from skinsource.waveforms.harmonic_burst import harmonic_burst
 from skinsource.waveforms.shared_specs import DURATION, WINDOW
 from skinsource.waveforms.square import FUNDAMENTAL
 from skinsource.waveforms.tone import PHASE
@@ -53,16 +51,7 @@ class Saw:
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,); 1 is the height of the saw without limit of its band."""
-        refuse_aliases("frequency_hz", self.frequency_hz, sample_rate_hz)
-        found = sampled_series(
-            _series,
-            self.frequency_hz,
-            self.phase_rad,
-            count_of(self.duration_s, sample_rate_hz, shift_s),
-            sample_rate_hz,
-            shift_s,
-        )
-        return burst(found, self.window, sample_rate_hz, shift_s)
+        return harmonic_burst(self, _series, sample_rate_hz, shift_s)
 
 
 def _series(harmonics: Floats) -> Complexes:

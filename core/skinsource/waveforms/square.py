@@ -11,9 +11,7 @@ from skinsource import fields
 from skinsource.arrays import Complexes, Floats
 from skinsource.fields import NumberSpec
 from skinsource.signals import WindowName
-from skinsource.synthesis.burst import burst, refuse_aliases
-from skinsource.synthesis.harmonics import sampled_series
-from skinsource.waveforms.instants import count_of
+from skinsource.waveforms.harmonic_burst import harmonic_burst
 from skinsource.waveforms.shared_specs import DURATION, WINDOW
 from skinsource.waveforms.tone import FREQUENCY, PHASE
 
@@ -61,17 +59,8 @@ class Square:
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,); 1 is the height of the square wave without limit of its band."""
-        refuse_aliases("frequency_hz", self.frequency_hz, sample_rate_hz)
-        found = sampled_series(
-            self._series,
-            self.frequency_hz,
-            self.phase_rad,
-            count_of(self.duration_s, sample_rate_hz, shift_s),
-            sample_rate_hz,
-            shift_s,
-            mean=2.0 * self.duty - 1.0,
-        )
-        return burst(found, self.window, sample_rate_hz, shift_s)
+        mean = 2.0 * self.duty - 1.0
+        return harmonic_burst(self, self._series, sample_rate_hz, shift_s, mean=mean)
 
     def _series(self, harmonics: Floats) -> Complexes:
         half = pi * np.remainder(harmonics * self.duty, 2.0)

@@ -1,6 +1,7 @@
 """The fields of the panel: which actuator, its parameters, and the equaliser."""
 
 from dataclasses import replace
+from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
@@ -118,9 +119,9 @@ class ActuatorChoices(QObject):
                 cell.show_theme(self._theme)
                 self._kept[name, spec] = cell
         self._cells = tuple(self._kept[one] for one in wanted.items())
-        own = tuple(cell for cell in self._cells if cell.name.startswith(_PARAMETER))
-        self.grid.show_cells([cell for cell in self._cells if cell not in own])
-        self._parameters.show_cells(own)
+        parameters = tuple(cell for cell in self._cells if cell.name.startswith(_PARAMETER))
+        self.grid.show_cells([cell for cell in self._cells if cell not in parameters])
+        self._parameters.show_cells(parameters)
 
     def _words(self) -> str:
         profile = self._settings.profile
@@ -136,13 +137,14 @@ class ActuatorChoices(QObject):
             lines.append(f"Changed: {', '.join(changed)}.")
         return " ".join(lines)
 
-    def _edit(self, name: str, value: object, gesture: object) -> None:
+    def _edit(self, name: str, value: Any, gesture: object) -> None:
         if name.startswith(_PARAMETER):
             settings = self._settings.with_parameter(name.removeprefix(_PARAMETER), value)
         elif name == "actuator":
             settings = replace(self._settings, actuator=value, parameters=(), zoom=None)
         else:
-            settings = replace(self._settings, **{name: value})
+            changed: dict[str, Any] = {name: value}
+            settings = replace(self._settings, **changed)
         if settings != self._settings:
             self.changed.emit(settings, gesture)
 

@@ -1,5 +1,7 @@
 """What the panel draws, as plain arrays."""
 
+from typing import Any
+
 import numpy as np
 
 from skinsource.actuator_demand import ActuatorSettings
@@ -37,7 +39,7 @@ _ALONE = CurveName(number=0, short="1 V", full="Acceleration after 1 V came on")
 def response_curves(settings: ActuatorSettings) -> Curves:
     """Gains over frequency: of the actuator, of the filter, and of both."""
     model = settings.model
-    published = settings.profile.model
+    published: Any = settings.profile.model
     rows: list[tuple[CurveName, Floats]]
     if isinstance(published, ResponseShape) or model is None:
         rows = [(_BEFORE, decibels(np.abs(published.shape(FREQUENCY_HZ))))]

@@ -173,7 +173,8 @@ class ActuatorPanel(Panel):
             self.edited.emit(edits.predict_through(self._design, view, through), gesture)
 
     def _put(self, name: str, value: object) -> None:
-        self._choose(replace(self._settings, **{name: value}))
+        changed: dict[str, Any] = {name: value}
+        self._choose(replace(self._settings, **changed))
 
     def _show_step(self, step: bool) -> None:
         self._choose(replace(self._settings, picture="step" if step else "response", zoom=None))

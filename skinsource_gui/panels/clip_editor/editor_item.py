@@ -73,6 +73,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
     def _paint_course(self, painter: QPainter, content: EditorContent) -> None:
         """Paint what the clip plays, over its waveform before any effect."""
         played, ground = content.played, QColor(self._theme.base)
+        drawn = content.drawn
         n_played = None if played is None else played.size
         place = (self._theme.name, content.scale, content.area, content.reach)
         # Samples by identity: an array that is kept here cannot become another one.
@@ -83,9 +84,9 @@ class EditorItem(pyqtgraph.GraphicsObject):
             self._paint_axes(on_image, content)
             on_image.setClipRect(content.area.adjusted(-1, -1, 1, 1))
             self._paint_end(on_image, content)
-            if is_other:
+            if drawn is not None and is_other:
                 dim = QColor(self._theme.dim)
-                self._paint_curve(on_image, content, content.drawn, dim, _PALE)
+                self._paint_curve(on_image, content, drawn, dim, _PALE)
 
         def paint_course(on_image: QPainter) -> None:
             self._still.paint(on_image, self._rect, (*still, is_other), paint_still, ground)

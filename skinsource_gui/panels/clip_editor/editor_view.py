@@ -1,7 +1,7 @@
 """The part of the editor in which a clip is drawn."""
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from skinsource.arrays import Floats
@@ -126,7 +126,7 @@ class EditorView(Canvas):
             self._tool.double_click(self.content, event.position())
             self.lay_out()
 
-    def contextMenuEvent(self, event) -> None:
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         # The right button belongs to the tools.
         event.accept()
 

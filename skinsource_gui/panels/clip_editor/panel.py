@@ -25,6 +25,7 @@ from skinsource_gui.panels.clip_editor.gliding import Gliding
 from skinsource_gui.panels.clip_editor.shaping import Shaping
 from skinsource_gui.panels.clip_editor.spectrum_strip import SpectrumStrip
 from skinsource_gui.panels.clip_editor.tools.look import Look
+from skinsource_gui.panels.clip_editor.tools.tool import Tool
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.empty_words import clip_words
 from skinsource_gui.widgets.inputs.clip_waveforms import waveforms_of
@@ -52,7 +53,7 @@ class ClipEditorPanel(Panel):
         self._drawing, self._shaping = Drawing(self), Shaping(self)
         self._look, self._pen = Look(self), self._drawing.pen
         self._gliding = Gliding(self)
-        self._tools = {
+        self._tools: dict[str, Tool] = {
             "look": self._look,
             "pen": self._pen,
             "envelope": self._shaping.tool,

@@ -1,13 +1,16 @@
 """A snapshot as a card: its map, its number, how loud it is."""
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter, QPen
+from functools import partial
+
+from PySide6.QtCore import QEvent, QPoint, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QMenu, QSizePolicy, QWidget
 
 from skinsource_gui.compared import Compared
 from skinsource_gui.panels.compare.card_words import gain_words, level_words, sentence
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
 from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
 from skinsource_gui.widgets.map.small_map import Range, SmallMap, paint_small_map
 
 _PLACE = "snapshot"
@@ -89,14 +92,7 @@ class Card(QAbstractButton):
         return self.sizeHint() - QSize(UNIT_PX, 0)
 
     def event(self, event: QEvent) -> bool:
-        if (
-            event.type() == QEvent.Type.ShortcutOverride
-            and isinstance(event, QKeyEvent)
-            and meant(_PLACE, event)
-        ):
-            event.accept()
-            return True
-        return super().event(event)
+        return kept_from_shortcuts(event, partial(meant, _PLACE)) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         means = meant(_PLACE, event)
@@ -107,7 +103,7 @@ class Card(QAbstractButton):
         else:
             super().keyPressEvent(event)
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter, theme = QPainter(self), self._theme
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         frame = QRectF(self.rect()).adjusted(1, 1, -1, -1)
@@ -157,7 +153,7 @@ class Card(QAbstractButton):
     def _act(self) -> None:
         self.wanted.emit(self.number, "show" if self._compared else "store")
 
-    def _open_menu(self, at) -> None:
+    def _open_menu(self, at: QPoint) -> None:
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         if self._compared is not None:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QHelpEvent, QImage, QPainter, QPen
+from PySide6.QtGui import QColor, QHelpEvent, QImage, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from skinsource.comparing import end_db
@@ -97,7 +97,7 @@ class DifferenceMap(QWidget):
         output = output_text(nearest + 1, self._difference.limb)
         return f"{output}: {minus(f'{shown.levels_db[nearest]:+z.1f} dB')}"
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter, theme, difference = QPainter(self), self._theme, self._difference
         painter.setFont(tabular(self.font()))
         top, area, bottom = self._areas()
@@ -140,5 +140,5 @@ class DifferenceMap(QWidget):
             words = minus(f"{part * end_db:+g}") if part else "0"
             painter.drawText(QRectF(x - 30, ramp.bottom(), 60, line), centre, words)
         painter.setPen(QColor(theme.dim))
-        words = QRectF(area.left(), ramp.bottom() + line, area.width(), line)
-        painter.drawText(words, centre, self._difference.words)
+        below = QRectF(area.left(), ramp.bottom() + line, area.width(), line)
+        painter.drawText(below, centre, self._difference.words)

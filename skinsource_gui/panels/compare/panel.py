@@ -6,6 +6,7 @@ from typing import ClassVar
 
 import numpy as np
 from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
     QHBoxLayout,
@@ -114,10 +115,11 @@ class ComparePanel(Panel):
 
     def show_theme(self, theme: Theme) -> None:
         self.words.setStyleSheet(f"color: {theme.dim};")
-        for part in (*self.cards, self.map):
-            part.show_theme(theme)
+        for card in self.cards:
+            card.show_theme(theme)
+        self.map.show_theme(theme)
 
-    def resizeEvent(self, event) -> None:
+    def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         beside = event.size().width() >= _BESIDE_PX
         way = QBoxLayout.Direction.LeftToRight if beside else QBoxLayout.Direction.TopToBottom
@@ -190,8 +192,9 @@ class ComparePanel(Panel):
         loudest = [level for level in (played_db(present), played_db(other)) if level is not None]
         # Both are played: the first one's gain is taken off the other.
         gain, top = other.gain / present.gain, max(loudest) - gain_db(present)
+        this, that = present.values or {}, other.values or {}
         levels, field = (
-            difference_db(present.values[name], other.values[name], gain=gain, loudest_db=top)
+            difference_db(this[name], that[name], gain=gain, loudest_db=top)
             for name in ("output_levels_db", "surface_levels_db")
         )
         return replace(small, levels_db=levels, field_levels_db=field)

@@ -5,10 +5,10 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 from skinsource import edits
 from skinsource.clips import Clip
 from skinsource.clips.clip import ONSET as ONSET_S
-from skinsource.design import AMPLITUDE, Design, amplitude_spec
+from skinsource.design import AMPLITUDE, Design, Input, amplitude_spec
 from skinsource.edits.kinds import kind_name
 from skinsource.edits.selection import clip_of
-from skinsource.fields import NumberSpec, specs_of
+from skinsource.fields import Spec, specs_of
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.panel import Panel
@@ -70,7 +70,7 @@ class FrequencyAndAmplitudePanel(Panel):
         self._amplitude = FieldCell("amplitude", AMPLITUDE)
         self._onset = FieldCell(_ONSET, ONSET_S)
         self._frequency: FieldCell | None = None
-        self._spec: NumberSpec | None = None
+        self._spec: Spec | None = None
         self._turned = _Labelled()
         self._amplitude_part = _Labelled(self._amplitude)
         self._onset_part = _Labelled(self._onset)
@@ -90,19 +90,19 @@ class FrequencyAndAmplitudePanel(Panel):
         self._design, self._view = design, view
         control = settings_of(view, self.name, ControlSettings).control
         self._control.set_value(control)
-        known = view.selected_input in design.ids
+        one = next((each for each in design.inputs if each.id == view.selected_input), None)
+        known = one is not None
         self._amplitude_part.setVisible(known and control in (ALL, TURNS_AMPLITUDE))
         self._onset_part.setVisible(False)
-        if known:
-            self._show_input(design, view, control)
+        if one is not None:
+            self._show_input(design, view, one, control)
         else:
             words = select_words if design.inputs else add_words
             self._words.setText(words(self.in_sight))
             self._show_frequency(None)
         self._row.fold()
 
-    def _show_input(self, design: Design, view: View, control: str) -> None:
-        one = design.input(view.selected_input)
+    def _show_input(self, design: Design, view: View, one: Input, control: str) -> None:
         clip = clip_of(one, view)
         playing = EMPTY.capitalize() if clip is None else kind_name(clip.waveform)
         title = f"{design.title} · " if design.title else ""
@@ -138,7 +138,7 @@ class FrequencyAndAmplitudePanel(Panel):
                 self._turned.hold(self._frequency)
         self._turned.setVisible(self._frequency is not None)
         if self._frequency is not None and one is not None:
-            self._frequency.set_value(one.waveform.frequency_hz)
+            self._frequency.set_value(getattr(one.waveform, _FREQUENCY))
 
     def _choose_control(self, control: str, _gesture: int | None) -> None:
         settings = ControlSettings(control=control)

@@ -4,11 +4,16 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
+    QFocusEvent,
     QHelpEvent,
+    QHideEvent,
     QKeyEvent,
     QMouseEvent,
     QPainter,
+    QPaintEvent,
     QPen,
+    QResizeEvent,
+    QWheelEvent,
 )
 from PySide6.QtWidgets import QToolTip, QWidget
 
@@ -19,6 +24,7 @@ from skinsource_gui.panels.hand.hand_stage import HandStage
 from skinsource_gui.panels.hand.site_cursor import SiteCursor
 from skinsource_gui.panels.hand.site_mouse import SiteMouse
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
 from skinsource_gui.widgets.pan_zoom import WHOLE
 
 # Ways in which focus comes without the keyboard being used here.
@@ -135,7 +141,7 @@ class HandDiagram(QWidget):
     def sizeHint(self) -> QSize:
         return QSize(320, 400)
 
-    def resizeEvent(self, event) -> None:
+    def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self.stage.fit(self)
 
@@ -144,7 +150,7 @@ class HandDiagram(QWidget):
         if event.type() == QEvent.Type.FontChange:
             self.stage.fit(self)
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         self.stage.paint(painter, self.devicePixelRatioF())
         if self.hasFocus():
@@ -154,7 +160,7 @@ class HandDiagram(QWidget):
             painter.drawRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5))
         painter.end()
 
-    def wheelEvent(self, event) -> None:
+    def wheelEvent(self, event: QWheelEvent) -> None:
         self.stage.pan_zoom.wheel(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
@@ -182,7 +188,7 @@ class HandDiagram(QWidget):
         super().leaveEvent(event)
         self._mouse.hover(None)
 
-    def hideEvent(self, event) -> None:
+    def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
         self._mouse.cancel()
 
@@ -211,13 +217,13 @@ class HandDiagram(QWidget):
         self._cursor.keys.release(event)
         super().keyReleaseEvent(event)
 
-    def focusInEvent(self, event) -> None:
+    def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
         self.update()
         if event.reason() not in _BY_MOUSE:
             self._cursor.go_to(self._cursor.site)
 
-    def focusOutEvent(self, event) -> None:
+    def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
         self.update()
         self._cursor.keys.end_gesture()
@@ -228,10 +234,7 @@ class HandDiagram(QWidget):
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             self._show_tooltip(event)
             return True
-        if event.type() == QEvent.Type.ShortcutOverride and self._overrides(event):
-            event.accept()
-            return True
-        return super().event(event)
+        return kept_from_shortcuts(event, self._overrides) or super().event(event)
 
     def _overrides(self, event: QKeyEvent) -> bool:
         """Whether a key is wanted here even if it is a shortcut of the window."""

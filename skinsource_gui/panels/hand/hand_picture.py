@@ -125,7 +125,8 @@ class HandPicture:
         # Radius from which on empty places have their numbers.
         self._readable_px = 0.0
         self._hand: tuple[object, QPixmap] | None = None
-        self._layout: HandLayout | None = None
+        # Of the picture that is being painted.
+        self._layout: HandLayout
 
     def show_drawing(self, drawing: HandDrawing) -> None:
         """Take another hand."""

@@ -27,8 +27,8 @@ class Pointing(QObject):
 
     def show(self, input_id: int | None) -> None:
         """Mark the place of an input that is pointed at elsewhere."""
-        known = self.design is not None and input_id in self.design.ids
-        site = self.design.input(input_id).location if known else None
+        found = () if self.design is None else self.design.inputs
+        site = next((one.location for one in found if one.id == input_id), None)
         self._stage.change(target=site)
 
     def _follow(self) -> None:

@@ -1,5 +1,6 @@
 """Panel of what was done, in which one goes back and forth."""
 
+from functools import partial
 from typing import ClassVar
 
 from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt
@@ -12,6 +13,7 @@ from skinsource_gui.panels.history.step_delegate import StepDelegate
 from skinsource_gui.panels.history.steps_model import StepsModel
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
 
 _PLACE = "history"
 
@@ -20,14 +22,7 @@ class StepList(QListView):
     """Rows of the history; Enter goes to the one that the keys have reached."""
 
     def event(self, event: QEvent) -> bool:
-        if (
-            event.type() == QEvent.Type.ShortcutOverride
-            and isinstance(event, QKeyEvent)
-            and meant(_PLACE, event)
-        ):
-            event.accept()
-            return True
-        return super().event(event)
+        return kept_from_shortcuts(event, partial(meant, _PLACE)) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if meant(_PLACE, event) == "go" and self.currentIndex().isValid():

@@ -154,12 +154,13 @@ class InputFields(QObject):
         return [cell for cell in self._cells() if isinstance(cell, FieldCell)]
 
     def _build_own(self, waveform: Waveform | None) -> None:
-        old, cells = self._own, []
+        old = self._own
+        cells: list[LabelledCell] = []
         self._length = None
         for name, spec in (specs_of(waveform) if waveform else {}).items():
-            cell = FieldCell(name, spec.at_rate(self._rate_hz))
-            cell.edited.connect(self.edited)
-            cells.append(cell)
+            own = FieldCell(name, spec.at_rate(self._rate_hz))
+            own.edited.connect(self.edited)
+            cells.append(own)
         if waveform and fixed_length_text(waveform):
             self._length = WordsCell("Duration", fixed_length_text(waveform))
             cells.append(self._length)

@@ -31,7 +31,7 @@ class InputHeading(QWidget):
         self._words.setFont(font)
         self._state = QLabel()
         self._mute, self._solo = mute_button(), solo_button()
-        layout = QHBoxLayout(self)
+        self._row = layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(UNIT_PX // 2)
         layout.addWidget(self._swatch)
@@ -73,7 +73,7 @@ class InputHeading(QWidget):
     def _fit_words(self) -> None:
         if self._place is None:
             return
-        self.layout().activate()
+        self._row.activate()
         metrics, room = self._words.fontMetrics(), self._words.width()
         name = f"{self._before}{self._place.name}"
         if metrics.horizontalAdvance(name) > room:

@@ -33,7 +33,7 @@ class InspectorPanel(Panel):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._design: Design | None = None
+        self._design = Design(limb="")
         self._theme = LIGHT
         self._shown: tuple[tuple[int, ...], ...] = ()
         self._view = View()
@@ -89,7 +89,7 @@ class InspectorPanel(Panel):
         self._show_empty()
 
     def _show_empty(self) -> None:
-        words = select_words if self._design and self._design.inputs else add_words
+        words = select_words if self._design.inputs else add_words
         self._empty.setText(words(self.in_sight))
 
     def show_results(self, results: Mapping[str, Any]) -> None:
@@ -99,12 +99,13 @@ class InspectorPanel(Panel):
         self._show_waveform()
 
     def _show_waveform(self) -> None:
-        waveforms = self._results["input_waveforms"] if self._results else ()
+        results = self._results or {"input_waveforms": ()}
+        waveforms = results["input_waveforms"]
         # Results of an older design may have another number of inputs; the next ones come soon.
         one = self._selection.last
         if one is not None and len(waveforms) == len(self._design.inputs):
             index = self._design.index_of(one.id)
-            self._preview.show_samples(waveforms[index], self._results["sample_rate_hz"])
+            self._preview.show_samples(waveforms[index], results["sample_rate_hz"])
         else:
             self._preview.show_words("")
 
@@ -187,4 +188,5 @@ class InspectorPanel(Panel):
 
     def _show_refused(self, name: str, reason: str) -> None:
         # Each number is allowed alone, but not together with the others.
-        self._fields.show_refused(self._selection.last, name, reason)
+        if self._selection.last is not None:
+            self._fields.show_refused(self._selection.last, name, reason)

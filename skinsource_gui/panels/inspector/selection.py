@@ -19,14 +19,14 @@ class Selection(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._design: Design | None = None
+        self._design = Design(limb="")
         self._view = View()
         self._changes = FieldChanges()
 
     @property
     def last(self) -> Input | None:
         """The input that was selected last."""
-        if self._design is None or self._view.selected_input not in self._design.ids:
+        if self._view.selected_input not in self._design.ids:
             return None
         return self._design.input(self._view.selected_input)
 

@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import ClassVar
 
 from PySide6.QtCore import QPoint, QSize, Qt
+from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QBoxLayout, QLabel, QMenu, QMessageBox, QVBoxLayout, QWidget
 
 from skinsource import edits
@@ -75,19 +76,19 @@ class LibraryPanel(Panel):
         self.preview.show_theme(theme)
         self.faults.setStyleSheet(f"color: {theme.warning};")
 
-    def showEvent(self, event) -> None:
+    def showEvent(self, event: QShowEvent) -> None:
         # What happened to the files meanwhile is not known.
         self.shelves.read()
         super().showEvent(event)
 
-    def resizeEvent(self, event) -> None:
+    def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         # Where there is little height and some width, the preview stands beside the list.
         beside = self.width() >= _WIDE_PX and self.height() < _HIGH_PX
         way = QBoxLayout.Direction
         self._body.setDirection(way.LeftToRight if beside else way.TopToBottom)
 
-    def hideEvent(self, event) -> None:
+    def hideEvent(self, event: QHideEvent) -> None:
         self.shelves.rest()
         super().hideEvent(event)
 

@@ -1,7 +1,18 @@
 """The list of presets."""
 
-from PySide6.QtCore import QEvent, QModelIndex, QPoint, QRect, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QDrag, QKeyEvent, QMouseEvent, QPainter, QPixmap
+from functools import partial
+
+from PySide6.QtCore import (
+    QEvent,
+    QModelIndex,
+    QPersistentModelIndex,
+    QPoint,
+    QRect,
+    QSize,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QColor, QDrag, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPixmap
 from PySide6.QtWidgets import QAbstractItemView, QListView, QWidget
 
 from skinsource.presets import Entry
@@ -9,6 +20,7 @@ from skinsource_gui.panels.library.preset_delegate import PresetDelegate
 from skinsource_gui.panels.library.presets_model import ENTRY, OWN, PresetsModel
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
 
 _PLACE = "library"
 # How far from the pointer a dragged preset is shown, and how wide its name may be.
@@ -98,7 +110,11 @@ class PresetList(QListView):
         painter.end()
         return tag
 
-    def currentChanged(self, current: QModelIndex, previous: QModelIndex) -> None:
+    def currentChanged(
+        self,
+        current: QModelIndex | QPersistentModelIndex,
+        previous: QModelIndex | QPersistentModelIndex,
+    ) -> None:
         super().currentChanged(current, previous)
         self._under = None
         self.looked_at.emit(self.current)
@@ -112,14 +128,7 @@ class PresetList(QListView):
         self._look(None)
 
     def event(self, event: QEvent) -> bool:
-        if (
-            event.type() == QEvent.Type.ShortcutOverride
-            and isinstance(event, QKeyEvent)
-            and meant(_PLACE, event)
-        ):
-            event.accept()
-            return True
-        return super().event(event)
+        return kept_from_shortcuts(event, partial(meant, _PLACE)) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         name, entry = meant(_PLACE, event), self.current
@@ -134,7 +143,7 @@ class PresetList(QListView):
         else:
             super().keyPressEvent(event)
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         if self.model().rowCount() == 0 and self._words:
             painter = QPainter(self.viewport())

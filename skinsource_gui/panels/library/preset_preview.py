@@ -84,7 +84,7 @@ class PresetPreview(QWidget):
         except SkinSourceError as error:
             self.strip.show_words(sentence(str(error)))
             self.spectrum.show_samples(None)
-        self._show_words()
+        self._show_words(preset)
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
@@ -92,10 +92,9 @@ class PresetPreview(QWidget):
         self.strip.show_theme(theme)
         self.spectrum.show_theme(theme)
         if self._preset is not None:
-            self._show_words()
+            self._show_words(self._preset)
 
-    def _show_words(self) -> None:
-        preset = self._preset
+    def _show_words(self, preset: Preset) -> None:
         parts = [f"<b>{escape(preset.name)}</b> · {escape(_facts(preset, self._limb))}"]
         if preset.description:
             parts.append(escape(preset.description))

@@ -1,6 +1,7 @@
 """Fields of the device: which, at which rate, how late."""
 
 from dataclasses import replace
+from typing import Any
 
 from PySide6.QtCore import QObject, QSignalBlocker, Signal
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QToolButton
@@ -101,8 +102,8 @@ class DeviceFields(QObject):
         grid.addWidget(self.rig, 3, 1, 1, 2)
         # In columns of the grid it would be wider than the panel is in a small window.
         stand_in = QHBoxLayout()
-        for widget in (self.stand_in, QLabel("shift"), self.shift):
-            stand_in.addWidget(widget)
+        for part in (self.stand_in, QLabel("shift"), self.shift):
+            stand_in.addWidget(part)
         stand_in.addStretch(1)
         grid.addLayout(stand_in, 4, 0, 1, 3)
 
@@ -145,7 +146,7 @@ class DeviceFields(QObject):
     def _choose_shift(self, shift_hz: float, _gesture: int | None) -> None:
         self._want(shift_hz=shift_hz)
 
-    def _want(self, **changes: object) -> None:
+    def _want(self, **changes: Any) -> None:
         self.output_wanted.emit(replace(self._output, **changes))
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter
+from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from skinsource.arrays import Floats
@@ -11,6 +11,7 @@ from skinsource_gui.panels.side_by_side.layout import Places, places_of
 from skinsource_gui.panels.side_by_side.painter import paint_content
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
 from skinsource_gui.widgets.map.small_map import small_frame
 from skinsource_gui.widgets.outputs.keys import ADDS, OutputKeys
 from skinsource_gui.widgets.outputs.mouse import OutputMouse
@@ -98,18 +99,14 @@ class MapsView(QWidget):
         )
 
     def event(self, event: QEvent) -> bool:
-        if (
-            event.type() == QEvent.Type.ShortcutOverride
-            and isinstance(event, QKeyEvent)
-            and meant("skin", event) in _KEYS
-            # Until keys are used here, Space is left to whom the window gives it.
-            and (self.keys.used or event.key() != Qt.Key.Key_Space)
-        ):
-            event.accept()
-            return True
-        return super().event(event)
+        return kept_from_shortcuts(event, self._wants) or super().event(event)
 
-    def paintEvent(self, event) -> None:
+    def _wants(self, event: QKeyEvent) -> bool:
+        # Until keys are used here, Space is left to whom the window gives it.
+        is_used = self.keys.used or event.key() != Qt.Key.Key_Space
+        return is_used and meant("skin", event) in _KEYS
+
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter, theme, content = QPainter(self), self._theme, self.content
         painter.setFont(tabular(self.font()))
         painter.fillRect(self.rect(), QColor(theme.base))
@@ -162,11 +159,11 @@ class MapsView(QWidget):
         else:
             self.keys.press(event, points, unplaced, self.content.outputs, middle)
 
-    def focusInEvent(self, event) -> None:
+    def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
         self._tell()
 
-    def focusOutEvent(self, event) -> None:
+    def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
         self._tell()
 

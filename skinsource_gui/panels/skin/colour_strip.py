@@ -4,7 +4,16 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen, QPolygonF
+from PySide6.QtGui import (
+    QColor,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QPolygonF,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.panels.skin.colour_scale import level_y, paint_colour_scale
@@ -59,7 +68,7 @@ class RangeHandle(QWidget):
         self._theme = theme
         self.update()
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         edge = self._theme.accent if self.hasFocus() else self._theme.dim
@@ -159,7 +168,7 @@ class ColourStrip(QWidget):
         self.low.show_theme(theme)
         self.update()
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(tabular(small_font(self.font())))
@@ -181,7 +190,7 @@ class ColourStrip(QWidget):
             painter.drawRect(ramp.adjusted(-1, -1, 1, 1))
         painter.end()
 
-    def resizeEvent(self, event) -> None:
+    def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._place_handles()
 
@@ -230,6 +239,8 @@ class ColourStrip(QWidget):
         self._at_press = self._range
 
     def _drag(self, change: Change, up_px: float) -> None:
+        if self._at_press is None:
+            return
         low, high = self._axis
         by_db = round(up_px * (high - low) / self._ramp().height(), 1)
         if by_db or self._range != self._at_press:

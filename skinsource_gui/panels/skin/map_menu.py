@@ -7,8 +7,9 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QActionGroup, QGuiApplication, QImage
 from PySide6.QtWidgets import QMenu
 
+from skinsource_gui.panels.skin.map_layout import HAND
 from skinsource_gui.panels.skin.settings import COLOURS
-from skinsource_gui.panels.skin.skin_map import HAND, SkinMap
+from skinsource_gui.panels.skin.skin_map import SkinMap
 from skinsource_gui.widgets.key_tables.key_table import key_text
 from skinsource_gui.widgets.pan_zoom import WHOLE
 

@@ -7,6 +7,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from skinsource.choice_words import SCALINGS, limb_word, signal_words, word_of
 from skinsource.design import Design
+from skinsource.limb import LimbMap
 from skinsource.view import View
 from skinsource_gui.panels.skin.colour_scale import paint_colour_scale
 from skinsource_gui.panels.skin.map_content import MapContent
@@ -85,7 +86,7 @@ def paint_picture(
     painter.setFont(small_font(font))
     layout = None
     if content.limb_map is not None:
-        layout = _paint_map(painter, content, room, theme, seen)
+        layout = _paint_map(painter, content, content.limb_map, room, theme, seen)
     ramp = QRectF(room.right() + line, room.top() + line, line, room.height() - 2 * line)
     levels = content.value_range
     painter.setFont(small_font(font))
@@ -130,12 +131,17 @@ def _paint_heading(
 
 
 def _paint_map(
-    painter: QPainter, content: MapContent, room: QRectF, theme: Theme, seen: SeenPart
+    painter: QPainter,
+    content: MapContent,
+    limb_map: LimbMap,
+    room: QRectF,
+    theme: Theme,
+    seen: SeenPart,
 ) -> MapLayout:
     metrics = QFontMetricsF(painter.font())
-    frame = seen.frame_in(content.limb_map, room, metrics)
-    layout = map_layout(content.limb_map, frame, room, metrics)
-    map_painter = MapPainter(content.limb_map, PaintedAnew)
+    frame = seen.frame_in(limb_map, room, metrics)
+    layout = map_layout(limb_map, frame, room, metrics)
+    map_painter = MapPainter(limb_map, PaintedAnew)
     painter.save()
     # Magnified, the map would lie on heading and scale.
     painter.setClipRect(room, Qt.ClipOperation.IntersectClip)

@@ -2,10 +2,14 @@
 
 from PySide6.QtCore import QPointF
 
+from skinsource.choice_words import TRIAD_SENTENCE
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import MapLayout
 from skinsource_gui.panels.skin.map_quantity import LEVELS
 from skinsource_gui.widgets.fields.level_text import level_text, output_text
+from skinsource_gui.widgets.outputs.mouse import REACH_PX
+from skinsource_gui.widgets.outputs.picking import output_at
+from skinsource_gui.widgets.tooltips import tooltip
 
 
 def output_readout(content: MapContent, number: int) -> str:
@@ -25,6 +29,16 @@ def pixel_readout(content: MapContent, layout: MapLayout, at: QPointF) -> str:
         return ""
     level = field.level_at(levels, *layout.frame.to_drawing(at))
     return "" if level is None else _value_text(level, content)
+
+
+def hover_words(content: MapContent, layout: MapLayout | None, at: QPointF) -> str:
+    """What a tooltip says at a screen place: of the axes, or of an output; "" elsewhere."""
+    if layout is None:
+        return ""
+    if layout.triad_card.contains(at):
+        return tooltip(TRIAD_SENTENCE)
+    number = output_at(layout.points, at, REACH_PX)
+    return "" if number is None else output_readout(content, number)
 
 
 def selection_readout(outputs: tuple[int, ...]) -> str:

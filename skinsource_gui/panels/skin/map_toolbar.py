@@ -1,11 +1,12 @@
 """Buttons of the map."""
 
 from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QToolButton, QWidget
 
 from skinsource_gui.panels.skin.map_icons import fit_icon, hand_icon, sensors_icon
+from skinsource_gui.panels.skin.map_layout import HAND
 from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.panels.skin.skin_map import HAND
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.key_tables.key_table import key_text
 from skinsource_gui.widgets.pan_zoom import WHOLE
@@ -44,7 +45,7 @@ class MapToolbar(QWidget):
         styles = QButtonGroup(self)
         styles.addButton(self.interpolated)
         styles.addButton(self.sensors_only)
-        row = QHBoxLayout(self)
+        self._row = row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(1)
         row.addWidget(self.interpolated)
@@ -74,10 +75,10 @@ class MapToolbar(QWidget):
         self.all.setIcon(fit_icon(theme))
         self.hand.setIcon(hand_icon(theme))
 
-    def resizeEvent(self, event) -> None:
+    def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         # Where there is no room for all, the fits are left to the menu and to keys.
-        row, every = self.layout(), (self.interpolated, self.sensors_only, self.sensors)
+        row, every = self._row, (self.interpolated, self.sensors_only, self.sensors)
         fits = (self.all, self.hand)
         needed = sum(part.sizeHint().width() for part in every) + len(fits) * _ICON_BUTTON_PX
         roomy = self.width() >= needed + row.spacing() * (row.count() + 1)

@@ -73,6 +73,7 @@ def _side_words(content: MapContent, room_px: float, metrics: QFontMetricsF) -> 
     said = [FIXED_MARK] if content.fixed else []
     if content.quantity.moves and content.values is not None:
         said.insert(0, time_text(content.quantity.time_s))
+    phrasings: tuple[str, ...]
     if content.outdated:
         phrasings = (f"{side} · {OUTDATED_MARK}", OUTDATED_MARK) if side else (OUTDATED_MARK,)
     elif said and side:

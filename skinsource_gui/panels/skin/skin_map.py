@@ -10,12 +10,14 @@ from PySide6.QtGui import (
     QKeyEvent,
     QMouseEvent,
     QPainter,
+    QPaintEvent,
     QPen,
+    QResizeEvent,
+    QWheelEvent,
 )
 from PySide6.QtWidgets import QToolTip, QWidget
 
-from skinsource.choice_words import TRIAD_SENTENCE
-from skinsource_gui.panels.skin.inputs.marks import mark_at
+from skinsource_gui.panels.skin.inputs.pointing import InputPointer, input_at
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import (
     HAND,
@@ -28,15 +30,15 @@ from skinsource_gui.panels.skin.map_layout import (
     seen_part,
 )
 from skinsource_gui.panels.skin.map_painter import MapPainter, paint_band, paint_mark, small_font
-from skinsource_gui.panels.skin.map_readout import output_readout, pixel_readout
+from skinsource_gui.panels.skin.map_readout import hover_words, output_readout, pixel_readout
 from skinsource_gui.panels.skin.map_words import paint_words
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
 from skinsource_gui.widgets.outputs.keys import ADDS, OutputKeys
 from skinsource_gui.widgets.outputs.mouse import REACH_PX, OutputMouse
 from skinsource_gui.widgets.outputs.picking import output_at
 from skinsource_gui.widgets.pan_zoom import FREE, WHOLE, PanZoom
-from skinsource_gui.widgets.tooltips import tooltip
 
 
 class SkinMap(QWidget):
@@ -68,7 +70,8 @@ class SkinMap(QWidget):
         self._theme = LIGHT
         self._painter: MapPainter | None = None
         self._layout: MapLayout | None = None
-        self._pointed_at: int | None = None
+        self._pointer = InputPointer(self)
+        self._pointer.pointed_at.connect(self.input_pointed_at)
         self.pan_zoom = PanZoom(self)
         self.pan_zoom.changed.connect(self._lay_out)
         self.mouse, self.keys = OutputMouse(self), OutputKeys(self)
@@ -116,8 +119,8 @@ class SkinMap(QWidget):
         return seen_part(self.pan_zoom, QRectF(self.rect()))
 
     def place_of(self, number: int) -> QPointF:
-        """Where an output is drawn."""
-        return QPointF(*self._layout.points[number - 1])
+        """Where an output is drawn; nowhere before there is a limb."""
+        return QPointF() if self._layout is None else QPointF(*self._layout.points[number - 1])
 
     def readout(self) -> str:
         """What is under the pointer, or else under the keyboard's cursor, in words."""
@@ -133,11 +136,11 @@ class SkinMap(QWidget):
     def sizeHint(self) -> QSize:
         return QSize(300, 560)
 
-    def resizeEvent(self, event) -> None:
+    def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._fit()
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(self._theme.base))
         if self._layout is not None and self._painter is not None:
@@ -162,12 +165,10 @@ class SkinMap(QWidget):
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            self._show_tooltip(event)
+            words = hover_words(self.content, self._layout, QPointF(event.pos()))
+            QToolTip.showText(event.globalPos(), words, self)
             return True
-        if event.type() == QEvent.Type.ShortcutOverride and self._overrides(event):
-            event.accept()
-            return True
-        return super().event(event)
+        return kept_from_shortcuts(event, self._overrides) or super().event(event)
 
     def _overrides(self, event: QKeyEvent) -> bool:
         """Whether a key is wanted here even if it is a shortcut of the window."""
@@ -176,7 +177,7 @@ class SkinMap(QWidget):
             return False
         return self.keys.claims(event)
 
-    def wheelEvent(self, event) -> None:
+    def wheelEvent(self, event: QWheelEvent) -> None:
         self.pan_zoom.wheel(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
@@ -189,7 +190,7 @@ class SkinMap(QWidget):
         self.pan_zoom.move(event)
         if self._layout is not None:
             self.mouse.move(event.position(), self._layout.points)
-            self._point_at(self._input_at(event.position()))
+            self._pointer.follow(input_at(self.content, self._layout, event.position()))
             self.readout_changed.emit(self.readout())
             self.update()
 
@@ -198,7 +199,7 @@ class SkinMap(QWidget):
         if event.button() == Qt.MouseButton.LeftButton and self._layout is not None:
             adds = bool(event.modifiers() & ADDS)
             points, outputs = self._layout.points, self.content.outputs
-            meant_input = self._input_at(event.position())
+            meant_input = input_at(self.content, self._layout, event.position())
             on_output = output_at(points, event.position(), REACH_PX) is not None
             if meant_input is not None and self.mouse.band is None and not on_output:
                 self.input_chosen.emit(meant_input)
@@ -216,7 +217,7 @@ class SkinMap(QWidget):
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
         self.mouse.leave()
-        self._point_at(None)
+        self._pointer.follow(None)
         self.readout_changed.emit(self.readout())
         self.update()
 
@@ -244,15 +245,6 @@ class SkinMap(QWidget):
         ):
             super().keyPressEvent(event)
 
-    def _input_at(self, at: QPointF) -> int | None:
-        found = mark_at(self.content.inputs, self.content.limb_map, self._layout, at)
-        return None if found is None else found.id
-
-    def _point_at(self, input_id: int | None) -> None:
-        if input_id != self._pointed_at:
-            self._pointed_at = input_id
-            self.input_pointed_at.emit(input_id)
-
     def _choose(self, outputs: tuple[int, ...]) -> None:
         if len(outputs) == 1:
             self.keys.cursor_output = outputs[0]
@@ -260,7 +252,8 @@ class SkinMap(QWidget):
             self.outputs_chosen.emit(outputs)
 
     def _follow_cursor(self) -> None:
-        self.pan_zoom.reveal(self.place_of(self.keys.cursor_output))
+        if self.keys.cursor_output is not None:
+            self.pan_zoom.reveal(self.place_of(self.keys.cursor_output))
         self.mouse.leave()
         self.readout_changed.emit(self.readout())
         self.update()
@@ -279,18 +272,8 @@ class SkinMap(QWidget):
 
     def _lay_out(self) -> None:
         frame, self._layout = self.pan_zoom.frame, None
-        if frame is not None:
+        limb_map = self.content.limb_map
+        if frame is not None and limb_map is not None:
             metrics = QFontMetricsF(small_font(self.font()))
-            room = QRectF(self.rect())
-            self._layout = map_layout(self.content.limb_map, frame, room, metrics)
+            self._layout = map_layout(limb_map, frame, QRectF(self.rect()), metrics)
         self.update()
-
-    def _show_tooltip(self, event: QHelpEvent) -> None:
-        at = QPointF(event.pos())
-        number = None if self._layout is None else output_at(self._layout.points, at, REACH_PX)
-        if self._layout is not None and self._layout.triad_card.contains(at):
-            QToolTip.showText(event.globalPos(), tooltip(TRIAD_SENTENCE), self)
-        elif number is None:
-            QToolTip.hideText()
-        else:
-            QToolTip.showText(event.globalPos(), output_readout(self.content, number), self)

@@ -26,6 +26,7 @@ from skinsource_gui.panels.statistics.table_model import TableModel
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.empty_words import output_words
 from skinsource_gui.widgets.figure.words_label import WordsLabel
+from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
 from skinsource_gui.widgets.lateness import Lateness
 from skinsource_gui.widgets.name_column import dress_table, give_names_the_rest
 
@@ -34,15 +35,11 @@ class FigureTable(QTableView):
     """The table; the usual key copies all of it."""
 
     def event(self, event: QEvent) -> bool:
-        is_shortcut = event.type() == QEvent.Type.ShortcutOverride
-        if is_shortcut and isinstance(event, QKeyEvent) and event.matches(QKeySequence.Copy):
-            event.accept()
-            return True
-        return super().event(event)
+        return kept_from_shortcuts(event, _copies) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         model = self.model()
-        if event.matches(QKeySequence.StandardKey.Copy) and isinstance(model, TableModel):
+        if _copies(event) and isinstance(model, TableModel):
             QGuiApplication.clipboard().setText(tab_separated(model.rows))
         else:
             super().keyPressEvent(event)
@@ -164,3 +161,7 @@ class StatisticsPanel(Panel):
 
     def _copy(self) -> None:
         QGuiApplication.clipboard().setText(tab_separated(self.model.rows))
+
+
+def _copies(event: QKeyEvent) -> bool:
+    return event.matches(QKeySequence.StandardKey.Copy)

@@ -83,7 +83,7 @@ def rows_of(
 
 def tab_separated(rows: tuple[Row, ...]) -> str:
     """The table for a spreadsheet: a header, then numbers that read back exactly."""
-    header = ("output", "place", "rms_m_per_s2", "peak_m_per_s2")
+    header: tuple[str, ...] = ("output", "place", "rms_m_per_s2", "peak_m_per_s2")
     header += ("crest", "dominant_hz", "delay_ms", "mostly_noise")
     lines = ["\t".join(header)]
     for row in rows:

@@ -1,6 +1,6 @@
 """Rows of figures, as Qt asks for them."""
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
 from PySide6.QtGui import QColor
 
 from skinsource_gui.panels.statistics.rows import COLUMNS, NOISE_WORDS, Row
@@ -14,7 +14,7 @@ _Role = Qt.ItemDataRole
 class TableModel(QAbstractTableModel):
     """Figures of the selected outputs, one row each."""
 
-    def __init__(self, parent=None) -> None:
+    def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.rows: tuple[Row, ...] = ()
         self.theme = LIGHT

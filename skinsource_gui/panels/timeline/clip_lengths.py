@@ -30,8 +30,10 @@ class ClipLengths:
 
     def __init__(self, design: Design, before: "ClipLengths | None" = None) -> None:
         self.design, self.asked = design, 0
-        known = {} if before is None else before._known
-        self._known = {clip.id: self._known_or_asked(clip, known) for clip in design.clips}
+        known: Mapping[int, tuple[Clip, float]] = {} if before is None else before._known
+        self._known: Mapping[int, tuple[Clip, float]] = {
+            clip.id: self._known_or_asked(clip, known) for clip in design.clips
+        }
         self._durations_s = {id: duration_s for id, (_, duration_s) in self._known.items()}
         ends = [clip.onset_s + duration_s for clip, duration_s in self._known.values()]
         self._whole_s = (0.0, max(max(ends, default=0.0) + AFTER_S, LEAST_S))

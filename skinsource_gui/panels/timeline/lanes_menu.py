@@ -20,6 +20,7 @@ from skinsource_gui.panels.timeline.settings import toggle_gain_curves
 from skinsource_gui.panels.timeline.timeline_edits import TimelineEdits
 from skinsource_gui.widgets.key_tables.key_table import key_text
 
+AnyEdit = Callable[..., Edit | Refusal]
 _PLACE = "timeline"
 
 
@@ -176,7 +177,7 @@ class LanesMenu(QObject):
         self._edit_line(menu, "Insert the loop's time before it", insert, start_s, end_s - start_s)
         self._edit_line(menu, "Remove the loop's time", edits.remove_time, start_s, end_s)
 
-    def _act(self, menu: QMenu, words: str, key: str, edit: Callable, *more: object) -> None:
+    def _act(self, menu: QMenu, words: str, key: str, edit: AnyEdit, *more: object) -> None:
         """Add a line that edits the clips which are selected when it is chosen."""
 
         def act() -> None:
@@ -186,7 +187,7 @@ class LanesMenu(QObject):
 
         self._line(menu, words, key, act)
 
-    def _edit_line(self, menu: QMenu, words: str, edit: Callable, *more: object) -> None:
+    def _edit_line(self, menu: QMenu, words: str, edit: AnyEdit, *more: object) -> None:
         def act() -> None:
             content = self._content()
             outcome: Edit | Refusal = edit(content.design, content.view, *more)
@@ -194,7 +195,7 @@ class LanesMenu(QObject):
 
         self._line(menu, words, "", act)
 
-    def _line(self, menu: QMenu, words: str, key: str, act: Callable[[], None]) -> None:
+    def _line(self, menu: QMenu, words: str, key: str, act: Callable[[], object]) -> None:
         # A tab makes the key stand at the right; it is the widget's, no shortcut of the menu.
         shown = f"{words}\t{key_text(_PLACE, key)}" if key else words
         menu.addAction(shown).triggered.connect(lambda _=False: act())

@@ -171,7 +171,7 @@ class LanesView(Canvas):
             self._let_go()
         event.accept()
 
-    def contextMenuEvent(self, event) -> None:
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         place = QPointF(event.pos())
         if event.reason() == QContextMenuEvent.Reason.Keyboard:
             # The menu key means the clip that was selected last, or else the playhead.

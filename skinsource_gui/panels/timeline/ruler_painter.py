@@ -9,7 +9,7 @@ from skinsource_gui.panels.timeline.content import Content
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.plot.ticks import Tick, linear_ticks
-from skinsource_gui.widgets.time.time_scale import TimeScale
+from skinsource_gui.widgets.time.time_scale import Range, TimeScale
 
 _TICK_PX = 64.0
 _GAP_PX = 6.0
@@ -35,7 +35,7 @@ def paint_ruler(painter: QPainter, content: Content, room: QRectF, theme: Theme)
     """Paint ticks, loop region and markers."""
     painter.fillRect(room, QColor(theme.window))
     if content.design.loop_s is not None:
-        _paint_loop(painter, content, room, theme)
+        _paint_loop(painter, content, content.design.loop_s, room, theme)
     taken = []
     for marker in content.design.markers:
         x = content.scale.x(marker.time_s)
@@ -69,8 +69,10 @@ def _paint_ticks(
             free_from = left + width + _GAP_PX
 
 
-def _paint_loop(painter: QPainter, content: Content, room: QRectF, theme: Theme) -> None:
-    start, end = (content.scale.x(one) for one in content.design.loop_s)
+def _paint_loop(
+    painter: QPainter, content: Content, loop_s: Range, room: QRectF, theme: Theme
+) -> None:
+    start, end = (content.scale.x(one) for one in loop_s)
     band = QRectF(start, room.bottom() - 9, end - start, 9).intersected(room)
     tint = QColor(theme.accent)
     tint.setAlpha(_LOOP_ALPHA)

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QScrollBar, QWidget
 
 from skinsource.design import Design, Input, audible_inputs
@@ -75,7 +76,7 @@ class TrackTable(QWidget):
         content = self.lanes.content
         self.time_bar.show_range(content.scale.shown_s, content.whole_s)
 
-    def resizeEvent(self, event) -> None:
+    def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self.place_lanes()
 

@@ -175,4 +175,5 @@ class WindowedPanel(Panel):
 
     def _change(self, name: str, value: object, gesture: int | None) -> None:
         del gesture
-        self.view_changed.emit(replace(self._view, **{name: value}))
+        changed: dict[str, Any] = {name: value}
+        self.view_changed.emit(replace(self._view, **changed))

@@ -1,7 +1,16 @@
 """The strip of windows as a widget: shown, pointed at, stepped through."""
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFontMetricsF, QHelpEvent, QKeyEvent, QMouseEvent, QPainter
+from PySide6.QtGui import (
+    QColor,
+    QFocusEvent,
+    QFontMetricsF,
+    QHelpEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+)
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from skinsource_gui.panels.windowed.content import WindowedContent, extent_words, window_words
@@ -82,7 +91,7 @@ class StripView(QWidget):
         fitting = (one for one in phrases if metrics.horizontalAdvance(one) <= room)
         return next(fitting, phrases[-1])
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter, theme = QPainter(self), self._theme
         painter.setFont(tabular(self.font()))
         painter.fillRect(self.rect(), QColor(theme.base))
@@ -139,11 +148,11 @@ class StripView(QWidget):
             start = (-1 if step > 0 else n) if self.chosen is None else self.chosen
             self._choose(min(max(start + step, 0), n - 1))
 
-    def focusInEvent(self, event) -> None:
+    def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
         self.update()
 
-    def focusOutEvent(self, event) -> None:
+    def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
         self.update()
 

@@ -201,11 +201,11 @@ class Arrangements(QObject):
         tops = [self._docks[column[0]] for column in columns]
         self._window.addDockWidget(_TOP, tops[0])
         # First what lies below all columns: what is split later stays above it.
-        for left, right in pairwise((None, *(self._docks[panel] for panel in foot))):
-            if left is None:
-                self._window.splitDockWidget(tops[0], right, _DOWN)
-            else:
-                self._window.splitDockWidget(left, right, _ACROSS)
+        below_all = [self._docks[panel] for panel in foot]
+        for first in below_all[:1]:
+            self._window.splitDockWidget(tops[0], first, _DOWN)
+        for left, right in pairwise(below_all):
+            self._window.splitDockWidget(left, right, _ACROSS)
         for left, right in pairwise(tops):
             self._window.splitDockWidget(left, right, _ACROSS)
         for column in columns:

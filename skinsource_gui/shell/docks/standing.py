@@ -25,8 +25,10 @@ class _One:
             return False
         if not (same_room and self.in_sight):
             return True
-        pairs = zip(self.place.getRect(), other.place.getRect(), strict=True)
-        return all(abs(a - b) <= _ROUNDING_PX for a, b in pairs)
+        corners = self.place.topLeft() - other.place.topLeft()
+        sizes = self.place.size() - other.place.size()
+        apart = (corners.x(), corners.y(), sizes.width(), sizes.height())
+        return all(abs(one) <= _ROUNDING_PX for one in apart)
 
 
 @dataclass(frozen=True, slots=True)

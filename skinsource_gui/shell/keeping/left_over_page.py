@@ -1,6 +1,7 @@
 """The page on unsaved work that earlier studios left."""
 
 from collections.abc import Callable
+from typing import Any
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QIcon, QPixmap
@@ -24,7 +25,9 @@ _ROLE = QDialogButtonBox.ButtonRole
 def picture_of(left: LeftOver) -> QPixmap:
     """What the work looked like; empty where nobody knows."""
     picture = QPixmap()
-    picture.loadFromData(left.picture(), "PNG")
+    # The stubs of PySide ask for bytes, which it does not take.
+    loaded: Any = picture
+    loaded.loadFromData(left.picture(), "PNG")
     if picture.isNull():
         return picture
     keep, smooth = Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode.SmoothTransformation

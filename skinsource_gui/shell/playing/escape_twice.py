@@ -33,11 +33,14 @@ class EscapeTwice(QObject):
         if on == self._on:
             return
         self._on, self._last_s = on, -_WITHIN_S
+        application = QApplication.instance()
+        if not isinstance(application, QApplication):
+            return
         if on:
-            QApplication.instance().focusChanged.connect(self._follow)
+            application.focusChanged.connect(self._follow)
             self._take(QApplication.focusWidget())
         else:
-            QApplication.instance().focusChanged.disconnect(self._follow)
+            application.focusChanged.disconnect(self._follow)
             self._forget()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

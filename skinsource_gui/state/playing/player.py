@@ -123,7 +123,8 @@ class Player(QObject):
         def follow() -> None:
             self.playhead.run(self._position)
             self.edits.end()
-            self.edits.begin(self.now, design, output, rig, loops=loops)
+            if self.now is not None:
+                self.edits.begin(self.now, design, output, rig, loops=loops)
 
         self._begin(play, follow)
 

@@ -7,6 +7,7 @@ from PySide6.QtGui import (
     QKeyEvent,
     QMouseEvent,
     QPainter,
+    QPaintEvent,
     QPen,
     QPolygonF,
 )
@@ -26,6 +27,7 @@ from skinsource_gui.widgets.fields.burst import Burst
 from skinsource_gui.widgets.fields.curve_scale import CurveScale
 from skinsource_gui.widgets.fields.gesture import new_gesture
 from skinsource_gui.widgets.key_tables.key_table import key_text, meant
+from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
 from skinsource_gui.widgets.tooltips import tooltip
 
 _NEAR_PX, _POINT_PX = 8.0, 3.5
@@ -104,13 +106,11 @@ class CurveField(QWidget):
         return QSize(72, 84)
 
     def event(self, event: QEvent) -> bool:
-        # Without this, a shortcut of the window would take the key.
-        if event.type() == QEvent.Type.ShortcutOverride and (
-            meant("curve", event) or (self._drag and event.key() == Qt.Key.Key_Escape)
-        ):
-            event.accept()
-            return True
-        return super().event(event)
+        return kept_from_shortcuts(event, self._wants) or super().event(event)
+
+    def _wants(self, event: QKeyEvent) -> bool:
+        gives_up = self._drag is not None and event.key() == Qt.Key.Key_Escape
+        return gives_up or bool(meant("curve", event))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() != Qt.MouseButton.LeftButton:
@@ -171,7 +171,7 @@ class CurveField(QWidget):
         else:
             event.ignore()
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         whole, inside = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5), self._inside()

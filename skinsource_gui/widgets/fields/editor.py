@@ -24,10 +24,17 @@ class Editor(Protocol):
         Signal: why what is entered is not allowed, or "".
     """
 
-    field: QWidget
-    label: QLabel | None
-    edited: Any
-    problem_changed: Any
+    @property
+    def field(self) -> QWidget: ...
+
+    @property
+    def label(self) -> QLabel | None: ...
+
+    @property
+    def edited(self) -> Any: ...
+
+    @property
+    def problem_changed(self) -> Any: ...
 
     def set_value(self, value: Any) -> None:
         """Show a value, and tell nobody."""

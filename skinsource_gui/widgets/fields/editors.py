@@ -70,7 +70,7 @@ class _Plain(QObject):
     problem_changed = Signal(str)
     label = None
 
-    def set_spec(self, spec: Spec) -> None:
+    def set_spec(self, spec: Any) -> None:
         """Nothing about it changes with the design."""
 
     def advice(self) -> str:
@@ -94,7 +94,11 @@ class ChoiceEditor(_Plain):
         super().__init__(parent)
         self.field = ChoiceField(spec, parent)
         self.field.chosen.connect(self.edited.emit)
-        self.set_value, self.set_spec = self.field.set_value, self.field.offer
+        self.set_value = self.field.set_value
+
+    def set_spec(self, spec: ChoiceSpec) -> None:
+        """Offer other names."""
+        self.field.offer(spec)
 
 
 class KindEditor(_Plain):
@@ -104,7 +108,11 @@ class KindEditor(_Plain):
         super().__init__(parent)
         self.field = KindField(spec, parent)
         self.field.chosen.connect(self.edited.emit)
-        self.set_value, self.show_theme = self.field.set_value, self.field.show_theme
+        self.set_value = self.field.set_value
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self.field.show_theme(theme)
 
 
 class SwitchEditor(_Plain):
@@ -179,8 +187,15 @@ class CurveEditor(_Plain):
         super().__init__(parent)
         self.field = CurveField(spec, parent)
         self.field.edited.connect(self.edited.emit)
-        self.set_value, self.cancel = self.field.set_value, self.field.cancel
-        self.show_theme = self.field.show_theme
+        self.set_value = self.field.set_value
+
+    def cancel(self) -> None:
+        """Let go of a drag."""
+        self.field.cancel()
+
+    def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
+        self.field.show_theme(theme)
 
 
 class ShownOnly(_Plain):
@@ -206,18 +221,20 @@ class ShownOnly(_Plain):
 
 def text_editor(spec: TextSpec, parent: QWidget) -> Editor:
     """Make the editor of words, or of a text that is read while it is typed."""
-    return (TextEditor if spec.reader is None else LiveTextEditor)(spec, parent)
+    return TextEditor(spec, parent) if spec.reader is None else LiveTextEditor(spec, parent)
 
 
 def list_editor(spec: ListSpec, parent: QWidget) -> Editor:
     """Make the editor of a list of numbers, or of recipes; other lists are shown."""
     if isinstance(spec.of, RecipeSpec):
-        return PartsEditor(spec, new_editor, parent)
-    return (NumbersEditor if isinstance(spec.of, NumberSpec) else ShownOnly)(spec, parent)
+        return PartsEditor(spec, spec.of, new_editor, parent)
+    if isinstance(spec.of, NumberSpec):
+        return NumbersEditor(spec, parent)
+    return ShownOnly(spec, parent)
 
 
 #: Which editor is made for which kind of specification.
-EDITORS: dict[type[Spec], Callable[[Any, QWidget], Editor]] = {
+EDITORS: dict[Any, Callable[[Any, QWidget], Editor]] = {
     NumberSpec: NumberEditor,
     ChoiceSpec: ChoiceEditor,
     KindSpec: KindEditor,

@@ -30,6 +30,10 @@ class FieldGrid(QWidget):
         self._grid.setHorizontalSpacing(UNIT_PX)
         self._grid.setVerticalSpacing(UNIT_PX // 4)
 
+    def set_margins(self, left: int, top: int, right: int, bottom: int) -> None:
+        """Leave room around the cells, px."""
+        self._grid.setContentsMargins(left, top, right, bottom)
+
     @property
     def pairs(self) -> int:
         """Fields side by side."""
@@ -44,7 +48,8 @@ class FieldGrid(QWidget):
                     part.hide()
         self._cells = tuple(cells)
         self._arrange()
-        stops = [cell.focusProxy() for cell in cells if cell.focusProxy() is not None]
+        proxies = (cell.focusProxy() for cell in cells)
+        stops = [one for one in proxies if one is not None]
         for before, after in pairwise(stops):
             self.setTabOrder(before, after)
         for cell in cells:

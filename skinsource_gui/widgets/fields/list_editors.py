@@ -31,7 +31,8 @@ class Listed(QObject):
 
     def __init__(self, spec: Any, parent: QWidget, hint: str) -> None:
         super().__init__(parent)
-        self._spec, self._value = spec, ()
+        self._spec = spec
+        self._value: tuple[Any, ...] = ()
         read = TextSpec(
             label=spec.label, hint=hint, longest=_LONGEST, one_line=True, reader=self._read
         )
@@ -83,7 +84,7 @@ class NumbersEditor(Listed):
 
     def __init__(self, spec: ListSpec, parent: QWidget) -> None:
         super().__init__(spec, parent, f"{spec.hint}. Numbers between commas")
-        if spec.of.unit != "Hz":
+        if self._spec.of.unit != "Hz":
             return
         self.field = QWidget(parent)
         row = QHBoxLayout(self.field)

@@ -1,13 +1,15 @@
 """A text that means something, followed while it is typed."""
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QMimeData, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
+    QFocusEvent,
     QFont,
     QFontDatabase,
     QKeyEvent,
     QKeySequence,
     QPainter,
+    QPaintEvent,
     QPen,
     QResizeEvent,
     QTextCharFormat,
@@ -100,7 +102,7 @@ class LiveText(QPlainTextEdit):
         return QSize(72, self.sizeHint().height())
 
     def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.ShortcutOverride:
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
             if any(event.matches(key) for key in _UNDOING):
                 event.ignore()
                 return False
@@ -118,11 +120,11 @@ class LiveText(QPlainTextEdit):
         else:
             super().keyPressEvent(event)
 
-    def focusOutEvent(self, event) -> None:
+    def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
         self._burst.end()
 
-    def insertFromMimeData(self, source) -> None:
+    def insertFromMimeData(self, source: QMimeData) -> None:
         # One line, whatever is pasted.
         self.insertPlainText(" ".join(source.text().split()))
 
@@ -130,7 +132,7 @@ class LiveText(QPlainTextEdit):
         super().resizeEvent(event)
         self._fit()
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         if self._column is not None:
             painter = QPainter(self.viewport())

@@ -3,11 +3,13 @@
 from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QColor,
+    QFocusEvent,
     QGuiApplication,
     QKeyEvent,
     QKeySequence,
     QMouseEvent,
     QPainter,
+    QPaintEvent,
     QPen,
     QResizeEvent,
     QWheelEvent,
@@ -25,6 +27,7 @@ from skinsource_gui.widgets.fields.number_typing import (
 )
 from skinsource_gui.widgets.fields.round_numbers import clamped
 from skinsource_gui.widgets.fields.shown_number import ShownNumber
+from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
 
 _UNIT_GAP_PX = 4
 # Qt leaves this at each side of the text of a line edit.
@@ -169,15 +172,14 @@ class NumberField(QLineEdit):
             event.ignore()
 
     def event(self, event: QEvent) -> bool:
-        # Without this, a shortcut of the window would take the key.
-        if event.type() == QEvent.Type.ShortcutOverride and (
+        return kept_from_shortcuts(event, self._wants) or super().event(event)
+
+    def _wants(self, event: QKeyEvent) -> bool:
+        return (
             self.gestures.knows(event)
             or (begins_typing(event) and not self.editing)
             or (event.key() == Qt.Key.Key_Escape and (self.editing or self.gestures.dragging))
-        ):
-            event.accept()
-            return True
-        return super().event(event)
+        )
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         if not self.hasFocus():
@@ -213,12 +215,12 @@ class NumberField(QLineEdit):
             self.gestures.release()
             self.begin_editing()
 
-    def focusInEvent(self, event) -> None:
+    def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
         if not self.editing:
             self.deselect()
 
-    def focusOutEvent(self, event) -> None:
+    def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
         if not self.editing or event.reason() in _TEMPORARY_LOSSES:
             return
@@ -236,7 +238,7 @@ class NumberField(QLineEdit):
         super().resizeEvent(event)
         self._show(self.value_si)
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         painter = QPainter(self)
         has_own_unit = self.editing and any(c.isalpha() or c in "°×²" for c in self.text())

@@ -7,7 +7,7 @@ from skinsource.waveforms import frequency_sweep
 from skinsource_gui.theme import theme_of
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
-from skinsource_gui.widgets.fields.typed_numbers import numbers_text
+from skinsource_gui.widgets.fields.typed_numbers import number_of, numbers_text
 
 _SPACING = ChoiceSpec(
     label="Spacing",
@@ -33,8 +33,8 @@ class SweepDialog(QDialog):
         count = NumberSpec(
             label="Count", minimum=max(spec.fewest, 1), maximum=spec.most, whole=True
         )
-        self.low = self._number("low_hz", spec.of, min(values, default=50.0))
-        self.high = self._number("high_hz", spec.of, max(values, default=400.0))
+        self.low = self._number("low_hz", number_of(spec), min(values, default=50.0))
+        self.high = self._number("high_hz", number_of(spec), max(values, default=400.0))
         self.count = self._number("count", count, len(values) or 5)
         self.spacing = self._choice("spacing", _SPACING, "logarithmic")
         falls = len(values) > 1 and values[0] > values[-1]
@@ -67,7 +67,11 @@ class SweepDialog(QDialog):
         """The frequencies, in Hz."""
         low, high = sorted((self.low.value_si, self.high.value_si))
         return frequency_sweep(
-            low, high, round(self.count.value_si), self.spacing.value, self.order.value
+            low,
+            high,
+            round(self.count.value_si),
+            "linear" if self.spacing.value == "linear" else "logarithmic",
+            "down" if self.order.value == "down" else "up",
         )
 
     def _number(self, name: str, spec: NumberSpec, value: float) -> NumberField:

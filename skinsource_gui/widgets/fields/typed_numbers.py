@@ -11,9 +11,16 @@ from skinsource_gui.widgets.fields.units import display_unit, parse_number
 _DIGITS = 12
 
 
+def number_of(spec: ListSpec) -> NumberSpec:
+    """What each number of a list of numbers may be."""
+    if not isinstance(spec.of, NumberSpec):
+        raise TypeError(f"{spec.label}: a list of {type(spec.of).__name__}, expected of numbers")
+    return spec.of
+
+
 def numbers_text(values: tuple[float, ...], spec: ListSpec) -> str:
     """Numbers in their display unit, between commas: ``"50, 84.1"``."""
-    return ", ".join(_shown(value, spec.of) for value in values)
+    return ", ".join(_shown(value, number_of(spec)) for value in values)
 
 
 def read_numbers(text: str, spec: ListSpec) -> tuple[float, ...]:
@@ -24,7 +31,7 @@ def read_numbers(text: str, spec: ListSpec) -> tuple[float, ...]:
     InvalidInputError
         One of them is no number that is allowed, or there are too few or too many.
     """
-    values = tuple(parse_number(one, spec.of) for one in _parts(text))
+    values = tuple(parse_number(one, number_of(spec)) for one in _parts(text))
     if not spec.fewest <= len(values) <= spec.most:
         raise InvalidInputError(
             f"{spec.label}: {len(values)} typed. Allowed: {spec.fewest} to {spec.most} numbers, "

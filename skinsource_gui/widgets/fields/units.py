@@ -44,7 +44,7 @@ class DisplayUnit:
         """Number to show for a value."""
         return float(Fraction(value_si) / self.si)
 
-    def value_si(self, shown: str | float) -> float:
+    def value_si(self, shown: str | float | Fraction) -> float:
         """Value of a number that is shown."""
         return float(Fraction(shown) * self.si)
 

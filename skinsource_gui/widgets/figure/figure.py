@@ -1,11 +1,12 @@
 """A picture that follows the theme, says why it is empty, and reads what the pointer is over."""
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen
+from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, scaled, tabular
 from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
 from skinsource_gui.widgets.lateness import Lateness
 
 _TEXT = 0.92
@@ -81,7 +82,7 @@ class Figure(QWidget):
         """Tell what the cursor reads now that something else is drawn."""
         self.move_cursor(self.cursor_at)
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.fillRect(self.rect(), QColor(self.theme.base))
@@ -103,11 +104,7 @@ class Figure(QWidget):
         painter.end()
 
     def event(self, event: QEvent) -> bool:
-        is_shortcut = event.type() == QEvent.Type.ShortcutOverride
-        if is_shortcut and isinstance(event, QKeyEvent) and self._means(event):
-            event.accept()
-            return True
-        return super().event(event)
+        return kept_from_shortcuts(event, self._means) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         means, area = self._means(event), self.keys_area()

@@ -1,7 +1,7 @@
 """Words that take as many lines as they need."""
 
 from PySide6.QtCore import QRect, QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QResizeEvent
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme, tabular
@@ -78,7 +78,7 @@ class WordsLabel(QWidget):
             self._held_lines = self._lines_of(self.shown, self.width())
             self.updateGeometry()
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setPen(QColor(self._theme.dim))
         painter.drawText(self.rect(), int(_FLAGS), self.shown)

@@ -1,11 +1,12 @@
 """Clips of several tracks on a small ruler."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
@@ -147,7 +148,7 @@ class ClipStrip(QWidget):
         lanes = max(len(self._lanes), 3)
         return QSize(520, round(lanes * _LANE_PX[1]) + _AXIS_PX + 4)
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         if self._words:
             painter.setPen(QColor(self._theme.warning))
@@ -185,7 +186,14 @@ class ClipStrip(QWidget):
         place = QRectF(0.0, area.center().y() - high / 2, _SWATCH_PX, high)
         paint_swatch(painter, place, lane.place, colour, QColor(self._theme.text), silent=False)
 
-    def _paint_clip(self, painter, area: QRectF, colour: QColor, clip: ShownClip, x_of) -> None:
+    def _paint_clip(
+        self,
+        painter: QPainter,
+        area: QRectF,
+        colour: QColor,
+        clip: ShownClip,
+        x_of: Callable[[float], float],
+    ) -> None:
         left, right = x_of(clip.start_s), x_of(clip.start_s + clip.duration_s)
         box = QRectF(left, area.top() + 2, max(right - left, 2.0), area.height() - 4)
         ground = QColor(colour)

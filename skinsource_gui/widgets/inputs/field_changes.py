@@ -1,5 +1,7 @@
 """A field of several inputs, typed or dragged."""
 
+from typing import Any
+
 from skinsource import edits
 from skinsource.design import Design
 from skinsource.edits import Edit, Refusal
@@ -22,7 +24,7 @@ class FieldChanges:
         view: View,
         ids: tuple[int, ...],
         name: str,
-        value: object,
+        value: Any,
         *,
         lead: int,
         gesture: int | None,
@@ -30,6 +32,6 @@ class FieldChanges:
         """Give field ``name`` of input ``lead`` this value; the others of ``ids`` go with it."""
         if gesture is None or len(ids) == 1:
             return edits.change_field(design, view, ids, name, value)
-        if gesture != self._gesture:
+        if gesture != self._gesture or self._start is None:
             self._gesture, self._start = gesture, design
         return edits.drag_field(design, view, ids, name, value, lead=lead, start=self._start)

@@ -1,7 +1,7 @@
 """A small button with one letter on it."""
 
 from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter, QPen
+from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme
@@ -54,7 +54,7 @@ class LetterButton(QAbstractButton):
         else:
             super().keyPressEvent(event)
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setOpacity(1.0 if self.isEnabled() else _FAINT)
@@ -77,7 +77,7 @@ class LetterButton(QAbstractButton):
         font = QFont(painter.font())
         font.setWeight(QFont.Weight.DemiBold)
         painter.setFont(font)
-        painter.setPen(words_on(fill) if lit else QColor(self._theme.dim))
+        painter.setPen(words_on(fill) if fill is not None and lit else QColor(self._theme.dim))
         painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self.text())
 
 

@@ -1,7 +1,7 @@
 """The colour of an input, with the number of its place."""
 
 from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QPainter, QPen
+from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme, tabular
@@ -68,7 +68,7 @@ class Swatch(QWidget):
     def sizeHint(self) -> QSize:
         return QSize(SWATCH_PX, SWATCH_PX)
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         paint_swatch(
             QPainter(self),
             QRectF(self.rect()),

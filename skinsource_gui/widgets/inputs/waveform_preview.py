@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
@@ -102,7 +102,7 @@ class WaveformPreview(QWidget):
         self._theme = theme
         self.update()
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         drawn = not self._words and self._samples is not None and self._samples.size > 0
         ground = self.palette().window().color()
@@ -113,18 +113,23 @@ class WaveformPreview(QWidget):
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(self.rect(), flags, self._words_that_fit(flags))
             return
-        if not drawn:
+        if not drawn or self._samples is None:
             return
         plot = QRectF(self.rect()).adjusted(_MARGIN_PX, 2, -_MARGIN_PX, -2)
         if self._has_axis:
             plot.setBottom(plot.bottom() - _AXIS_PX)
-            shown = (self._theme, self._span_s())
+            span_s = self._span_s(self._samples)
+            shown = (self._theme, span_s)
             self._axis.paint(
-                painter, QRectF(self.rect()), shown, partial(self._paint_axis, plot=plot), ground
+                painter,
+                QRectF(self.rect()),
+                shown,
+                partial(self._paint_axis, plot=plot, span_s=span_s),
+                ground,
             )
         painter.setPen(QPen(QColor(self._theme.border), 1))
         painter.drawLine(QLineF(plot.left(), plot.center().y(), plot.right(), plot.center().y()))
-        self._paint_curve(painter, plot)
+        self._paint_curve(painter, plot, self._samples)
 
     def _words_that_fit(self, flags: int) -> str:
         # The whole is in the tooltip, and where it concerns the whole window, at its top.
@@ -135,21 +140,21 @@ class WaveformPreview(QWidget):
             shown = " ".join(words) + " …"
         return shown
 
-    def _span_s(self) -> float:
-        return max(self._samples.size / self._sample_rate_hz, _SHORTEST_S)
+    def _span_s(self, samples: Floats) -> float:
+        return max(samples.size / self._sample_rate_hz, _SHORTEST_S)
 
-    def _paint_curve(self, painter: QPainter, plot: QRectF) -> None:
+    def _paint_curve(self, painter: QPainter, plot: QRectF, drawn: Floats) -> None:
         if self._pale:
             painter.setOpacity(_PALE)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(self._colour, 1))
         sign = -1 if self._flipped else 1
         middle, reach = plot.center().y(), sign * plot.height() / 2 / self._height
-        shown_px = plot.width() * self._samples.size / self._sample_rate_hz / self._span_s()
+        shown_px = plot.width() * drawn.size / self._sample_rate_hz / self._span_s(drawn)
         columns = max(int(shown_px * self.devicePixelRatioF()), 1)
         points = visible_points(
-            np.arange(self._samples.size) / self._samples.size,
-            self._samples[np.newaxis],
+            np.arange(drawn.size) / drawn.size,
+            drawn[np.newaxis],
             (0.0, 1.0),
             columns,
         )
@@ -170,9 +175,9 @@ class WaveformPreview(QWidget):
         painter.setPen(QPen(self._colour, 0))
         painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
 
-    def _paint_axis(self, painter: QPainter, plot: QRectF) -> None:
-        unit, per_s = axis_unit(self._span_s())
-        span = self._span_s() * per_s
+    def _paint_axis(self, painter: QPainter, plot: QRectF, span_s: float) -> None:
+        unit, per_s = axis_unit(span_s)
+        span = span_s * per_s
         step = tick_step(span, int(plot.width() / _TICK_SPACING_PX))
         unit_px = self.fontMetrics().horizontalAdvance(f" {unit}") + 2
         for k in range(int(span / step * (1 + 1e-9)) + 1):

@@ -265,10 +265,11 @@ def key_text(place: str, name: str) -> str:
     return QKeySequence(keys[0]).toString(QKeySequence.SequenceFormat.NativeText)
 
 
+def _combined(key: str) -> int:
+    first: QKeyCombination = QKeySequence(key)[0]  # type: ignore[index]  # PySide's stubs forget it
+    return first.toCombined()
+
+
 @cache
 def _meanings(place: str) -> Mapping[int, str]:
-    return {
-        QKeySequence(key)[0].toCombined(): hint.name
-        for hint in WIDGET_KEYS[place][1]
-        for key in hint.keys
-    }
+    return {_combined(key): hint.name for hint in WIDGET_KEYS[place][1] for key in hint.keys}

@@ -29,7 +29,9 @@ def colour_table(name: str = VIRIDIS) -> NDArray[np.uint32]:
     return table
 
 
-def colour_indices(levels_db: NDArray[np.float64], range_db: tuple[float, float]) -> NDArray:
+def colour_indices(
+    levels_db: NDArray[np.float64], range_db: tuple[float, float]
+) -> NDArray[np.uint8]:
     """Row of the colour table of each level, uint8, shape of ``levels_db``.
 
     Levels outside the range take the colour of its nearer end, NaN that of the lower end.

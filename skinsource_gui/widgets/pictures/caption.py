@@ -6,9 +6,10 @@ from functools import partial
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
+from skinsource.chain import amplitude_unit
 from skinsource.choice_words import SCALINGS, limb_word, word_of
 from skinsource.clips import Clip
-from skinsource.design import Design, Input, amplitude_unit, audible_inputs
+from skinsource.design import Design, Input, audible_inputs
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.inputs.input_words import duration_text, figure_text

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QRect, QSize, QSizeF
 from PySide6.QtGui import QImage, QPageSize, QPainter, QPdfWriter, QPixmap
@@ -28,7 +29,9 @@ def save_picture(path: Path, picture: QImage | QPixmap) -> None:
     """
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-    picture.save(buffer, "PNG")
+    # The stubs of PySide ask for bytes, which it does not take.
+    image: Any = picture
+    image.save(buffer, "PNG")
     write_bytes(path, bytes(buffer.data().data()))
 
 
@@ -108,7 +111,7 @@ def _pdf(device: QIODevice, draw: Draw, width: int, height: int, title: str) -> 
     page = QPdfWriter(device)
     page.setTitle(title)
     page.setResolution(PER_INCH)
-    points = QSizeF(width, height) * _POINTS / PER_INCH
+    points = QSizeF(width, height) * (_POINTS / PER_INCH)
     page.setPageSize(QPageSize(points, QPageSize.Unit.Point))
     page.setPageMargins(QMarginsF())
     painter = QPainter(page)

@@ -20,7 +20,13 @@ LAYOUT = ChoiceSpec(
     options=((OWN, "A size of its own"), *((one.name, one.title) for one in LAYOUTS)),
     hint="Width and height for a column of a paper, a slide, or a poster",
 )
-_SIDE = {"unit": "px", "minimum": 100, "maximum": 20000, "step": 100.0, "whole": True}
+_SIDE: dict[str, Any] = {
+    "unit": "px",
+    "minimum": 100,
+    "maximum": 20000,
+    "step": 100.0,
+    "whole": True,
+}
 _HINT = "Of pixels; in SVG and PDF 96 of them are an inch"
 WIDTH = NumberSpec(label="Width", hint=_HINT, **_SIDE)
 HEIGHT = NumberSpec(label="Height", hint=_HINT, **_SIDE)
@@ -103,7 +109,7 @@ class PictureDialog(QDialog):
         self._usual = options.width_px, options.height_px
         self._cells: dict[str, FieldCell] = {}
         self.setWindowTitle("Picture")
-        form = QFormLayout(self)
+        self._form = form = QFormLayout(self)
         for name, spec in specs_of(options).items():
             cell = FieldCell(name, spec, self)
             cell.set_value(getattr(options, name))
@@ -122,8 +128,12 @@ class PictureDialog(QDialog):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         # In the studio's panels Enter begins to type; a dialog is done with it.
-        is_key = event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent)
-        if is_key and event.key() in FINISHERS and isinstance(watched, NumberField):
+        if (
+            isinstance(event, QKeyEvent)
+            and event.type() == QEvent.Type.KeyPress
+            and event.key() in FINISHERS
+            and isinstance(watched, NumberField)
+        ):
             if not watched.editing or watched.commit():
                 self.accept()
             return True
@@ -133,13 +143,13 @@ class PictureDialog(QDialog):
         done = super().event(event)
         if event.type() == QEvent.Type.LayoutRequest:
             # A remark under a field may take several lines.
-            needed = self.layout().totalHeightForWidth(self.width())
+            needed = self._form.totalHeightForWidth(self.width())
             self.resize(self.width(), max(self.height(), needed))
         return done
 
     def _take(self, name: str, value: object, _gesture: int | None) -> None:
         whole = int(value) if isinstance(value, float) else value
-        changes: dict[str, object] = {name: whole}
+        changes: dict[str, Any] = {name: whole}
         layout = layout_of(str(value)) if name == "layout" else None
         if layout is not None:
             width, height = layout.size_px(self._usual)

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
 from skinsource_gui.widgets.wheel import ScrollingOn
 
 
@@ -57,11 +58,7 @@ class Canvas(pyqtgraph.GraphicsView):
         """Put everything where it belongs in the size that there is now."""
 
     def event(self, event: QEvent) -> bool:
-        is_shortcut = event.type() == QEvent.Type.ShortcutOverride
-        if is_shortcut and isinstance(event, QKeyEvent) and self.claims(event):
-            event.accept()
-            return True
-        return super().event(event)
+        return kept_from_shortcuts(event, self.claims) or super().event(event)
 
     def viewportEvent(self, event: QEvent) -> bool:
         if isinstance(event, QWheelEvent) and self.scrolling_on.passes(event):

@@ -1,5 +1,7 @@
 """One row of a plot: a view with curves and crosshair, the axis on its left, its number."""
 
+from collections.abc import Sequence
+
 import pyqtgraph
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QFont, QPen
@@ -79,7 +81,7 @@ class PlotRow:
             self._shown = shown
             self.view.setXRange(*shown, padding=0)
 
-    def show_points(self, points: tuple[CurvePoints, ...]) -> None:
+    def show_points(self, points: Sequence[CurvePoints]) -> None:
         """Draw one curve for each of ``points``."""
         while len(self.curves) < len(points):
             curve = SignalCurve()
@@ -92,13 +94,13 @@ class PlotRow:
             for rank, curve in enumerate(self.curves):
                 curve.setVisible(rank < self.n_curves)
 
-    def show_pens(self, pens: list[QPen], *, stale: bool) -> None:
+    def show_pens(self, pens: Sequence[QPen], *, stale: bool) -> None:
         """Give each curve its pen; pale where it is stale."""
         for curve, pen in zip(self.curves, pens, strict=False):
             curve.set_look(pen, stale=stale)
 
     def show_crosshair(
-        self, position: float | None, heights: list[float], colours: list[QColor]
+        self, position: float | None, heights: Sequence[float], colours: Sequence[QColor]
     ) -> None:
         """Read the curves at ``position``, or nowhere."""
         seen = position is not None

@@ -29,7 +29,7 @@ def _lines(results: Mapping[str, Any], first: tuple[str, ...]) -> tuple[str, ...
 def heading_of(results: Mapping[str, Any]) -> tuple[str, ...]:
     """Parts of the heading of a picture."""
     played = results["inputs"]
-    parts = (
+    parts: tuple[str, ...] = (
         limb_word(results["limb"]).title,
         signal_words(results["axes"], results["method"]),
         f"scaling: {word_of(SCALINGS, results['scaling']).title.lower()}",

@@ -25,7 +25,7 @@ def draw_signals(
     painter: QPainter, width: int, height: int, *, plot: Plot, theme: Theme = LIGHT
 ) -> None:
     """Draw what ``plot`` shows, ``width`` by ``height`` px; words grow with the picture."""
-    usual = usual_size(plot) / _SCALE
+    usual = usual_size(plot).toSizeF() * (1.0 / _SCALE)
     scale = min(width / usual.width(), height / usual.height())
     room = QSize(round(width / scale), round(height / scale))
     # As wide as it will be, so that the head takes as many lines as it needs there.

@@ -3,7 +3,7 @@
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
@@ -44,7 +44,7 @@ class SpectrumPreview(QWidget):
         self._theme = theme
         self.update()
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         plot = QRectF(self.rect()).adjusted(_LEFT_PX, _EDGE_PX, -_EDGE_PX, -_BOTTOM_PX)
         band = QColor(self._theme.accent)
@@ -114,4 +114,4 @@ def _lines(samples: Floats, sample_rate_hz: float) -> tuple[Floats, Floats]:
     magnitude = np.abs(np.fft.rfft(samples, length))
     largest = max(float(magnitude.max(initial=0.0)), np.finfo(np.float64).tiny)
     level_db = 20.0 * np.log10(np.maximum(magnitude / largest, 1e-12))
-    return np.fft.rfftfreq(length, 1.0 / sample_rate_hz), level_db
+    return np.asarray(np.fft.rfftfreq(length, 1.0 / sample_rate_hz), np.float64), level_db

@@ -184,7 +184,7 @@ def test_what_is_chosen_in_the_row_is_what_is_shown(make_window, look):
     look(window)
     assert settings_of(window.document.view, "skin", SkinSettings).quantity == RMS
     assert row.pace.isVisible()
-    assert row.window.isVisible()
+    assert row.rms_window.isVisible()
     row.pace.setCurrentIndex(row.pace.findData("20"))
     row.pace.activated.emit(row.pace.currentIndex())
     assert window.document.view.slow_motion == 20.0

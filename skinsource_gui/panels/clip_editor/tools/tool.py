@@ -8,7 +8,8 @@ from PySide6.QtGui import QPainter
 from skinsource_gui.panels.clip_editor.content import EditorContent
 from skinsource_gui.theme import Theme
 
-Held, Button = Qt.KeyboardModifier, Qt.MouseButton
+Held = Qt.KeyboardModifier
+Button = Qt.MouseButton
 
 
 class Tool(Protocol):

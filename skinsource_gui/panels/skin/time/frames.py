@@ -98,6 +98,8 @@ class Frames:
     def frame(self, view: View, settings: SkinSettings) -> Frame:
         """The skin at the playhead of ``view``."""
         kept = self._kept
+        if kept is None:
+            raise LookupError("there are no signals to make a frame of")
         at_s = response_time_s(view, kept.delay_s)
         self.made += 1
         quantity = MapQuantity(
@@ -109,10 +111,9 @@ class Frames:
         )
         if isinstance(kept, SlidingEnergy):
             values = decibels(kept.rms(at_s, settings.rms_window_s))
-        elif self._name == Z:
-            values = kept.acceleration(at_s)[:, 0]
         else:
-            values = decibels(kept.magnitude(at_s))
+            is_z = self._name == Z
+            values = kept.acceleration(at_s)[:, 0] if is_z else decibels(kept.magnitude(at_s))
         return Frame(quantity=quantity, values=values)
 
     def value_range(self, settings: SkinSettings) -> Range:

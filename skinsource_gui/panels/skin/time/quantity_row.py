@@ -36,10 +36,10 @@ class QuantityRow(QWidget):
         super().__init__(parent)
         self.quantity = ChoiceField(QUANTITY, self)
         self.quantity.setObjectName("skin_quantity")
-        self.window = NumberField(RMS_WINDOW, self, widest_unit="ms")
-        self.window.setObjectName("skin_rms_window")
-        self.window.setAccessibleName(RMS_WINDOW.label)
-        self.window.setToolTip(tooltip(RMS_WINDOW.label, RMS_WINDOW.hint))
+        self.rms_window = NumberField(RMS_WINDOW, self, widest_unit="ms")
+        self.rms_window.setObjectName("skin_rms_window")
+        self.rms_window.setAccessibleName(RMS_WINDOW.label)
+        self.rms_window.setToolTip(tooltip(RMS_WINDOW.label, RMS_WINDOW.hint))
         self.pace = ChoiceField(PACE, self)
         self.pace.setObjectName("skin_pace")
         self.pace.setMinimumContentsLength(4)
@@ -47,12 +47,12 @@ class QuantityRow(QWidget):
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(UNIT_PX // 2)
         row.addWidget(self.quantity, 1)
-        row.addWidget(self.window)
+        row.addWidget(self.rms_window)
         row.addWidget(self.pace)
         self._fit()
         self.quantity.chosen.connect(self._choose_quantity)
         self.pace.chosen.connect(self._choose_pace)
-        self.window.edited.connect(self._choose_window)
+        self.rms_window.edited.connect(self._choose_window)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -62,21 +62,21 @@ class QuantityRow(QWidget):
     def show_settings(self, settings: SkinSettings, slow_motion: float) -> None:
         """Show the present choice."""
         self.quantity.set_value(settings.quantity)
-        self.window.setVisible(settings.quantity == RMS)
-        self.window.set_value(settings.rms_window_s)
+        self.rms_window.setVisible(settings.quantity == RMS)
+        self.rms_window.set_value(settings.rms_window_s)
         self.pace.setVisible(settings.quantity not in STILL)
         self.pace.set_value(f"{slow_motion:g}")
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
-        self.window.show_theme(theme)
+        self.rms_window.show_theme(theme)
 
     def _fit(self) -> None:
         metrics = self.fontMetrics()
         pace = metrics.horizontalAdvance("1/200") + _ARROW_PX
         window = metrics.horizontalAdvance("500 ms") + 3 * UNIT_PX
         self.pace.setFixedWidth(max(_PACE_PX, pace))
-        self.window.setFixedWidth(max(_WINDOW_PX, window))
+        self.rms_window.setFixedWidth(max(_WINDOW_PX, window))
 
     def _choose_quantity(self, name: str, _gesture: object) -> None:
         self.quantity_chosen.emit(name)

@@ -1,7 +1,7 @@
 """The colour bar of signed values: zero in the middle, the same limit either way."""
 
 from PySide6.QtCore import QEvent, QRectF, Qt, Signal
-from PySide6.QtGui import QPainter
+from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from skinsource.fields import NumberSpec
@@ -47,7 +47,7 @@ class SignedStrip(QWidget):
         self._theme = theme
         self.update()
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setFont(tabular(small_font(self.font())))
         ground = self.palette().window().color()

@@ -36,6 +36,7 @@ class TimeView(QObject):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
+        self._parent = parent
         self.frames = Frames()
         self.row, self.scrub, self.bar = QuantityRow(parent), ScrubBar(parent), SignedBar(parent)
         self._asked_block = -1
@@ -104,7 +105,7 @@ class TimeView(QObject):
         }
 
     def _leave_lists(self) -> None:
-        self.parent().setFocus(Qt.FocusReason.OtherFocusReason)
+        self._parent.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""

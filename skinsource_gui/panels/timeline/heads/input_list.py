@@ -4,7 +4,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QMouseEvent
+from PySide6.QtGui import (
+    QContextMenuEvent,
+    QFocusEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QResizeEvent,
+    QWheelEvent,
+)
 from PySide6.QtWidgets import QApplication, QFrame, QScrollArea, QVBoxLayout, QWidget
 
 from skinsource_gui.panels.timeline.heads.input_row import InputRow
@@ -13,6 +20,7 @@ from skinsource_gui.panels.timeline.heads.list_mouse import ListMouse
 from skinsource_gui.panels.timeline.heads.row_signals import RowSignals
 from skinsource_gui.panels.timeline.heads.row_state import RowState
 from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
 
 _GAP_PX = 3
 
@@ -81,11 +89,10 @@ class InputRows(QWidget):
             row.show_theme(theme)
 
     def event(self, event: QEvent) -> bool:
-        # Without this, a shortcut of the window that does the same would take the key, or both.
-        if event.type() == QEvent.Type.ShortcutOverride and self.keys.claims(event):
-            event.accept()
-            return True
-        return super().event(event)
+        return kept_from_shortcuts(event, self._claims) or super().event(event)
+
+    def _claims(self, event: QKeyEvent) -> bool:
+        return self.keys.claims(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self.mouse.cancel():
@@ -118,11 +125,11 @@ class InputRows(QWidget):
             at = row.mapToGlobal(row.rect().center()) if by_key else event.globalPos()
             self.mouse.menu_wanted.emit(row.id, at)
 
-    def focusInEvent(self, event) -> None:
+    def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
         self._show_focus()
 
-    def focusOutEvent(self, event) -> None:
+    def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
         self._show_focus()
 
@@ -208,11 +215,11 @@ class InputList(QScrollArea):
             self._scroll()
         self._shown = shown
 
-    def resizeEvent(self, event) -> None:
+    def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._scroll()
 
-    def wheelEvent(self, event) -> None:
+    def wheelEvent(self, event: QWheelEvent) -> None:
         self._let_go()
         super().wheelEvent(event)
 

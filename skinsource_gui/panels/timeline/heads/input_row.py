@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QPainter, QResizeEvent
+from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QWidget
 
 from skinsource.design import AMPLITUDE
@@ -15,6 +15,7 @@ from skinsource_gui.panels.timeline.heads.row_state import RowState
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.inputs.letter_button import (
+    LetterButton,
     mute_button,
     remove_button,
     solo_button,
@@ -49,18 +50,20 @@ class InputRow(QWidget):
         self.remove.clicked.connect(self._remove)
 
     @property
-    def controls(self) -> tuple[QWidget, ...]:
+    def controls(self) -> tuple[NumberField | LetterButton, ...]:
         """What the keyboard can reach, in its order."""
         return (self.amplitude, self.mute, self.solo, self.remove)
 
     @property
     def id(self) -> int:
         """Id of its input."""
-        return self._state.shown.id
+        return self.state.shown.id
 
     @property
-    def state(self) -> RowState | None:
-        """What is shown."""
+    def state(self) -> RowState:
+        """What is shown; only a row that shows something is asked."""
+        if self._state is None:
+            raise LookupError("this row shows no input yet")
         return self._state
 
     def show_state(self, state: RowState) -> None:
@@ -116,7 +119,7 @@ class InputRow(QWidget):
         self.solo.setGeometry(places.solo)
         self.remove.setGeometry(places.remove)
 
-    def paintEvent(self, event) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         if self._state is not None:
             painter = QPainter(self)
             paint_row(painter, self._state, self._places, self._theme)

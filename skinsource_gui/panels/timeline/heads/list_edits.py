@@ -20,7 +20,7 @@ class ListEdits(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._design: Design | None = None
+        self._design = Design(limb="")
         self._view = View()
         self._changes = FieldChanges()
 

@@ -15,7 +15,7 @@ class ListSelection(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._design: Design | None = None
+        self._design = Design(limb="")
         self._view = View()
         # Where a selection of all rows on the way began.
         self._anchor: int | None = None

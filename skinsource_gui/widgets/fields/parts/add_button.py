@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
 from skinsource.edits.kinds import KindSpec
 from skinsource.edits.parts import choices_of
-from skinsource.fields import ListSpec
+from skinsource.fields import ListSpec, RecipeSpec
 from skinsource_gui.widgets.inputs.kind_menu import fill_kind_menu
 from skinsource_gui.widgets.tooltips import tooltip
 
@@ -18,9 +18,9 @@ class AddButton(QToolButton):
     #: Name of a kind.
     chosen = Signal(str)
 
-    def __init__(self, spec: ListSpec, parent: QWidget | None = None) -> None:
+    def __init__(self, spec: ListSpec, of: RecipeSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._spec = spec
+        self._spec, self._of = spec, of
         self.setObjectName("add_part")
         self.setText("Add…")
         self.setAccessibleName(f"{spec.label}: add")
@@ -38,7 +38,7 @@ class AddButton(QToolButton):
         self.setToolTip(tooltip(most if full else "Add one at the end"))
 
     def _fill(self) -> None:
-        menu, choices = self.menu(), choices_of(self._spec.of)
+        menu, choices = self.menu(), choices_of(self._of)
         menu.clear()
         if isinstance(choices, KindSpec):
             fill_kind_menu(menu, self.chosen.emit)

@@ -68,8 +68,10 @@ class PartFields(QObject):
         """Take over the rate of another limb."""
         self._spec = spec
         specs = specs_of(self._built_for) if self._built_for else {}
-        for name, one in (*self._own.items(), *self._held.items()):
-            one.set_spec(self._at_rate(specs[name]))
+        for name, cell in self._own.items():
+            cell.set_spec(self._at_rate(specs[name]))
+        for name, held in self._held.items():
+            held.set_spec(self._at_rate(specs[name]))
 
     def show_reason(self, reason: str) -> None:
         """Say at the field that was edited last why it stays as it was."""
@@ -92,7 +94,8 @@ class PartFields(QObject):
             cell.show_theme(theme)
 
     def _build(self, recipe: Any) -> None:
-        old, own = (*self._own.values(), *self._held.values()), {}
+        old = self._held.values()
+        own: dict[str, EditedCell] = {}
         gone = [cell for cell in self.cells if cell is not self._kind]
         held: dict[str, PartFields] = {}
         for name, spec in specs_of(recipe).items():
@@ -104,8 +107,9 @@ class PartFields(QObject):
             elif spec.asked:
                 own[name] = self._cell(name, self._at_rate(spec))
                 own[name].edited.connect(self._change)
+                editor: Any = own[name].editor
                 if isinstance(spec, ListSpec) and spec.nests:
-                    own[name].editor.holder = lambda: self._recipe
+                    editor.holder = lambda: self._recipe
         self._own, self._held, self._built_for = own, held, type(recipe)
         focused = QApplication.focusWidget()
         within = focused is not None and any(cell.isAncestorOf(focused) for cell in gone)
@@ -115,8 +119,7 @@ class PartFields(QObject):
         for part in (widget for cell in gone for widget in (cell.label, cell)):
             part.deleteLater()
         for one in old:
-            if isinstance(one, PartFields):
-                one.deleteLater()
+            one.deleteLater()
 
     def _cell(self, name: str, spec: Spec) -> EditedCell:
         cell = EditedCell(name, spec, self._new_editor)

@@ -64,7 +64,7 @@ class PartRow(QWidget):
         column.addLayout(head)
         column.addWidget(self._grid)
         # Whose fields they are.
-        self._grid.layout().setContentsMargins(UNIT_PX, 0, 0, UNIT_PX // 2)
+        self._grid.set_margins(UNIT_PX, 0, 0, UNIT_PX // 2)
         self.title.opened.connect(self._open)
         self._up.clicked.connect(lambda: self.stepped.emit("shift_up"))
         self._down.clicked.connect(lambda: self.stepped.emit("shift_down"))
@@ -140,7 +140,8 @@ class PartRow(QWidget):
         self._grid.setVisible(open_)
 
     def _show_cells(self) -> None:
-        self._grid.show_cells(self._fields.cells)
+        if self._fields is not None:
+            self._grid.show_cells(self._fields.cells)
         self.restopped.emit()
 
 

@@ -13,7 +13,7 @@ from skinsource.edits.parts import (
     with_part,
     without_part,
 )
-from skinsource.fields import ListSpec
+from skinsource.fields import ListSpec, RecipeSpec
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.fields.editor import NewEditor
 from skinsource_gui.widgets.fields.parts.add_button import AddButton
@@ -34,16 +34,19 @@ class PartsEditor(QObject):
     edited = Signal(object, object)
     problem_changed = Signal(str)
 
-    def __init__(self, spec: ListSpec, new_editor: NewEditor, parent: QWidget) -> None:
+    def __init__(
+        self, spec: ListSpec, of: RecipeSpec, new_editor: NewEditor, parent: QWidget
+    ) -> None:
         super().__init__(parent)
-        self._spec, self._new_editor, self._theme = spec, new_editor, LIGHT
+        self._spec, self._of = spec, of
+        self._new_editor, self._theme = new_editor, LIGHT
         self._value: Parts = ()
         self.holder: Callable[[], Any] = lambda: None
         self.field = QWidget(parent)
         self.field.setAccessibleName(spec.label)
         self.label = QLabel(spec.label)
         self.label.setToolTip(tooltip(spec.hint))
-        self._add = AddButton(spec)
+        self._add = AddButton(spec, of)
         self._add.chosen.connect(self._add_part)
         self._column = RowColumn(self._add)
         self._column.moved.connect(
@@ -74,8 +77,10 @@ class PartsEditor(QObject):
     def set_spec(self, spec: ListSpec) -> None:
         """Take over the rate of another limb."""
         self._spec = spec
+        if isinstance(spec.of, RecipeSpec):
+            self._of = spec.of
         for row in self.rows:
-            row.set_spec(spec.of)
+            row.set_spec(self._of)
 
     def advice(self) -> str:
         """Nothing needs a remark."""
@@ -104,7 +109,7 @@ class PartsEditor(QObject):
         self._add.show_count(count)
 
     def _new_row(self) -> PartRow:
-        row = PartRow(self._spec.of, self._new_editor, self._theme, self._column)
+        row = PartRow(self._of, self._new_editor, self._theme, self._column)
         row.edited.connect(lambda part, gesture: self._change(row, part, gesture))
         row.removed.connect(lambda: self._remove(row))
         row.stepped.connect(lambda name: self._column.step(row, name))
@@ -114,7 +119,7 @@ class PartsEditor(QObject):
         return row
 
     def _add_part(self, name: str) -> None:
-        part = new_part(self._spec.of, name, self.holder())
+        part = new_part(self._of, name, self.holder())
         self._tell((*self._value, part), None)
         # Unless it was refused.
         if self.rows and self.rows[-1].part is self._value[-1] is part:

@@ -5,6 +5,7 @@ from PySide6.QtGui import QKeyEvent, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QApplication, QSizePolicy, QToolButton, QWidget
 
 from skinsource_gui.widgets.key_tables.key_table import key_text, meant
+from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
 from skinsource_gui.widgets.tooltips import tooltip
 
 # The arrow and the edges.
@@ -89,13 +90,11 @@ class RowTitle(QToolButton):
             event.ignore()
 
     def event(self, event: QEvent) -> bool:
-        # Without this, a shortcut of the window would take the key.
-        if event.type() == QEvent.Type.ShortcutOverride and (
-            meant(self._place, event) or (self._dragging and event.key() == Qt.Key.Key_Escape)
-        ):
-            event.accept()
-            return True
-        return super().event(event)
+        return kept_from_shortcuts(event, self._wants) or super().event(event)
+
+    def _wants(self, event: QKeyEvent) -> bool:
+        gives_up = self._dragging and event.key() == Qt.Key.Key_Escape
+        return gives_up or bool(meant(self._place, event))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

@@ -1,13 +1,13 @@
-"""The hand on which a path of places is clicked."""
+"""The path of places over the hand on which it is clicked."""
 
 from itertools import pairwise
 
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
-from skinsource_gui.panels.hand.drawings import drawing_of
 from skinsource_gui.panels.hand.hand_diagram import HandDiagram
+from skinsource_gui.panels.hand.hand_layout import HandLayout
 from skinsource_gui.panels.hand.site_marker import Place, paint_occupied
 from skinsource_gui.theme import Theme, tabular
 
@@ -15,22 +15,19 @@ _ARROW_PX = 9.0
 _BADGE_PX = 15.0
 
 
-class PathHand(HandDiagram):
-    """The hand without inputs; a click on a place, or Enter there, adds it to the path."""
+class PathLayer(QWidget):
+    """Lies over a hand, paints a path of places there, and leaves the pointer to the hand."""
 
-    #: Number of a place.
-    place_added = Signal(int)
-    last_removed = Signal()
-
-    def __init__(self, limb: str, theme: Theme, parent: QWidget | None = None) -> None:
-        super().__init__(drawing_of(limb), theme, parent)
+    def __init__(self, hand: HandDiagram, theme: Theme) -> None:
+        super().__init__(hand)
+        self._hand, self._theme = hand, theme
         self._path: tuple[int, ...] = ()
-        self._theme, self._colours = theme, {}
-        self.setObjectName("path_hand")
-        self.setAccessibleName("Path on the hand, palm side")
-        self.add_requested.connect(self.place_added)
-        self.add_besides_requested.connect(self.place_added)
-        self.remove_requested.connect(self.last_removed)
+        self._colours: dict[int, QColor] = {}
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        # Zoomed or moved, the places are elsewhere.
+        hand.stage.changed.connect(self.update)
+        hand.installEventFilter(self)
+        self.setGeometry(hand.rect())
 
     def show_path(self, path: tuple[int, ...], colours: dict[int, QColor]) -> None:
         """Show a path, and the colour of the track of each of its places."""
@@ -38,17 +35,23 @@ class PathHand(HandDiagram):
         self.update()
 
     def show_theme(self, theme: Theme) -> None:
+        """Take over colours."""
         self._theme = theme
-        super().show_theme(theme)
+        self.update()
 
-    def sizeHint(self) -> QSize:
-        return QSize(300, 380)
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self._hand and event.type() == QEvent.Type.Resize:
+            self.setGeometry(self._hand.rect())
+        return super().eventFilter(watched, event)
 
-    def paintEvent(self, event) -> None:
-        super().paintEvent(event)
+    @property
+    def _places(self) -> HandLayout:
+        return self._hand.hand
+
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        on_hand = [place for place in self._path if self.hand.has(place)]
+        on_hand = [place for place in self._path if self._places.has(place)]
         for place in dict.fromkeys(on_hand):
             self._paint_place(painter, place)
         for here, there in pairwise(on_hand):
@@ -60,9 +63,9 @@ class PathHand(HandDiagram):
     def _paint_place(self, painter: QPainter, site: int) -> None:
         place = Place(
             site=site,
-            centre=self.hand.centre(site),
-            radius_px=self.hand.radius_px,
-            push=self.hand.push(site),
+            centre=self._places.centre(site),
+            radius_px=self._places.radius_px,
+            push=self._places.push(site),
         )
         colour = self._colours.get(site, QColor(self._theme.accent))
         paint_occupied(painter, place, self._theme, [colour], silent=False)
@@ -70,12 +73,12 @@ class PathHand(HandDiagram):
     def _paint_leg(self, painter: QPainter, here: int, there: int) -> None:
         if here == there:
             return
-        way = self.hand.centre(there) - self.hand.centre(here)
+        way = self._places.centre(there) - self._places.centre(here)
         length = (way.x() ** 2 + way.y() ** 2) ** 0.5
         unit = way / length
         across = QPointF(-unit.y(), unit.x())
-        start = self.hand.centre(here) + unit * (self.hand.radius_px + 1.0)
-        tip = self.hand.centre(there) - unit * (self.hand.radius_px + 1.0)
+        start = self._places.centre(here) + unit * (self._places.radius_px + 1.0)
+        tip = self._places.centre(there) - unit * (self._places.radius_px + 1.0)
         base = tip - unit * _ARROW_PX
         half = across * (0.5 * _ARROW_PX)
         for colour, width in ((self._theme.base, 5.0), (self._theme.accent, 2.0)):
@@ -92,7 +95,7 @@ class PathHand(HandDiagram):
         font.setPixelSize(11)
         painter.setFont(font)
         width = max(painter.fontMetrics().horizontalAdvance(words) + 6.0, _BADGE_PX)
-        corner = self.hand.centre(site) + QPointF(0.75, -0.75) * self.hand.radius_px
+        corner = self._places.centre(site) + QPointF(0.75, -0.75) * self._places.radius_px
         area = QRectF(corner.x() - _BADGE_PX / 2, corner.y() - _BADGE_PX / 2, width, _BADGE_PX)
         painter.setPen(QPen(QColor(self._theme.accent), 1.0))
         painter.setBrush(QColor(self._theme.base))
