@@ -31,6 +31,8 @@ class MeasureFields(QObject):
 
     #: Why a value was not taken.
     refused = Signal(str)
+    #: `setup` is another one.
+    changed = Signal()
 
     def __init__(self, setup: MeasuringSetup, theme: Theme, parent: QObject) -> None:
         super().__init__(parent)
@@ -78,6 +80,8 @@ class MeasureFields(QObject):
         except InvalidInputError as error:
             self.refused.emit(str(error))
             self._cells[name].set_value(getattr(self.setup, name))
+        else:
+            self.changed.emit()
 
 
 def setup_text(setup: MeasuringSetup) -> str:

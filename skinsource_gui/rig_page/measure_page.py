@@ -7,12 +7,13 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QProgressBar, QVBoxLayout, QWidget
 
-from skinsource.errors import SkinSourceError, Stopped
+from skinsource.errors import InvalidInputError, SkinSourceError, Stopped
 from skinsource.quoting import sentence
 from skinsource.rig_measuring import (
     ChannelMeasurement,
     InputDevice,
     input_devices,
+    measurable,
     measure,
 )
 from skinsource.rigs import Rig, RigChannel
@@ -29,6 +30,7 @@ _INTRODUCTION = (
     "seconds of silence a quiet sweep comes, then those that are measured."
 )
 _LOOKING = "Looking for devices…"
+_START = "Play the sweeps, and record them"
 _READY = "Start plays on output {output}, at the level above."
 
 
@@ -80,7 +82,7 @@ class MeasurePage(QDialog):
         self.words.setObjectName("measure_words")
         self.words.setWordWrap(True)
         self.words.setTextFormat(Qt.TextFormat.PlainText)
-        self.start = page_button("measure_start", "Start", "Play the sweeps, and record them")
+        self.start = page_button("measure_start", "Start", _START)
         self.stop = page_button("measure_stop", "Stop", "Silence at once; nothing is kept")
         self.keep = page_button("measure_keep", "Keep", "Put it into the channel, with the date")
         self._close = page_button("measure_close", "Close", "Without keeping it")
@@ -131,6 +133,7 @@ class MeasurePage(QDialog):
         self.keep.clicked.connect(self._keep)
         self._close.clicked.connect(self.reject)
         self.fields.refused.connect(self._say)
+        self.fields.changed.connect(self._say_whether)
         self.plot.exports.failed.connect(self._say)
         self.plot.exports.written.connect(self._say)
         self._told.connect(self._show_progress, Qt.ConnectionType.QueuedConnection)
@@ -139,7 +142,7 @@ class MeasurePage(QDialog):
     def _look(self) -> None:
         """Look for devices: what is played ends, and the sound card is free."""
         self._looking = True
-        self._say(_LOOKING)
+        self._say(self._missing or _LOOKING)
         self._settings.look()
         self._show_state()
 
@@ -152,9 +155,9 @@ class MeasurePage(QDialog):
         self, found: tuple[InputDevice, ...] | None, error: SkinSourceError | None
     ) -> None:
         self.fields.show_inputs(found or ())
-        ready = _READY.format(output=self._channel.output)
-        self._say(ready if error is None else str(error))
-        self._show_state()
+        self._say_whether()
+        if error is not None and not self._missing:
+            self._say(str(error))
 
     def _start(self) -> None:
         setup, channel = self.fields.setup, self._channel
@@ -189,6 +192,21 @@ class MeasurePage(QDialog):
             self.kept.emit(self.found)
             self.accept()
 
+    @property
+    def _missing(self) -> str:
+        """Why it cannot be measured, whatever devices there are; or ""."""
+        try:
+            measurable(self._channel, self.fields.setup, self._settings.output.sample_rate_hz)
+        except InvalidInputError as error:
+            return sentence(str(error))
+        return ""
+
+    def _say_whether(self) -> None:
+        """Say that it can begin, or why it cannot; what was measured stays said."""
+        if not self._looking and (self._missing or self.found is None):
+            self._say(self._missing or _READY.format(output=self._channel.output))
+        self._show_state()
+
     def _show_progress(self, done: int, total: int, words: str) -> None:
         if self._running:
             self._bar.setRange(0, total)
@@ -197,7 +215,8 @@ class MeasurePage(QDialog):
 
     def _show_state(self) -> None:
         self.fields.grid.setEnabled(not self._running)
-        self.start.setEnabled(not (self._running or self._looking))
+        self.start.setEnabled(not (self._running or self._looking or self._missing))
+        self.start.setToolTip(self._missing or _START)
         self.stop.setEnabled(self._running)
         self.keep.setEnabled(self.found is not None)
         self._bar.setVisible(self._running)

@@ -29,14 +29,16 @@ _LAID_OUT = (QEvent.Type.Resize, QEvent.Type.LayoutRequest)
 
 
 class Notice(QObject):
-    """Words over the lower edge of a window; they stay until closed, replaced or outdated.
+    """Words at the edge of a window; they stay until closed, replaced or outdated.
 
-    Nothing moves to make room for them, and a click on the words reaches what lies below.
+    No panel lies below them.  What passes by itself lies over the status bar, or, while that is
+    away, over the titles of the panels; what stays gets room below the status bar.  A click on the
+    words reaches nothing else, nor does one where a button of theirs has just been.
 
     Parameters
     ----------
     window
-        Over whose panels they lie, just above the status bar; also the parent.
+        At whose edge they are; also the parent.
     """
 
     #: The user has closed it, with its cross.
@@ -47,16 +49,13 @@ class Notice(QObject):
         self._window = window
         self._colours = {"error": "", "warning": "", "info": ""}
         self._background, self._border = "", ""
-        self._kind = "info"
+        self._kind, self._passes = "info", False
         self._words = QLabel(window)
         self._words.setObjectName("notice")
         self._words.setWordWrap(True)
         self._words.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        # Who aims at what was here a moment ago shall hit it.
-        self._words.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._picture = QLabel(window)
         self._picture.setObjectName("notice_picture")
-        self._picture.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.buttons = QWidget(window)
         self.buttons.setObjectName("notice_buttons")
         self._row = QHBoxLayout(self.buttons)
@@ -68,12 +67,19 @@ class Notice(QObject):
         self._close.setObjectName("close_notice")
         self._close.setToolTip("Close this notice")
         self._close.setAccessibleName("Close this notice")
-        self._close.clicked.connect(self.be_quiet)
+        self._close.clicked.connect(self._choose)
         self._close.clicked.connect(self.closed)
         self._row.addWidget(self._close)
         self._passing, self._watches = QTimer(self), False
         self._passing.setSingleShot(True)
         self._passing.timeout.connect(self.be_quiet)
+        # Takes the second click of who clicks twice.
+        self._guard = QWidget(window)
+        self._guard.setObjectName("notice_guard")
+        self._guarding = QTimer(self._guard)
+        self._guarding.setSingleShot(True)
+        self._guarding.timeout.connect(self._guard.hide)
+        self._guard.hide()
         self.be_quiet()
         window.installEventFilter(self)
 
@@ -96,7 +102,7 @@ class Notice(QObject):
         A ``picture`` stands before the words.  What ``passes`` goes by itself after a while, which
         is long enough to read it, or at the next click anywhere.
         """
-        self._kind = kind
+        self._kind, self._passes = kind, passes
         self._offer(choices)
         self._picture.setPixmap(picture or QPixmap())
         self._picture.setHidden(picture is None or picture.isNull())
@@ -116,6 +122,7 @@ class Notice(QObject):
         self._let_pass(None)
         for part in (self._words, self.buttons, self._picture):
             part.hide()
+        self._window.setContentsMargins(0, 0, 0, 0)
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
@@ -157,22 +164,37 @@ class Notice(QObject):
             self._row.insertWidget(len(self._choices), button)
             self._choices.append(button)
 
-    def _choose(self, act: Callable[[], object], _checked: bool = False) -> None:
+    def _choose(self, act: Callable[[], object] | None = None, _checked: bool = False) -> None:
+        self._guard.setGeometry(self.buttons.geometry())
+        self._guard.show()
+        self._guard.raise_()
+        self._guarding.start(QApplication.doubleClickInterval())
         self.be_quiet()
-        act()
+        if act:
+            act()
 
     def _place(self) -> None:
-        width, bottom = self._window.width(), self._window.statusBar().y()
+        width, height = self._window.width(), self._window.height()
+        status = self._window.statusBar()
+        at_top = self._passes and status.isHidden()
+        self._close.setHidden(at_top)
         size = self.buttons.sizeHint()
         shown = QSize() if self._picture.isHidden() else self._picture.sizeHint()
         left = shown.width() + 2 * UNIT_PX if shown.isValid() else UNIT_PX
         self._words.setContentsMargins(left, UNIT_PX // 2, size.width() + 2 * UNIT_PX, 4)
-        least = max(size.height(), shown.height()) + UNIT_PX
-        height = max(self._words.heightForWidth(width), least)
-        self._picture.setGeometry(QRect(QPoint(UNIT_PX, bottom - height + UNIT_PX // 2), shown))
-        self._words.setGeometry(0, bottom - height, width, height)
-        top = bottom - height + (height - size.height()) // 2
-        self.buttons.setGeometry(width - size.width() - UNIT_PX, top, size.width(), size.height())
+        least = max(size.height(), shown.height()) + (2 if self._passes else UNIT_PX)
+        if self._passes and not at_top:
+            least = max(least, status.height())
+        needed = max(self._words.heightForWidth(width), least)
+        top = 0 if at_top else height - needed
+        self._picture.setGeometry(QRect(QPoint(UNIT_PX, top + UNIT_PX // 4), shown))
+        self._words.setGeometry(0, top, width, needed)
+        middle = top + (needed - size.height()) // 2
+        self.buttons.setGeometry(
+            width - size.width() - UNIT_PX, middle, size.width(), size.height()
+        )
+        over = needed if at_top else status.height() if self._passes else 0
+        self._window.setContentsMargins(0, 0, 0, max(0, needed - over))
 
     def _paint(self) -> None:
         self._words.setStyleSheet(

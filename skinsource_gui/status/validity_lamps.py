@@ -1,5 +1,6 @@
 """Lamps in the status bar: conditions of the measurement, and whether the design keeps them."""
 
+from itertools import islice
 from typing import ClassVar
 
 from PySide6.QtCore import QEvent, QPoint, QRectF, QSize, Qt, Signal
@@ -13,17 +14,21 @@ from skinsource_gui.widgets.lateness import Lateness
 #: What lamps are called; the limb has words of its own beside them.
 NAMES = {
     "band": "band",
-    "drive": "40 mm/s",
-    "spacing": "300 Hz",
+    "drive": "drive",
+    "spacing": "spacing",
     "noise": "SNR",
     "scaling": "scaling",
 }
+# Whose lamps have words, where there is less and less room: of the last one only the worst.
+_SAID = (("left", "unknown", "kept"), ("left", "unknown"), ("left",), ())
+_WORST = ("left", "unknown")
 STATES = {"kept": "kept", "left": "caution", "unknown": "unknown"}
+_NAME = "Validity of the prediction"
 _DOT_PX, _TEXT, _PALE = 8.0, 0.92, 0.45
 
 
 class ValidityLamps(QWidget):
-    """A dot for each condition; those that are not kept also say which one it is.
+    """A dot for each condition, and its name where there is room; that of the worst one always.
 
     Amber: left; a ring: nothing is known; a dim dot: kept.
     """
@@ -35,7 +40,7 @@ class ValidityLamps(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("validity_lamps")
-        self.setAccessibleName("Validity of the prediction")
+        self.setAccessibleName(_NAME)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         self.setFont(scaled(self.font(), _TEXT))
@@ -57,6 +62,8 @@ class ValidityLamps(QWidget):
             self.findings = findings
             said = "; ".join(f"{NAMES[one.name]}: {STATES[one.state]}" for one in self.lamps)
             self.setAccessibleDescription(said)
+            lit = sum(one.state == "left" for one in self.lamps)
+            self.setAccessibleName(f"{_NAME}: {lit or 'no'} caution{'' if lit == 1 else 's'}")
             self.updateGeometry()
         self.update()
 
@@ -70,15 +77,15 @@ class ValidityLamps(QWidget):
         self.update()
 
     def sizeHint(self) -> QSize:
-        return QSize(self._width(words=True), self.fontMetrics().height() + 2)
+        return QSize(self._width(self._said(0)), self.fontMetrics().height() + 2)
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(self._width(words=False), self.fontMetrics().height() + 2)
+        return QSize(self._width(self._said(-1)), self.fontMetrics().height() + 2)
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
             found = self._lamp_at(event.pos().x())
-            words = "" if found is None else f"{found.sentence}\nClick to see what can be done."
+            words = "" if found is None else _words_of(found)
             QToolTip.showText(event.globalPos(), words, self)
             return True
         return super().event(event)
@@ -130,10 +137,11 @@ class ValidityLamps(QWidget):
 
     def _places(self) -> list[tuple[Finding, QRectF]]:
         """Where each lamp stands, with its words if there is room for them."""
-        words = self.width() >= self._width(words=True)
+        rows = [self._said(k) for k in range(len(_SAID))]
+        words = next((one for one in rows if self._width(one) <= self.width()), rows[-1])
         found, x = [], float(self.margin_px)
         for one in self.lamps:
-            wide = self._lamp_width(one, words=words)
+            wide = self._lamp_width(one, words)
             found.append((one, QRectF(x, 0, wide, self.height())))
             x += wide + UNIT_PX
         return found
@@ -146,17 +154,29 @@ class ValidityLamps(QWidget):
         best = min(near, default=None)
         return None if best is None or best[0] > UNIT_PX else best[2]
 
-    def _lamp_width(self, one: Finding, *, words: bool) -> float:
-        if not words or one.state != "left":
+    def _said(self, row: int) -> frozenset[str]:
+        """Names of the lamps that have words in a row of the table, the worst one among them."""
+        lamps = self.lamps
+        said = {one.name for one in lamps if one.state in _SAID[row]}
+        worst = (one.name for state in _WORST for one in lamps if one.state == state)
+        return frozenset(said | set(islice(worst, 1)))
+
+    def _lamp_width(self, one: Finding, words: frozenset[str]) -> float:
+        if one.name not in words:
             return _DOT_PX
         return _DOT_PX + 4 + self.fontMetrics().horizontalAdvance(NAMES[one.name])
 
-    def _width(self, *, words: bool) -> int:
+    def _width(self, words: frozenset[str]) -> int:
         lamps = self.lamps
         if not lamps:
             return 0
-        wide = sum(self._lamp_width(one, words=words) for one in lamps)
+        wide = sum(self._lamp_width(one, words) for one in lamps)
         return round(wide + UNIT_PX * (len(lamps) - 1) + 2 * self.margin_px)
 
     def _choose(self, finding: Finding) -> None:
         self.chosen.emit(finding.name, self.mapToGlobal(QPoint(0, 0)))
+
+
+def _words_of(finding: Finding) -> str:
+    head = f"{NAMES[finding.name].capitalize()}: {STATES[finding.state]}"
+    return f"{head}\n{finding.sentence}\nClick to see what can be done."

@@ -4,6 +4,7 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 
+from skinsource.effects.breakpoints import with_point_after
 from skinsource.effects.envelope import POINTS
 from skinsource_gui.widgets.fields.curve_field import CurveField
 
@@ -59,7 +60,7 @@ def test_a_press_on_the_curve_adds_a_point_there_without_changing_it(field):
 
 
 def test_a_new_point_is_dragged_on_in_the_same_gesture(field):
-    drag(field, QPointF(field.width() - 4, 60), (-2, -20))
+    drag(field, QPointF(field.width() - 4, field.place_of(2).y()), (-2, -20))
     assert len(field.value) == 4
     assert field.chosen == 3
     assert len({gesture for _, gesture in field.told}) == 1
@@ -78,9 +79,26 @@ def test_a_drag_is_given_up_with_escape(field):
     assert field.value == START
 
 
-def test_a_double_click_takes_a_point_out(field):
-    QTest.mouseDClick(field, LEFT, pos=field.place_of(1).toPoint())
-    assert field.value == (START[0], START[2])
+def test_beside_the_curve_a_click_adds_nothing_and_a_double_click_a_point_just_there(field):
+    beside = QPoint(round(field.place_of(0).x()) + 20, round(field.place_of(1).y()) + 3)
+    QTest.mouseClick(field, LEFT, pos=beside)
+    assert field.told == []
+    QTest.mouseDClick(field, LEFT, pos=beside)
+    assert len(field.value) == 4
+    assert (field.place_of(1) - QPointF(beside)).manhattanLength() < 2.0
+    assert field.chosen == 1
+
+
+def test_keys_add_and_remove_as_in_the_clip_editor(field):
+    field.end_x = 0.5
+    field.setFocus()
+    QTest.keyClick(field, Qt.Key.Key_End)
+    QTest.keyClick(field, Qt.Key.Key_Insert)
+    expected, number = with_point_after(START, 2, 0.5)
+    assert (field.value, field.chosen) == (expected, number)
+    assert field.value[3][0] == pytest.approx(0.35)
+    QTest.keyClick(field, Qt.Key.Key_Delete)
+    assert (field.value, field.chosen) == (START, 2)
 
 
 def test_keys_choose_move_continue_add_and_remove(field):

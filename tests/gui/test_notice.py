@@ -9,28 +9,73 @@ from skinsource_gui.shell import notice
 LONG = "A long reason that goes on and on. " * 20
 
 
+def shown_docks(window):
+    return [dock for dock in window.docks.values() if dock.isVisible()]
+
+
+def lies_over(window, part):
+    """Names of the panels that it covers."""
+    return [dock.objectName() for dock in shown_docks(window) if dock.geometry().intersects(part)]
+
+
 @pytest.mark.parametrize("words", ["short", LONG])
-def test_a_notice_moves_nothing(window, settle, words):
-    places = [dock.geometry() for dock in window.docks.values()]
+def test_a_notice_that_stays_gets_room_of_its_own(window, settle, words):
+    places = [dock.geometry() for dock in shown_docks(window)]
     window.reports.complain(words)
     settle()
-    assert [dock.geometry() for dock in window.docks.values()] == places
     label = window.findChild(QLabel, "notice")
     assert label.isVisible()
-    assert label.geometry().bottom() < window.statusBar().y()
     assert label.height() >= label.heightForWidth(label.width())
+    assert label.geometry().bottom() == window.height() - 1
+    assert not lies_over(window, label.geometry())
+    assert label.y() > window.statusBar().geometry().bottom()
+    window.notice.be_quiet()
+    settle()
+    for dock, place in zip(shown_docks(window), places, strict=True):
+        assert abs(dock.height() - place.height()) <= 1  # columns share what does not divide
 
 
-def test_a_click_on_the_words_reaches_what_lies_below(window, settle):
-    window.reports.complain("Something went wrong")
+def test_a_notice_that_passes_moves_nothing_and_lies_over_the_status_bar(window, settle):
+    places = [dock.geometry() for dock in shown_docks(window)]
+    window.reports.refuse("That cannot be.")
+    settle()
+    assert [dock.geometry() for dock in shown_docks(window)] == places
+    label = window.findChild(QLabel, "notice")
+    assert label.geometry() == window.statusBar().geometry()
+
+
+def test_a_notice_while_presenting_lies_over_titles_only(window, settle):
+    window.do("present")
+    settle()
+    label = window.findChild(QLabel, "notice")
+    assert label.isVisible()
+    assert label.y() == 0
+    highest = min(dock.widget().mapTo(window, QPoint()).y() for dock in shown_docks(window))
+    assert label.geometry().bottom() <= highest
+    window.do("present")
+    window.reports.refuse("That cannot be.")
+    settle()
+    assert label.geometry() == window.statusBar().geometry()
+
+
+def test_a_click_on_the_words_reaches_nothing_else(window, settle):
+    window.reports.refuse("That cannot be.")
     settle()
     words = window.findChild(QLabel, "notice")
-    middle = words.geometry().center()
-    below = window.childAt(middle)
-    assert below is not words
-    assert below is not window.notice.buttons
-    window.notice.be_quiet()
-    assert window.childAt(middle) is below
+    assert window.childAt(words.geometry().center()) is words
+
+
+def test_a_second_click_where_a_button_has_gone_reaches_nothing_else(window, settle, qtbot):
+    window.notice.say("Open it?", choices=(("Open", lambda: None),))
+    settle()
+    button = window.findChild(QPushButton, "notice_choice")
+    middle = button.mapTo(window, button.rect().center())
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    settle()
+    guard = window.childAt(middle)
+    assert guard.objectName() == "notice_guard"
+    qtbot.waitUntil(guard.isHidden)
+    assert window.childAt(middle) is not guard
 
 
 def test_a_notice_follows_the_window(window, settle):

@@ -22,6 +22,8 @@ Points = tuple[Breakpoint, ...]
 CLOSEST = 1e-9
 #: Levels that a point may have.
 LOWEST, HIGHEST = 0.0, 1000.0
+# Beside a point that stands alone where its curve ends.
+_ALONE_X = 0.02
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -99,14 +101,33 @@ def place_of(points: Points, x: float) -> int:
 def with_point_after(points: Points, index: int, end_x: float) -> tuple[Points, int]:
     """The points with one more on the curve, halfway from one to the next; and its number.
 
-    After the last one it is halfway to ``end_x``, or where that lies before it as far beyond it.
+    After the last one it is halfway to ``end_x``, or where that lies before it as far beyond it;
+    where that is its own x, as far beyond it as to the middle of what comes before.
     """
     index = min(max(index, 0), len(points) - 1)
     x = points[index][0]
     following = points[index + 1][0] if index + 1 < len(points) else end_x
+    if index + 1 == len(points) and following == x:
+        following = points[index - 1][0] if index else x + _ALONE_X
     half = abs(following - x) / 2.0
     added = with_point(points, x + half)
     return added, next(k for k in range(index + 1, len(added)) if added[k][0] == x + half)
+
+
+def with_point_put(
+    points: Points, x: float, y: float, highest: float = HIGHEST
+) -> tuple[Points, int]:
+    """The points with one more just there, within 0 and ``highest``; and its number."""
+    x = max(float(x), 0.0)
+    added, index = with_point(points, x), place_of(points, x)
+    by_y = min(max(y, LOWEST), highest) - added[index][1]
+    return moved(added, (index,), 0.0, by_y), index
+
+
+def without_chosen(points: Points, indices: Iterable[int]) -> tuple[Points, int]:
+    """The points without some, and the one that is chosen then: the one before the first gone."""
+    gone = set(indices)
+    return without(points, gone), max(min(gone, default=1) - 1, 0)
 
 
 def without(points: Points, indices: Iterable[int]) -> Points:

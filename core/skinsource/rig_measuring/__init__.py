@@ -3,6 +3,7 @@
 Nothing of sounddevice is imported before somebody measures.
 """
 
+from skinsource.rig_measuring.bench import measurable
 from skinsource.rig_measuring.channel_measurement import ChannelMeasurement, kept
 from skinsource.rig_measuring.inputs import InputDevice, input_devices
 from skinsource.rig_measuring.one_channel import measure
@@ -14,5 +15,6 @@ __all__ = [
     "MeasuringSetup",
     "input_devices",
     "kept",
+    "measurable",
     "measure",
 ]

@@ -55,6 +55,31 @@ class Bench:
         return np.concatenate((np.zeros(lead), np.tile(one, repeats), tail))
 
 
+def measurable(
+    channel: RigChannel, setup: MeasuringSetup, sample_rate_hz: float
+) -> tuple[float, float]:
+    """Volts at full scale, and the highest frequency that can be told, Hz.
+
+    Raises
+    ------
+    InvalidInputError
+        The channel or the setup cannot be measured, whatever devices there are.
+    """
+    volts = channel.volts_at_full_scale
+    if volts is None:
+        raise InvalidInputError(
+            f"place {channel.place}: the rig does not say the volts at full scale, without which "
+            "m/s² per V cannot be told; measure them with a tone and a voltmeter"
+        )
+    highest_hz = _MOST_OF_RATE * sample_rate_hz
+    if setup.highest_hz > highest_hz:
+        raise InvalidInputError(
+            f"the response is wanted up to {setup.highest_hz:g} Hz, and {sample_rate_hz:g} Hz can "
+            f"tell at most {highest_hz:.0f} Hz; choose a higher rate"
+        )
+    return volts, highest_hz
+
+
 def bench_of(rig: Rig, place: int, setup: MeasuringSetup, output: Output) -> Bench:
     """Look for all that is needed; refuse what is missing before anything is played."""
     channel = rig.channel_of(place)
@@ -62,19 +87,8 @@ def bench_of(rig: Rig, place: int, setup: MeasuringSetup, output: Output) -> Ben
         raise InvalidInputError(
             f"place {place} is not wired in the rig {quoted(rig.title)}; add a channel for it"
         )
-    volts = channel.volts_at_full_scale
-    if volts is None:
-        raise InvalidInputError(
-            f"place {place}: the rig does not say the volts at full scale, without which m/s² per "
-            "V cannot be told; measure them with a tone and a voltmeter"
-        )
     rate_hz = output.sample_rate_hz
-    highest_hz = _MOST_OF_RATE * rate_hz
-    if setup.highest_hz > highest_hz:
-        raise InvalidInputError(
-            f"the response is wanted up to {setup.highest_hz:g} Hz, and {rate_hz} Hz can tell at "
-            f"most {highest_hz:.0f} Hz; choose a higher rate"
-        )
+    volts, highest_hz = measurable(channel, setup, rate_hz)
     swept_hz = _LOWER * setup.lowest_hz, min(_HIGHER * setup.highest_hz, highest_hz)
     found = devices()
     named = [one for one in found if channel.device in (one.name, one.title)]

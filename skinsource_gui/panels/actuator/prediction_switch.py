@@ -12,6 +12,11 @@ _HINT = (
     "Levels, map, traces and spectra become those of the skin under this actuator and equaliser; "
     "saved with the design"
 )
+_SHAPE = (
+    "Of {title} only the shape of its response is known, not how strong it is: nothing can be "
+    "predicted through it. Choose an actuator without “(shape)”, or open a response measured at "
+    "yours."
+)
 _OTHER = "Predictions go through {words}, not through what is shown here."
 
 
@@ -47,12 +52,15 @@ class ThroughSwitch(QWidget):
         self.box.setChecked(actuated is not None)
         self.box.setEnabled(actuated is not None or settings.model is not None)
         words = ""
-        if actuated is not None and actuated != actuation_of(settings):
+        if actuated is None and settings.model is None:
+            words = _SHAPE.format(title=settings.profile.title)
+        elif actuated is not None and actuated != actuation_of(settings):
             words = _OTHER.format(words=actuated.words)
         elif actuated is not None and actuated.equaliser is None:
             words = "An amplitude of 1 is 1 V at the actuator."
         elif actuated is not None:
             words = "An amplitude of 1 asks the contactor for 1 m/s²."
+        self.box.setToolTip(_HINT if self.box.isEnabled() else words)
         self.words.setText(words)
         self.words.setVisible(bool(words))
 

@@ -16,7 +16,7 @@ from skinsource_gui.widgets.plot.ticks import linear_ticks
 from skinsource_gui.widgets.tooltips import show_tooltip
 
 _TEXT = 0.9
-_LEFT_PX, _RIGHT_PX, _TOP_PX, _BOTTOM_PX = 40, 10, 4, 18
+_LEFT_PX, _RIGHT_PX, _BOTTOM_PX = 40, 10, 18
 _SPAN_DB = 60.0
 _TICK_PX = 64.0
 # Above this share a designer has to know: the actuator, or the skin model, sees it.
@@ -43,7 +43,7 @@ class SpectrumStrip(QWidget):
         self.setObjectName("clip_spectrum")
         self.setAccessibleName("Spectrum of the clip")
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        self.setMinimumHeight(64)
+        self.setMinimumHeight(78)
         # All of it is painted: nothing behind needs to be.
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self._theme = LIGHT
@@ -60,7 +60,7 @@ class SpectrumStrip(QWidget):
         return self._outside
 
     def sizeHint(self) -> QSize:
-        return QSize(200, 92)
+        return QSize(200, 106)
 
     def show_samples(self, samples: Floats | None, sample_rate_hz: float) -> None:
         """Show the spectrum of ``samples``, (n_times,), and the share of energy out of band."""
@@ -91,7 +91,9 @@ class SpectrumStrip(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setFont(scaled(tabular(self.font()), _TEXT))
-        area = QRectF(self.rect()).adjusted(_LEFT_PX, _TOP_PX, -_RIGHT_PX, -_BOTTOM_PX)
+        # The words stand above: on the curve neither could be read.
+        top = painter.fontMetrics().height() + 3
+        area = QRectF(self.rect()).adjusted(_LEFT_PX, top, -_RIGHT_PX, -_BOTTOM_PX)
         ground = QColor(self._theme.window)
         if self._frequency_hz is None or self._levels_db is None:
             painter.fillRect(self.rect(), ground)
@@ -151,6 +153,6 @@ class SpectrumStrip(QWidget):
         metrics = QFontMetricsF(painter.font())
         noteworthy = self._outside > _NOTEWORTHY
         painter.setPen(QColor(self._theme.warning if noteworthy else self._theme.dim))
-        flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop
-        text = metrics.elidedText(self.words, Qt.TextElideMode.ElideRight, area.width() - 8)
-        painter.drawText(area.adjusted(4, 2, -4, 0), flags, text)
+        flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        text = metrics.elidedText(self.words, Qt.TextElideMode.ElideRight, area.width())
+        painter.drawText(QRectF(area.left(), 0.0, area.width(), area.top() - 2), flags, text)

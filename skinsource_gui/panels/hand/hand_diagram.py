@@ -19,8 +19,8 @@ from PySide6.QtWidgets import QToolTip, QWidget
 
 from skinsource_gui.panels.hand.hand_drawing import HandDrawing
 from skinsource_gui.panels.hand.hand_layout import HandLayout
-from skinsource_gui.panels.hand.hand_picture import HandState, Mark
 from skinsource_gui.panels.hand.hand_stage import HandStage
+from skinsource_gui.panels.hand.hand_state import HandState, Mark
 from skinsource_gui.panels.hand.site_cursor import SiteCursor
 from skinsource_gui.panels.hand.site_mouse import SiteMouse
 from skinsource_gui.theme import Theme

@@ -1,13 +1,12 @@
 """What the hand diagram shows, and how it is painted."""
 
-from dataclasses import dataclass
-
 from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import QColor, QFontDatabase, QFontMetricsF, QPainter, QPixmap
 
-from skinsource.locations import input_words
+from skinsource_gui.panels.hand.caption import HINT, caption_of
 from skinsource_gui.panels.hand.hand_drawing import HandDrawing, hand_pixmap
 from skinsource_gui.panels.hand.hand_layout import HandLayout
+from skinsource_gui.panels.hand.hand_state import HandState, Mark
 from skinsource_gui.panels.hand.site_marker import (
     Place,
     paint_cursor,
@@ -19,8 +18,6 @@ from skinsource_gui.panels.hand.site_marker import (
 )
 from skinsource_gui.theme import UNIT_PX, Theme
 
-#: What an empty hand asks for.
-HINT = "Click a place on the hand"
 _SIDE_ALIGNMENT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
 # From this height on there is a legend below the hand.
 _ROOMY_PX = 300
@@ -28,75 +25,6 @@ _ROOMY_PX = 300
 # those cannot be read from afar, and only hide the fingers: lines of text in a radius.
 _ENLARGED, _FROM_AFAR = 1.1, 1.2
 _LEGEND = (("perpendicular", None), ("in-axis", QPointF(0.0, 1.0)))
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Mark:
-    """One input as the diagram shows it.
-
-    Attributes
-    ----------
-    site
-        Where it is placed; not all places need be on this hand.
-    colour
-        Its colour everywhere.
-    silent
-        Whether it is not heard: muted, or others are solo.
-    words
-        What it plays, for tooltips.
-    chosen
-        Whether it is selected.
-    """
-
-    site: int
-    colour: QColor
-    silent: bool = False
-    words: str = ""
-    chosen: bool = False
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class HandState:
-    """Everything that the picture depends on, besides size and theme.
-
-    Attributes
-    ----------
-    marks, selected
-        The inputs, and the number of the one that was selected last.
-    hovered, cursor
-        Site under the mouse; site of the keyboard's cursor where it is shown.
-    moving, ghost, target
-        Number of the input that is being moved, where it floats, and the site that takes it.
-    note
-        A line that replaces the caption.
-    """
-
-    marks: tuple[Mark, ...] = ()
-    selected: int | None = None
-    hovered: int | None = None
-    cursor: int | None = None
-    moving: int | None = None
-    ghost: QPointF | None = None
-    target: int | None = None
-    note: str = ""
-
-    def at(self, site: int) -> tuple[int, ...]:
-        """Numbers of the inputs at ``site``."""
-        return tuple(k for k, mark in enumerate(self.marks) if mark.site == site)
-
-    def front_at(self, site: int) -> int | None:
-        """The input that a click at ``site`` means: the selected one, else the latest."""
-        present = self.at(site)
-        if self.selected in present:
-            return self.selected
-        return present[-1] if present else None
-
-    def next_at(self, site: int) -> int | None:
-        """The input after the selected one at ``site``, around and around."""
-        present = self.at(site)
-        if self.selected not in present:
-            return self.front_at(site)
-        return present[(present.index(self.selected) + 1) % len(present)]
 
 
 class HandPicture:
@@ -221,22 +149,14 @@ class HandPicture:
         painter.setOpacity(1.0)
 
     def _paint_caption(self, painter: QPainter, state: HandState) -> None:
-        site = state.target or state.hovered or state.cursor
-        asking = not state.marks and site is None
-        if site is None and state.selected is not None:
-            site = state.marks[state.selected].site
-        metrics = QFontMetricsF(painter.font())
-        area = self._line_area(self._lines)
-        text = state.note
-        if not text and site is not None:
-            place = input_words(site, self._drawing.limb)
-            text = f"{site} · {place.name}"
-            if metrics.horizontalAdvance(text) > area.width():
-                text = f"{site} · {place.short_name}"
-        elif not text and asking:
-            text = HINT
+        metrics, area = QFontMetricsF(painter.font()), self._line_area(self._lines)
+        limb = self._drawing.limb
+        text = caption_of(
+            state, limb, lambda words: metrics.horizontalAdvance(words) <= area.width()
+        )
+        colour = self.theme.accent if text == HINT else self.theme.text
         text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, area.width())
-        painter.setPen(QColor(self.theme.accent if asking else self.theme.text))
+        painter.setPen(QColor(colour))
         painter.drawText(area, Qt.AlignmentFlag.AlignCenter, text)
 
     def _paint_side(self, painter: QPainter) -> None:

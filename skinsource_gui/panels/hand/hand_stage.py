@@ -9,9 +9,11 @@ from PySide6.QtGui import QFontMetricsF, QPainter
 from PySide6.QtWidgets import QWidget
 
 from skinsource.locations import input_words
+from skinsource_gui.panels.hand.caption import HINT
 from skinsource_gui.panels.hand.hand_drawing import HandDrawing
 from skinsource_gui.panels.hand.hand_layout import HandLayout, fitted_hand, hand_layout
-from skinsource_gui.panels.hand.hand_picture import HINT, HandPicture, HandState
+from skinsource_gui.panels.hand.hand_picture import HandPicture
+from skinsource_gui.panels.hand.hand_state import HandState
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.pan_zoom import WHOLE, PanZoom
 

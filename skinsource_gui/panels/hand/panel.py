@@ -14,7 +14,7 @@ from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.hand.drawings import drawing_of
 from skinsource_gui.panels.hand.hand_diagram import HandDiagram
-from skinsource_gui.panels.hand.hand_picture import Mark
+from skinsource_gui.panels.hand.hand_state import Mark
 from skinsource_gui.panels.hand.pointing import Pointing
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.drop_place import DropPlace

@@ -6,8 +6,8 @@ from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
-from skinsource_gui.panels.hand.hand_picture import Mark
 from skinsource_gui.panels.hand.hand_stage import HandStage
+from skinsource_gui.panels.hand.hand_state import Mark
 from skinsource_gui.widgets.fields.gesture import new_gesture
 
 _LEFT = Qt.MouseButton.LeftButton

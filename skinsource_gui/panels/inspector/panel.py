@@ -171,7 +171,10 @@ class InspectorPanel(Panel):
         clip = clip_of(one, self._view)
         ids = tuple(each.id for other in together for each in clips_of(other, self._view))
         self._chain_edits.show_state(self._design, self._view, clip, ids)
-        self._chain.show_chain(clip.id if clip else None, clip.effects if clip else ())
+        if clip is None:
+            self._chain.show_chain(None, ())
+        else:
+            self._chain.show_chain(clip.id, clip.effects, clip.duration_s)
 
     def _connect_chain(self) -> None:
         chain, changes = self._chain, self._chain_edits

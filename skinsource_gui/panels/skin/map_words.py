@@ -17,6 +17,8 @@ OUTDATED_MARK = "updating…"
 FIXED_MARK = "range fixed"
 # Places that are tried for a message: so many steps across, and so many down.
 _STEPS = 24
+# Into so many lines a message is broken, rather than that it hides something.
+_MOST_LINES = 4
 
 
 def paint_words(
@@ -41,13 +43,19 @@ def paint_words(
         _paint_message(painter, inner, content.message, layout, theme)
 
 
-def message_place(wanted: QRectF, room: QRectF, layout: MapLayout) -> QRectF:
+def message_place(wanted: QRectF, room: QRectF, layout: MapLayout) -> QRectF | None:
     """Return ``wanted``, moved no farther than needed to hide no output and no card in ``room``.
 
-    Where everything is full it stays where it is.
+    None: there is no such place.
     """
+    return _nearest(wanted, room, layout, free_of_outputs=True)
+
+
+def _nearest(
+    wanted: QRectF, room: QRectF, layout: MapLayout, *, free_of_outputs: bool
+) -> QRectF | None:
     radius = layout.disc_radius
-    outputs = [QPointF(x, y) for x, y in layout.points]
+    outputs = [QPointF(x, y) for x, y in layout.points] if free_of_outputs else []
 
     def is_free(place: QRectF) -> bool:
         around = place.adjusted(-radius, -radius, radius, radius)
@@ -64,7 +72,7 @@ def message_place(wanted: QRectF, room: QRectF, layout: MapLayout) -> QRectF:
     return min(
         free,
         key=lambda place: (place.center() - wanted.center()).manhattanLength(),
-        default=wanted,
+        default=None,
     )
 
 
@@ -102,15 +110,35 @@ def _paint_synthetic_mark(painter: QPainter, area: QRectF, theme: Theme) -> floa
     return badge.left()
 
 
+def message_card(
+    words: str, area: QRectF, layout: MapLayout | None, metrics: QFontMetricsF
+) -> QRectF:
+    """Where a message stands in ``area``: rather in more lines than on outputs or cards.
+
+    Where everything is full it hides outputs rather than cards.
+    """
+    flags = int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap)
+    inside = area.adjusted(10, 7, -10, -7)
+    wide = metrics.boundingRect(inside, flags, words).adjusted(-10, -7, 10, 7)
+    if layout is None:
+        return wide
+    widest_word = max(map(metrics.horizontalAdvance, words.split()), default=0.0)
+    for lines in range(1, _MOST_LINES + 1):
+        narrow = QRectF(inside)
+        narrow.setWidth(max(inside.width() if lines == 1 else wide.width() / lines, widest_word))
+        narrow.moveCenter(inside.center())
+        needed = metrics.boundingRect(narrow, flags, words).adjusted(-10, -7, 10, 7)
+        place = message_place(needed, area, layout)
+        if place is not None:
+            return place
+    return _nearest(wide, area, layout, free_of_outputs=False) or wide
+
+
 def _paint_message(
     painter: QPainter, area: QRectF, words: str, layout: MapLayout | None, theme: Theme
 ) -> None:
     flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-    inside = area.adjusted(10, 7, -10, -7)
-    needed = QFontMetricsF(painter.font()).boundingRect(inside, int(flags), words)
-    card = needed.adjusted(-10, -7, 10, 7)
-    if layout is not None:
-        card = message_place(card, area, layout)
+    card = message_card(words, area, layout, QFontMetricsF(painter.font()))
     painter.setPen(QColor(theme.border))
     painter.setBrush(QColor(theme.base))
     painter.drawRoundedRect(card, 4, 4)

@@ -1,5 +1,6 @@
 """Breakpoints as a small curve: added, dragged, stepped, removed."""
 
+import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
@@ -14,12 +15,16 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
 
 from skinsource.effects.breakpoints import (
+    HIGHEST,
     Points,
+    curve_at,
     moved,
     place_of,
     with_point,
+    with_point_after,
+    with_point_put,
     with_segment,
-    without,
+    without_chosen,
 )
 from skinsource.fields import SEGMENTS, BreakpointsSpec, Segment
 from skinsource_gui.theme import LIGHT, Theme, tabular
@@ -38,8 +43,15 @@ _SEGMENT_WORDS = {"straight": "straight on", "smooth": "smoothly on", "held": "h
 class CurveField(QWidget):
     """Edits breakpoints of ``spec``.
 
-    A press on the curve adds a point there and drags it; a double click, or Delete, takes one out.
-    The arrow keys move the chosen point, with Shift by ten steps.  Esc gives up a drag.
+    A press on the curve adds a point there and drags it; a double click beside it puts one just
+    there.  Delete, or the menu of the right button, takes one out.  The arrow keys move the chosen
+    point, with Shift by ten steps.  Esc gives up a drag.
+
+    Attributes
+    ----------
+    end_x
+        Where what the curve is of ends: a key adds a point halfway from the last one to there.
+        None: at the last point.
     """
 
     #: The new points; number of their gesture.
@@ -50,6 +62,7 @@ class CurveField(QWidget):
         self._spec, self._theme = spec, LIGHT
         self._points: Points = ((0.0, 1.0, "straight"),)
         self._chosen = 0
+        self.end_x: float | None = None
         self._burst = Burst(self)
         # While one is dragged: number of the gesture, the points as it began, where it began.
         self._drag: tuple[int, Points, QPointF] | None = None
@@ -60,9 +73,10 @@ class CurveField(QWidget):
         self.setFont(tabular(self.font()))
         self.setToolTip(
             tooltip(
-                f"{spec.hint}. Click: a new point. Drag, or the arrow keys: move it. "
+                f"{spec.hint}. Click on the curve, or double-click beside it: a new point. "
+                "Drag, or the arrow keys: move it. "
                 f"{key_text('curve', 'segment')}: straight, smooth, held. "
-                f"{key_text('curve', 'remove')} or a double click: remove it"
+                f"{key_text('curve', 'remove')} or the right button: remove it"
             )
         )
 
@@ -122,6 +136,8 @@ class CurveField(QWidget):
         if near is None:
             x, _ = self._scale.value(event.position(), self._inside())
             x = self._rounded(x)
+            if not self._is_on_curve(event.position(), x):
+                return
             after, near = with_point(before, x), place_of(before, x)
             self._tell(after, near, gesture)
         self._chosen = near
@@ -143,9 +159,11 @@ class CurveField(QWidget):
         self.set_value(self._points)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        near = self._near(event.position())
-        if near is not None:
-            self._tell(without(self._points, {near}), max(near - 1, 0), new_gesture())
+        if event.button() == Qt.MouseButton.LeftButton and self._near(event.position()) is None:
+            x, y = self._scale.value(event.position(), self._inside())
+            highest = min(self._spec.y.maximum, HIGHEST)
+            put = with_point_put(self._points, self._rounded(x), round(y, 3), highest)
+            self._tell(*put, new_gesture())
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         near = self._near(QPointF(event.pos()))
@@ -211,11 +229,10 @@ class CurveField(QWidget):
         elif name == "segment":
             self._continue(SEGMENTS[(SEGMENTS.index(points[k][2]) + 1) % len(SEGMENTS)])
         elif name == "remove":
-            self._tell(without(points, {k}), max(k - 1, 0), self._burst.gesture())
+            self._tell(*without_chosen(points, {k}), self._burst.gesture())
         elif name == "add":
-            x = points[k][0]
-            end = points[k + 1][0] if k < last else x + 20 * self._spec.x.step
-            self._tell(with_point(points, self._rounded((x + end) / 2)), k + 1, None)
+            end_x = points[-1][0] if self.end_x is None else self.end_x
+            self._tell(*with_point_after(points, k, end_x), None)
         else:
             far = 10 if name.startswith("far_") else 1
             by_x = {"left": -1, "right": 1}.get(name.removeprefix("far_"), 0)
@@ -240,6 +257,10 @@ class CurveField(QWidget):
         gaps = [(self.place_of(k) - at).manhattanLength() for k in range(len(self._points))]
         nearest = min(range(len(gaps)), key=gaps.__getitem__)
         return nearest if gaps[nearest] <= _NEAR_PX else None
+
+    def _is_on_curve(self, at: QPointF, x: float) -> bool:
+        y = float(curve_at(self._points, np.array([x]))[0])
+        return abs(self._scale.place(x, y, self._inside()).y() - at.y()) <= _NEAR_PX
 
     def _rounded(self, x: float) -> float:
         """A time in whole tenths of a step."""

@@ -6,7 +6,16 @@ from math import ceil
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
 from PySide6.QtCore import QPointF, QRect, QSize, Qt
-from PySide6.QtGui import QColor, QIcon, QIconEngine, QPainter, QPen, QPixmap
+from PySide6.QtGui import (
+    QColor,
+    QIcon,
+    QIconEngine,
+    QPainter,
+    QPainterPath,
+    QPen,
+    QPixmap,
+    QPolygonF,
+)
 
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
@@ -20,6 +29,7 @@ from skinsource.waveforms import (
     FrequencyModulated,
     Gabor,
     Glide,
+    Layers,
     Noise,
     PulseTrain,
     Recording,
@@ -83,7 +93,7 @@ class _WaveformEngine(QIconEngine):
     ) -> QPixmap:
         del size, state  # pictures have one size, and look the same on and off
         per_px = min(max(ceil(scale), 1), _SHARPEST)
-        return _drawn(_samples_of(self._kind), _colour(mode, self._theme), per_px)
+        return _drawn(_path_of(self._kind), _colour(mode, self._theme), per_px)
 
     def pixmap(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QPixmap:
         return self.scaledPixmap(size, mode, state, 1.0)
@@ -109,7 +119,6 @@ def _colour(mode: QIcon.Mode, theme: Theme) -> QColor:
     return QColor(theme.text if mode == QIcon.Mode.Normal else theme.on_accent)
 
 
-@lru_cache(maxsize=64)
 def _samples_of(kind: type[Waveform]) -> Floats:
     shown = next((one for one in _SHOWN if type(one) is kind), None) or kind()
     try:
@@ -118,24 +127,56 @@ def _samples_of(kind: type[Waveform]) -> Floats:
         return np.zeros(2)
 
 
-def _drawn(samples: Floats, colour: QColor, per_px: int) -> QPixmap:
+@lru_cache(maxsize=64)
+def _path_of(kind: type[Waveform]) -> QPainterPath:
+    # Of many layers at once a wave would be a blob.
+    return _sheets() if kind is Layers else _wave(_samples_of(kind))
+
+
+def _wave(samples: Floats) -> QPainterPath:
+    width, height = PICTURE_PX.width(), PICTURE_PX.height()
+    middle, reach = height / 2, height / 2 - _MARGIN_PX
+    path = QPainterPath()
+    if samples.size == 1:
+        foot, top = QPointF(width / 2, middle), QPointF(width / 2, middle - reach + _DOT_PX)
+        for start, end in (
+            (QPointF(_MARGIN_PX, middle), QPointF(width - _MARGIN_PX, middle)),
+            (foot, top),
+        ):
+            path.moveTo(start)
+            path.lineTo(end)
+        path.addEllipse(top, _DOT_PX, _DOT_PX)
+    elif samples.size:
+        x = np.linspace(_MARGIN_PX, width - _MARGIN_PX, samples.size)
+        y = middle - reach * samples / max(np.abs(samples).max(), 1e-300)
+        path = arrayToQPath(x, y, finiteCheck=False)
+    return path
+
+
+def _sheets() -> QPainterPath:
+    """A sheet, and the front edges of two below it."""
+    middle, wide, high, first, step = PICTURE_PX.width() / 2, 11.0, 3.4, 5.7, 3.9
+    path = QPainterPath()
+    left, right = middle - wide, middle + wide
+    path.addPolygon(
+        QPolygonF([QPointF(left, first), QPointF(middle, first - high), QPointF(right, first)])
+    )
+    for sheet in range(3):
+        y = first + sheet * step
+        path.moveTo(left, y)
+        path.lineTo(middle, y + high)
+        path.lineTo(right, y)
+    return path
+
+
+def _drawn(path: QPainterPath, colour: QColor, per_px: int) -> QPixmap:
     picture = QPixmap(PICTURE_PX * per_px)
     picture.setDevicePixelRatio(per_px)
     picture.fill(Qt.GlobalColor.transparent)
     painter = QPainter(picture)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(QPen(colour, _LINE_PX))
-    width, height = PICTURE_PX.width(), PICTURE_PX.height()
-    middle, reach = height / 2, height / 2 - _MARGIN_PX
-    if samples.size == 1:
-        foot, top = QPointF(width / 2, middle), QPointF(width / 2, middle - reach + _DOT_PX)
-        painter.drawLine(QPointF(_MARGIN_PX, middle), QPointF(width - _MARGIN_PX, middle))
-        painter.drawLine(foot, top)
-        painter.setBrush(colour)
-        painter.drawEllipse(top, _DOT_PX, _DOT_PX)
-    elif samples.size:
-        x = np.linspace(_MARGIN_PX, width - _MARGIN_PX, samples.size)
-        y = middle - reach * samples / max(np.abs(samples).max(), 1e-300)
-        painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
+    pen = QPen(colour, _LINE_PX)
+    pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
+    painter.strokePath(path, pen)
     painter.end()
     return picture

@@ -104,6 +104,15 @@ MOUSE: dict[str, tuple[str, tuple[MouseHint, ...]]] = {
             ("zoom", "Turn the wheel over the clip", "see less or more; with Shift other times"),
         ),
     ),
+    "curve": (
+        "Mouse on a small curve",
+        _hints(
+            ("add", "Click on the curve", "add a point that changes nothing yet"),
+            ("put", "Double-click beside the curve", "add a point just there"),
+            ("point", "Drag a point", "move it"),
+            ("menu", "Right button on a point", "remove it, or let the curve go on otherwise"),
+        ),
+    ),
     "hand": (
         "Mouse on the hand",
         _hints(

@@ -113,6 +113,22 @@ def test_a_shape_cannot_be_predicted_through(window, panel, qtbot):
     assert not panel.through.box.isEnabled()
 
 
+def test_a_shape_that_ends_predicting_through_says_why(window, panel, qtbot):
+    panel.through.box.click()
+    settle(window, qtbot)
+    choose(panel, "actuator", ss.actuators.shape_names()[0])
+    settle(window, qtbot)
+    assert window.document.design.actuated is None
+    assert not panel.through.box.isChecked()
+    assert panel.through.words.isVisible()
+    title = ss.actuators.profile(ss.actuators.shape_names()[0]).title
+    assert f"Of {title} only the shape" in panel.through.words.text()
+    assert panel.through.box.toolTip() == panel.through.words.text()
+    window.document.undo_stack.undo()
+    settle(window, qtbot)
+    assert "1 m/s²" in panel.through.words.text()
+
+
 def test_under_another_scaling_the_switch_stays_off_and_says_why(window, panel, qtbot):
     window.document.apply(
         ss.edits.change_scaling(window.document.design, window.document.view, "upstream")

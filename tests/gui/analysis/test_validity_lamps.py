@@ -1,6 +1,7 @@
 """Lamps of validity: what they say, what they mend, what they cost."""
 
 from dataclasses import replace
+from itertools import groupby
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
@@ -77,12 +78,29 @@ def test_hidden_lamps_cost_nothing_and_the_map_hatches_noise(window, qtbot, sett
     assert skin.picture(300, 500) != before
 
 
-def test_only_lamps_that_are_left_have_words_and_all_have_a_sentence(lamps):
+def said(lamps):
+    """Names of the lamps that have words."""
+    return [one.name for one, place in lamps._places() if place.width() > 9]
+
+
+def test_lamps_have_words_as_there_is_room_and_the_worst_one_always(lamps):
     assert [one.name for one in lamps.lamps] == ["band", "drive", "noise"]
-    assert lamps.accessibleDescription() == "band: caution; 40 mm/s: unknown; SNR: kept"
-    assert lamps.minimumSizeHint().width() < lamps.sizeHint().width()
+    assert lamps.accessibleDescription() == "band: caution; drive: unknown; SNR: kept"
+    assert lamps.accessibleName() == "Validity of the prediction: 1 caution"
+    wide, narrow = lamps.sizeHint(), lamps.minimumSizeHint()
+    rows = []
+    for width in range(wide.width(), narrow.width() - 1, -1):
+        lamps.resize(width, wide.height())
+        rows.append(said(lamps))
+        assert all(place.right() <= width for _, place in lamps._places())
+    assert [one for one, _ in groupby(rows)] == [
+        ["band", "drive", "noise"],
+        ["band", "drive"],
+        ["band"],
+    ]
     lamps.show_findings(tuple(replace(one, state="kept") for one in FINDINGS))
-    assert lamps.minimumSizeHint() == lamps.sizeHint()
+    lamps.resize(lamps.minimumSizeHint())
+    assert said(lamps) == []
     lamps.show_theme(DARK)
     lamps.grab()
 

@@ -63,6 +63,7 @@ def test_keys_move_the_chosen_point_by_one_step_or_ten_and_remove_it(tone):
     assert len(set(tone.steps)) == 1
     tone.key(Qt.Key.Key_Delete)
     assert len(points(tone)) == 1
+    assert tone.panel._shaping.tool.chosen == (0,)  # the next Delete is for it
 
 
 def test_escape_gives_a_drag_of_a_point_up(tone):

@@ -79,6 +79,17 @@ def test_every_kind_has_a_picture_of_its_own(theme):
     assert len({picture.tobytes() for picture in pictures.values()}) == len(KINDS)
 
 
+@pytest.mark.parametrize("size_px", [16, 24, 30])
+def test_no_picture_is_a_blob(size_px):
+    for kind in KINDS:
+        image = waveform_icon(kind, THEMES["light"]).pixmap(size_px, size_px).toImage()
+        width, height = image.width(), image.height()
+        covered = np.mean(
+            [image.pixelColor(x, y).alpha() > 128 for x in range(width) for y in range(height)]
+        )
+        assert covered < 0.5, kind
+
+
 @pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
 def test_a_picture_has_the_colour_of_the_words_beside_it(theme):
     icon = waveform_icon(Tone, theme)

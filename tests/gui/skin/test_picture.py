@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication
 from skinsource.limb import LimbMap
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_painter import small_font
-from skinsource_gui.panels.skin.map_words import message_place, paint_words
+from skinsource_gui.panels.skin.map_words import message_card, message_place, paint_words
 from skinsource_gui.panels.skin.output_labels import output_labels
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.panels.skin.skin_map import SkinMap
@@ -242,7 +242,19 @@ def test_a_message_hides_no_output_and_no_card(window):
         assert not place.intersects(layout.palmar_card)
         assert not place.intersects(layout.triad_card)
     # Nothing is free for one that is as large as the map.
-    assert message_place(room, room, layout) == room
+    assert message_place(room, room, layout) is None
+
+
+@pytest.mark.parametrize("size", [(236, 288), (200, 400), (266, 576), (420, 640)])
+def test_words_on_a_small_map_are_broken_rather_than_that_they_hide_a_card(window, size):
+    view = window.panel.map
+    view.resize(*size)
+    layout, room = view.map_layout(), QRectF(view.rect()).adjusted(8, 5, -5, -6)
+    card = message_card("Silent: nothing is driven", room, layout, QFontMetricsF(view.font()))
+    assert room.contains(card)
+    assert not card.intersects(layout.palmar_card)
+    assert not card.intersects(layout.triad_card)
+    assert not any(card.contains(QPointF(x, y)) for x, y in layout.points)
 
 
 def test_numbers_of_outputs_lie_beside_the_words_above_the_map(window):

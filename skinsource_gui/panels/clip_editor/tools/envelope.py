@@ -141,12 +141,10 @@ class EnvelopeTool(QObject):
         """Put a point there, wherever the curve is."""
         if _point_at(content, self._points(), at) is not None:
             return
-        time_s, value = content.place(at)
-        points, time_s = self._points(), max(time_s, 0.0)
-        added, index = algebra.with_point(points, time_s), algebra.place_of(points, time_s)
-        by_value = min(max(value, 0.0), self._look.highest) - added[index][1]
+        highest = self._look.highest
+        added, index = algebra.with_point_put(self._points(), *content.place(at), highest)
         self.chosen = (index,)
-        self.changed.emit(algebra.moved(added, (index,), 0.0, by_value), None)
+        self.changed.emit(added, None)
 
     def cancel(self) -> bool:
         drag, self._drag = self._drag, None
@@ -254,8 +252,9 @@ class EnvelopeTool(QObject):
 
     def _remove(self, indices: tuple[int, ...]) -> None:
         if indices:
-            self.chosen = ()
-            self.changed.emit(algebra.without(self._points(), indices), None)
+            left, number = algebra.without_chosen(self._points(), indices)
+            self.chosen = (number,)
+            self.changed.emit(left, None)
 
 
 @lru_cache(maxsize=8)

@@ -72,8 +72,10 @@ class EffectChain(QWidget):
         """One for each effect, in their order."""
         return self._column.rows
 
-    def show_chain(self, clip_id: int | None, effects: tuple[Effect, ...]) -> None:
-        """Show the effects of a clip; None: there is none."""
+    def show_chain(
+        self, clip_id: int | None, effects: tuple[Effect, ...], end_s: float = 0.0
+    ) -> None:
+        """Show the effects of a clip that ends ``end_s`` after its onset; None: there is none."""
         self.setVisible(clip_id is not None)
         same_clip = clip_id == self._clip_id
         self._clip_id = clip_id
@@ -88,6 +90,7 @@ class EffectChain(QWidget):
                 if not same_clip:
                     row.forget_typing()
                 row.show_effect(effect)
+            row.show_end(end_s)
             rows.append(row)
         self._column.show_rows(tuple(rows))
         if self._adds and new is not None and same_clip:

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QVBoxLayout, QWidget
 from skinsource.effects import ON, Effect
 from skinsource.fields import specs_of
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.fields.curve_field import CurveField
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
 from skinsource_gui.widgets.fields.parts.row_title import RowTitle
@@ -85,6 +86,12 @@ class EffectRow(QWidget):
         self._colour_title()
         for cell in self._cells:
             cell.set_value(getattr(effect, cell.name))
+
+    def show_end(self, end_s: float) -> None:
+        """Take over where the clip ends, for curves over its time."""
+        for cell in self._cells:
+            if isinstance(cell.field, CurveField):
+                cell.field.end_x = end_s
 
     def show_refused(self, name: str, reason: str) -> None:
         """Show again what the effect has in a field, and why it stays so."""
