@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from skinsource.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.arrays import Floats
 from skinsource.choice_words import AXES, limb_word, word_of
 from skinsource.comparing import (
@@ -76,6 +77,7 @@ class Cells:
         mean, spread = mean_and_spread_over([_levels_db(one) for one in known])
         what = f"of {len(known)}"
         late = any(one.late for one in known)
+        noisy = _noisy(*known)
         common = {
             "limb": limb,
             "late": late,
@@ -86,13 +88,13 @@ class Cells:
         return (
             Cell(
                 headings=(f"Mean {what}", "Mean"),
-                small=self._map("mean", base, mean),
+                small=self._map("mean", base, mean, noisy),
                 scale=of_mean,
                 **common,
             ),
             Cell(
                 headings=(f"Standard deviation {what}", "Standard deviation", "Spread"),
-                small=self._map("spread", base, spread),
+                small=self._map("spread", base, spread, noisy),
                 scale=of_spread,
                 **common,
             ),
@@ -106,7 +108,8 @@ class Cells:
             return replace(cell, words=one.problem or base.problem)
         levels = difference_db(_levels_db(one), _levels_db(base))
         both = _synthetic(one) or _synthetic(base)
-        return replace(cell, small=self._map(headings[0], one, levels), synthetic=both)
+        small = self._map(headings[0], one, levels, _noisy(one, base))
+        return replace(cell, small=small, synthetic=both)
 
     def _levels(self, one: Compared, names: Names, scale: Scale) -> Cell:
         cell = Cell(headings=names, limb=_limb(one), words=one.problem, late=one.late)
@@ -114,7 +117,7 @@ class Cells:
             return cell
         return replace(
             cell,
-            small=self._map(names[0], one, None),
+            small=self._map(names[0], one, None, _noisy(one)),
             scale=scale,
             design=one.snapshot.design,
             synthetic=_synthetic(one),
@@ -123,7 +126,9 @@ class Cells:
     def _begin(self) -> None:
         self._before, self._maps = self._maps, {}
 
-    def _map(self, kept: str, one: Compared, levels_db: Floats | None) -> SmallMap:
+    def _map(
+        self, kept: str, one: Compared, levels_db: Floats | None, noisy: tuple[int, ...]
+    ) -> SmallMap:
         """A map on the limb of ``one``: of its levels as they are shown, or of others."""
         values: dict[str, Any] = dict(one.values or {})
         if levels_db is not None:
@@ -133,7 +138,7 @@ class Cells:
             values["output_levels_db"] = _levels_db(one)
             values["surface_levels_db"] = values["surface_levels_db"] + _gain_db(one)
         self._maps[kept] = maps = self._before.pop(kept, None) or SmallMaps()
-        return maps.map_of(values)
+        return replace(maps.map_of(values), noisy=noisy)
 
 
 def limb_names(compared: Sequence[Compared], axes: str) -> list[Names]:
@@ -168,6 +173,18 @@ def _levels_db(one: Compared) -> Floats:
     """Levels as it is shown: as loud as the others, where that is wanted."""
     levels: Floats = (one.values or {})["output_levels_db"]
     return levels if one.gain == 1.0 else levels + _gain_db(one)
+
+
+def _noisy(*compared: Compared) -> tuple[int, ...]:
+    """Numbers of the outputs that are mostly noise in any of them."""
+    known = [(one.values or {}).get("above_noise_db") for one in compared]
+    found = {
+        int(k) + 1
+        for levels in known
+        if levels is not None
+        for k in np.flatnonzero(levels < LEAST_ABOVE_NOISE_DB)
+    }
+    return tuple(sorted(found))
 
 
 def _gain_db(one: Compared) -> float:

@@ -11,11 +11,17 @@ from skinsource_gui.panels.side_by_side.layout import SCALE_PX, CellPlace, Place
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.map.colour_maps import colour_table
-from skinsource_gui.widgets.map.small_map import SmallMap, paint_small_map, small_frame
+from skinsource_gui.widgets.map.small_map import (
+    SmallMap,
+    paint_small_map,
+    small_frame,
+    spacing_px,
+)
 from skinsource_gui.widgets.outputs.picking import is_placed
 
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 _RING_PX, _WIDE_PX = 4.0, 7.0
+_FEW_RINGS = 12
 # Of the levels that a map spans, of differences with zero in their middle, and of narrow scales.
 _TICKS, _SIGNED_TICKS, _FEW_TICKS = 6, 5, 3
 
@@ -110,6 +116,13 @@ def fitting(painter: QPainter, wordings: Sequence[str], width: float) -> str:
     return next(fits, shortest)
 
 
+def ring_size(n: int, spacing_px: float) -> tuple[float, float]:
+    """Radius and width of ``n`` rings, px: of many of them so small that the map is seen."""
+    if n <= _FEW_RINGS:
+        return _RING_PX, 2.0
+    return min(max(0.3 * spacing_px, 1.5), _RING_PX), 1.0
+
+
 def _paint_rings(
     painter: QPainter,
     small: SmallMap,
@@ -120,10 +133,12 @@ def _paint_rings(
 ) -> None:
     """Selected outputs in the colours of their curves, and the one that is pointed at."""
     limb_map = small.limb_map
-    points = small_frame(limb_map, place.map).to_screen(limb_map.output_positions)
+    frame = small_frame(limb_map, place.map)
+    points = frame.to_screen(limb_map.output_positions)
     painter.setBrush(Qt.BrushStyle.NoBrush)
+    radius, width = ring_size(len(content.outputs), spacing_px(limb_map, frame))
     rings = [
-        (number, theme.output_pen(rank, 2.0), _RING_PX)
+        (number, theme.output_pen(rank, width), radius)
         for rank, number in enumerate(content.outputs)
     ]
     if pointed_at is not None:

@@ -24,7 +24,16 @@ from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 from skinsource_gui.widgets.lateness import Lateness
 
-_NEEDS = frozenset({"limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db"})
+_NEEDS = frozenset(
+    {
+        "limb_map",
+        "limb_data",
+        "output_levels_db",
+        "above_noise_db",
+        "surface",
+        "surface_levels_db",
+    }
+)
 
 
 class SideBySidePanel(Panel):

@@ -16,7 +16,8 @@ from skinsource_gui.widgets.figure.axes import Axes, Axis, fitted_axes
 from skinsource_gui.widgets.figure.figure import Figure
 from skinsource_gui.widgets.plot.ranges import LEVEL_SPAN_DB, HeldRange
 
-_BAR_PX, _MOST_BARS = 3.0, 12
+# Bars of many outputs share this part of the height: the curves are seen beside them.
+_BAR_PX, _BARS_PART = 3.0, 0.1
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -72,9 +73,9 @@ class TransferPicture(Figure):
         axes.paint(painter, self.theme)
         painter.save()
         painter.setClipRect(axes.frame)
+        self._draw_bars(painter, axes, shown)
         for rank in range(len(shown.outputs)):
             self._draw_curve(painter, axes, shown, rank)
-        self._draw_bars(painter, axes, shown)
         if self.cursor_at is not None:
             painter.setPen(QPen(QColor(self.theme.dim), 1, Qt.PenStyle.DashLine))
             at = self.cursor_at.x()
@@ -118,10 +119,18 @@ class TransferPicture(Figure):
 
     def _draw_bars(self, painter: QPainter, axes: Axes, shown: Shown) -> None:
         """Bands that can be used, as bars at the foot."""
+        bands = shown.found.usable_hz
+        step, thick = bar_sizes(len(bands), axes.frame.height())
         foot = axes.frame.bottom() - UNIT_PX / 2
-        for rank, (low, high) in enumerate(shown.found.usable_hz[:_MOST_BARS]):
-            y = foot - rank * (_BAR_PX + 1.0)
-            painter.setPen(QPen(self.theme.output_colour(rank), _BAR_PX))
+        for rank, (low, high) in enumerate(bands):
+            y = foot - rank * step
+            painter.setPen(QPen(self.theme.output_colour(rank), thick))
             if np.isfinite(low):
                 left, right = axes.to_screen(np.array([low, high]), np.zeros(1))[:, 0]
                 painter.drawLine(QLineF(left, y, right, y))
+
+
+def bar_sizes(n: int, height_px: float) -> tuple[float, float]:
+    """From one of ``n`` bars to the next, and how thick they are, px."""
+    step = min(_BAR_PX + 1.0, _BARS_PART * height_px / max(n, 1))
+    return step, step * _BAR_PX / (_BAR_PX + 1.0)

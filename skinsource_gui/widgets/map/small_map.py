@@ -18,10 +18,13 @@ from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.frame import Frame, fitted
 from skinsource_gui.widgets.map.colour_maps import colour_table, level_colours
 from skinsource_gui.widgets.map.field_image import FieldImage, field_image
+from skinsource_gui.widgets.map.noise_strokes import paint_strokes
 
 #: What the colours of a map span below its loudest output.
 SPAN_DB = 40.0
 _RING_PX, _DISC_PX = 3.0, 2.5
+# As far around an output as on the large map, in the smallest spacings of outputs.
+_NOISE_SPACINGS = 1.38
 
 Range = tuple[float, float]
 
@@ -38,12 +41,15 @@ class SmallMap:
         Level of each output; None: no colours.
     field, field_levels_db
         Interpolated map and its levels, (rows, columns); None: outputs carry the colours.
+    noisy
+        Outputs that are mostly noise: their surroundings are hatched.
     """
 
     limb_map: LimbMap
     levels_db: Floats | None = None
     field: FieldImage | None = None
     field_levels_db: Floats | None = None
+    noisy: tuple[int, ...] = ()
 
     @property
     def range_db(self) -> Range:
@@ -117,6 +123,8 @@ def paint_small_map(
     )
     painter.fillPath(outline, QColor(theme.skin))
     _paint_levels(painter, frame, outline, shown, theme, range_db or shown.range_db, table)
+    if shown.noisy:
+        _paint_noise(painter, frame, outline, shown)
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setPen(QPen(QColor(theme.skin_line), 1))
     painter.drawPath(outline)
@@ -155,6 +163,24 @@ def _paint_levels(
             if np.isfinite(place).all():
                 painter.setBrush(fill)
                 painter.drawEllipse(QPointF(*place), _DISC_PX, _DISC_PX)
+
+
+def spacing_px(limb_map: LimbMap, frame: Frame) -> float:
+    """Smallest distance between two outputs on a small map; 0: there are no two."""
+    places = frame.to_screen(limb_map.output_positions)
+    places = places[np.isfinite(places).all(axis=1)]
+    apart = np.linalg.norm(places[:, None] - places[None], axis=-1)
+    return float(apart[apart > 0].min(initial=np.inf)) if apart.any() else 0.0
+
+
+def _paint_noise(
+    painter: QPainter, frame: Frame, outline: QPainterPath, shown: SmallMap
+) -> None:
+    places = frame.to_screen(shown.limb_map.output_positions)
+    noisy = [QPointF(*places[number - 1]) for number in shown.noisy if number <= len(places)]
+    placed = [one for one in noisy if np.isfinite((one.x(), one.y())).all()]
+    reach = max(_NOISE_SPACINGS * spacing_px(shown.limb_map, frame), _DISC_PX)
+    paint_strokes(painter, placed, reach, outline)
 
 
 def _paint_inputs(
