@@ -37,11 +37,15 @@ class Column:
         ]
 
 
-def columns_of(snapshots: Sequence[Compared], people: Sequence[Compared]) -> list[Column]:
-    """Snapshots, where any is stored; then people, their mean, and their standard deviation."""
-    found = [_column(*_stored(one), one) for one in snapshots] if len(snapshots) > 1 else []
+def columns_of(snapshots: Sequence[Compared]) -> list[Column]:
+    """Snapshots, where any is stored."""
+    return [_column(*_stored(one), one) for one in snapshots] if len(snapshots) > 1 else []
+
+
+def columns_of_people(people: Sequence[Compared]) -> list[Column]:
+    """People, their mean, and their standard deviation."""
     of_people = [_column(*_names(one), one) for one in people]
-    found += of_people
+    found = list(of_people)
     known = [one.numbers for one in of_people if np.isfinite(one.numbers).all()]
     # A mean of those that happen to be known already would change by itself.
     computing = any(one.values is None and not one.problem for one in people)

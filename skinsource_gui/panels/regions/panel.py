@@ -6,10 +6,10 @@ from typing import ClassVar
 from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import (
-    QAbstractItemView,
+    QBoxLayout,
     QHBoxLayout,
-    QTableWidget,
-    QTableWidgetItem,
+    QScrollArea,
+    QSizePolicy,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -17,27 +17,34 @@ from PySide6.QtWidgets import (
 
 from skinsource.choice_words import signal_words, span_words
 from skinsource.comparing import limbs_beside
-from skinsource.comparing.regions import REGION_OUTPUTS
 from skinsource.design import Design
 from skinsource.limb import PUBLISHED
 from skinsource.view import View
 from skinsource_gui.compared import Compared
 from skinsource_gui.panel import Panel
-from skinsource_gui.panels.regions.columns import NO_REGIONS, Column, columns_of, tab_separated
-from skinsource_gui.theme import UNIT_PX, Theme, scaled, tabular
+from skinsource_gui.panels.regions.columns import (
+    NO_REGIONS,
+    Column,
+    columns_of,
+    columns_of_people,
+    tab_separated,
+)
+from skinsource_gui.panels.regions.table import RegionTable
+from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 from skinsource_gui.widgets.lateness import Lateness
-from skinsource_gui.widgets.name_column import dress_table
 
 _NEEDS = frozenset({"output_levels_db"})
-#: Size of its words: six columns beside the names of regions need it.
-_TEXT = 0.9
-#: Names where those of the table have too little room.
-_SHORT = {"Back of the hand": "Back", "Wrist, palm side": "W. palm"}
 
 
 class RegionsPanel(Panel):
-    """A row for each region, a column for each design or person, mean and spread."""
+    """A row for each region, a column for each design or person, mean and spread.
+
+    Attributes
+    ----------
+    stored, table
+        The tables of snapshots and of people.
+    """
 
     title: ClassVar[str] = "Regions"
     name: ClassVar[str] = "regions"
@@ -57,14 +64,9 @@ class RegionsPanel(Panel):
         self.copy.setToolTip("Copy the numbers as a table, with tabs between the columns")
         self.copy.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.copy.clicked.connect(self._copy)
-        self.table = QTableWidget(len(REGION_OUTPUTS), 0)
-        self.table.setObjectName("regions_table")
-        self.table.setAccessibleName("RMS levels by region")
-        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        dress_table(self.table)
-        # Names stay in sight where snapshots make it wider than its room.
-        self.table.verticalHeader().show()
-        self._fit_words()
+        self.stored = RegionTable("regions_stored", "RMS levels of snapshots by region")
+        self.table = RegionTable("regions_table", "RMS levels of people by region")
+        self._tables = (self.stored, self.table)
         bar = QHBoxLayout()
         bar.setContentsMargins(UNIT_PX, 1, UNIT_PX // 2, 1)
         bar.addWidget(self.about, 1)
@@ -73,10 +75,11 @@ class RegionsPanel(Panel):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addLayout(bar)
-        column.addWidget(self.table, 1)
+        column.addWidget(self._scrolled(), 1)
         self.setFocusProxy(self.table)
         self._lateness = Lateness(self)
-        self._lateness.changed.connect(self.table.setDisabled)
+        for table in self._tables:
+            self._lateness.changed.connect(table.setDisabled)
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
@@ -113,55 +116,59 @@ class RegionsPanel(Panel):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._name_rows()
+        self._put_in_order()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
-            self._fit_words()
+            for table in self._tables:
+                table.fit_words(self.font())
+            self._put_in_order()
 
     def show_theme(self, theme: Theme) -> None:
         self.about.show_theme(theme)
 
     def _show_columns(self) -> None:
-        self.columns = columns_of(self._snapshots, self._on_limbs)
-        self.table.setColumnCount(len(self.columns))
-        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        for k, column in enumerate(self.columns):
-            head = QTableWidgetItem(column.head or column.title)
-            head.setToolTip(column.hint)
-            self.table.setHorizontalHeaderItem(k, head)
-            for row, text in enumerate(column.texts()):
-                item = QTableWidgetItem(text)
-                item.setTextAlignment(right)
-                item.setToolTip(column.hint)
-                self.table.setItem(row, k, item)
+        stored, people = columns_of(self._snapshots), columns_of_people(self._on_limbs)
+        self.columns = [*stored, *people]
+        self.stored.show_columns(stored)
+        self.table.show_columns(people)
         self._say_about()
-        self._name_rows()
+        self._put_in_order()
+
+    def _scrolled(self) -> QScrollArea:
+        """The tables, which go below each other where they have no room side by side."""
+        inside = QWidget()
+        self._box = QBoxLayout(QBoxLayout.Direction.TopToBottom, inside)
+        self._box.setContentsMargins(0, 0, 0, 0)
+        self._box.setSpacing(UNIT_PX)
+        for table in self._tables:
+            self._box.addWidget(table, 0, Qt.AlignmentFlag.AlignTop)
+        self._box.addStretch(1)
+        area = QScrollArea()
+        area.setObjectName("regions_scroll")
+        area.setWidgetResizable(True)
+        area.setFrameShape(QScrollArea.Shape.NoFrame)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        area.setWidget(inside)
+        # It takes what there is: the dock around it need not scroll as well.
+        area.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
+        return area
+
+    def _put_in_order(self) -> None:
+        needed = sum(table.needed_px for table in self._tables if not table.isHidden()) + UNIT_PX
+        beside = needed <= self.width()
+        ways = QBoxLayout.Direction
+        self._box.setDirection(ways.LeftToRight if beside else ways.TopToBottom)
+        # What is left over is theirs beside each other, and below them otherwise.
+        for k in range(self._box.count()):
+            self._box.setStretch(k, int(beside == (k < len(self._tables))))
 
     def _say_about(self) -> None:
         some = any(one.synthetic for one in self.columns)
         note = " · syn.: a synthetic limb, computed" if some else ""
         self.about.say(f"{self._about}{note}")
-
-    def _fit_words(self) -> None:
-        font = scaled(tabular(self.font()), _TEXT)
-        for part in (self.table, self.table.horizontalHeader(), self.table.verticalHeader()):
-            part.setFont(font)
-        rows = self.table.verticalHeader()
-        rows.setDefaultSectionSize(self.table.fontMetrics().height() + UNIT_PX // 2)
-        self._name_rows()
-
-    def _name_rows(self) -> None:
-        """Call regions by their names, or shorter where the numbers need the room."""
-        names = list(REGION_OUTPUTS)
-        metrics, header = self.table.fontMetrics(), self.table.horizontalHeader()
-        needed = max(metrics.horizontalAdvance(name) for name in names) + 2 * UNIT_PX
-        if needed + header.length() > self.width():
-            names = [_SHORT.get(name, name) for name in names]
-        self.table.setVerticalHeaderLabels(names)
-        for row, name in enumerate(REGION_OUTPUTS):
-            self.table.verticalHeaderItem(row).setToolTip(name)
 
     def _copy(self) -> None:
         QGuiApplication.clipboard().setText(tab_separated(self.columns))

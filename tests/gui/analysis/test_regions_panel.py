@@ -44,6 +44,18 @@ def test_people_and_snapshots_stand_side_by_side_and_cost_nothing_while_hidden(
     )
     one, two = panel.columns[0].numbers, panel.columns[1].numbers
     assert np.subtract(two, one) == pytest.approx(np.full(len(one), 6.0206), abs=1e-3)
+    assert (panel.stored.columnCount(), panel.table.columnCount()) == (2, 6)
+    dock = window.docks["regions"]
+    dock.setFloating(True)
+    tables = (panel.stored, panel.table)
+    for width, beside in ((300, False), (900, True)):
+        dock.resize(width, 420)
+        qtbot.waitUntil(
+            lambda beside=beside: (panel.stored.y() == panel.table.y()) == beside
+            and not any(table.horizontalScrollBar().maximum() for table in tables)
+            and dock.widget().verticalScrollBar().maximum() == 0
+        )
+    dock.setFloating(False)
     panel.copy.click()
     assert QGuiApplication.clipboard().text().splitlines()[1].startswith("Digit I\t")
     panel.grab()
