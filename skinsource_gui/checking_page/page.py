@@ -41,6 +41,7 @@ _BEGIN = (
     "Choose a recording of the design: an array of times × outputs × axes, or a column for each "
     "output and axis. Without one it is checked whether the prediction is linear."
 )
+_AGAIN = "Now press Check."
 _REPORTED = "The paper reports errors {0}, differences in amplitude {1} and r {2}."
 _SIZE_PX = (1080, 620)
 
@@ -139,14 +140,20 @@ class CheckingPage(QDialog):
         self.list.failed.connect(self._complain)
         self.list.took.connect(self._say)
         # What was found was found along other axes, or at another rate.
-        self.axes.chosen.connect(self.list.forget_results)
-        self.rate.edited.connect(self.list.forget_results)
+        self.axes.chosen.connect(self._begin_anew)
+        self.rate.edited.connect(self._begin_anew)
         for box in self.boxes:
             box.reading.connect(self._read)
         self.run.progressed.connect(lambda text: self._say(f"{text}…"))
         self.run.done.connect(self._take)
         self.run.ended.connect(self._note_ended)
         self.finished.connect(self.run.give_up)
+
+    def _begin_anew(self) -> None:
+        """What was said is of something else, and what was found."""
+        self.list.forget_results()
+        taken = any(row.recording is not None for row in self.list.rows)
+        self._say(_AGAIN if taken else _BEGIN)
 
     def _ask_and_save(self) -> None:
         start = str(self._preferences.folder / "check.html")

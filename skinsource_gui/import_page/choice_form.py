@@ -6,6 +6,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QWidget
 
 from skinsource.fields import ChoiceSpec, NumberSpec
+from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.recordings import UNITS, Found, ImportChoice, Series, suggested
 from skinsource.recordings.limits import LEAST_RATE_HZ, MOST_PART_S, MOST_RATE_HZ
 from skinsource.recordings.three_axes import other_axes
@@ -14,7 +15,7 @@ from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
 
 #: Of a file that says none, until it is typed.
-ASSUMED_RATE_HZ = 1300.0
+ASSUMED_RATE_HZ = SAMPLE_RATE_HZ
 # Of a longer recording, its beginning to start with.
 _WHOLE_UP_TO_S, _BEGINNING_S = 60.0, 10.0
 _LONGEST_START_S = 1e6

@@ -3,13 +3,14 @@
 from skinsource.chain import amplitude_unit
 from skinsource.design import Design
 from skinsource.fields import ChoiceSpec, NumberSpec
+from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.stimulus.stimulus import UNITS
 from skinsource.stimulus.times import LONGEST_LEAD_IN_S
 from skinsource.stimulus_formats import FORMATS
 from skinsource.view import View
 
 #: Rates that devices know; any other can be typed.
-RATES_HZ = (1300, 2000, 8000, 44_100, 48_000, 96_000, 192_000)
+RATES_HZ = (round(SAMPLE_RATE_HZ), 2000, 8000, 44_100, 48_000, 96_000, 192_000)
 OTHER = "other"
 
 FORMAT = ChoiceSpec(
@@ -23,8 +24,9 @@ RATE = ChoiceSpec(
         *((str(rate), f"{rate:,} Hz".replace(",", " ")) for rate in RATES_HZ),
         (OTHER, "Other…"),
     ),
-    hint="Designs live at 1300 Hz, so that what is exported is what was predicted; another rate "
-    "adds nothing above 600 Hz",
+    hint="At the rate of its limb what is exported is what was predicted, "
+    f"{SAMPLE_RATE_HZ:g} Hz of the published ones; another rate adds nothing above the measured "
+    "band",
 )
 OTHER_RATE = NumberSpec(
     label="Other rate", unit="Hz", minimum=100, maximum=768_000, step=100, whole=True

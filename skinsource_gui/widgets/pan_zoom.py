@@ -8,7 +8,7 @@ from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.widgets.frame import Floats, Frame
-from skinsource_gui.widgets.wheel import NOTCH, ZOOM_PER_NOTCH
+from skinsource_gui.widgets.wheel import NOTCH, ZOOM_PER_NOTCH, ScrollingOn
 
 #: The fit that shows all, and what stands for none of the fits.
 WHOLE, FREE = "whole", "free"
@@ -24,7 +24,8 @@ _KEY_FACTORS = {"zoom_in": _ZOOM_PER_KEY, "zoom_out": 1 / _ZOOM_PER_KEY}
 class PanZoom(QObject):
     """Keeps what part of a drawing is seen; used by whatever draws one.
 
-    The wheel zooms at the pointer, with Shift it pans, and so does a drag with the middle button.
+    The wheel zooms at the pointer, with Shift it pans, and so does a drag with the middle button;
+    one that began to scroll what is around the widget goes on with that.
     The drawing is never smaller than its whole fit, nor out of sight.
 
     Parameters
@@ -38,6 +39,8 @@ class PanZoom(QObject):
         Where the drawing lies; ``None`` before there is one.
     fit
         Name of the fit that is shown, or `FREE` after zooming or panning.
+    scrolling_on
+        Knows when the wheel is for what is around it.
     """
 
     #: Another frame.
@@ -52,6 +55,7 @@ class PanZoom(QObject):
         self._grip: QPointF | None = None
         self.frame: Frame | None = None
         self.fit = WHOLE
+        self.scrolling_on = ScrollingOn(widget)
 
     def arrange(self, fits: Mapping[str, Frame], outline: Floats, room: QRectF) -> None:
         """Fit a drawing into a room; what is magnified keeps its middle.
@@ -65,6 +69,8 @@ class PanZoom(QObject):
         room
             Of the widget, px.
         """
+        # It has a size, and so a place in what scrolls.
+        self.scrolling_on.watch()
         before, was, self._room = self.frame, self._room, room
         self._fits, self._outline = fits, outline
         if not fits:
@@ -109,6 +115,9 @@ class PanZoom(QObject):
 
     def wheel(self, event: QWheelEvent) -> None:
         """The wheel turns over the drawing."""
+        if self.scrolling_on.passes(event):
+            event.ignore()
+            return
         right, up = event.angleDelta().x() / NOTCH, event.angleDelta().y() / NOTCH
         if event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
             self.pan((right + up) * _PAN_PER_NOTCH_PX, 0)

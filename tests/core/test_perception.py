@@ -116,6 +116,7 @@ def test_both_channels_together_are_the_larger_and_half_of_the_smaller():
         (lambda: threshold_rms(50.0, area_cm2=0.0), "area_cm2"),
         (lambda: sensation_levels_db(np.zeros((3, 5)), 1300.0), "shape"),
         (lambda: sensation_levels_db(np.zeros((7, 3, 5)), 1300.0), "72 of the published"),
+        (lambda: site_offsets_db("lab-1"), "where the outputs of others lie is not known"),
         (lambda: sensation_levels_db(np.full((1, 1, 5), np.nan), 1300.0, NONE), "acceleration"),
     ],
 )

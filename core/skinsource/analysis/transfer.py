@@ -34,6 +34,8 @@ class Transfer:
         has no coherence of its own: it is estimated from the noise before the pulse.
     usable_hz : (n_outputs, 2)
         The widest part of the measured band with a coherence of 0.75 or more; NaN: none.
+    band_hz
+        The measured band; None: it is not known, and all frequencies count.
     """
 
     frequency_hz: Floats
@@ -41,10 +43,16 @@ class Transfer:
     noise: Floats
     coherence: Floats
     usable_hz: Floats
+    band_hz: tuple[float, float] | None = BAND_HZ
 
 
 def transfer_function(
-    response: ArrayLike, sample_rate_hz: float, noise: ArrayLike, gain: ArrayLike | None = None
+    response: ArrayLike,
+    sample_rate_hz: float,
+    noise: ArrayLike,
+    gain: ArrayLike | None = None,
+    *,
+    band_hz: tuple[float, float] | None = BAND_HZ,
 ) -> Transfer:
     """Return the transfer functions that responses are the inverse transforms of.
 
@@ -58,6 +66,8 @@ def transfer_function(
         RMS of their noise, white, before any division by the pulse; see `noise_rms`.
     gain : (n_taps // 2 + 1,)
         What the responses were multiplied with at each frequency; ones unless given.
+    band_hz
+        In which they were measured; None: it is not known.
 
     Raises
     ------
@@ -90,13 +100,18 @@ def transfer_function(
         magnitude=np.sqrt(power),
         noise=np.sqrt(floor),
         coherence=coherence,
-        usable_hz=np.array([_widest(frequency_hz, one) for one in coherence]).reshape(-1, 2),
+        usable_hz=np.array(
+            [_widest(frequency_hz, one, band_hz or (0.0, rate / 2.0)) for one in coherence]
+        ).reshape(-1, 2),
+        band_hz=band_hz,
     )
 
 
-def _widest(frequency_hz: Floats, coherence: Floats) -> tuple[float, float]:
-    """Ends of the longest run of usable bins inside the measured band."""
-    inside = (frequency_hz >= BAND_HZ[0]) & (frequency_hz <= BAND_HZ[1])
+def _widest(
+    frequency_hz: Floats, coherence: Floats, band_hz: tuple[float, float]
+) -> tuple[float, float]:
+    """Ends of the longest run of usable bins inside a band."""
+    inside = (frequency_hz >= band_hz[0]) & (frequency_hz <= band_hz[1])
     usable = np.concatenate([[False], inside & (coherence >= LEAST_COHERENCE), [False]])
     turns = np.flatnonzero(usable[1:] != usable[:-1])
     begins, ends = turns[::2], turns[1::2]

@@ -69,7 +69,7 @@ def sensation(
     if problem:
         return Sensation(by_channel={}, level_db=np.zeros(0), problem=problem)
     rate = limb_data.sample_rate_hz
-    offsets: dict[Any, Floats] = {} if table else {**site_offsets_db(limb_data.n_outputs)}
+    offsets: dict[Any, Floats] = {} if table else {**site_offsets_db(limb_data.name)}
     found: dict[Any, Floats] = {}
     for channel in (_OWN,) if table else CHANNELS:
 

@@ -18,7 +18,13 @@ def validity(
     synthetic = limb_data.synthetic
     places = [place for place, _ in place_drives]
     return (
-        *found_in_drives(place_drives, limb_data.sample_rate_hz, scaling, probe=actuation is None),
+        *found_in_drives(
+            place_drives,
+            limb_data.sample_rate_hz,
+            scaling,
+            probe=actuation is None,
+            band_hz=limb_data.band_hz,
+        ),
         found_in_outputs(above_noise_db, synthetic=synthetic, silent=not place_drives),
         *found_in_setup(synthetic=synthetic, scaling=scaling, places=places),
     )

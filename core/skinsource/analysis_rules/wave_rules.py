@@ -64,10 +64,12 @@ def transfer(
     raw = driven_limb.response_to(transfer_place)[rows][:, list(axis_numbers)]
     noise = place_noise(driven_limb, transfer_place)
     sigma = np.zeros(raw.shape[:2]) if noise is None else noise[rows][:, list(axis_numbers)]
+    band_hz = driven_limb.band_hz
     if not divided_by_pulse(driven_limb, scaling):
-        return transfer_function(raw, rate, sigma)
+        return transfer_function(raw, rate, sigma, band_hz=band_hz)
     gain = np.abs(scipy.fft.rfft(probe_inverse(n_taps, rate)))
-    return transfer_function(per_probe_acceleration(raw, rate), rate, sigma, gain)
+    accelerated = per_probe_acceleration(raw, rate)
+    return transfer_function(accelerated, rate, sigma, gain, band_hz=band_hz)
 
 
 def line_wave(

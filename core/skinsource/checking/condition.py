@@ -12,7 +12,7 @@ from skinsource.comparing.snapshot import louder
 from skinsource.design import Design, audible_inputs
 from skinsource.errors import InvalidInputError
 from skinsource.job import Progress, Stop, never, silent
-from skinsource.limb import Axes, Limb
+from skinsource.limb import N_AXES, N_OUTPUTS, Axes, Limb
 from skinsource.own_limbs import facts_of
 from skinsource.quantities import new_graph, sources
 from skinsource.quoting import quoted
@@ -31,7 +31,7 @@ _LEVELS = (0.25, 0.5, 1.0, 2.0)
 # A recording may start this much earlier or later than the prediction.
 _MOST_SHIFT_S = 0.2
 # More would take gigabytes: all channels are held, at several levels.
-_MOST_VALUES = 20_000 * 72 * 3
+_MOST_VALUES = 20_000 * N_OUTPUTS * N_AXES
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -10,6 +10,7 @@ from skinsource.arrays import Floats
 from skinsource.equalising.equaliser import Equaliser
 from skinsource.equalising.velocity_of_drive import net_velocity
 from skinsource.errors import InvalidInputError
+from skinsource.limb import SAMPLE_RATE_HZ
 
 # What a filter rings for before and after, at most.
 _RINGING_S = 0.5
@@ -49,8 +50,10 @@ def equalised(
     """
     rows = finite_array("drive", drive, "finite numbers in m/s², (n_times,)")
     rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
-    if rate_hz < 1300.0:
-        raise InvalidInputError(f"sample_rate_hz is {rate_hz:g}, expected at least 1300 Hz")
+    if rate_hz < SAMPLE_RATE_HZ:
+        raise InvalidInputError(
+            f"sample_rate_hz is {rate_hz:g}, expected at least {SAMPLE_RATE_HZ:g} Hz"
+        )
     kept = [
         int(rate_hz * real_number(name, value, "0 to 0.5 s", least=0.0, most=_RINGING_S))
         for name, value in (("lead_s", lead_s), ("tail_s", tail_s))

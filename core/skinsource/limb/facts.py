@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from skinsource.limb.axes import Axes
 from skinsource.limb.published import (
+    BAND_HZ,
     HAND_LENGTHS_MM,
     LIMB_NAMES,
     N_INPUTS,
@@ -60,6 +61,11 @@ class LimbFacts:
     digest: str = ""
     left: bool = False
     mirrored: bool = False
+
+    @property
+    def band_hz(self) -> tuple[float, float] | None:
+        """In which it was measured; None: a lab does not say it of its own."""
+        return None if self.own else BAND_HZ
 
     @property
     def live(self) -> bool:

@@ -11,6 +11,7 @@ from skinsource.limb.axes import AXES, Axes
 from skinsource.limb.limb_map import LimbMap
 from skinsource.limb.places import check_input_location
 from skinsource.limb.published import (
+    BAND_HZ,
     N_AXES,
     N_INPUTS,
     N_OUTPUTS,
@@ -38,6 +39,9 @@ class Limb:
         Along which each output measures, in this order: ``"xyz"``; ``"xz"`` for two of them.
     pre_trigger_delay_s
         How late the responses are: 0.052 in the published limbs.
+    band_hz
+        In which the responses were measured, 25 to 600 Hz of the published limbs; None: it is not
+        known.
     per_unit_drive
         Whether a response answers one sample of the drive, so that convolving is all there is to
         do; else it answers the measuring pulse of the published limbs, which probe scaling divides
@@ -66,6 +70,7 @@ class Limb:
         sample_rate_hz: float = SAMPLE_RATE_HZ,
         axes: Axes = "xyz",
         pre_trigger_delay_s: float = PRE_TRIGGER_DELAY_S,
+        band_hz: tuple[float, float] | None = BAND_HZ,
         per_unit_drive: bool = False,
         note: str = "",
         shape: tuple[int, int, int, int] = (N_INPUTS, N_OUTPUTS, N_AXES, N_TAPS),
@@ -85,6 +90,7 @@ class Limb:
             )
         self.axes: Axes = axes
         self.pre_trigger_delay_s = pre_trigger_delay_s
+        self.band_hz = band_hz
         self.per_unit_drive = per_unit_drive
         self.lead_samples = lead_samples
         self.bytes_read = 0

@@ -7,8 +7,10 @@ from numpy.typing import ArrayLike
 from skinsource.arguments import finite_array, positive_number
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
+from skinsource.limb import LIMB_NAMES, PUBLISHED
 from skinsource.locations import ARM_REGIONS, output_place
 from skinsource.perception.thresholds import CHANNELS, Channel, threshold_rms
+from skinsource.quoting import quoted
 
 #: To be shown beside every number of this module.
 LIMITS = (
@@ -24,23 +26,30 @@ _SILENCE_DB = -300.0
 _EXPONENTS: dict[Channel, float] = {"P": 0.6, "NP I": 0.9}
 
 
-def site_offsets_db(n_outputs: int = 72) -> dict[Channel, Floats]:
+def site_offsets_db(limb: str = LIMB_NAMES[0]) -> dict[Channel, Floats]:
     """By how much the thresholds at the outputs lie above those of glabrous skin, (n_outputs,).
 
     Infinite where a channel plays no part: P on wrist, forearm and elbow, where NP governs
     (Whitehouse and Griffin, 2006).
+
+    Parameters
+    ----------
+    limb
+        Name of a published or synthetic limb: their outputs are at the same places.
 
     Raises
     ------
     InvalidInputError
         The limb is not one of the published kind: nothing is known of its outputs.
     """
-    if n_outputs != 72:
+    facts = PUBLISHED.get(limb)
+    if facts is None:
         raise InvalidInputError(
-            f"{n_outputs} outputs, expected the 72 of the published limbs: where others lie is not "
-            "known. Hand over offsets_db."
+            f"limb is {quoted(limb)}, expected one of {', '.join(LIMB_NAMES)}: where the outputs "
+            "of others lie is not known. Hand over offsets_db."
         )
-    on_arm = np.array([output_place(k).region in ARM_REGIONS for k in range(1, n_outputs + 1)])
+    places = map(output_place, range(1, facts.n_outputs + 1))
+    on_arm = np.array([place.region in ARM_REGIONS for place in places])
     return {
         "P": np.where(on_arm, np.inf, HAIRY_HAND_DB),
         "NP I": np.where(on_arm, ARM_DB, HAIRY_HAND_DB),
@@ -67,7 +76,7 @@ def sensation_levels_db(
     sample_rate_hz
         Its rate.
     offsets_db
-        As `site_offsets_db`, which is taken where there is none.
+        As `site_offsets_db` of the published limbs, which is taken where there is none.
     area_cm2
         As in `threshold_rms`.
 
@@ -87,7 +96,12 @@ def sensation_levels_db(
             f"acceleration has shape {data.shape}, expected (n_outputs, n_axes, n_times)"
         )
     rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
-    offsets = site_offsets_db(data.shape[0]) if offsets_db is None else offsets_db
+    offsets = site_offsets_db() if offsets_db is None else offsets_db
+    if offsets_db is None and len(offsets["P"]) != len(data):
+        raise InvalidInputError(
+            f"acceleration has {len(data)} outputs, expected the {len(offsets['P'])} of the "
+            "published limbs: where others lie is not known. Hand over offsets_db."
+        )
     power, frequency_hz = _power_by_bin(data, rate_hz)
     found: dict[Channel, Floats] = {}
     for channel in CHANNELS:

@@ -39,8 +39,10 @@ def open_recorded(
     """Return the responses of a CSV, NPZ, MATLAB or HDF5 file, (n_outputs, n_axes, n_times).
 
     They are an array of times, outputs and axes, in whichever order; or columns: output 1 along
-    each axis, then output 2, and so on, beside a column of times or without one.  Those at another
-    rate are resampled.  The file is read in a process of its own.
+    each axis, then output 2, and so on, beside a column of times or without one.  Of an array of
+    times and channels, in either order, those are the channels of which there are as many as
+    outputs and axes.  Those at another rate are resampled.  The file is read in a process of its
+    own.
 
     Parameters
     ----------
@@ -130,6 +132,8 @@ def _from_columns(
     n_outputs, n_axes = size
     signals = [one for one in found.series if not one.is_time]
     expected = n_outputs * n_axes
+    if _are_instants(signals, expected):
+        return _from_instants(reader, file, found, (signals, size), stop)
     if len(signals) != expected or len({one.n_samples for one in signals}) != 1:
         one_axis = f", or choose one axis (x, y or z), which takes {n_outputs} signals"
         raise _refusal(
@@ -145,6 +149,33 @@ def _from_columns(
     if rate_hz is None and times is not None:
         rate_hz = _rate_of_times(reader, file, times, stop)
     return values.reshape(n_outputs, n_axes, -1), rate_hz
+
+
+def _are_instants(signals: Sequence[Series], expected: int) -> bool:
+    """Whether what was taken for signals are instants: there are fewer of them than channels."""
+    shapes = {one.shape for one in signals}
+    return len(signals) != expected and shapes in (
+        {(len(signals), expected)},
+        {(expected, len(signals))},
+    )
+
+
+def _from_instants(
+    reader: ReadingProcess,
+    file: Path,
+    found: Found,
+    what: tuple[Sequence[Series], tuple[int, int]],
+    stop: Stop,
+) -> tuple[Floats, float | None]:
+    instants, (n_outputs, n_axes) = what
+    keys = [one.key for one in instants]
+    rows = reader.read(file, keys, 0, n_outputs * n_axes, stop=stop).astype(np.float64)
+    rate_hz = found.rate_of(instants[0])
+    stamps = (one for one in found.series if one.is_time and one.n_samples == len(instants))
+    times = next(stamps, None)
+    if rate_hz is None and times is not None:
+        rate_hz = _rate_of_times(reader, file, times, stop)
+    return rows.T.reshape(n_outputs, n_axes, -1), rate_hz
 
 
 def _rate_of_times(reader: ReadingProcess, file: Path, times: Series, stop: Stop) -> float:

@@ -68,6 +68,7 @@ def found_in_drives(
     scaling: Scaling,
     *,
     probe: bool = True,
+    band_hz: tuple[float, float] | None = BAND_HZ,
 ) -> Findings:
     """Return what is found in what is played: band, drive, and spacing.
 
@@ -81,13 +82,15 @@ def found_in_drives(
         What their unit is.
     probe
         Whether they are what the probe does, not what an actuator is asked for.
+    band_hz
+        In which the responses were measured; None: it is not known.
     """
     played = [
         _Drive(place=place, samples=samples, energy=float(np.vdot(samples, samples)))
         for place, samples in drives
     ]
     return (
-        _band(played, sample_rate_hz),
+        _band(played, sample_rate_hz, band_hz),
         _velocity(played, sample_rate_hz, scaling, probe=probe),
         _spacing(played, sample_rate_hz),
     )
@@ -194,9 +197,15 @@ def _share(played: Sequence[_Drive], rate: float, band: tuple[float, float]) -> 
     return outside / energy
 
 
-def _band(played: Sequence[_Drive], rate: float) -> Finding:
-    share = _share(played, rate, BAND_HZ)
-    band = f"{BAND_HZ[0]:g} to {BAND_HZ[1]:g} Hz"
+def _band(played: Sequence[_Drive], rate: float, band_hz: tuple[float, float] | None) -> Finding:
+    if band_hz is None:
+        sentence = (
+            "In which band this limb was measured is not known, so neither is whether what plays "
+            "lies within it."
+        )
+        return Finding(name="band", state="unknown", sentence=sentence)
+    share = _share(played, rate, band_hz)
+    band = f"{band_hz[0]:g} to {band_hz[1]:g} Hz"
     left = share > MOST_SHARE
     return Finding(
         name="band",

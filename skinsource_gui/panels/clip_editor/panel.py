@@ -170,7 +170,8 @@ class ClipEditorPanel(Panel):
         if not clip.effects and raw is not None:
             played = raw
         self._canvas.show_clip(clip, raw, played, self._rate_hz)
-        self._spectrum.show_samples(played, self._rate_hz)
+        band_hz = facts_of(self._design.limb).band_hz
+        self._spectrum.show_samples(played, self._rate_hz, band_hz)
         self._toolbar.show_words(self._words(clip), enabled=True)
 
     def _words(self, clip: Clip) -> str:

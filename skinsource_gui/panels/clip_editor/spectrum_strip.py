@@ -7,7 +7,6 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
-from skinsource.limb import BAND_HZ
 from skinsource.spectra import share_outside_band
 from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
 from skinsource_gui.widgets.kept_picture import KeptPicture
@@ -53,6 +52,7 @@ class SpectrumStrip(QWidget):
         self._outside = 0.0
         self._samples: Floats | None = None
         self._rate_hz = 0.0
+        self._band_hz: tuple[float, float] | None = None
 
     @property
     def outside(self) -> float:
@@ -62,15 +62,23 @@ class SpectrumStrip(QWidget):
     def sizeHint(self) -> QSize:
         return QSize(200, 106)
 
-    def show_samples(self, samples: Floats | None, sample_rate_hz: float) -> None:
-        """Show the spectrum of ``samples``, (n_times,), and the share of energy out of band."""
-        if samples is self._samples and sample_rate_hz == self._rate_hz:
+    def show_samples(
+        self, samples: Floats | None, sample_rate_hz: float, band_hz: tuple[float, float] | None
+    ) -> None:
+        """Show the spectrum of ``samples``, (n_times,), and the share of energy out of band.
+
+        Of a limb of which the band is not known neither is that.
+        """
+        shown = sample_rate_hz, band_hz
+        if samples is self._samples and shown == (self._rate_hz, self._band_hz):
             return
         self._samples, self._rate_hz, self._outside = samples, sample_rate_hz, 0.0
+        self._band_hz = band_hz
         if samples is None or not samples.size:
             self._frequency_hz = self._levels_db = None
         else:
-            self._outside = share_outside_band(samples, sample_rate_hz)
+            if band_hz is not None:
+                self._outside = share_outside_band(samples, sample_rate_hz, band_hz)
             self._frequency_hz, self._levels_db = spectrum_db(samples, sample_rate_hz)
         show_tooltip(self, self.words)
         self.update()
@@ -78,7 +86,9 @@ class SpectrumStrip(QWidget):
     @property
     def words(self) -> str:
         """How much of the energy lies outside the band."""
-        low, high = BAND_HZ
+        if self._band_hz is None:
+            return "In which band this limb was measured is not known"
+        low, high = self._band_hz
         share = 100 * self._outside
         number = "0" if share == 0 else "< 0.1" if share < 0.1 else f"{share:.3g}"
         return f"{number} % of the energy outside {low:g} to {high:g} Hz"
@@ -106,7 +116,7 @@ class SpectrumStrip(QWidget):
             self._paint_band(on_image, area, highest)
             self._paint_axes(on_image, area, highest)
 
-        key = (self._theme.name, highest)
+        key = (self._theme.name, highest, self._band_hz)
         self._axes.paint(painter, QRectF(self.rect()), key, paint_axes, ground)
         columns = max(int(area.width()), 1)
         points = visible_points(
@@ -123,7 +133,9 @@ class SpectrumStrip(QWidget):
         self._write(painter, area)
 
     def _paint_band(self, painter: QPainter, area: QRectF, highest: float) -> None:
-        low, high = (area.left() + min(one / highest, 1.0) * area.width() for one in BAND_HZ)
+        if self._band_hz is None:
+            return
+        low, high = (area.left() + min(one / highest, 1.0) * area.width() for one in self._band_hz)
         for left, right in ((area.left(), low), (high, area.right())):
             outside = QRectF(left, area.top(), right - left, area.height())
             painter.fillRect(outside, QColor(self._theme.window))

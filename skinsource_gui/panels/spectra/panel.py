@@ -104,7 +104,7 @@ class SpectraPanel(SignalPanel):
     def show_results(self, results: Mapping[str, Any]) -> None:
         if results["outputs"]:
             self._results = dict(results)
-            axes = _axes(results["sample_rate_hz"], own=facts_of(results["limb"]).own)
+            axes = _axes(results["sample_rate_hz"], band=facts_of(results["limb"]).band_hz)
             if axes != (self._axis, self._log_axis):
                 self._axis, self._log_axis = axes
                 self._show_axis()
@@ -163,13 +163,12 @@ class SpectraPanel(SignalPanel):
 
 
 @cache
-def _axes(sample_rate_hz: float, *, own: bool = False) -> tuple[XAxis, XAxis]:
-    """The linear and the logarithmic axis of a limb of this rate.
-
-    In which band a lab measured its ``own`` one is not known.
-    """
+def _axes(
+    sample_rate_hz: float, *, band: tuple[float, float] | None = BAND_HZ
+) -> tuple[XAxis, XAxis]:
+    """The linear and the logarithmic axis of a limb of this rate and band; None: not known."""
     highest_hz = sample_rate_hz / 2
     linear = replace(_LINEAR_AXIS, extent=(0.0, highest_hz))
-    if own:
+    if band is None:
         linear = replace(linear, titles=("Frequency (Hz)",), band=None)
     return linear, replace(linear, extent=(_LOWEST_HZ, highest_hz), log=True)

@@ -137,4 +137,5 @@ def _usable_words(found: Transfer, outputs: tuple[int, ...]) -> str:
         band = f"{low:.0f}–{high:.0f} Hz" if np.isfinite(low) else "nowhere"
         alike.setdefault(band, []).append(str(output))
     said = [f"{', '.join(those)}: {band}" for band, those in alike.items()]
-    return f"Coherence ≥ {LEAST_COHERENCE:g} from 25 to 600 Hz: {' · '.join(said)}"
+    low, high = found.band_hz or (0.0, float(found.frequency_hz[-1]))
+    return f"Coherence ≥ {LEAST_COHERENCE:g} from {low:g} to {high:g} Hz: {' · '.join(said)}"

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.analysis.transfer import Transfer
 from skinsource.decibels import decibels
-from skinsource.limb import BAND_HZ
 from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.figure.axes import Axes, Axis, fitted_axes
@@ -98,11 +97,14 @@ class TransferPicture(Figure):
         return QRectF() if self.axes is None or self.message else self.axes.frame
 
     def _shade(self, painter: QPainter, axes: Axes) -> None:
-        """What was not measured."""
+        """What was not measured, where that is known."""
+        if self.shown is None or self.shown.found.band_hz is None:
+            return
+        band_hz = np.array(self.shown.found.band_hz)
         colour = QColor(self.theme.grid)
         colour.setAlpha(140)
         frame = axes.frame
-        low, high = (float(p[0]) for p in axes.to_screen(np.array(BAND_HZ), np.zeros(1)))
+        low, high = (float(p[0]) for p in axes.to_screen(band_hz, np.zeros(1)))
         painter.fillRect(QRectF(frame.topLeft(), QPointF(low, frame.bottom())), colour)
         if high < frame.right():
             painter.fillRect(QRectF(QPointF(high, frame.top()), frame.bottomRight()), colour)

@@ -173,9 +173,7 @@ def spacing_px(limb_map: LimbMap, frame: Frame) -> float:
     return float(apart[apart > 0].min(initial=np.inf)) if apart.any() else 0.0
 
 
-def _paint_noise(
-    painter: QPainter, frame: Frame, outline: QPainterPath, shown: SmallMap
-) -> None:
+def _paint_noise(painter: QPainter, frame: Frame, outline: QPainterPath, shown: SmallMap) -> None:
     places = frame.to_screen(shown.limb_map.output_positions)
     noisy = [QPointF(*places[number - 1]) for number in shown.noisy if number <= len(places)]
     placed = [one for one in noisy if np.isfinite((one.x(), one.y())).all()]

@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
-from skinsource.limb import BAND_HZ
+from skinsource.limb import BAND_HZ, SAMPLE_RATE_HZ
 from skinsource_gui.theme import LIGHT, Theme, tabular
 
 LOWEST_HZ, FLOOR_DB = 10.0, -80.0
@@ -27,13 +27,13 @@ class SpectrumPreview(QWidget):
         super().__init__(parent)
         self._theme = LIGHT
         self._lines: tuple[Floats, Floats] | None = None
-        self._highest_hz = 650.0
+        self._highest_hz = SAMPLE_RATE_HZ / 2.0
         self.setObjectName("spectrum_preview")
         self.setAccessibleName("Spectrum")
         self.setFont(tabular(self.font()))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
-    def show_samples(self, samples: Floats | None, sample_rate_hz: float = 1300.0) -> None:
+    def show_samples(self, samples: Floats | None, sample_rate_hz: float = SAMPLE_RATE_HZ) -> None:
         """Draw the spectrum of ``samples``, (n_times,); nothing without any."""
         self._highest_hz = sample_rate_hz / 2.0
         self._lines = None if samples is None else _lines(samples, sample_rate_hz)

@@ -105,6 +105,21 @@ def test_recorded_responses_are_read_output_by_output(tmp_path, suffix):
         open_recorded(path, 4, 3, 1300.0)
 
 
+@pytest.mark.parametrize("n_times", [5, 18, 400])
+@pytest.mark.parametrize("turned", [False, True])
+def test_an_array_of_two_dimensions_has_as_many_channels_as_the_limb_however_many_times(
+    tmp_path, n_times, turned
+):
+    path, field = tmp_path / "field.npz", FIELD[..., :n_times]
+    table = field.reshape(18, -1).T
+    if turned and n_times == 18:
+        return  # a square is times by channels
+    np.savez(path, field=table.T if turned else table, time_s=np.arange(n_times) / 650.0)
+    assert open_recorded(path, 6, 3, 650.0) == pytest.approx(field)
+    with pytest.raises(RecordingError, match="expected 21 of one length"):
+        open_recorded(path, 7, 3, 650.0)
+
+
 @pytest.mark.parametrize("order", ["toa", "oat", "aot"])
 def test_an_array_of_three_dimensions_is_read_in_any_order_with_the_rate_of_its_file(
     tmp_path, order

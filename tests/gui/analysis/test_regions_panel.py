@@ -51,9 +51,11 @@ def test_people_and_snapshots_stand_side_by_side_and_cost_nothing_while_hidden(
     for width, beside in ((300, False), (900, True)):
         dock.resize(width, 420)
         qtbot.waitUntil(
-            lambda beside=beside: (panel.stored.y() == panel.table.y()) == beside
-            and not any(table.horizontalScrollBar().maximum() for table in tables)
-            and dock.widget().verticalScrollBar().maximum() == 0
+            lambda beside=beside: (
+                (panel.stored.y() == panel.table.y()) == beside
+                and not any(table.horizontalScrollBar().maximum() for table in tables)
+                and dock.widget().verticalScrollBar().maximum() == 0
+            )
         )
     dock.setFloating(False)
     panel.copy.click()

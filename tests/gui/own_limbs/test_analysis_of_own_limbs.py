@@ -47,6 +47,10 @@ def shown(window, name, qtbot):
     return panel
 
 
+def judged(window):
+    return evaluate(window.document.design, "validity", view=window.document.view)["validity"]
+
+
 def test_each_panel_of_analysis_says_what_the_limb_says(window, qtbot):
     one_axis = window.document.view.axes == "x"
     panels = {name: shown(window, name, qtbot) for name in PANELS}
@@ -59,6 +63,10 @@ def test_each_panel_of_analysis_says_what_the_limb_says(window, qtbot):
     assert "sensor 9" in spectrogram.words.text
     transfer = panels["transfer"]
     assert "From place 3, site 3" in transfer.place.text
+    # A lab does not say in which band it measured: nothing is shaded, all frequencies count.
+    assert transfer.picture.shown.found.band_hz is None
+    assert "from 0 to 2000 Hz" in transfer.words.text
+    assert {one.name: one.state for one in judged(window)}["band"] == "unknown"
     assert float(transfer.table().splitlines()[-1].split("\t")[0]) == pytest.approx(2000.0, abs=25)
     wave = panels["wave"]
     axis = "x" if one_axis else "z"

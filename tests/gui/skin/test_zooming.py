@@ -3,7 +3,7 @@ import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QContextMenuEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu
+from PySide6.QtWidgets import QApplication, QMenu, QScrollArea
 
 from skinsource_gui.panels.skin import map_picture
 from skinsource_gui.panels.skin.skin_map import HAND
@@ -22,6 +22,23 @@ def test_the_wheel_zooms_around_the_pointer_with_control_or_without(window, modi
     after = view.map_layout().frame
     assert after.scale > 1.5 * before.scale
     assert after.to_drawing(QPointF(at)) == pytest.approx(before.to_drawing(QPointF(at)))
+
+
+def test_a_turn_that_began_as_scrolling_of_the_dock_goes_on_over_the_map(window):
+    view, at = window.panel.map, QPoint(150, 100)
+    area = QScrollArea()
+    area.setWidget(window.panel)
+    window.panel.resize(420, 1200)
+    area.resize(440, 300)
+    area.show()
+    QApplication.processEvents()
+    area.verticalScrollBar().setValue(40)
+    before = view.map_layout().frame.scale
+    wheel(view, at, 1, PLAIN)
+    assert view.map_layout().frame.scale == before
+    wheel(view, at, 1, CONTROL)  # meant for the map
+    assert view.map_layout().frame.scale > before
+    area.takeWidget()
 
 
 def test_zooming_out_ends_at_the_whole_outline(window):

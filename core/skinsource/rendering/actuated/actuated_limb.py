@@ -54,6 +54,7 @@ def actuated_limb(limb: Limb, actuation: Actuation, scaling: Scaling) -> Limb:
         sample_rate_hz=limb.sample_rate_hz,
         axes=limb.axes,
         pre_trigger_delay_s=limb.pre_trigger_delay_s,
+        band_hz=limb.band_hz,
         per_unit_drive=True,
         note=limb.note,
         shape=(limb.n_inputs, limb.n_outputs, limb.n_axes, n_taps),
