@@ -14,6 +14,7 @@ from skinsource.view import View
 from skinsource_gui.files.file_on_disk import FileOnDisk
 from skinsource_gui.files.held_file import HeldFile, may_have_ended, who_has
 from skinsource_gui.files.recent_files import RecentFiles
+from skinsource_gui.files.snapshot_files import SnapshotFiles
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
 
@@ -51,6 +52,10 @@ class FileActions(QObject):
         self._arrangement = arrangement
         self._on_disk, self._told = FileOnDisk(), "same"
         self.held = HeldFile()
+        #: Asks for a file whose design is kept as a snapshot.
+        self.take_snapshot = SnapshotFiles(
+            document, preferences, window, _FILTER, self.failed.emit, self.done.emit
+        ).ask
         #: Where a design without a file is expected to go; None: anywhere.
         self.suggested: Path | None = None
         window.installEventFilter(self)

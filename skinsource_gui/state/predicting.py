@@ -6,7 +6,7 @@ from typing import Any
 from skinsource.design import Design
 from skinsource.errors import SkinSourceError
 from skinsource.limb import LIVE_INPUTS, LIVE_OUTPUTS
-from skinsource.own_limbs import facts_of
+from skinsource.own_limbs import axes_on, facts_of
 from skinsource.quantities import sources
 from skinsource.view import View
 
@@ -27,9 +27,11 @@ _DEPENDS_ON = (
 def sources_of_levels(design: Design, view: View) -> dict[str, Any]:
     """What evaluation starts from: of the view only what levels depend on.
 
-    The rest of it changes while one looks around.
+    The rest of it changes while one looks around.  A design on a limb that has not been measured
+    along the axes of the view is looked at along those that it has.
     """
-    seen = View(axes=view.axes, method=view.method, span=view.span, selected_inputs=())
+    axes = axes_on(design.limb, view.axes)
+    seen = View(axes=axes, method=view.method, span=view.span, selected_inputs=())
     return sources(design, seen)
 
 

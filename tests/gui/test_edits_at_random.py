@@ -163,6 +163,7 @@ ARGUMENTS = {
     "select_through": (st.none() | one_id, one_id),
     "show_snapshot": (numbers, st.sampled_from([1.0, 0.3, 1e9, -1.0])),
     "store_snapshot": (numbers,),
+    "take_snapshot": (st.sampled_from([Design(limb="synthetic-2"), Design(limb="lab-9")]),),
     "shift_inputs": (ids, switches),
     "solo_inputs": (ids, switches),
     "toggle_clip": (one_id,),

@@ -136,7 +136,8 @@ def test_words_take_lines_keep_them_while_read_and_count_what_does_not_fit(qtbot
 
 def test_outputs_with_the_same_band_are_said_together():
     class Found:
+        band_hz = (25.0, 600.0)
         usable_hz = ((27.2, 599.0), (27.4, 598.9), (float("nan"),) * 2, (27.0, 599.3))
 
     words = _usable_words(Found, (29, 30, 33, 35))
-    assert words.endswith("29, 30, 35: 27–599 Hz · 33: nowhere")
+    assert words.endswith("from 25 to 600 Hz: 29, 30, 35: 27–599 Hz · 33: nowhere")

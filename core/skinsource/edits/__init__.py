@@ -94,6 +94,7 @@ if TYPE_CHECKING:
         match_levels,
         show_snapshot,
         store_snapshot,
+        take_snapshot,
     )
     from skinsource.edits.times import insert_time, remove_time
     from skinsource.edits.values import (
@@ -228,6 +229,7 @@ __all__ = [
     "solo_inputs",
     "split_clips",
     "store_snapshot",
+    "take_snapshot",
     "stretch_clip",
     "switch_effect",
     "toggle_clip",

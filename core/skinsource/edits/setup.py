@@ -7,8 +7,8 @@ from skinsource.choice_words import SCALINGS, word_of
 from skinsource.design import Design
 from skinsource.edits.edit import Edit, Refusal, refused
 from skinsource.errors import InvalidInputError
-from skinsource.limb import ALL_AXES, Axes, LimbFacts, axes_of
-from skinsource.own_limbs import facts_of
+from skinsource.limb import ALL_AXES, Axes, LimbFacts
+from skinsource.own_limbs import axes_on, facts_of
 from skinsource.quoting import quoted
 from skinsource.view import View
 
@@ -75,10 +75,7 @@ def _fitting_axes(axes: Axes, before: LimbFacts, after: LimbFacts) -> Axes:
     """All stay all; else those that the other limb measures along too, and all if there is none."""
     if axes in (before.axes, ALL_AXES):
         return after.axes
-    try:
-        return axes_of(after.axes, axes)
-    except InvalidInputError:
-        return after.axes
+    return axes_on(after.name, axes)
 
 
 def _looked_at(design: Design, view: View, label: str, **changes: Any) -> Edit | Refusal:

@@ -27,6 +27,22 @@ def store_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
     return Edit(label=f"Store snapshot {number}", design=design, view=after)
 
 
+def take_snapshot(design: Design, view: View, other: Design) -> Edit | Refusal:
+    """Keep another design, such as one of a file, under the lowest number that is free."""
+    taken = {one.number for one in view.snapshots}
+    free = next((number for number in NUMBERS if number not in taken), None)
+    if free is None:
+        return Refusal(
+            sentence=f"All {len(NUMBERS)} snapshots are taken. Forget one first: Delete on its "
+            "card in the panel Compare."
+        )
+    try:
+        after = replace(view, snapshots=(*view.snapshots, Snapshot(number=free, design=other)))
+    except InvalidInputError as error:
+        return refused(error)
+    return Edit(label=f"Store snapshot {free}", design=design, view=after)
+
+
 def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) -> Edit | Refusal:
     """Put a snapshot in place of the design, with all amplitudes times ``gain``.
 

@@ -7,7 +7,7 @@ from skinsource.own_limbs.content import (
     OwnLimb,
     is_free_name,
 )
-from skinsource.own_limbs.known import facts_of, missing_limb, own_map
+from skinsource.own_limbs.known import axes_on, facts_of, missing_limb, own_map
 from skinsource.own_limbs.store import (
     install_limb,
     load_own_limb,
@@ -22,6 +22,7 @@ __all__ = [
     "MOST_OUTPUTS",
     "NAME_RULE",
     "OwnLimb",
+    "axes_on",
     "facts_of",
     "install_limb",
     "is_free_name",

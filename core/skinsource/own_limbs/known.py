@@ -3,8 +3,8 @@
 from functools import lru_cache
 from pathlib import Path
 
-from skinsource.errors import SkinSourceError
-from skinsource.limb import PUBLISHED, LimbFacts, LimbMap, words
+from skinsource.errors import InvalidInputError, SkinSourceError
+from skinsource.limb import PUBLISHED, Axes, LimbFacts, LimbMap, axes_of, words
 from skinsource.own_limbs.content import is_free_name
 from skinsource.own_limbs.limb_file import LimbFile
 from skinsource.own_limbs.store import own_limb_path
@@ -27,6 +27,15 @@ def facts_of(name: str) -> LimbFacts:
         except (OSError, SkinSourceError):
             pass
     return LimbFacts(name=name, title=name, sentence="", known=False)
+
+
+def axes_on(limb: str, axes: Axes) -> Axes:
+    """These axes, or all of a limb that was not measured along each of them."""
+    measured = facts_of(limb).axes
+    try:
+        return axes_of(measured, axes)
+    except InvalidInputError:
+        return measured
 
 
 def own_map(name: str) -> LimbMap | None:

@@ -6,6 +6,7 @@ import numpy as np
 
 from skinsource.comparing import EDITED, loudest_db
 from skinsource.decibels import FLOOR_DB
+from skinsource.quoting import printable
 from skinsource_gui.compared import Compared
 from skinsource_gui.widgets.fields.level_text import minus
 
@@ -87,6 +88,7 @@ def sentence(compared: Compared, *, present: bool) -> str:
     gain = gain_words(compared)
     parts = [
         f"{name[:1].upper()}{name[1:]}",
+        printable(compared.snapshot.design.title).strip(),
         f"loudest output {level_words(compared)}",
         f"shown {gain} louder than stored" if gain else "",
         "in the window" if present else "",

@@ -66,6 +66,9 @@ class ComparePanel(Panel):
         self.toggle = self._button("toggle_snapshots_button", "Compare (X)")
         self.toggle.setToolTip("Show the other one of the last two that were shown")
         self.toggle.clicked.connect(self._toggle)
+        self.file = self._button("take_snapshot_button", "File…")
+        self.file.setToolTip("Keep the design of a file as a snapshot, to compare this one with it")
+        self.file.clicked.connect(lambda: self.action_wanted.emit("take_snapshot"))
         self.words = QLabel()
         self.words.setObjectName("matching_words")
         # Wrapped, it would make the panel as high as it likes best; cut off, its tooltip says it.
@@ -130,6 +133,7 @@ class ComparePanel(Panel):
         bar.setSpacing(UNIT_PX // 2)
         bar.addWidget(self.match)
         bar.addWidget(self.toggle)
+        bar.addWidget(self.file)
         bar.addStretch(1)
         upper = QVBoxLayout()
         upper.setSpacing(UNIT_PX // 2)

@@ -10,13 +10,16 @@ from skinsource.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.arrays import Floats
 from skinsource.choice_words import AXES, limb_word, word_of
 from skinsource.comparing import (
+    EDITED,
     difference_db,
     end_db,
     mean_and_spread_over,
     same_outputs,
 )
-from skinsource.limb import PUBLISHED
+from skinsource.limb import PUBLISHED, Axes
 from skinsource.map_range import map_range_db
+from skinsource.own_limbs import axes_on
+from skinsource.quoting import printable
 from skinsource_gui.compared import Compared
 from skinsource_gui.panels.side_by_side.content import DIVERGING, Cell, Scale
 from skinsource_gui.widgets.map.small_map import SmallMap, SmallMaps
@@ -154,12 +157,19 @@ def limb_names(compared: Sequence[Compared], axes: str) -> list[Names]:
     return found
 
 
-def snapshot_names(compared: Sequence[Compared]) -> list[Names]:
-    """What the snapshots are called."""
-    return [
-        (one.name,) if one.name == "Edited" else (f"Snapshot {one.name}", one.name)
-        for one in compared
-    ]
+def snapshot_names(compared: Sequence[Compared], axes: Axes) -> list[Names]:
+    """What the snapshots are called; those measured along other axes than ``axes`` say so."""
+    found: list[Names] = []
+    for one in compared:
+        along = axes_on(_limb(one), axes)
+        other = f" ({word_of(AXES, along).title})" if along != axes else ""
+        edited = one.snapshot.number == EDITED
+        called = one.name if edited else f"Snapshot {one.name}"
+        title = printable(one.snapshot.design.title).strip()
+        longest = (f"{called} · {title}{other}",) if title and not edited else ()
+        short = () if edited and not other else (one.name,)
+        found.append((*longest, f"{called}{other}", *short))
+    return found
 
 
 def _minus(one: Names, other: Names) -> Names:

@@ -3,8 +3,8 @@
 from dataclasses import replace
 from typing import Any
 
-from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QHBoxLayout, QWidget
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
 from skinsource.design import Design
 from skinsource.panel_settings import settings_of, with_settings
@@ -22,12 +22,14 @@ class ChoicesBar(QWidget):
     ----------
     settings
         Those of the present view.
-    of, shown, limbs
-        Its parts.
+    of, shown, limbs, file
+        Its parts; of the last two that which belongs to what is compared.
     """
 
     #: The new `View`.
     view_changed = Signal(object)
+    #: A design of a file is to stand beside the others.
+    file_wanted = Signal()
 
     def __init__(self, panel_name: str, parent: QWidget) -> None:
         super().__init__(parent)
@@ -40,10 +42,16 @@ class ChoicesBar(QWidget):
         self.shown.chosen.connect(lambda what, _: self._change(shown=what))
         self.limbs = LimbsButton(self)
         self.limbs.limbs_chosen.connect(lambda limbs: self._change(limbs=" ".join(limbs)))
+        self.file = QToolButton(self)
+        self.file.setObjectName("side_by_side_file")
+        self.file.setText("From file…")
+        self.file.setToolTip("Keep the design of a file as a snapshot, and show it here")
+        self.file.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.file.clicked.connect(self.file_wanted)
         row = QHBoxLayout(self)
         row.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
         row.setSpacing(UNIT_PX // 2)
-        for part, stretch in ((self.of, 3), (self.shown, 4), (self.limbs, 0)):
+        for part, stretch in ((self.of, 3), (self.shown, 4), (self.limbs, 0), (self.file, 0)):
             row.addWidget(part, stretch)
 
     def show_state(self, design: Design, view: View) -> None:
@@ -53,7 +61,8 @@ class ChoicesBar(QWidget):
         self.of.set_value(settings.of)
         self.shown.set_value(settings.shown)
         of_limbs = settings.of == "limbs"
-        self.limbs.setEnabled(of_limbs)
+        self.limbs.setVisible(of_limbs)
+        self.file.setVisible(not of_limbs)
         if of_limbs:
             usual = not settings.limbs.strip()
             self.limbs.show_chosen(settings.chosen(design.limb), usual=usual)

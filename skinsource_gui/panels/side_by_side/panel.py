@@ -1,6 +1,7 @@
 """Maps of several limbs, or of snapshots, side by side: one scale, one pointer, one selection."""
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import ClassVar
 
 from PySide6.QtCore import QRectF, QSize, Qt
@@ -51,6 +52,7 @@ class SideBySidePanel(Panel):
         self._cells = Cells()
         self.bar = ChoicesBar(self.name, self)
         self.bar.view_changed.connect(self.view_changed)
+        self.bar.file_wanted.connect(partial(self.action_wanted.emit, "take_snapshot"))
         self.maps = MapsView(self)
         self.maps.outputs_chosen.connect(self._choose_outputs)
         self.maps.pointed_at.connect(self._read)
@@ -75,6 +77,11 @@ class SideBySidePanel(Panel):
         column.addWidget(self.maps, 1)
         column.addLayout(foot)
         self.setFocusProxy(self.maps)
+
+    @property
+    def needs(self) -> frozenset[str]:
+        """The design in the window is one of the sides: it is predicted once, for all panels."""
+        return _NEEDS
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
@@ -148,7 +155,8 @@ class SideBySidePanel(Panel):
             return ()
         reference = reference_of(compared, self._design, self._view, settings)
         of_limbs = settings.of == "limbs"
-        names = limb_names(compared, self._view.axes) if of_limbs else snapshot_names(compared)
+        named = limb_names if of_limbs else snapshot_names
+        names = named(compared, self._view.axes)
         if settings.shown == "difference":
             return self._cells.of_differences(compared, names, reference)
         if settings.shown == "mean":

@@ -9,7 +9,7 @@ from skinsource.fields import ChoiceSpec, TextSpec
 OF = ChoiceSpec(
     label="Of",
     options=(("limbs", "Limbs"), ("snapshots", "Snapshots")),
-    hint="The present design on several limbs, or the snapshots of this design",
+    hint="The present design on several limbs, or snapshots: of this design, and designs of files",
 )
 SHOWN = ChoiceSpec(
     label="Shown",

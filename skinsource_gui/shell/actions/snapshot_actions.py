@@ -36,6 +36,14 @@ SNAPSHOTS: tuple[ActionSpec, ...] = (
         for number in NUMBERS
     ),
     action(
+        "take_snapshot",
+        "Edit",
+        "Snapshot from a file…",
+        "Keep the design of a file as a snapshot, to compare this one with it",
+        command="files.take_snapshot",
+        keywords="a/b compare design file side by side open",
+    ),
+    action(
         "toggle_snapshots",
         "Edit",
         "Compare with the one before",

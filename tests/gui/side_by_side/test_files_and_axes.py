@@ -1,0 +1,97 @@
+"""Designs of files stand beside the present one; limbs of other axes show what they have."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtWidgets import QFileDialog
+
+from skinsource import edits
+from skinsource.design import Design, track
+from skinsource.design_file import save_design
+from skinsource.evaluation import evaluate
+from skinsource.panel_settings import with_settings
+from skinsource.view import View
+from skinsource.waveforms import Tone
+from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
+from tests.core.own_limbs.lab_bench import installed
+
+SAVED = Design(limb="synthetic-2", inputs=(track(13, Tone(frequency_hz=200.0), amplitude=3.0),))
+
+
+@pytest.fixture
+def panel(window, settle):
+    settings = SideBySideSettings(of="snapshots")
+    as_stored = replace(window.document.view, levels_matched=False)
+    window.document.look(with_settings(as_stored, "side_by_side", settings))
+    window.docks["side_by_side"].bring_forward()
+    settle()
+    return window.panel("side_by_side")
+
+
+def drawn(panel, qtbot, n):
+    def complete():
+        cells = panel.maps.content.cells
+        return sum(cell.small is not None for cell in cells) == n
+
+    qtbot.waitUntil(complete, timeout=60_000)
+    return panel.maps.content.cells
+
+
+@pytest.fixture
+def choose(monkeypatch, tmp_path):
+    def choose(name):
+        answer = str(tmp_path / name), ""
+        monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: answer)
+
+    return choose
+
+
+def test_a_design_of_a_file_is_one_of_the_sides_and_the_present_one_stays_open(
+    window, panel, qtbot, tmp_path, choose
+):
+    document = window.document
+    save_design(tmp_path / "two hundred.skinsource", SAVED, View())
+    choose("two hundred.skinsource")
+    assert panel.bar.file.isVisible()
+    assert not panel.bar.limbs.isVisible()
+    before = document.design
+    panel.bar.file.click()
+    cells = drawn(panel, qtbot, 2)
+    assert document.design is before
+    assert document.path is None
+    assert {cell.heading for cell in cells} == {"Edited", "Snapshot 1 · two hundred"}
+    [other] = [cell for cell in cells if cell.heading != "Edited"]
+    expected = evaluate(SAVED, "output_levels_db", view=document.view)["output_levels_db"]
+    assert other.values_db == pytest.approx(expected, abs=1e-9)
+    document.undo_stack.undo()
+    assert document.view.snapshots == ()
+    # What cannot be read, and a fifth one, change nothing and say why.
+    (tmp_path / "broken.skinsource").write_text("{")
+    choose("broken.skinsource")
+    window.do("take_snapshot")
+    assert "broken.skinsource" in window.notice.text
+    choose("two hundred.skinsource")
+    for _ in range(4):
+        window.do("take_snapshot")
+    kept = document.view.snapshots
+    assert [one.number for one in kept] == [1, 2, 3, 4]
+    window.do("take_snapshot")
+    assert "Forget one first" in window.notice.text
+    assert document.view.snapshots == kept
+
+
+def test_a_snapshot_on_a_limb_without_the_axes_of_the_view_shows_those_it_has(
+    window, panel, qtbot, user_data
+):
+    installed(axes="xz")
+    window.limbs.look()
+    document = window.document
+    on_lab = Design(limb="lab-1", inputs=(track(3),))
+    document.apply(edits.take_snapshot(document.design, document.view, on_lab))
+    document.look(replace(document.view, axes="y"))
+    cells = drawn(panel, qtbot, 2)
+    [lab] = [cell for cell in cells if cell.limb == "lab-1"]
+    assert lab.heading == "Snapshot 1 (x, z)"
+    seen = View(axes="xz", method=document.view.method)
+    expected = evaluate(on_lab, "output_levels_db", view=seen)["output_levels_db"]
+    assert lab.values_db == pytest.approx(expected, abs=1e-9)
