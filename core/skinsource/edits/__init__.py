@@ -146,7 +146,7 @@ else:
                 "change_limb change_scaling level_over look_along look_by_method play_slower "
                 "remove_delay"
             ),
-            "snapshots": "forget_snapshot match_levels show_snapshot store_snapshot",
+            "snapshots": "forget_snapshot match_levels show_snapshot store_snapshot take_snapshot",
             "times": "insert_time remove_time",
             "values": "change_field change_kind change_waveform drag_field fields_of value_of",
             "wavelets": "equalise_on_skin",
@@ -229,9 +229,9 @@ __all__ = [
     "solo_inputs",
     "split_clips",
     "store_snapshot",
-    "take_snapshot",
     "stretch_clip",
     "switch_effect",
+    "take_snapshot",
     "toggle_clip",
     "toggle_mute",
     "toggle_mute_clips",

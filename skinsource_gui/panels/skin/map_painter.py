@@ -3,11 +3,10 @@
 from collections.abc import Sequence
 
 import numpy as np
-from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import (
     QColor,
     QFont,
-    QFontMetricsF,
     QPainter,
     QPainterPath,
     QPen,
@@ -20,14 +19,19 @@ from skinsource_gui.panels.skin.length_bar import paint_length_bar
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import MapLayout
 from skinsource_gui.panels.skin.noise_hatch import paint_hatch
-from skinsource_gui.panels.skin.output_labels import output_labels, square
+from skinsource_gui.panels.skin.output_labels import (
+    is_crowded,
+    is_on_card,
+    paint_labels,
+    square,
+)
 from skinsource_gui.panels.skin.triad import paint_triad
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.kept_picture import KeptPicture, PaintedAnew
 from skinsource_gui.widgets.map.colour_maps import colour_table, is_light, level_colours
 from skinsource_gui.widgets.outputs.picking import dorsal_outputs
 
-_RING_PX = 2.2
+_RING_PX, _THIN_PX = 2.2, 1.2
 _HINTS = QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
 
 
@@ -140,7 +144,8 @@ class MapPainter:
 
         def paint(on_image: QPainter) -> None:
             _paint_rings(on_image, content, layout, theme)
-            _paint_labels(on_image, content, layout, theme)
+            radius = ring_radius(0, content, layout)
+            paint_labels(on_image, content.outputs, layout, radius, theme)
 
         on_field = content.shown_field is not None
         key = (theme.name, content.outputs, on_field)
@@ -266,32 +271,12 @@ def _paint_dots(painter: QPainter, layout: MapLayout) -> None:
 
 def _paint_rings(painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme) -> None:
     """Rings in the colours of the curves around the selected outputs."""
-    ground = QColor(theme.base)
+    ground, crowded = QColor(theme.base), is_crowded(len(content.outputs), layout)
     for rank, number in enumerate(content.outputs):
-        if number > len(layout.points):
-            continue  # not on this limb
+        if number > len(layout.points) or is_on_card(number, layout):
+            continue  # not on this limb, or out of sight
         centre = QPointF(*layout.points[number - 1])
         radius = ring_radius(number, content, layout)
-        pen = theme.output_pen(rank, _RING_PX * layout.unit, layout.unit)
+        width = (_THIN_PX if crowded else _RING_PX) * layout.unit
+        pen = theme.output_pen(rank, width, layout.unit)
         paint_ring(painter, centre, radius, pen, ground)
-
-
-def _paint_labels(painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme) -> None:
-    """Numbers beside the rings of dorsal outputs; palmar ones carry theirs anyway."""
-    drawn = dorsal_outputs(layout.points, layout.unplaced)
-    dorsal = [number for number in content.outputs if number in drawn]
-    if not dorsal:
-        return
-    radius = ring_radius(dorsal[0], content, layout)
-    ground = QColor(theme.base)
-    painter.setBrush(ground)
-    for label in output_labels(dorsal, layout, radius, QFontMetricsF(painter.font())):
-        painter.setPen(theme.output_pen(content.outputs.index(label.number), 1.0))
-        if label.far:
-            centre = QPointF(*layout.points[label.number - 1])
-            edge = QLineF(centre, label.area.center())
-            edge.setLength(radius)
-            painter.drawLine(QLineF(edge.p2(), label.area.center()))
-        painter.drawRoundedRect(label.area, 3 * layout.unit, 3 * layout.unit)
-        painter.setPen(QColor(theme.text))
-        painter.drawText(label.area, Qt.AlignmentFlag.AlignCenter, str(label.number))

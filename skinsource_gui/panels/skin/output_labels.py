@@ -4,15 +4,37 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import product
 
-from PySide6.QtCore import QPointF, QRectF
-from PySide6.QtGui import QFontMetricsF
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 
 from skinsource_gui.panels.skin.map_layout import WORDS_LINES, MapLayout
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.outputs.picking import dorsal_outputs
 
 # Directions in which a label may lie from its ring, the better ones first, and how far beyond
 # the nearest place, in heights of a label.
 _WAYS = ((1, 0), (-1, 0), (0, -1), (0, 1), (1, -1), (-1, -1), (1, 1), (-1, 1))
 _FURTHER = (0.0, 0.8, 1.6, 2.4)
+
+
+# From so many selected outputs on numbers need discs of this radius beside each other.
+_MANY, _ROOMY_PX = 20, 8.0
+
+
+def is_crowded(n: int, layout: MapLayout) -> bool:
+    """Whether ``n`` selected outputs are so many, and so near, that numbers would hide the map.
+
+    Magnified they have room again.
+    """
+    return n > _MANY and layout.disc_radius < _ROOMY_PX * layout.unit
+
+
+def is_on_card(number: int, layout: MapLayout) -> bool:
+    """Whether an output that has a place on the map lies under one of the cards."""
+    if number in layout.unplaced:
+        return False
+    place = QPointF(*layout.points[number - 1])
+    return any(card.contains(place) for card in (layout.palmar_card, layout.triad_card))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,6 +73,7 @@ def output_labels(
     room = layout.room.adjusted(0, WORDS_LINES * metrics.height(), 0, 0)
     for number in wanted:
         taken = [label.area.adjusted(-gap, -gap, gap, gap) for label in placed]
+        taken += [layout.palmar_card, layout.triad_card]
         free = [
             label
             for label in _candidates(number, layout, radius, metrics)
@@ -58,6 +81,27 @@ def output_labels(
         ]
         placed += free[:1]
     return tuple(placed)
+
+
+def paint_labels(
+    painter: QPainter, outputs: tuple[int, ...], layout: MapLayout, radius: float, theme: Theme
+) -> None:
+    """Draw numbers beside the rings of dorsal outputs; palmar ones carry theirs anyway."""
+    drawn = dorsal_outputs(layout.points, layout.unplaced)
+    dorsal = [one for one in outputs if one in drawn and not is_on_card(one, layout)]
+    if is_crowded(len(outputs), layout):
+        return
+    painter.setBrush(QColor(theme.base))
+    for label in output_labels(dorsal, layout, radius, QFontMetricsF(painter.font())):
+        painter.setPen(theme.output_pen(outputs.index(label.number), 1.0))
+        if label.far:
+            centre = QPointF(*layout.points[label.number - 1])
+            edge = QLineF(centre, label.area.center())
+            edge.setLength(radius)
+            painter.drawLine(QLineF(edge.p2(), label.area.center()))
+        painter.drawRoundedRect(label.area, 3 * layout.unit, 3 * layout.unit)
+        painter.setPen(QColor(theme.text))
+        painter.drawText(label.area, Qt.AlignmentFlag.AlignCenter, str(label.number))
 
 
 def square(centre: QPointF, radius: float) -> QRectF:

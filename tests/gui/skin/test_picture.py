@@ -11,7 +11,7 @@ from skinsource.limb import LimbMap
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_painter import small_font
 from skinsource_gui.panels.skin.map_words import message_card, message_place, paint_words
-from skinsource_gui.panels.skin.output_labels import output_labels
+from skinsource_gui.panels.skin.output_labels import is_crowded, is_on_card, output_labels
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.panels.skin.skin_map import SkinMap
 from skinsource_gui.panels.skin.still_values import SILENT
@@ -266,3 +266,30 @@ def test_numbers_of_outputs_lie_beside_the_words_above_the_map(window):
         labels = output_labels(range(1, 61), view.map_layout(), 4.5, metrics)
         assert len(labels) > 10
         assert not any(label.area.intersects(words) for label in labels)
+
+
+def test_many_selected_outputs_do_not_hide_the_map_until_it_is_magnified(window):
+    view = window.panel.map
+    view.resize(266, 400)
+    layout = view.map_layout()
+    assert is_crowded(44, layout)
+    assert not is_crowded(12, layout)
+    view.pan_zoom.zoom(6.0, view.place_of(20))
+    assert not is_crowded(44, view.map_layout())
+
+
+def test_what_lies_under_a_card_has_neither_ring_nor_number(window):
+    view = window.panel.map
+    view.pan_zoom.zoom(4.0, view.place_of(20))
+    card = view.map_layout().triad_card.center()
+    for number in range(1, 61):
+        by = card - view.place_of(number)
+        view.pan_zoom.pan(by.x(), by.y())
+        if is_on_card(number, view.map_layout()):
+            break
+    assert is_on_card(number, view.map_layout())
+    assert not is_on_card(61, view.map_layout())
+    view.show_content(replace(view.content, outputs=()))
+    plain = view.grab(view.map_layout().triad_card.toAlignedRect()).toImage()
+    view.show_content(replace(view.content, outputs=(number,)))
+    assert view.grab(view.map_layout().triad_card.toAlignedRect()).toImage() == plain
