@@ -4,6 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
+from PySide6.QtGui import QDragMoveEvent, QDropEvent
 from PySide6.QtWidgets import QWidget
 
 from skinsource import presets
@@ -50,7 +51,7 @@ class FileDrops(QObject):
         handler(event)
         return True
 
-    def _take_along(self, event) -> None:
+    def _take_along(self, event: QDragMoveEvent) -> None:
         paths = _paths(event)
         if not paths:
             event.ignore()
@@ -62,11 +63,11 @@ class FileDrops(QObject):
             placed = paths[0].suffix != SUFFIX and self._inside(panel, at)
             panel.show_drop(panel.mapFrom(self._window, at) if placed else None)
 
-    def _leave(self, event) -> None:
+    def _leave(self, event: QEvent) -> None:
         for panel in self._panels:
             panel.show_drop(None)
 
-    def _drop(self, event) -> None:
+    def _drop(self, event: QDropEvent) -> None:
         paths = _paths(event)
         self._leave(event)
         if not paths:
@@ -94,5 +95,5 @@ class FileDrops(QObject):
         return visible and panel.rect().contains(panel.mapFrom(self._window, at))
 
 
-def _paths(event) -> list[Path]:
+def _paths(event: QDropEvent) -> list[Path]:
     return [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]

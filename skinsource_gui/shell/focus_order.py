@@ -70,9 +70,10 @@ def _chain(top: QWidget) -> list[QWidget]:
     # Within one region, Qt's order is the right one.
     window = top.window()
     last = window.previousInFocusChain()
-    ring = [window]
-    while ring[-1] is not last:
-        ring.append(ring[-1].nextInFocusChain())
+    ring: list[QWidget] = [window]
+    # No further: who asks the last one for the next takes the window for its child.
+    while ring[-1] is not last and (after := ring[-1].nextInFocusChain()) is not None:
+        ring.append(after)
     start = ring.index(top)
     return ring[start:] + ring[:start]
 

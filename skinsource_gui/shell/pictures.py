@@ -55,8 +55,10 @@ class PanelPictures:
             panel = self._in_use() if name == IN_USE else self._panels[name]
         self._catch_up(panel)
         caption = caption_of(self._document.design)
+        size: tuple[int, int] | None = None
+        draw: Callable[..., None] = self._draw_all
         if panel is None:
-            draw, size = self._draw_all, (self._frame.width(), self._frame.height())
+            size = self._frame.width(), self._frame.height()
         else:
             draw = partial(self._draw_one, panel)
             size = None if name != IN_USE else (2 * panel.width(), 2 * panel.height())

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from contextlib import nullcontext
 from functools import partial
 
-from PySide6.QtCore import QEventLoop
-from PySide6.QtGui import QAction
+from PySide6.QtCore import QEventLoop, QObject
+from PySide6.QtGui import QAction, QCloseEvent
 from PySide6.QtWidgets import QMainWindow
 
 from skinsource.design import Design
@@ -154,8 +154,8 @@ class MainWindow(QMainWindow):
         self.pictures = PanelPictures(self, *own)
         self.exports = ExportActions(*saving, self.runner, self.pictures.picture_of, self)
         self.stimuli = StimulusActions(*saving, self.runner, lambda: self.theme, self)
-        arranged = self.arrangements.show, self.docks
-        self.scenes = SceneActions(*saving, self.limbs, *arranged, lambda: self.theme, self)
+        show = self.arrangements.show
+        self.scenes = SceneActions(*saving, self.limbs, show, self.docks, lambda: self.theme, self)
         self.comparison = Comparison(self.document, self.engine, self.panels)
         kept = self.document, self.engine, self.runner, self.files, self.layout_of_docks
         self.keeping = Keeping(*kept, self.preferences.autosave_s, self)
@@ -178,7 +178,7 @@ class MainWindow(QMainWindow):
             late("skinsource_gui.motion_page.page", "MotionPage", self.document, theme),
         )
 
-    def _capabilities(self) -> dict[str, object]:
+    def _capabilities(self) -> dict[str, QObject]:
         # By the names that the table of actions has for them.
         return {
             "files": self.files,
@@ -280,7 +280,7 @@ class MainWindow(QMainWindow):
         regions = (self.notice.buttons, self.setup_bar, self.playback.bar, *self.panels)
         return move_focus(self, (*regions, self.statusBar()), forward=forward)
 
-    def closeEvent(self, event) -> None:
+    def closeEvent(self, event: QCloseEvent) -> None:
         if not (self.files.may_lose_changes() and self.running_jobs.may_close()):
             event.ignore()
             return

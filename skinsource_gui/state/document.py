@@ -101,7 +101,7 @@ class Document(QObject):
         if before.is_same(after):
             self.look(view)
         else:
-            self.undo_stack.push(_Swap(self, outcome.label, before, after, gesture))
+            self.undo_stack.push(Swap(self, outcome.label, before, after, gesture))
             self.settled.emit()
 
     def edit(self, label: str, design: Design, gesture: int | None = None) -> None:
@@ -211,7 +211,7 @@ class _Step:
         )
 
 
-class _Swap(QUndoCommand):
+class Swap(QUndoCommand):
     """The only undo command there is: put that design in place of this one."""
 
     def __init__(
@@ -242,7 +242,7 @@ class _Swap(QUndoCommand):
         return self._gesture
 
     def mergeWith(self, newer: QUndoCommand) -> bool:
-        if not isinstance(newer, _Swap) or not self._after.is_before(newer._before):
+        if not isinstance(newer, Swap) or not self._after.is_before(newer._before):
             return False
         self._after, self.at_s = newer._after, newer.at_s
         self.setText(newer.text())

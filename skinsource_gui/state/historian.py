@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject
 from skinsource_gui.history import MOST_STEPS, History, Step
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
-from skinsource_gui.state.document import Document
+from skinsource_gui.state.document import Document, Swap
 
 _FORGOTTEN = f"Before the last {MOST_STEPS} steps"
 
@@ -34,7 +34,8 @@ class Historian(QObject):
     def history(self) -> History:
         """All that can be taken back or done again now."""
         document, stack = self._document, self._document.undo_stack
-        steps = tuple(Step(stack.text(k), stack.command(k).at_s) for k in range(stack.count()))
+        done = (stack.command(k) for k in range(stack.count()))
+        steps = tuple(Step(one.text(), one.at_s) for one in done if isinstance(one, Swap))
         start = f"Opened {document.opened.name}" if document.opened else "New design"
         clean = stack.cleanIndex()
         return History(

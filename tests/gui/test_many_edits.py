@@ -2,11 +2,11 @@ import gc
 
 from skinsource.design import start_design
 from skinsource_gui.history import MOST_STEPS
-from skinsource_gui.state.document import Document
+from skinsource_gui.state.document import Document, Swap
 
 
 def steps_in_memory():
-    return sum(type(one).__name__ == "_Swap" for one in gc.get_objects())
+    return sum(isinstance(one, Swap) for one in gc.get_objects())
 
 
 def test_the_oldest_steps_are_forgotten_and_freed(qtbot):

@@ -23,10 +23,10 @@ def caption_of(state: HandState, limb: str, fits: Callable[[str], bool]) -> str:
     there = state.target or state.hovered
     if there is None and ringed is None:
         return HINT if not state.marks else ""
-    if state.target is None and there is not None and ringed not in (None, there):
+    if state.target is None and there and ringed and there != ringed:
         wanted = _both(there, ringed, "Keys" if state.cursor else "Selected", limb)
     else:
-        site = there or ringed
+        site = there or ringed or 0
         place = input_words(site, limb)
         wanted = (f"{site} · {place.name}", f"{site} · {place.short_name}")
     return next((one for one in wanted if fits(one)), wanted[-1])

@@ -81,7 +81,7 @@ class Cells:
         what = f"of {len(known)}"
         late = any(one.late for one in known)
         noisy = _noisy(*known)
-        common = {
+        common: dict[str, Any] = {
             "limb": limb,
             "late": late,
             "synthetic": any(_synthetic(one) for one in known),
@@ -146,7 +146,7 @@ class Cells:
 
 def limb_names(compared: Sequence[Compared], axes: str) -> list[Names]:
     """What the limbs are called; those measured along other axes than ``axes`` say so."""
-    found = []
+    found: list[Names] = []
     for one in compared:
         title = limb_word(_limb(one)).title
         other = f" ({word_of(AXES, one.axes).title})" if one.axes not in ("", axes) else ""

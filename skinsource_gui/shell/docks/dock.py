@@ -1,6 +1,7 @@
 """A dock: what holds a panel in the window."""
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QHideEvent, QMoveEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QDockWidget,
@@ -54,7 +55,8 @@ class Dock(QDockWidget):
         area.setWidgetResizable(True)
         self.setWidget(area)
         for name, hint in _BUTTONS.items():
-            self.findChild(QAbstractButton, name).setToolTip(hint)
+            for button in self.findChildren(QAbstractButton, name):
+                button.setToolTip(hint)
         self.topLevelChanged.connect(self._follow)
         # The menu of Qt, with the right button on a title, would leave it behind others.
         self.toggleViewAction().triggered.connect(self._raise_shown)
@@ -96,15 +98,15 @@ class Dock(QDockWidget):
         if self._tabbed and not self.isFloating():
             option.title = ""
 
-    def moveEvent(self, event) -> None:
+    def moveEvent(self, event: QMoveEvent) -> None:
         super().moveEvent(event)
         self._follow()
 
-    def showEvent(self, event) -> None:
+    def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._follow()
 
-    def hideEvent(self, event) -> None:
+    def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
         self.sight_changed.emit()
 

@@ -71,7 +71,7 @@ class DockLayout(QObject):
 
     def content(self) -> bytes:
         """What `put` and `show_panels` take back."""
-        return self._window.saveState().data()
+        return bytes(self._window.saveState().data())
 
     def put(self, content: bytes) -> None:
         """Put the docks where they stood in this very window, if anything is said about it."""
@@ -111,7 +111,7 @@ class DockLayout(QObject):
         # With the arrangement come its large words; where its docks were moved, they stand there.
         self._arrangements.show(self._preferences.arrangement)
         self._own = self._preferences.own_arrangements if fits else {}
-        (self.put if fits else self.show_panels)(layout.data())
+        (self.put if fits else self.show_panels)(bytes(layout.data()))
 
     def close(self) -> None:
         """Remember this session for the next one; the window closes."""

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from functools import partial
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtCore import QChildEvent, QEvent, QObject, Qt, Signal
 from PySide6.QtWidgets import QApplication, QMainWindow, QTabBar, QTabWidget
 
 from skinsource_gui.shell.docks.dock import Dock
@@ -48,8 +48,10 @@ class DockTabs(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         # Qt makes a bar when it needs one, and says nothing else of it.
-        if event.type() == QEvent.Type.ChildPolished and isinstance(event.child(), QTabBar):
-            _prepare(event.child())
+        if isinstance(event, QChildEvent) and event.type() == QEvent.Type.ChildPolished:
+            bar = event.child()
+            if isinstance(bar, QTabBar):
+                _prepare(bar)
         return False
 
     def _tell(self) -> None:

@@ -166,7 +166,7 @@ class Presenter(QObject):
             self._window.removeEventFilter(self)
         elif self._window.size() == self._size:
             self._window.removeEventFilter(self)
-            self._layout.put(self._before.data())
+            self._layout.put(bytes(self._before.data()))
 
     def _bars(self) -> list[QWidget]:
         window = self._window

@@ -19,6 +19,8 @@ from PySide6.QtGui import (
 
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
+from skinsource.limb import SAMPLE_RATE_HZ
+from skinsource.samples import Samples
 from skinsource.waveforms import (
     AmplitudeModulated,
     Chirp,
@@ -70,7 +72,12 @@ _SHOWN: tuple[Waveform, ...] = (
     AmplitudeModulated(90.0, 20.0, 1.0, 0.1),
     FrequencyModulated(70.0, 20.0, 45.0, 0.1),
     Formula("(sin(2*pi*30*t) + sin(2*pi*70*t)) / 2", 0.1),
-    Drawn((0.0, 0.5, 0.9, 0.4, -0.6, -1.0, -0.3, 0.1, 0.0, 0.2, 0.7, 0.3, 0.0)),
+    Drawn(
+        Samples(
+            values=np.array([0.0, 0.5, 0.9, 0.4, -0.6, -1.0, -0.3, 0.1, 0.0, 0.2, 0.7, 0.3, 0.0]),
+            sample_rate_hz=SAMPLE_RATE_HZ,
+        )
+    ),
     Recording(np.exp(-_TICKS / 18) * (np.sin(_TICKS * 1.1) + np.sin(_TICKS**1.37)) / 2),
 )
 
