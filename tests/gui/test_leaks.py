@@ -12,8 +12,8 @@ from PySide6.QtWidgets import QApplication, QDialog, QMenu, QWidget
 from skinsource.catalogue import available_limbs
 from skinsource_gui.shell.window import MainWindow
 
-#: What each leaves behind is there eight times.
-OPENINGS = 8
+#: What each leaves behind is there twenty times.
+OPENINGS = 20
 PAGES = ("find_action", "show_keys", "show_dataset", "show_about", "show_accuracy")
 
 
