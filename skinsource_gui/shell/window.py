@@ -108,7 +108,7 @@ class MainWindow(QMainWindow):
         self._connect()
         self.appearance.apply()
         told = self.files, preferences, self.appearance
-        self.panels.each(docks.Welcome(self.docks, self.do, self.reports.complain, *told))
+        self.panels.each(docks.TakingIn(self.docks, self.do, self.reports.complain, *told))
         self.layout_of_docks.restore()
         self._show_limbs()
         self._show_state()

@@ -9,7 +9,7 @@ from skinsource.errors import InvalidInputError, UnknownLimbError
 from skinsource.files.assets import data_folder
 from skinsource.synthetic import SYNTHETIC_LIMBS, load_synthetic_limb, synthetic_model
 from skinsource.synthetic.geodesic import paths_in
-from skinsource.synthetic.waves import Pulse, Skin, pulse_spectrum, wavenumber
+from skinsource.synthetic.skin_model import Pulse, Skin, pulse_spectrum, wavenumber
 
 # From the description of the model: speed and decay of waves in the skin of limb 1.
 FREQUENCIES_HZ = np.array([30, 50, 100, 150, 200, 300, 400, 500], dtype=float)

@@ -14,11 +14,10 @@ from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
 from skinsource.loudest_window import loudest_energy
 from skinsource.resampling import MAX_RATE_HZ, resample
+from skinsource.validity.judging import LARGEST_VELOCITY_M_PER_S
 
 #: Motion is computed at this rate at least.
 LEAST_RATE_HZ = 48_000
-#: Up to this velocity the measured skin was seen to respond linearly.
-LINEAR_VELOCITY_M_PER_S = 0.04
 # An RMS is over the loudest so many seconds, or over a shorter stimulus.
 _RMS_S = 1.0
 # It is driven wherever a stretch of so many seconds holds a sample above a part of the peak.
@@ -192,7 +191,7 @@ def _of_channel(
         peak_acceleration_m_per_s2=_peak(motion.acceleration),
         peak_velocity_m_per_s=velocity,
         peak_displacement_m=_peak(motion.displacement),
-        linear_share=velocity / LINEAR_VELOCITY_M_PER_S,
+        linear_share=velocity / LARGEST_VELOCITY_M_PER_S,
         temperature_rise_k=_rise(motion, actuator, rate_hz, thermal),
     )
 

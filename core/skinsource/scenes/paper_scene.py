@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from skinsource.dataset.not_installed import NOT_INSTALLED
 from skinsource.design import Design
 from skinsource.view import View
 
@@ -101,6 +102,6 @@ class OpenedScene:
         if not self.synthetic:
             return ""
         return (
-            "The measured limbs are not installed: this is computed on a SYNTHETIC limb, which "
-            "need not do what the sentence says."
+            f"{NOT_INSTALLED} This is computed on a SYNTHETIC limb, which need not do what the "
+            "sentence says."
         )

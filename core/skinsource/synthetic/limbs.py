@@ -18,7 +18,7 @@ from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS, SAMPLE_RATE_HZ, Limb, che
 from skinsource.locations import INPUTS
 from skinsource.quoting import quoted
 from skinsource.synthetic.geodesic import paths_in
-from skinsource.synthetic.waves import (
+from skinsource.synthetic.skin_model import (
     Pulse,
     Skin,
     bending_boost,

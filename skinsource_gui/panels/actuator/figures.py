@@ -5,7 +5,7 @@ from math import isnan
 
 from skinsource.actuator_demand import ActuatorSettings
 from skinsource.actuators import Prediction, breaches
-from skinsource.actuators.prediction import LINEAR_VELOCITY_M_PER_S
+from skinsource.validity.judging import LARGEST_VELOCITY_M_PER_S
 from skinsource_gui.widgets.fields.units import value_text
 
 _DIGITS = 3
@@ -64,7 +64,7 @@ def rows_of(settings: ActuatorSettings, found: Prediction) -> tuple[Figure, ...]
     velocity = Figure(
         label="Peak velocity",
         value=_text(found.peak_velocity_m_per_s, "mm/s"),
-        limit=_text(LINEAR_VELOCITY_M_PER_S, "mm/s"),
+        limit=_text(LARGEST_VELOCITY_M_PER_S, "mm/s"),
         passed=found.linear_share > 1.0,
     )
     return (rows[0], velocity, *rows[1:])

@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QAbstractButton, QMenu, QSizePolicy, QWidget
 from skinsource_gui.compared import Compared
 from skinsource_gui.panels.compare.card_words import gain_words, level_words, sentence
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
+from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.key_tables.key_table import meant
-from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
 from skinsource_gui.widgets.map.small_map import Range, SmallMap, paint_small_map
 
 _PLACE = "snapshot"

@@ -24,7 +24,7 @@ from skinsource_gui.panels.hand.hand_state import HandState, Mark
 from skinsource_gui.panels.hand.site_cursor import SiteCursor
 from skinsource_gui.panels.hand.site_mouse import SiteMouse
 from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
+from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.pan_zoom import WHOLE
 
 # Ways in which focus comes without the keyboard being used here.

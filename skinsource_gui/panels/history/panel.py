@@ -12,8 +12,8 @@ from skinsource_gui.panel import Panel
 from skinsource_gui.panels.history.step_delegate import StepDelegate
 from skinsource_gui.panels.history.steps_model import StepsModel
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.key_tables.key_table import meant
-from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
 
 _PLACE = "history"
 

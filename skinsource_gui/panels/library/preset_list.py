@@ -19,8 +19,8 @@ from skinsource.presets import Entry
 from skinsource_gui.panels.library.preset_delegate import PresetDelegate
 from skinsource_gui.panels.library.presets_model import ENTRY, OWN, PresetsModel
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.key_tables.key_table import meant
-from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
 
 _PLACE = "library"
 # How far from the pointer a dragged preset is shown, and how wide its name may be.

@@ -10,8 +10,8 @@ from skinsource_gui.panels.side_by_side.content import Content
 from skinsource_gui.panels.side_by_side.layout import Places, places_of
 from skinsource_gui.panels.side_by_side.painter import paint_content
 from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.key_tables.key_table import meant
-from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
 from skinsource_gui.widgets.map.small_map import small_frame
 from skinsource_gui.widgets.outputs.keys import ADDS, OutputKeys
 from skinsource_gui.widgets.outputs.mouse import OutputMouse

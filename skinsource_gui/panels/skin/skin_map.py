@@ -33,8 +33,8 @@ from skinsource_gui.panels.skin.map_painter import MapPainter, paint_band, paint
 from skinsource_gui.panels.skin.map_readout import hover_words, output_readout, pixel_readout
 from skinsource_gui.panels.skin.map_words import paint_words
 from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.key_tables.key_table import meant
-from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
 from skinsource_gui.widgets.outputs.keys import ADDS, OutputKeys
 from skinsource_gui.widgets.outputs.mouse import REACH_PX, OutputMouse
 from skinsource_gui.widgets.outputs.picking import output_at

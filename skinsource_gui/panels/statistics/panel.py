@@ -26,7 +26,7 @@ from skinsource_gui.panels.statistics.table_model import TableModel
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.empty_words import output_words
 from skinsource_gui.widgets.figure.words_label import WordsLabel
-from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
+from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.lateness import Lateness
 from skinsource_gui.widgets.name_column import dress_table, give_names_the_rest
 

@@ -3,12 +3,13 @@
 from PySide6.QtCore import QObject, Signal
 
 from skinsource import edits
+from skinsource.clips import Clip
 from skinsource.design import Design
 from skinsource.edits import Edit, Refusal
 from skinsource.errors import SkinSourceError
 from skinsource.quoting import sentence
 from skinsource.view import View
-from skinsource.waveforms import Tone, Waveform
+from skinsource.waveforms import Waveform
 from skinsource_gui.panels.timeline import clipboard
 from skinsource_gui.panels.timeline.content import chosen_clips
 
@@ -24,7 +25,7 @@ class TimelineEdits(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._design, self._view = Design(limb=""), View()
-        self._last: Waveform = Tone()
+        self._last: Waveform = Clip().waveform
 
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view."""

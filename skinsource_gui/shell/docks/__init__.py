@@ -5,6 +5,6 @@ from skinsource_gui.shell.docks.dock import Dock
 from skinsource_gui.shell.docks.dock_layout import DockLayout
 from skinsource_gui.shell.docks.dock_tabs import DockTabs
 from skinsource_gui.shell.docks.dock_toggles import menu_toggles, toggles
-from skinsource_gui.shell.docks.welcome import Welcome
+from skinsource_gui.shell.docks.taking_in import TakingIn
 
-__all__ = ["Arrangements", "Dock", "DockLayout", "DockTabs", "Welcome", "menu_toggles", "toggles"]
+__all__ = ["Arrangements", "Dock", "DockLayout", "DockTabs", "TakingIn", "menu_toggles", "toggles"]

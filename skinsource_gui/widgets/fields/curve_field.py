@@ -31,8 +31,8 @@ from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.fields.burst import Burst
 from skinsource_gui.widgets.fields.curve_scale import CurveScale
 from skinsource_gui.widgets.fields.gesture import new_gesture
+from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.key_tables.key_table import key_text, meant
-from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
 from skinsource_gui.widgets.tooltips import tooltip
 
 _NEAR_PX, _POINT_PX = 8.0, 3.5

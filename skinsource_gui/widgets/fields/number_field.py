@@ -27,7 +27,7 @@ from skinsource_gui.widgets.fields.number_typing import (
 )
 from skinsource_gui.widgets.fields.round_numbers import clamped
 from skinsource_gui.widgets.fields.shown_number import ShownNumber
-from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
+from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 
 _UNIT_GAP_PX = 4
 # Qt leaves this at each side of the text of a line edit.

@@ -20,7 +20,7 @@ from skinsource_gui.panels.timeline.heads.list_mouse import ListMouse
 from skinsource_gui.panels.timeline.heads.row_signals import RowSignals
 from skinsource_gui.panels.timeline.heads.row_state import RowState
 from skinsource_gui.theme import LIGHT, Theme
-from skinsource_gui.widgets.key_tables.own_keys import kept_from_shortcuts
+from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 
 _GAP_PX = 3
 

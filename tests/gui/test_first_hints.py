@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QMainWindow, QPushButton, QToolButton
 
 import skinsource as ss
 from skinsource.edits import Edit
-from skinsource_gui.shell.first_start import HINTS, FirstStart
+from skinsource_gui.shell.first_hints import HINTS, FirstHints
 from skinsource_gui.shell.notice import Notice
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
@@ -35,18 +35,18 @@ def press(window, words):
 def test_three_hints_come_once_one_after_the_other(qtbot, tmp_path):
     path = tmp_path / "studio.ini"
     window, notice = window_of(qtbot)
-    FirstStart(Preferences(path), notice, document()).offer()
+    FirstHints(Preferences(path), notice, document()).offer()
     for step, hint in enumerate(HINTS):
         assert notice.text == f"{step + 1} of 3: {hint}"
         press(window, "Done" if step == 2 else "Next")
     assert notice.text == ""
-    FirstStart(Preferences(path), notice, document()).offer()
+    FirstHints(Preferences(path), notice, document()).offer()
     assert notice.text == ""
 
 
 def test_who_wants_no_more_of_them_or_just_ends_the_studio_is_left_alone(qtbot, tmp_path):
     window, notice = window_of(qtbot)
-    FirstStart(Preferences(tmp_path / "a.ini"), notice, document()).offer()
+    FirstHints(Preferences(tmp_path / "a.ini"), notice, document()).offer()
     press(window, "No more hints")
     assert notice.text == ""
     # Remembered at once: the first hint is enough, however the studio ends.
@@ -59,11 +59,11 @@ def test_a_studio_that_was_used_before_or_has_something_urgent_to_say_hints_noth
     _, notice = window_of(qtbot)
     used = Preferences(tmp_path / "used.ini")
     used.geometry = QByteArray(b"somewhere")
-    FirstStart(used, notice, document()).offer()
+    FirstHints(used, notice, document()).offer()
     assert notice.text == ""
     new = Preferences(tmp_path / "new.ini")
     notice.say("Unsaved work was left", "warning")
-    FirstStart(new, notice, document()).offer()
+    FirstHints(new, notice, document()).offer()
     assert notice.text == "Unsaved work was left"
     assert not new.hinted
 
@@ -78,7 +78,7 @@ def test_doing_what_a_hint_says_leads_to_the_next_one(qtbot, tmp_path):
     done = document()
     # As the window does: an edit outdates what is said.
     done.changed.connect(notice.be_quiet)
-    FirstStart(Preferences(tmp_path / "a.ini"), notice, done).offer()
+    FirstHints(Preferences(tmp_path / "a.ini"), notice, done).offer()
     apply(done, title="Mine")
     assert notice.text.startswith("1 of 3")
     apply(done, inputs=(ss.track(7, ss.waveforms.Impulse()),))
@@ -94,7 +94,7 @@ def test_doing_what_a_hint_says_leads_to_the_next_one(qtbot, tmp_path):
 def test_hints_that_were_closed_do_not_come_back_with_an_edit(qtbot, tmp_path):
     window, notice = window_of(qtbot)
     done = document()
-    FirstStart(Preferences(tmp_path / "a.ini"), notice, done).offer()
+    FirstHints(Preferences(tmp_path / "a.ini"), notice, done).offer()
     window.findChild(QToolButton, "close_notice").click()
     apply(done, inputs=(ss.track(7, ss.waveforms.Impulse()),))
     assert notice.text == ""

@@ -11,7 +11,7 @@ from skinsource_gui.state.preferences import Preferences
 _PREPARING = "Preparing…"
 
 
-class Welcome:
+class TakingIn:
     """Takes each panel into the window, after all others have met it.
 
     Parameters

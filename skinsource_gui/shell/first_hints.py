@@ -21,7 +21,7 @@ HINTS = (
 NEXT, DONE, ENOUGH = "Next", "Done", "No more hints"
 
 
-class FirstStart(QObject):
+class FirstHints(QObject):
     """Says three hints, one after the other, where the studio was never started before.
 
     The next one comes with its button, or once what the hint says was done.
