@@ -32,6 +32,7 @@ hypothesis.settings.register_profile(
 )
 hypothesis.settings.load_profile("same")
 
+
 #: What takes longest, longest first: a worker that began with one of them last would end alone.
 LONGEST_FIRST = (
     "tests/gui/monkey/",
@@ -51,6 +52,17 @@ def pytest_configure(config: pytest.Config) -> None:
     """
     if getattr(config.option, "numprocesses", None):  # it is this one that starts the workers
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+
+@pytest.fixture(autouse=True, scope="session")
+def _random_numbers_of_examples_are_registered() -> None:
+    """At first: later, when modules are left out of searches, it cannot be seen who holds them."""
+
+    @hypothesis.given(hypothesis.strategies.none())
+    def one_example(_: None) -> None:
+        """Nothing else."""
+
+    one_example()
 
 
 def pytest_report_header() -> str:

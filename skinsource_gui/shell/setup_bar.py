@@ -4,7 +4,7 @@ from collections.abc import Callable
 from functools import partial
 
 from PySide6.QtCore import QObject, QSize, Qt, Signal
-from PySide6.QtGui import QAction, QResizeEvent, QStandardItemModel
+from PySide6.QtGui import QAction, QResizeEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from skinsource import edits
@@ -20,6 +20,8 @@ from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.tooltips import show_tooltip, tooltip
 
 _LEAST_PX = 420
+#: Where the list keeps what can be done with an entry; None: all that is usual.
+_FLAGS = Qt.ItemDataRole.UserRole - 1
 _ENABLED = Qt.ItemFlag.ItemIsEnabled
 
 
@@ -96,25 +98,21 @@ class SetupBar(QWidget):
             for index, word in enumerate(words):
                 hint = tooltip(word.sentence)
                 self._limb.setItemData(index, hint, Qt.ItemDataRole.ToolTipRole)
-        model = self._limb.model()
-        if not isinstance(model, QStandardItemModel):
-            return
         for index, name in enumerate(names):
             there = name in limbs
-            item = model.item(index)
-            item.setEnabled(there)
+            _offer(self._limb, index, there=there)
             if name.startswith("measured-"):
-                item.setToolTip("" if there else f"{NOT_INSTALLED} Help > {TITLE}… installs them.")
+                hint = "" if there else f"{NOT_INSTALLED} Help > {TITLE}… installs them."
+                self._limb.setItemData(index, hint, Qt.ItemDataRole.ToolTipRole)
 
     def _offer_axes(self, limb: str) -> None:
         """Let those axes be chosen along which the limb measures."""
-        measured, model = facts_of(limb).axes, self._axes.model()
-        if not isinstance(model, QStandardItemModel) or measured == self._measured:
+        measured = facts_of(limb).axes
+        if measured == self._measured:
             return
         self._measured = measured
         for index in range(self._axes.count()):
-            item, axes = model.item(index), self._axes.itemData(index)
-            item.setEnabled(set(axes) <= set(measured))
+            _offer(self._axes, index, there=set(self._axes.itemData(index)) <= set(measured))
 
     def choices(self, parent: QObject | None) -> list[QAction]:
         """One action for each choice that can be made, owned by ``parent``."""
@@ -156,3 +154,12 @@ class SetupBar(QWidget):
 def _spec(label: str, sentence: str, words: tuple[Word, ...]) -> ChoiceSpec:
     options = tuple((word.name, word.title) for word in words)
     return ChoiceSpec(label=label, options=options, hint=sentence)
+
+
+def _offer(field: QComboBox, index: int, *, there: bool) -> None:
+    """Let an entry be chosen, or not.
+
+    Not by the item of the model: what Python knows of an item outlives it, and PySide then takes
+    whatever comes to stand at its address for that item.
+    """
+    field.setItemData(index, None if there else 0, _FLAGS)

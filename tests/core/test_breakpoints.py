@@ -161,6 +161,11 @@ def test_a_slope_of_its_own_is_that_of_the_curve():
     assert np.diff(beside) / 1e-6 == pytest.approx([1.5, 1.5], rel=1e-4)
 
 
+def test_beside_a_step_of_next_to_nothing_the_curve_is_level():
+    points = ((0.0, 5e-324, "smooth"), (0.001, 0.0, "smooth"), (0.052, -5e-324, "smooth"))
+    assert np.abs(curve_at(points, np.linspace(0.0, 0.052, 9))).max() <= 5e-324
+
+
 @given(
     drawn(st.just("smooth"), apart=0.05),
     st.floats(0.0, 1.0),

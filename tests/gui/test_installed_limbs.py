@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import h5py
 import numpy as np
-from PySide6.QtCore import QEvent
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QApplication, QComboBox
 
 from skinsource.dataset.install import install
@@ -15,11 +15,11 @@ def come_back_to(window):
 
 
 def offered(window):
-    model = window.findChild(QComboBox, "limb").model()
-    items = [model.item(index) for index in range(model.rowCount())]
-    return sum(item.isEnabled() for item in items), [
-        item.toolTip() for item in items if item.text()
-    ]
+    field = window.findChild(QComboBox, "limb")
+    model = field.model()
+    entries = [model.index(row, 0) for row in range(model.rowCount())]
+    count = sum(bool(model.flags(one) & Qt.ItemFlag.ItemIsEnabled) for one in entries)
+    return count, [one.data(Qt.ItemDataRole.ToolTipRole) for one in entries if one.data()]
 
 
 def test_limbs_that_are_installed_while_the_studio_runs_can_be_used_at_once(

@@ -287,7 +287,9 @@ def _pieces(points: Points) -> _Pieces:
     # Where nothing is smooth, no slope follows from the points beside.
     for run in np.split(np.arange(len(points)), breaks) if smooth.any() else ():
         if len(run) > 1 and smooth[run[:-1]].any():
-            slope[run] = scipy.interpolate.PchipInterpolator(x[run], y[run]).derivative()(x[run])
+            with np.errstate(over="ignore"):  # beside a step of next to nothing it is level
+                curve = scipy.interpolate.PchipInterpolator(x[run], y[run])
+            slope[run] = curve.derivative()(x[run])
     for k, point in enumerate(points):
         if type(point) is SlopedPoint:
             slope[k] = point.slope
