@@ -168,10 +168,15 @@ class Notice(QObject):
         self._guard.setGeometry(self.buttons.geometry())
         self._guard.show()
         self._guard.raise_()
-        self._guarding.start(QApplication.doubleClickInterval())
+        self._guard_on()
+        # Room that goes away is laid out anew later, and that may take most of the time.
+        QTimer.singleShot(0, self._guard, self._guard_on)
         self.be_quiet()
         if act:
             act()
+
+    def _guard_on(self) -> None:
+        self._guarding.start(QApplication.doubleClickInterval())
 
     def _place(self) -> None:
         width, height = self._window.width(), self._window.height()

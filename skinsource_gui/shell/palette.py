@@ -16,6 +16,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+# Right of the keys, and at least so much between them and the name.
+_EDGE_PX, _GAP_PX = 8, 16
 _NOTHING_FOUND = "Nothing found"
 _HINTS = ("Try another word, such as export, limb, mute or theme", "F1 shows all keys")
 #: Property of an action: other words by which it is found.
@@ -42,7 +44,7 @@ class Palette(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle("Search actions")
         self.setObjectName("palette")
-        self.resize(560, 400)
+        self.resize(640, 400)
         self._actions = actions
         for action in actions:
             if action.parent() is None:
@@ -54,6 +56,8 @@ class Palette(QDialog):
         self.list.setAccessibleName("Matching actions")
         self.list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.list.setItemDelegate(_KeysAtTheRight(self.list))
+        # A long name is elided; keys never are.
+        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         layout = QVBoxLayout(self)
         layout.addWidget(self.line)
         layout.addWidget(self.list)
@@ -106,7 +110,19 @@ class _KeysAtTheRight(QStyledItemDelegate):
     def sizeHint(
         self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
     ) -> QSize:
-        return super().sizeHint(option, index) + QSize(0, 10)
+        return QSize(0, super().sizeHint(option, index).height() + 10)
+
+    def initStyleOption(
+        self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+    ) -> None:
+        super().initStyleOption(option, index)
+        # Asked for its size it has no width yet.
+        if option.rect.width() > 0:
+            keys = option.fontMetrics.horizontalAdvance(_state_and_keys(index))
+            room = option.rect.width() - keys - (_GAP_PX if keys else 0) - _EDGE_PX
+            option.text = option.fontMetrics.elidedText(
+                option.text, Qt.TextElideMode.ElideRight, room
+            )
 
     def paint(
         self,
@@ -115,19 +131,24 @@ class _KeysAtTheRight(QStyledItemDelegate):
         index: QModelIndex | QPersistentModelIndex,
     ) -> None:
         super().paint(painter, option, index)
-        action = index.data(Qt.ItemDataRole.UserRole)
-        if action is None:
-            return
-        state = "on   " if action.isCheckable() and action.isChecked() else ""
-        keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+        words = _state_and_keys(index)
         chosen = option.state & QStyle.StateFlag.State_Selected
         role = QPalette.ColorRole.HighlightedText if chosen else QPalette.ColorRole.PlaceholderText
         painter.save()
         painter.setPen(option.palette.color(role))
-        place = option.rect.adjusted(0, 0, -8, 0)
+        place = option.rect.adjusted(0, 0, -_EDGE_PX, 0)
         flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        painter.drawText(place, flags, state + keys)
+        painter.drawText(place, flags, words)
         painter.restore()
+
+
+def _state_and_keys(index: QModelIndex | QPersistentModelIndex) -> str:
+    """What stands at the right of an action; empty beside what is none."""
+    action = index.data(Qt.ItemDataRole.UserRole)
+    if action is None:
+        return ""
+    state = "on   " if action.isCheckable() and action.isChecked() else ""
+    return state + str(action.shortcut().toString(QKeySequence.SequenceFormat.NativeText))
 
 
 def matching(actions: Sequence[QAction], letters: str) -> list[QAction]:

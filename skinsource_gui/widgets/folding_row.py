@@ -6,9 +6,14 @@ from PySide6.QtCore import QSize
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QWidget
 
+from skinsource_gui.widgets.into_sight import areas_around
+
 
 class FoldingRow(QWidget):
     """Puts widgets beside each other; those that do not fit go below.
+
+    A scroll bar beside it takes a little of each: if the row folded for that, it would become
+    higher, and keep the scroll bar that made it fold.
 
     Parameters
     ----------
@@ -51,7 +56,7 @@ class FoldingRow(QWidget):
     def fold(self) -> None:
         """Place them anew: the width is another one, or others are shown."""
         shown = tuple(one for one in self._widgets if not one.isHidden())
-        room = self.width() + self._spacing_px
+        room = self.width() + self._bars_px + self._spacing_px
         fit = max(room // max(self._widest_px + self._spacing_px, 1), 1)
         rows = -(-len(shown) // fit) or 1
         columns = -(-len(shown) // rows) or 1
@@ -66,6 +71,14 @@ class FoldingRow(QWidget):
             self._grid.setColumnStretch(column, int(self._left and column == columns))
         self.setMinimumHeight(self._grid.minimumSize().height())
         self.updateGeometry()
+
+    @property
+    def _bars_px(self) -> int:
+        """Width that scroll bars have taken."""
+        return sum(
+            max(area.maximumViewportSize().width() - area.viewport().width(), 0)
+            for area in areas_around(self)
+        )
 
     @property
     def _widest_px(self) -> int:

@@ -26,7 +26,8 @@ class PanZoom(QObject):
     """Keeps what part of a drawing is seen; used by whatever draws one.
 
     The wheel zooms at the pointer, with Shift it pans, and so does a drag with the middle button;
-    one that began to scroll what is around the widget goes on with that.
+    one that began to scroll what is around the widget goes on with that, and
+    one that turns out of the whole drawing begins it.
     The drawing is never smaller than its whole fit, nor out of sight.
 
     Parameters
@@ -76,9 +77,15 @@ class PanZoom(QObject):
         self._fits, self._outline = fits, outline
         if not fits:
             self.frame = None
-        elif self.fit == FREE and before is not None:
+        elif self.fit == FREE and before is not None and before.scale > fits[WHOLE].scale:
             moved = room.center() - was.center()
-            self.frame = self._kept(before.moved(moved.x(), moved.y()))
+            frame = before.moved(moved.x(), moved.y())
+            if room != was:
+                frame = frame.moved(*self._into_new_room(before, frame, was))
+            self.frame = self._kept(frame)
+        elif self.fit == FREE:
+            # In the new room it would be smaller than all of it.
+            self.fit, self.frame = WHOLE, fits[WHOLE]
         else:
             self.frame = fits[self.fit if self.fit in fits else WHOLE]
         self.changed.emit()
@@ -116,9 +123,10 @@ class PanZoom(QObject):
 
     def wheel(self, event: QWheelEvent) -> None:
         """The wheel turns over the drawing."""
-        if self.scrolling_on.passes(event):
+        if self.scrolling_on.passes(event) or self._leaves(event):
             event.ignore()
             return
+        self.scrolling_on.take()
         right, up = event.angleDelta().x() / NOTCH, event.angleDelta().y() / NOTCH
         if event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
             self.pan((right + up) * _PAN_PER_NOTCH_PX, 0)
@@ -155,10 +163,47 @@ class PanZoom(QObject):
             self.zoom(factor, self._room.center())
         return factor is not None
 
+    def _leaves(self, event: QWheelEvent) -> bool:
+        """Whether the wheel turns out of what is seen as a whole, and did not begin by zooming."""
+        turned, held = event.angleDelta(), event.modifiers().value
+        out = turned.y() < 0 and not turned.x() and not held
+        return out and self.fit == WHOLE and not self.scrolling_on.was_taken()
+
     def _go_to(self, frame: Frame) -> None:
         self.fit = FREE
         self.frame = self._kept(frame)
         self.changed.emit()
 
+    def _into_new_room(self, before: Frame, frame: Frame, was: QRectF) -> tuple[float, float]:
+        """How far to shift it, so that the new room gets no emptier than it was before.
+
+        At each edge it leaves free what the whole drawing would, or what it left free before.
+        """
+        whole, drawn, left = (
+            _box(one.to_screen(self._outline)) for one in (self._fits[WHOLE], frame, before)
+        )
+        room = self._room
+        return (
+            _shift(
+                (drawn.left(), drawn.right()),
+                max(whole.left(), room.left() + left.left() - was.left()),
+                min(whole.right(), room.right() + left.right() - was.right()),
+            ),
+            _shift(
+                (drawn.top(), drawn.bottom()),
+                max(whole.top(), room.top() + left.top() - was.top()),
+                min(whole.bottom(), room.bottom() + left.bottom() - was.bottom()),
+            ),
+        )
+
     def _kept(self, frame: Frame) -> Frame:
         return frame.kept_in_sight(self._outline, self._room)
+
+
+def _box(places: Floats) -> QRectF:
+    return QRectF(QPointF(*places.min(axis=0)), QPointF(*places.max(axis=0)))
+
+
+def _shift(drawn: tuple[float, float], low: float, high: float) -> float:
+    """How far to shift what is drawn from one end to the other, so that it covers the rest."""
+    return min(low - drawn[0], 0.0) + max(high - drawn[1], 0.0)

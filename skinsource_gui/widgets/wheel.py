@@ -38,6 +38,7 @@ class ScrollingOn(QObject):
         self._widget, self._clock = widget, clock
         self._bars: list[QScrollBar] = []
         self._last_s, self._pointer = -PAUSE_S, QPoint()
+        self._taken_s = -PAUSE_S
 
     def watch(self) -> None:
         """Notice when the areas scroll that are around it now."""
@@ -57,6 +58,17 @@ class ScrollingOn(QObject):
         # At the end of what scrolls, too, one turn is one movement.
         self._note()
         return True
+
+    def take(self) -> None:
+        """Note that the widget took this turn of the wheel for itself."""
+        self._taken_s = self._clock()
+
+    def was_taken(self) -> bool:
+        """Whether the turn that goes on was the widget's own, and still is."""
+        taken = self._clock() - self._taken_s < PAUSE_S
+        if taken:
+            self.take()
+        return taken
 
     def _note(self, _value: int = 0) -> None:
         self._last_s, self._pointer = self._clock(), QCursor.pos()

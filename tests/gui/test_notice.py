@@ -90,6 +90,17 @@ def test_a_second_click_where_a_button_has_gone_reaches_nothing_else(
     assert window.childAt(middle) is not guard
 
 
+def test_the_time_for_a_second_click_begins_when_the_window_is_laid_out_anew(
+    window, settle, qtbot, slow_hand
+):
+    window.notice.say("Read it?", choices=(("Done", lambda: None),))
+    settle()
+    QTest.mouseClick(window.findChild(QPushButton, "notice_choice"), Qt.MouseButton.LeftButton)
+    left_ms = 59_000
+    window.notice._guarding.start(left_ms)
+    qtbot.waitUntil(lambda: window.notice._guarding.remainingTime() > left_ms, timeout=2000)
+
+
 def test_a_notice_follows_the_window(window, settle):
     window.reports.complain("Something went wrong")
     window.resize(1100, 700)

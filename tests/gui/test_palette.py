@@ -5,7 +5,7 @@ from unittest.mock import Mock
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QDialog, QMenu, QTextBrowser, QWidget
+from PySide6.QtWidgets import QDialog, QMenu, QStyleOptionViewItem, QTextBrowser, QWidget
 
 from skinsource.design import start_design
 from skinsource_gui.shell.action_set import ActionSet
@@ -195,3 +195,27 @@ def test_themes_are_remembered(window, preferences, name):
     window.actions_by_name[f"use_{name}_theme"].trigger()
     assert window.theme.name == name
     assert preferences.theme_name == name
+
+
+def test_names_are_elided_and_keys_never_are(qtbot):
+    actions = [QAction("A very long explanation of what somebody can do here. " * 4)]
+    actions.append(QAction("Save"))
+    for action in actions:
+        action.setShortcut("Ctrl+Shift+Alt+S")
+    palette = Palette(actions)
+    qtbot.addWidget(palette)
+    palette.show()
+    qtbot.waitExposed(palette)
+    room = palette.list.viewport().width()
+    delegate = palette.list.itemDelegate()
+    for row, elided in ((0, True), (1, False)):
+        index = palette.list.model().index(row, 0)
+        assert palette.list.visualRect(index).width() <= room
+        option = QStyleOptionViewItem()
+        option.initFrom(palette.list)
+        option.rect = palette.list.visualRect(index)
+        delegate.initStyleOption(option, index)
+        assert option.text.endswith("…") == elided
+        keys = option.fontMetrics.horizontalAdvance("Ctrl+Shift+Alt+S")
+        assert option.fontMetrics.horizontalAdvance(option.text) + keys < room
+    assert not palette.list.horizontalScrollBar().isVisible()

@@ -141,3 +141,12 @@ def test_outputs_with_the_same_band_are_said_together():
 
     words = _usable_words(Found, (29, 30, 33, 35))
     assert words.endswith("from 25 to 600 Hz: 29, 30, 35: 27–599 Hz · 33: nowhere")
+
+
+def test_many_outputs_with_the_same_band_are_said_as_ranges():
+    class Found:
+        band_hz = (25.0, 600.0)
+        usable_hz = ((27.2, 599.0),) * 66
+
+    words = _usable_words(Found, (*range(1, 61), *range(67, 73)))
+    assert words.endswith("600 Hz: 66 outputs (1–60, 67–72): 27–599 Hz")

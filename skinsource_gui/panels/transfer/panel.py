@@ -21,6 +21,8 @@ from skinsource_gui.widgets.empty_words import add_words
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 
 _UNITS = {"probe": "1 (m/s²)/(m/s²)"}
+# More outputs than these are said as ranges.
+_MOST_NUMBERS = 12
 _OTHER_UNIT = "1 m/s² per sample of 1"
 
 
@@ -132,10 +134,20 @@ class TransferPanel(FigurePanel):
 
 def _usable_words(found: Transfer, outputs: tuple[int, ...]) -> str:
     """Where the response is more than noise; outputs with the same band together."""
-    alike: dict[str, list[str]] = {}
+    alike: dict[str, list[int]] = {}
     for output, (low, high) in zip(outputs, found.usable_hz, strict=True):
         band = f"{low:.0f}–{high:.0f} Hz" if np.isfinite(low) else "nowhere"
-        alike.setdefault(band, []).append(str(output))
-    said = [f"{', '.join(those)}: {band}" for band, those in alike.items()]
+        alike.setdefault(band, []).append(output)
+    said = [f"{_numbers(those)}: {band}" for band, those in alike.items()]
     low, high = found.band_hz or (0.0, float(found.frequency_hz[-1]))
     return f"Coherence ≥ {LEAST_COHERENCE:g} from {low:g} to {high:g} Hz: {' · '.join(said)}"
+
+
+def _numbers(outputs: list[int]) -> str:
+    """Outputs by number, many of them as ranges."""
+    if len(outputs) <= _MOST_NUMBERS:
+        return ", ".join(map(str, outputs))
+    ordered = np.unique(outputs)
+    runs = np.split(ordered, np.flatnonzero(np.diff(ordered) > 1) + 1)
+    said = (f"{run[0]}–{run[-1]}" if len(run) > 1 else f"{run[0]}" for run in runs)
+    return f"{len(ordered)} outputs ({', '.join(said)})"

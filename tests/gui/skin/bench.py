@@ -84,6 +84,7 @@ def wheel(widget, at, notches, modifiers=PLAIN):
         False,
     )
     QApplication.sendEvent(widget, event)
+    return event.isAccepted()
 
 
 def pixel(picture, at):

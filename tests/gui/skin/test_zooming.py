@@ -8,7 +8,8 @@ from PySide6.QtWidgets import QApplication, QMenu, QScrollArea
 from skinsource_gui.panels.skin import map_picture
 from skinsource_gui.panels.skin.skin_map import HAND
 from skinsource_gui.theme import LIGHT
-from skinsource_gui.widgets.pan_zoom import WHOLE
+from skinsource_gui.widgets.pan_zoom import FREE, WHOLE
+from skinsource_gui.widgets.wheel import PAUSE_S, ScrollingOn
 from tests.gui.skin.bench import CONTROL, LEFT, MIDDLE, PLAIN, SHIFT, drag, pixel, place, wheel
 
 # Zooming
@@ -39,6 +40,62 @@ def test_a_turn_that_began_as_scrolling_of_the_dock_goes_on_over_the_map(window)
     wheel(view, at, 1, CONTROL)  # meant for the map
     assert view.map_layout().frame.scale > before
     area.takeWidget()
+
+
+def box(window):
+    """Of the outline on the screen."""
+    layout = window.panel.map.map_layout()
+    x, y = layout.frame.to_screen(window.results["limb_map"].outline).T
+    return QRectF(QPointF(x.min(), y.min()), QPointF(x.max(), y.max()))
+
+
+def resized(window, height):
+    window.panel.resize(420, height)
+    QApplication.processEvents()
+
+
+def test_a_magnified_map_leaves_no_more_room_empty_in_a_larger_dock(window):
+    pan_zoom = window.panel.map.pan_zoom
+    resized(window, 420)
+    whole_px = box(window).height()
+    pan_zoom.zoom(2.0, QPointF(150, box(window).bottom()))
+    resized(window, 620)
+    magnified = box(window)
+    assert pan_zoom.fit == FREE
+    pan_zoom.show(WHOLE)
+    whole = box(window)
+    assert 1.2 * whole_px < whole.height() < magnified.height()
+    assert magnified.top() <= whole.top() + 0.01
+    assert magnified.bottom() >= whole.bottom() - 0.01
+
+
+def test_a_map_that_would_be_smaller_than_all_of_it_is_fitted_anew(window):
+    resized(window, 420)
+    window.panel.map.pan_zoom.zoom(1.1, QPointF(150, 100))
+    resized(window, 800)
+    assert window.panel.map.pan_zoom.fit == WHOLE
+
+
+def test_a_magnified_map_keeps_its_middle_in_another_dock(window):
+    view = window.panel.map
+    view.pan_zoom.zoom(6.0, view.place_of(25))
+    before = view.map_layout().frame.to_drawing(QRectF(view.rect()).center())
+    resized(window, window.panel.height() + 80)
+    after = view.map_layout().frame.to_drawing(QRectF(view.rect()).center())
+    assert after == pytest.approx(before, abs=1e-6)
+
+
+def test_the_wheel_scrolls_the_dock_where_nothing_is_left_to_zoom_out(window):
+    view, at = window.panel.map, QPoint(150, 100)
+    now_s = [100.0]
+    view.pan_zoom.scrolling_on = ScrollingOn(view, lambda: now_s[0])
+    assert wheel(view, at, 2, PLAIN)
+    assert wheel(view, at, -9, PLAIN)
+    assert view.pan_zoom.fit == WHOLE
+    assert wheel(view, at, -1, PLAIN)  # the same turn of the wheel
+    now_s[0] += PAUSE_S
+    assert not wheel(view, at, -1, PLAIN)
+    assert wheel(view, at, 1, PLAIN)
 
 
 def test_zooming_out_ends_at_the_whole_outline(window):
