@@ -86,6 +86,42 @@ def test_keys_work_while_the_menus_are_away(studio, qtbot):
     assert title(studio) == "2 tone"
 
 
+def test_clickers_step_scenes_whatever_has_the_keyboard(studio, qtbot):
+    studio.activateWindow()
+    qtbot.waitUntil(studio.isActiveWindow)
+    panel = studio.panel("traces")
+    studio.do("present")
+    studio.docks["traces"].bring_forward()
+    at_s = studio.document.view.playhead_s
+    panel.setFocus()
+    for key, wanted in (("PageUp", "1 tap"), ("PageDown", "2 tone"), ("PageDown", "3 both")):
+        panel.setFocus()
+        assert panel.isAncestorOf(studio.focusWidget())
+        QTest.keyClick(studio.focusWidget(), getattr(Qt.Key, f"Key_{key}"))
+        assert title(studio) == wanted
+    assert studio.document.view.playhead_s == at_s
+    studio.do("present")
+    studio.docks["traces"].bring_forward()
+    panel.setFocus()
+    # Back among the bars the keys are those of the plot.
+    QTest.keyClick(studio.focusWidget(), Qt.Key.Key_PageUp)
+    assert title(studio) == "3 both"
+
+
+def test_the_hand_names_the_place_of_the_scene_that_is_shown(studio, folder, qtbot):
+    other = replace(DESIGN, inputs=(ss.track(8, TONE),), title="3 both")
+    save_design(folder / "3 both.skinsource", other, ss.View())
+    studio.activateWindow()
+    studio.do("present")
+    hand = studio.panel("hand").diagram
+    hand.setFocus(Qt.FocusReason.OtherFocusReason)
+    qtbot.waitUntil(lambda: hand.state.cursor == 7)
+    QTest.keyClick(hand, Qt.Key.Key_PageDown)
+    assert title(studio) == "3 both"
+    qtbot.waitUntil(lambda: hand.state.cursor == 8)
+    assert hand.cursor_site == 8
+
+
 def test_scenes_are_the_designs_of_the_folder_in_their_order(studio):
     seen = []
     for name in ("next_scene", "next_scene", "previous_scene", "previous_scene", "previous_scene"):

@@ -17,9 +17,7 @@ def caption_of(state: HandState, limb: str, fits: Callable[[str], bool]) -> str:
     """
     if state.note:
         return state.note
-    ringed = state.cursor
-    if ringed is None and state.selected is not None:
-        ringed = state.marks[state.selected].site
+    ringed = state.selected_site if state.cursor is None else state.cursor
     there = state.target or state.hovered
     if there is None and ringed is None:
         return HINT if not state.marks else ""

@@ -121,13 +121,22 @@ class HandDiagram(QWidget):
         self._theme = theme
         self.stage.show_theme(theme)
 
-    def show_inputs(self, marks: tuple[Mark, ...], selected: int | None) -> None:
-        """Show these inputs, of which ``selected`` is the selected one."""
-        before = self.state.selected
+    def show_inputs(
+        self, marks: tuple[Mark, ...], selected: int | None, *, anew: bool = False
+    ) -> None:
+        """Show these inputs, of which ``selected`` is the selected one.
+
+        ``anew`` says that none of them is as one was before.
+        """
+        before = self.state
         self._mouse.check(marks)
         self.stage.change(marks=marks, selected=selected, note="")
-        if selected is not None and selected != before and not self.hasFocus():
-            self._cursor.follow(marks[selected].site)
+        site = None if selected is None else marks[selected].site
+        if site is not None and selected != before.selected and not self.hasFocus():
+            self._cursor.follow(site)
+        elif site is not None and anew and site != before.selected_site:
+            # Another design: the cursor would name a place of the one before.
+            (self._cursor.follow if before.cursor is None else self._cursor.go_to)(site)
         else:
             self._describe(self._cursor.site)
 

@@ -56,6 +56,11 @@ class HandState:
     target: int | None = None
     note: str = ""
 
+    @property
+    def selected_site(self) -> int | None:
+        """Where the input is that was selected last."""
+        return None if self.selected is None else self.marks[self.selected].site
+
     def at(self, site: int) -> tuple[int, ...]:
         """Numbers of the inputs at ``site``."""
         return tuple(k for k, mark in enumerate(self.marks) if mark.site == site)

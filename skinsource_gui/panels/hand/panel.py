@@ -79,6 +79,7 @@ class HandPanel(Panel):
         heard = {id(one) for one in audible_inputs(self._design.inputs)}
         # Words of inputs that are as they were are not made again.
         known, self._words = self._words, {one.id: (one, "") for one in self._design.inputs}
+        anew = not any(known.get(one.id, (None, ""))[0] is one for one in self._design.inputs)
         for number, (one, _) in self._words.items():
             before, words = known.get(number, (None, ""))
             self._words[number] = one, words if before is one else _words(one)
@@ -92,7 +93,7 @@ class HandPanel(Panel):
             )
             for one in self._design.inputs
         )
-        self.diagram.show_inputs(marks, self._selected())
+        self.diagram.show_inputs(marks, self._selected(), anew=anew)
 
     def _selected(self) -> int | None:
         """Index of the input that was selected last, unless the design has lost it."""

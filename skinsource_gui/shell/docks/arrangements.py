@@ -166,7 +166,7 @@ class Arrangements(QObject):
         Docks that move lose it to whatever comes next: then keys would change another thing.
         """
         docks = [dock for panel, dock in self._docks.items() if panel in shown]
-        if self._window.focusWidget() is None and docks:
+        if focused is None and self._window.focusWidget() is None and docks:
             # A window that opens: else its first list would have the keyboard, and Space.
             docks[0].panel.setFocus(Qt.FocusReason.OtherFocusReason)
             return

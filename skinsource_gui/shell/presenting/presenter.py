@@ -13,6 +13,7 @@ from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.shell.docks import Arrangements, Dock, DockLayout
 from skinsource_gui.shell.presenting.notes_window import NotesWindow
+from skinsource_gui.shell.presenting.page_keys import PageKeys
 from skinsource_gui.shell.presenting.scene_list import Step, steps_of_folder, steps_of_paper
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
@@ -79,6 +80,7 @@ class Presenter(QObject):
         self._is_scene = self._opening = False
         self._notes: NotesWindow | None = None
         self._keys: list[QShortcut] = []
+        self._pages: PageKeys | None = None
         document.jumped.connect(self._look)
 
     def toggle(self) -> None:
@@ -99,6 +101,7 @@ class Presenter(QObject):
         window.addActions(list(self._actions().values()))
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
         self._listen(window)
+        self._pages = PageKeys(self.next_scene, self.previous_scene, self)
         leave = self._actions()["present"].shortcut().toString()
         self.done.emit(f"Page Down: next scene · B: cover the map · {leave}: leave")
 
@@ -112,6 +115,9 @@ class Presenter(QObject):
             key.setEnabled(False)
             key.deleteLater()
         self._keys.clear()
+        if self._pages is not None:
+            self._pages.end()
+            self._pages = None
         window.setWindowState(window.windowState() & ~Qt.WindowState.WindowFullScreen)
         # What was told meanwhile would lie over what the line says.
         window.statusBar().clearMessage()

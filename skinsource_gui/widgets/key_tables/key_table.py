@@ -185,9 +185,9 @@ WIDGET_KEYS: dict[str, tuple[str, tuple[KeyHint, ...]]] = {
             ),
             KeyHint(
                 name="type",
-                words="Enter, F2, or a digit",
+                words="Enter, F2, Ctrl+A, or a digit",
                 means="type it, with or without its unit; Esc takes typing back",
-                keys=("Return", "Enter", "F2"),
+                keys=("Return", "Enter", "F2", "Ctrl+A"),
             ),
             KeyHint(name="empty", words="Delete", means="type it anew", keys=("Del", "Backspace")),
         ),

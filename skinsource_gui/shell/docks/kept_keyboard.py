@@ -1,0 +1,67 @@
+"""Where the keyboard goes when the panel that has it goes out of sight."""
+
+from collections.abc import Mapping
+from functools import partial
+
+from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtWidgets import QMainWindow, QWidget
+from shiboken6 import isValid
+
+from skinsource_gui.shell.docks.dock import Dock
+
+
+class KeptKeyboard(QObject):
+    """Keeps the keyboard in the panels when the one that has it is hidden.
+
+    Qt would give it to whatever comes next, a list of the setup bar as well as any number: the
+    next key would change what nobody looks at.  It goes back to who had it if that is in sight
+    again, as where docks are only put into another order, or else to the first panel in sight.
+
+    Parameters
+    ----------
+    window
+        Whose keyboard; also the parent.
+    docks
+        Its docks, in the order in which their panels are asked.
+    """
+
+    def __init__(self, window: QMainWindow, docks: Mapping[str, Dock]) -> None:
+        super().__init__(window)
+        self._window, self._docks = window, docks
+        self._left: QWidget | None = None
+        # Docks come and go while they are arranged: only where they stand at the end counts.
+        self._arranged = QTimer(self, singleShot=True, interval=0)
+        self._arranged.timeout.connect(self._give_back)
+        for dock in docks.values():
+            # Both come before Qt has moved the keyboard.
+            dock.goes_behind.connect(partial(self._take_from, dock))
+            dock.sight_changed.connect(partial(self._take_from, dock))
+
+    def _take_from(self, dock: Dock) -> None:
+        focused = self._window.focusWidget()
+        if focused is None or not self._window.isVisible() or not dock.isAncestorOf(focused):
+            return
+        if dock.isVisible() and dock.in_sight:
+            return
+        if not self._arranged.isActive():
+            self._left = focused
+            self._arranged.start()
+        focused.clearFocus()
+
+    def settle(self) -> None:
+        """All stand where they shall: who comes next may ask at once where the keyboard is."""
+        if self._arranged.isActive():
+            self._arranged.stop()
+            self._give_back()
+
+    def _give_back(self) -> None:
+        left, self._left = self._left, None
+        if self._window.focusWidget() is not None or not self._window.isVisible():
+            return
+        if left is not None and isValid(left) and left.isVisible():
+            left.setFocus(Qt.FocusReason.OtherFocusReason)
+            return
+        for dock in self._docks.values():
+            if dock.isVisible() and dock.in_sight and not dock.is_empty:
+                dock.panel.setFocus(Qt.FocusReason.OtherFocusReason)
+                return
