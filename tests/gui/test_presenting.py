@@ -120,6 +120,12 @@ def test_the_hand_names_the_place_of_the_scene_that_is_shown(studio, folder, qtb
     assert title(studio) == "3 both"
     qtbot.waitUntil(lambda: hand.state.cursor == 8)
     assert hand.cursor_site == 8
+    # Nor where a head of a track was pointed at when its panel went.
+    studio.panel("hand").show_pointed_input(1)
+    assert hand.state.target == 8
+    QTest.keyClick(hand, Qt.Key.Key_PageUp)
+    assert title(studio) == "2 tone"
+    qtbot.waitUntil(lambda: hand.state.target == 7)
 
 
 def test_scenes_are_the_designs_of_the_folder_in_their_order(studio):

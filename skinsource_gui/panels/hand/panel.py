@@ -53,7 +53,7 @@ class HandPanel(Panel):
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
-        self._pointing.design = design
+        self._pointing.show_design(design)
         self.diagram.show_drawing(drawing_of(design.limb))
         self._show_inputs()
 
