@@ -4,7 +4,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
+from skinsource.choice_words import limb_word
 from skinsource.comparing import EDITED, Snapshot
+
+#: What is said where designs are shown as loud as each other.
+LEVELS_MATCHED = "levels matched"
+#: Why two designs have no difference map.
+ELSEWHERE = "Their limbs have their outputs at other places: there is no difference."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -38,3 +46,13 @@ class Compared:
     def name(self) -> str:
         """What a card calls it."""
         return "Edited" if self.snapshot.number == EDITED else str(self.snapshot.number)
+
+
+def gain_db(compared: Compared) -> float:
+    """How much louder than it was stored it is shown, dB."""
+    return float(20.0 * np.log10(compared.gain))
+
+
+def limb_title(limb: str) -> str:
+    """What a limb is called where there is little room."""
+    return limb_word(limb).title.partition(" (")[0]

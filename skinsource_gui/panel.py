@@ -16,6 +16,9 @@ from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.drop_place import DropPlace
 from skinsource_gui.widgets.empty_words import USUALLY_IN_SIGHT
 
+#: What a panel is told in place of a problem while nothing has been predicted yet.
+PREPARING = "Preparing…"
+
 
 class Panel(ComparesDesigns):
     """A view of the design and of computed quantities.

@@ -7,7 +7,7 @@ Scripts and design files use the short names (``upstream``, ``pca``, …), which
 from dataclasses import dataclass
 
 from skinsource.limb import PUBLISHED
-from skinsource.loudest_window import LOUDEST_WINDOW_S
+from skinsource.loudest_window import HOLD_WINDOW_S, LOUDEST_WINDOW_S
 from skinsource.own_limbs import facts_of
 
 
@@ -135,7 +135,10 @@ SPANS = (
         name="loudest",
         title=f"Loudest {_LOUDEST}",
         sentence=f"Levels are the highest RMS of any {_LOUDEST}, "
-        "output by output: neither onset nor silence changes them.",
+        "output by output: neither onset nor silence changes them. Spectra take the loudest "
+        f"{HOLD_WINDOW_S * 1e3:.0f} ms of each frequency: {_LOUDEST} tell frequencies apart that "
+        f"differ by {1 / LOUDEST_WINDOW_S:.0f} Hz, {HOLD_WINDOW_S * 1e3:.0f} ms by "
+        f"{1 / HOLD_WINDOW_S:.0f} Hz.",
     ),
 )
 #: Those that come with the studio, or are published; a lab's own are found by `limb_word`.

@@ -17,6 +17,9 @@ SPANS: tuple[Span, ...] = get_args(Span)
 
 #: Length of the window that moves over the record to its loudest place.
 LOUDEST_WINDOW_S = 0.1
+#: Length of the window of `skinsource.spectra.peak_hold_spectrum`: longer, as frequencies that
+#: differ by less than one over it are one.
+HOLD_WINDOW_S = 0.25
 
 
 def check_span(span: str) -> None:

@@ -13,12 +13,10 @@ from skinsource.arrays import Complexes, Floats
 from skinsource.errors import InvalidInputError
 from skinsource.job import Stop, never, stop_if
 from skinsource.limb import BAND_HZ, SAMPLE_RATE_HZ
-from skinsource.loudest_window import SPANS, Span, loudest_energy, window_samples
+from skinsource.loudest_window import HOLD_WINDOW_S, SPANS, Span, loudest_energy, window_samples
 from skinsource.quoting import quoted
 from skinsource.sampling import turns
 
-#: Length of the window of `peak_hold_spectrum`.
-HOLD_WINDOW_S = 0.25
 _FRAMES_AT_ONCE = 64
 
 

@@ -15,6 +15,10 @@ from skinsource.job import Stop, never, stop_if
 
 #: Signals whose shapes agree less than this have no delay of one to the other.
 LEAST_ALIKE = 0.5
+#: Delays of which the way explains a smaller share of the variance (r²) tell no speed.
+LEAST_EXPLAINED = 0.5
+#: A way whose ends are less than this share of its length apart does not go one way.
+LEAST_STRAIGHT = 0.5
 _MM_PER_CM = 10.0
 
 
@@ -39,9 +43,15 @@ class TravellingWave:
         Those of them whose delays count: alike enough for a delay to mean something.
     speed_m_per_s, speed_deviation_m_per_s
         Of the group: one over the slope of the delays, and its standard deviation, first order.
-        NaN: fewer than two points, or no delay that grows.
+        NaN: fewer than two points, no delay that grows, less than `LEAST_EXPLAINED` of the
+        variance of the delays explained, or a way less straight than `LEAST_STRAIGHT`.
     attenuation_db_per_cm, attenuation_deviation_db_per_cm
         Minus the slope of the levels; spreading included.
+    explained
+        Share of the variance of the delays that a straight line over the way explains, r², 0 to
+        1; NaN: fewer than two points, or delays that are all the same.
+    straight
+        How far apart the ends of the line are, as a share of its length, 0 to 1.
     """
 
     distance_m: Floats
@@ -54,6 +64,8 @@ class TravellingWave:
     speed_deviation_m_per_s: float
     attenuation_db_per_cm: float
     attenuation_deviation_db_per_cm: float
+    explained: float
+    straight: float = 1.0
 
 
 def travelling_wave(
@@ -62,6 +74,8 @@ def travelling_wave(
     sample_rate_hz: float,
     trusted: ArrayLike | None = None,
     stop: Stop = never,
+    *,
+    straight: float = 1.0,
 ) -> TravellingWave:
     """Return how a wave goes along a line.
 
@@ -77,6 +91,8 @@ def travelling_wave(
         Points that are more than noise; all unless given.  Silent ones never count.
     stop
         Asked before each point.
+    straight
+        How straight the line is, of `straightness`: a speed along a line to and fro is none.
 
     Raises
     ------
@@ -85,24 +101,15 @@ def travelling_wave(
     Stopped
         ``stop`` said so.
     """
-    data = finite_array("signals", signals, "(n_points, n_times)")
-    distance = finite_array("distance_mm", distance_mm, "(n_points,)") * 1e-3
-    rate = positive_number("sample_rate_hz", sample_rate_hz)
-    if data.ndim != 2 or not data.size or distance.shape != data.shape[:1]:
-        raise InvalidInputError(
-            f"signals have shape {data.shape}, distance_mm {distance.shape}; expected (n_points, "
-            "n_times) and (n_points,)"
-        )
-    use = np.ones(len(data), bool) if trusted is None else np.asarray(trusted, bool)
-    if use.shape != distance.shape:
-        raise InvalidInputError(f"trusted has shape {use.shape}, expected {distance.shape}")
+    data, distance, rate, use = _checked(signals, distance_mm, sample_rate_hz, trusted)
     level_db = decibels(np.sqrt(np.mean(np.square(data), axis=-1)))
     delay_s, alike = _delays(data, rate, stop)
     counted = use & np.isfinite(delay_s)
     timed = counted & (alike >= LEAST_ALIKE)
     slowness, slowness_deviation = _slope(distance[timed], delay_s[timed])
     slope, slope_deviation = _slope(distance[counted], level_db[counted])
-    travels = slowness > 0.0
+    explained = _explained(distance[timed], delay_s[timed])
+    travels = slowness > 0.0 and explained >= LEAST_EXPLAINED and straight >= LEAST_STRAIGHT
     return TravellingWave(
         distance_m=distance,
         delay_s=delay_s,
@@ -114,6 +121,8 @@ def travelling_wave(
         speed_deviation_m_per_s=slowness_deviation / slowness**2 if travels else np.nan,
         attenuation_db_per_cm=-slope / 1e3 * _MM_PER_CM,
         attenuation_deviation_db_per_cm=slope_deviation / 1e3 * _MM_PER_CM,
+        explained=explained,
+        straight=straight,
     )
 
 
@@ -125,6 +134,36 @@ def line_distances_mm(places: ArrayLike, mm_per_unit: float) -> Floats:
     points = finite_array("places", places, "(n_points, 2)")
     steps = np.hypot(*np.diff(points, axis=0).T) * positive_number("mm_per_unit", mm_per_unit)
     return np.concatenate([[0.0], np.cumsum(steps)])
+
+
+def straightness(places: ArrayLike) -> float:
+    """Return how far apart the ends of a polygon are, as a share of its length, 0 to 1.
+
+    ``places`` (n_points, 2) are in any unit.  1: straight, or without length.  That is one over
+    the arc-chord ratio, the plainest measure of tortuosity (Bullitt et al. 2003, "distance
+    metric").
+    """
+    points = finite_array("places", places, "(n_points, 2)")
+    length = float(np.hypot(*np.diff(points, axis=0).T).sum())
+    return float(np.hypot(*(points[-1] - points[0]))) / length if length else 1.0
+
+
+def _checked(
+    signals: ArrayLike, distance_mm: ArrayLike, sample_rate_hz: float, trusted: ArrayLike | None
+) -> tuple[Floats, Floats, float, Booleans]:
+    """Signals, distances in m, rate, and which points are trusted, where they fit."""
+    data = finite_array("signals", signals, "(n_points, n_times)")
+    distance = finite_array("distance_mm", distance_mm, "(n_points,)") * 1e-3
+    rate = positive_number("sample_rate_hz", sample_rate_hz)
+    if data.ndim != 2 or not data.size or distance.shape != data.shape[:1]:
+        raise InvalidInputError(
+            f"signals have shape {data.shape}, distance_mm {distance.shape}; expected (n_points, "
+            "n_times) and (n_points,)"
+        )
+    use = np.ones(len(data), bool) if trusted is None else np.asarray(trusted, bool)
+    if use.shape != distance.shape:
+        raise InvalidInputError(f"trusted has shape {use.shape}, expected {distance.shape}")
+    return data, distance, rate, use
 
 
 def _delays(data: Floats, rate: float, stop: Stop) -> tuple[Floats, Floats]:
@@ -152,6 +191,13 @@ def _delays(data: Floats, rate: float, stop: Stop) -> tuple[Floats, Floats]:
         delay_s[k] = (lag if lag < n_fft / 2 else lag - n_fft) / rate
         alike[k] = min(envelope[top] / size, 1.0)
     return delay_s, alike
+
+
+def _explained(x: Floats, y: Floats) -> float:
+    """Share of the variance of ``y`` that a straight line over ``x`` explains, r²."""
+    if x.size < 2 or np.ptp(x) == 0.0 or np.ptp(y) == 0.0:
+        return np.nan
+    return float(np.corrcoef(x, y)[0, 1] ** 2)
 
 
 def _slope(x: Floats, y: Floats) -> tuple[float, float]:

@@ -7,7 +7,12 @@ import scipy
 
 from skinsource.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.analysis.transfer import Transfer, transfer_function
-from skinsource.analysis.travelling import TravellingWave, line_distances_mm, travelling_wave
+from skinsource.analysis.travelling import (
+    TravellingWave,
+    line_distances_mm,
+    straightness,
+    travelling_wave,
+)
 from skinsource.analysis_rules.noise_rules import divided_by_pulse, place_noise, probe_inverse
 from skinsource.arrays import Floats
 from skinsource.job import Stop
@@ -96,7 +101,9 @@ def line_wave(
     traces = vibration.traces(outputs, (axis,), stop)[:, 0]
     trusted = None if above_noise_db is None else above_noise_db[rows] >= LEAST_ABOVE_NOISE_DB
     distance_mm = line_distances_mm(places[rows], mm_per_px)
-    wave = travelling_wave(traces, distance_mm, sample_rate_hz, trusted, stop)
+    wave = travelling_wave(
+        traces, distance_mm, sample_rate_hz, trusted, stop, straight=straightness(places[rows])
+    )
     return LineWave(outputs=outputs, wave=wave, axis=limb_data.axes[axis])
 
 

@@ -5,9 +5,10 @@ from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
 from skinsource.actuator_demand import LONGEST_S, ActuatorSettings, Demand
 from skinsource.locations import input_words
+from skinsource_gui.panel import PREPARING
 from skinsource_gui.panels.actuator.figures import Figure, rows_of
 from skinsource_gui.panels.actuator.figures_table import FiguresTable
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 
 _NOTHING = "Nothing plays: add an input to see what it asks of the actuator"
 
@@ -26,6 +27,8 @@ class FiguresView(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._theme: Theme = LIGHT
+        self._refused = False
         self.heading, self.refusal, self.table = QLabel(), QLabel(), FiguresTable()
         self.heading.setObjectName("actuator_heading")
         self.refusal.setObjectName("actuator_refusal")
@@ -55,6 +58,9 @@ class FiguresView(QWidget):
         reason = found.refusal or ("" if found.place is not None else _NOTHING)
         self.refusal.setText(reason)
         self.refusal.setVisible(bool(reason))
+        # Where nothing plays, or is known yet, nothing is wrong.
+        self._refused = found.refusal not in ("", PREPARING)
+        self._colour()
         beyond = _beyond(rows)
         self.limits.setText(beyond)
         self.limits.setVisible(bool(beyond))
@@ -67,9 +73,14 @@ class FiguresView(QWidget):
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
+        self._theme = theme
         self.table.show_theme(theme)
-        for label in (self.refusal, self.limits):
-            label.setStyleSheet(f"color: {theme.error};")
+        self.limits.setStyleSheet(f"color: {theme.error};")
+        self._colour()
+
+    def _colour(self) -> None:
+        colour = self._theme.error if self._refused else self._theme.dim
+        self.refusal.setStyleSheet(f"color: {colour};")
 
 
 def _beyond(rows: tuple[Figure, ...]) -> str:

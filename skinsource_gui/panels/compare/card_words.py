@@ -2,12 +2,10 @@
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from skinsource.comparing import EDITED, loudest_db
 from skinsource.decibels import FLOOR_DB
 from skinsource.quoting import printable
-from skinsource_gui.compared import Compared
+from skinsource_gui.compared import LEVELS_MATCHED, Compared, gain_db, limb_title
 from skinsource_gui.widgets.fields.level_text import minus
 
 #: Levels that differ by less are shown as the same.
@@ -22,11 +20,6 @@ def played_db(compared: Compared) -> float | None:
         return None
     stored = loudest_db(compared.values["output_levels_db"])
     return stored if stored <= FLOOR_DB else stored + gain_db(compared)
-
-
-def gain_db(compared: Compared) -> float:
-    """How much louder than it was stored it is shown, dB."""
-    return float(20.0 * np.log10(compared.gain))
 
 
 def level_words(compared: Compared) -> str:
@@ -67,7 +60,11 @@ def difference_words(present: Compared, other: Compared, *, matched: bool) -> tu
     """What stands above and below a map of their difference."""
     name = title(present)
     heading = f"{name[:1].upper()}{name[1:]} minus {title(other)}"
-    return heading, "dB, levels matched" if matched else "dB, as stored"
+    words = f"dB, {LEVELS_MATCHED}" if matched else "dB, as stored"
+    mine, theirs = (one.snapshot.design.limb for one in (present, other))
+    if mine == theirs:
+        return heading, words
+    return heading, f"{words}, {limb_title(mine)} minus {limb_title(theirs)}"
 
 
 def equal_words(present: Compared, other: Compared) -> tuple[str, str]:

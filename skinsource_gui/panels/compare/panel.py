@@ -24,18 +24,18 @@ from skinsource.comparing import (
     difference_db,
     nothing_to_compare,
     other_than,
+    same_outputs,
     shown,
 )
 from skinsource.design import Design
 from skinsource.view import View
-from skinsource_gui.compared import Compared
+from skinsource_gui.compared import ELSEWHERE, Compared, gain_db
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.compare.card import Card
 from skinsource_gui.panels.compare.card_words import (
     LEAST_DB,
     difference_words,
     equal_words,
-    gain_db,
     matching_words,
     played_db,
 )
@@ -179,13 +179,13 @@ class ComparePanel(Panel):
         other = next((one for one in compared if one.snapshot.number == wanted.number), None)
         if other is None or other.values is None or present.values is None:
             return Difference(words="" if other is None else other.problem or present.problem)
-        if other.snapshot.design.limb != present.snapshot.design.limb:
-            return Difference(words="Designs on different limbs have no difference map.")
+        if not same_outputs(other.snapshot.design.limb, present.snapshot.design.limb):
+            return Difference(words=ELSEWHERE)
         minus = self._minus(present, other)
         heading, words = difference_words(present, other, matched=self._view.levels_matched)
         if minus.levels_db is not None and np.abs(minus.levels_db).max() < LEAST_DB:
             heading, words = equal_words(present, other)
-        if present.values["limb_data"].synthetic:
+        if present.values["limb_data"].synthetic or other.values["limb_data"].synthetic:
             words = f"{words}, synthetic limb"
         return Difference(
             shown=minus, heading=heading, words=words, limb=present.snapshot.design.limb
@@ -197,10 +197,16 @@ class ComparePanel(Panel):
         # Both are played: the first one's gain is taken off the other.
         gain, top = other.gain / present.gain, max(loudest) - gain_db(present)
         this, that = present.values or {}, other.values or {}
-        levels, field = (
-            difference_db(this[name], that[name], gain=gain, loudest_db=top)
-            for name in ("output_levels_db", "surface_levels_db")
+        levels = difference_db(
+            this["output_levels_db"], that["output_levels_db"], gain=gain, loudest_db=top
         )
+        if present.snapshot.design.limb == other.snapshot.design.limb:
+            field = difference_db(
+                this["surface_levels_db"], that["surface_levels_db"], gain=gain, loudest_db=top
+            )
+        else:
+            # Outputs are alike by their numbers; places between them are not.
+            field = this["surface"].interpolate(levels)
         return replace(small, levels_db=levels, field_levels_db=field)
 
     def _act(self, number: int, what: str) -> None:

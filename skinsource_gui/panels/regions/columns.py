@@ -1,7 +1,7 @@
 """Columns of the table of regions."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -10,7 +10,8 @@ from skinsource.choice_words import LIMBS, word_of
 from skinsource.comparing.regions import REGION_OUTPUTS, mean_and_spread, region_levels_db
 from skinsource.decibels import FLOOR_DB
 from skinsource.limb import PUBLISHED
-from skinsource_gui.compared import Compared
+from skinsource_gui.compared import LEVELS_MATCHED, Compared, gain_db
+from skinsource_gui.widgets.fields.level_text import minus
 
 #: What is said of own limbs.
 NO_REGIONS = "Of an own limb it is not known which outputs lie in which region"
@@ -20,7 +21,8 @@ NO_REGIONS = "Of an own limb it is not known which outputs lie in which region"
 class Column:
     """A column: its title, what it is, and a text and a number for each region.
 
-    ``head`` is the title in two narrow lines, where it is not as narrow itself.
+    ``head`` is the title in two narrow lines, where it is not as narrow itself; ``copied`` what
+    the table for a spreadsheet adds to the title.
     """
 
     title: str
@@ -28,6 +30,7 @@ class Column:
     numbers: tuple[float, ...]
     head: str = ""
     synthetic: bool = False
+    copied: str = ""
 
     def texts(self) -> list[str]:
         """As they are shown: a dash where there is no number, as for silence."""
@@ -37,9 +40,18 @@ class Column:
         ]
 
 
-def columns_of(snapshots: Sequence[Compared]) -> list[Column]:
-    """Snapshots, where any is stored."""
-    return [_column(*_stored(one), one) for one in snapshots] if len(snapshots) > 1 else []
+def columns_of(snapshots: Sequence[Compared], *, matched: bool) -> list[Column]:
+    """Snapshots, where any is stored; ``matched``: they are shown as loud as each other."""
+    if len(snapshots) < 2:
+        return []
+    found = [_column(*_stored(one), one) for one in snapshots]
+    if not matched:
+        return found
+    said = [f", {LEVELS_MATCHED} ({minus(f'{gain_db(one):+z.1f}')} dB)" for one in snapshots]
+    return [
+        replace(column, hint=f"{column.hint}{words}", copied=words)
+        for column, words in zip(found, said, strict=True)
+    ]
 
 
 def columns_of_people(people: Sequence[Compared]) -> list[Column]:
@@ -102,7 +114,9 @@ def _column(title: str, head: str, one: Compared) -> Column:
 
 def tab_separated(columns: Sequence[Column]) -> str:
     """The table for a spreadsheet."""
-    lines = ["\t".join(("region_db_re_1_m_per_s2", *(one.title for one in columns)))]
+    lines = [
+        "\t".join(("region_db_re_1_m_per_s2", *(f"{one.title}{one.copied}" for one in columns)))
+    ]
     for row, region in enumerate(REGION_OUTPUTS):
         lines.append("\t".join((region, *(repr(one.numbers[row]) for one in columns))))
     return "\n".join(lines) + "\n"

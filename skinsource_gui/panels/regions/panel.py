@@ -20,7 +20,7 @@ from skinsource.comparing import limbs_beside
 from skinsource.design import Design
 from skinsource.limb import PUBLISHED
 from skinsource.view import View
-from skinsource_gui.compared import Compared
+from skinsource_gui.compared import LEVELS_MATCHED, Compared
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.regions.columns import (
     NO_REGIONS,
@@ -53,6 +53,7 @@ class RegionsPanel(Panel):
         super().__init__(parent)
         self.setMinimumSize(240, 120)
         self._limbs: tuple[str, ...] = ()
+        self._matched = False
         self._snapshots: Sequence[Compared] = ()
         self._on_limbs: Sequence[Compared] = ()
         self.columns: list[Column] = []
@@ -93,6 +94,7 @@ class RegionsPanel(Panel):
         return QSize(460, 300)
 
     def show_state(self, design: Design, view: View) -> None:
+        self._matched = view.levels_matched
         # Of others it is not known which outputs lie where.
         self._limbs = limbs_beside(design.limb) if design.limb in PUBLISHED else ()
         if self._on_limbs and not self._limbs:
@@ -129,7 +131,10 @@ class RegionsPanel(Panel):
         self.about.show_theme(theme)
 
     def _show_columns(self) -> None:
-        stored, people = columns_of(self._snapshots), columns_of_people(self._on_limbs)
+        stored, people = (
+            columns_of(self._snapshots, matched=self._matched),
+            columns_of_people(self._on_limbs),
+        )
         self.columns = [*stored, *people]
         self.stored.show_columns(stored)
         self.table.show_columns(people)
@@ -168,7 +173,10 @@ class RegionsPanel(Panel):
     def _say_about(self) -> None:
         some = any(one.synthetic for one in self.columns)
         note = " · syn.: a synthetic limb, computed" if some else ""
-        self.about.say(f"{self._about}{note}")
+        # Only the columns of snapshots are shifted: those of people are as they are.
+        matched = any(one.copied for one in self.columns)
+        shifted = f" · snapshots: {LEVELS_MATCHED}" if matched else ""
+        self.about.say(f"{self._about}{shifted}{note}")
 
     def _copy(self) -> None:
         QGuiApplication.clipboard().setText(tab_separated(self.columns))

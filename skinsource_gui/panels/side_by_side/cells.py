@@ -20,7 +20,7 @@ from skinsource.limb import PUBLISHED, Axes
 from skinsource.map_range import map_range_db
 from skinsource.own_limbs import axes_on
 from skinsource.quoting import printable
-from skinsource_gui.compared import Compared
+from skinsource_gui.compared import ELSEWHERE, Compared, gain_db, limb_title
 from skinsource_gui.panels.side_by_side.content import DIVERGING, Cell, Scale
 from skinsource_gui.widgets.map.small_map import SmallMap, SmallMaps
 
@@ -28,7 +28,6 @@ from skinsource_gui.widgets.map.small_map import SmallMap, SmallMaps
 Names = tuple[str, ...]
 
 _UNIT = "dB re 1 m/s²"
-_ELSEWHERE = "Its outputs are at other places: there is no difference."
 
 
 class Cells:
@@ -106,7 +105,7 @@ class Cells:
     def _difference(self, one: Compared, headings: Names, base: Compared) -> Cell:
         cell = Cell(headings=headings, limb=_limb(one), late=one.late or base.late)
         if not same_outputs(_limb(one), _limb(base)):
-            return replace(cell, words=_ELSEWHERE)
+            return replace(cell, words=ELSEWHERE)
         if one.values is None or base.values is None:
             return replace(cell, words=one.problem or base.problem)
         levels = difference_db(_levels_db(one), _levels_db(base))
@@ -139,7 +138,7 @@ class Cells:
             values["surface_levels_db"] = values["surface"].interpolate(levels_db)
         elif one.gain != 1.0:
             values["output_levels_db"] = _levels_db(one)
-            values["surface_levels_db"] = values["surface_levels_db"] + _gain_db(one)
+            values["surface_levels_db"] = values["surface_levels_db"] + gain_db(one)
         self._maps[kept] = maps = self._before.pop(kept, None) or SmallMaps()
         return replace(maps.map_of(values), noisy=noisy)
 
@@ -157,17 +156,25 @@ def limb_names(compared: Sequence[Compared], axes: str) -> list[Names]:
     return found
 
 
-def snapshot_names(compared: Sequence[Compared], axes: Axes) -> list[Names]:
-    """What the snapshots are called; those measured along other axes than ``axes`` say so."""
+def snapshot_names(
+    compared: Sequence[Compared], axes: Axes, *, with_limbs: bool = False
+) -> list[Names]:
+    """What the snapshots are called; those measured along other axes than ``axes`` say so.
+
+    ``with_limbs``: where they are on several limbs, they say on which.
+    """
     found: list[Names] = []
+    several = with_limbs and len({_limb(one) for one in compared}) > 1
     for one in compared:
         along = axes_on(_limb(one), axes)
         other = f" ({word_of(AXES, along).title})" if along != axes else ""
+        on_limb = f" on {limb_title(_limb(one))}" if several else ""
+        other += on_limb
         edited = one.snapshot.number == EDITED
         called = one.name if edited else f"Snapshot {one.name}"
         title = printable(one.snapshot.design.title).strip()
         longest = (f"{called} · {title}{other}",) if title and not edited else ()
-        short = () if edited and not other else (one.name,)
+        short = () if edited and not other else (f"{one.name}{on_limb}",)
         found.append((*longest, f"{called}{other}", *short))
     return found
 
@@ -182,7 +189,7 @@ def _minus(one: Names, other: Names) -> Names:
 def _levels_db(one: Compared) -> Floats:
     """Levels as it is shown: as loud as the others, where that is wanted."""
     levels: Floats = (one.values or {})["output_levels_db"]
-    return levels if one.gain == 1.0 else levels + _gain_db(one)
+    return levels if one.gain == 1.0 else levels + gain_db(one)
 
 
 def _noisy(*compared: Compared) -> tuple[int, ...]:
@@ -195,10 +202,6 @@ def _noisy(*compared: Compared) -> tuple[int, ...]:
         for k in np.flatnonzero(levels < LEAST_ABOVE_NOISE_DB)
     }
     return tuple(sorted(found))
-
-
-def _gain_db(one: Compared) -> float:
-    return float(20.0 * np.log10(one.gain))
 
 
 def _limb(one: Compared) -> str:

@@ -154,10 +154,12 @@ class SideBySidePanel(Panel):
         if not compared or self._design is None:
             return ()
         reference = reference_of(compared, self._design, self._view, settings)
-        of_limbs = settings.of == "limbs"
-        named = limb_names if of_limbs else snapshot_names
-        names = named(compared, self._view.axes)
-        if settings.shown == "difference":
+        difference = settings.shown == "difference"
+        if settings.of == "limbs":
+            names = limb_names(compared, self._view.axes)
+        else:
+            names = snapshot_names(compared, self._view.axes, with_limbs=difference)
+        if difference:
             return self._cells.of_differences(compared, names, reference)
         if settings.shown == "mean":
             return self._cells.of_spread(compared, reference)

@@ -9,7 +9,7 @@ from skinsource.comparing import EDITED, nothing_to_compare, shown
 from skinsource.decibels import FLOOR_DB
 from skinsource.design import Design
 from skinsource.view import View
-from skinsource_gui.compared import Compared
+from skinsource_gui.compared import LEVELS_MATCHED, Compared
 from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 
 SILENT = "Silent: nothing is driven"
@@ -44,5 +44,5 @@ def about(view: View, settings: SideBySideSettings) -> str:
     """What the levels are."""
     words = [f"RMS of {signal_words(view.axes, view.method)}", span_words(view.span)]
     if settings.of == "snapshots" and view.levels_matched:
-        words.append("levels matched")
+        words.append(LEVELS_MATCHED)
     return " · ".join(words)

@@ -10,9 +10,9 @@ from PySide6.QtWidgets import QWidget
 from skinsource.decibels import decibels
 from skinsource.design import Design
 from skinsource.limb import BAND_HZ
+from skinsource.loudest_window import HOLD_WINDOW_S
 from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of, with_settings
-from skinsource.spectra import HOLD_WINDOW_S
 from skinsource.view import View
 from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.signal_panel import SignalPanel

@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 import numpy as np
 from PySide6.QtWidgets import QWidget
 
-from skinsource.analysis.travelling import TravellingWave
+from skinsource.analysis.travelling import LEAST_EXPLAINED, LEAST_STRAIGHT, TravellingWave
 from skinsource.analysis_rules.wave_rules import LineWave
 from skinsource.design import Design
 from skinsource.view import View
@@ -33,7 +33,9 @@ class WavePanel(FigurePanel):
         self.about.say(_ABOUT.format(axis="z"))
         self.about.setToolTip(
             f"{_LINE}. Delays are where the envelope of the cross-correlation with the first "
-            "output is highest; outputs that are mostly noise are left out."
+            "output is highest; outputs that are mostly noise are left out. A speed takes a line "
+            f"whose ends are at least {LEAST_STRAIGHT:.0%} of its way apart, and delays of "
+            f"whose variance the way explains {LEAST_EXPLAINED:.0%} or more."
         )
         self.choices.addWidget(self.about, 1)
         self.copy = self.add_copy(self.table)
@@ -115,7 +117,11 @@ def wave_words(wave: TravellingWave) -> str:
         return "fewer than two outputs are more than noise"
     if wave.timed.sum() < 2:
         speed = "No speed: the shapes are too unlike"
-    if wave.speed_deviation_m_per_s >= abs(wave.speed_m_per_s):
+    elif wave.straight < LEAST_STRAIGHT:
+        speed = "No speed: the selected outputs do not go one way"
+    elif wave.explained < LEAST_EXPLAINED or wave.speed_deviation_m_per_s >= abs(
+        wave.speed_m_per_s
+    ):
         speed = "No speed: delays do not grow in step with the distance"
     elif np.isfinite(wave.speed_m_per_s):
         speed = f"Speed {wave.speed_m_per_s:.1f}{_spread(wave.speed_deviation_m_per_s, 1)} m/s"

@@ -3,12 +3,10 @@
 from collections.abc import Callable, Mapping
 
 from skinsource_gui.files.file_actions import FileActions
-from skinsource_gui.panel import Panel
+from skinsource_gui.panel import PREPARING, Panel
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.docks.dock import Dock
 from skinsource_gui.state.preferences import Preferences
-
-_PREPARING = "Preparing…"
 
 
 class TakingIn:
@@ -45,5 +43,5 @@ class TakingIn:
         panel.show_folder(self._preferences.folder)
         panel.show_theme(self._appearance.theme)
         if panel.needs:
-            panel.show_problem(_PREPARING)
+            panel.show_problem(PREPARING)
         self._docks[panel.name].hold(panel)

@@ -5,7 +5,7 @@ import pytest
 
 from skinsource.analysis.main_axes import ellipse, main_axes
 from skinsource.analysis.transfer import transfer_function
-from skinsource.analysis.travelling import line_distances_mm, travelling_wave
+from skinsource.analysis.travelling import line_distances_mm, straightness, travelling_wave
 from skinsource.errors import InvalidInputError
 
 RATE = 1300.0
@@ -132,6 +132,35 @@ def test_what_arrives_everywhere_at_once_or_backwards_has_no_speed():
     assert np.isnan(travelling_wave(backwards, distance_mm, RATE).speed_m_per_s)
     silent = travelling_wave(np.zeros((3, 50)), distance_mm, RATE)
     assert np.isnan([silent.speed_m_per_s, silent.attenuation_db_per_cm]).all()
+
+
+def test_delays_that_the_way_does_not_explain_have_no_speed():
+    # Delays that jump to and fro by 40 ms over a way of 65 outputs, and grow a little with it.
+    distance_mm = np.linspace(0.0, 2500.0, 65)
+    rng = np.random.default_rng(13)
+    jumping = distance_mm / 127.0 + rng.uniform(-20.0, 20.0, distance_mm.size)
+    signals = travelling(1.0, 0.0, jumping)
+    found = travelling_wave(signals, distance_mm, RATE)
+    expected = np.corrcoef(distance_mm, jumping)[0, 1] ** 2
+    assert found.explained == pytest.approx(expected, abs=0.01)
+    assert found.explained < 0.5
+    assert np.isnan(found.speed_m_per_s)
+    assert np.isfinite(found.attenuation_db_per_cm)
+
+
+def test_a_way_to_and_fro_has_no_speed_and_a_bent_one_has():
+    distance_mm = np.linspace(0.0, 60.0, 5)
+    signals = travelling(8.0, 0.0, distance_mm)
+    bent = travelling_wave(signals, distance_mm, RATE, straight=0.51)
+    assert bent.speed_m_per_s == pytest.approx(8.0, rel=0.01)
+    assert np.isnan(travelling_wave(signals, distance_mm, RATE, straight=0.49).speed_m_per_s)
+
+
+def test_straightness_is_the_distance_of_the_ends_over_the_way():
+    assert straightness([[0.0, 0.0], [3.0, 0.0], [9.0, 0.0]]) == 1.0
+    assert straightness([[0.0, 0.0], [3.0, 0.0], [3.0, 4.0]]) == pytest.approx(5.0 / 7.0)
+    assert straightness([[0.0, 0.0], [3.0, 4.0], [0.0, 0.0]]) == 0.0
+    assert straightness([[2.0, 2.0], [2.0, 2.0]]) == 1.0
 
 
 def test_the_spread_of_the_speed_is_that_of_repeated_measurements():

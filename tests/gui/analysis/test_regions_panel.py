@@ -68,3 +68,33 @@ def test_people_and_snapshots_stand_side_by_side_and_cost_nothing_while_hidden(
     document.apply(Edit(label="Quieter", design=quieter, view=document.view))
     settle()
     assert not any("limb" in slot.name for slot in graphs)
+
+
+def test_matched_levels_of_snapshots_are_said_above_the_table_and_in_what_is_copied(
+    window, qtbot, settle
+):
+    document = window.document
+    window.docks["regions"].bring_forward()
+    panel = window.panel("regions")
+    document.look(replace(document.view, levels_matched=True))
+    settle()
+    assert "levels matched" not in panel.about.text
+    window.do("store_snapshot_1")
+    louder = document.design.with_input(0, amplitude=2.0)
+    document.apply(Edit(label="Louder", design=louder, view=document.view))
+    window.do("store_snapshot_2")
+
+    def heads():
+        panel.copy.click()
+        return QGuiApplication.clipboard().text().splitlines()[0].split("\t")[1:]
+
+    def seen(*wanted):
+        assert heads()[: len(wanted)] == list(wanted)
+
+    one, two = "1, synthetic, levels matched (+0.0 dB)", "2, synthetic, levels matched (−6.0 dB)"
+    qtbot.waitUntil(lambda: seen(one, two, "Synthetic 1"), timeout=12_000)
+    assert "snapshots: levels matched" in panel.about.text
+    assert "−6.0 dB" in panel.columns[1].hint
+    window.do("match_levels")
+    qtbot.waitUntil(lambda: seen("1, synthetic", "2, synthetic"), timeout=12_000)
+    assert "levels matched" not in panel.about.text

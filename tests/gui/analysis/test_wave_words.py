@@ -5,6 +5,9 @@ from dataclasses import replace
 import numpy as np
 
 from skinsource.analysis.travelling import travelling_wave
+from skinsource.design import Design, track
+from skinsource.evaluation import evaluate
+from skinsource.view import View
 from skinsource_gui.panels.wave.panel import wave_words
 
 
@@ -28,3 +31,21 @@ def test_a_speed_less_sure_than_itself_is_none():
     assert wave_words(unsure).startswith("No speed: delays do not grow in step with the distance")
     negative = replace(unsure, speed_m_per_s=-20.0, speed_deviation_m_per_s=30.0)
     assert wave_words(negative).startswith("No speed")
+
+
+def test_a_way_to_and_fro_and_delays_out_of_step_are_said_to_have_no_speed():
+    nothing = replace(the_wave(), speed_m_per_s=np.nan, speed_deviation_m_per_s=np.nan)
+    back = wave_words(replace(nothing, straight=0.2))
+    assert back.startswith("No speed: the selected outputs do not go one way · attenuation")
+    jumping = wave_words(replace(nothing, explained=0.4))
+    assert jumping.startswith("No speed: delays do not grow in step with the distance")
+    late = wave_words(nothing)
+    assert late.startswith("No speed: the arrival is not later farther away")
+
+
+def test_all_outputs_one_after_the_other_are_no_line():
+    design = Design(limb="synthetic-1", inputs=(track(7),))
+    every = evaluate(design, "line_wave", view=View(outputs=tuple(range(1, 73))))["line_wave"]
+    assert every.wave.straight < 0.5
+    assert np.isnan(every.wave.speed_m_per_s)
+    assert wave_words(every.wave).startswith("No speed: the selected outputs do not go one way")

@@ -3,12 +3,17 @@
 from dataclasses import replace
 
 import numpy as np
+import pytest
 from PySide6.QtCore import QPointF
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+import skinsource as ss
+from skinsource.design import Design, track
 from skinsource.waveforms import Tone
+from skinsource_gui.compared import ELSEWHERE
 from skinsource_gui.widgets.map.small_map import small_frame
+from tests.core.own_limbs.lab_bench import installed
 from tests.gui.compare.compare_bench import KEY, cards, edit, levels, two_places
 
 
@@ -128,8 +133,28 @@ def test_a_snapshot_of_a_limb_that_is_not_here_says_so(window, panel, settle):
     assert panel.map.difference.shown is None
 
 
-def test_designs_on_two_limbs_have_no_difference_map(window, panel, settle):
+def test_designs_on_two_limbs_differ_output_by_output_and_the_limbs_are_said(window, panel, settle):
+    window.document.look(replace(window.document.view, levels_matched=False))
+    one = window.document.design
     window.do("store_snapshot_1")
-    window.document.edit("limb", replace(window.document.design, limb="synthetic-2"))
+    two = replace(one, limb="synthetic-2")
+    window.document.edit("limb", two)
     settle()
-    assert "different limbs" in panel.map.difference.words
+    found = panel.map.difference
+    assert found.words == "dB, as stored, Synthetic 2 minus Synthetic 1, synthetic limb"
+    assert found.shown.levels_db == pytest.approx(levels(two) - levels(one), abs=1e-6)
+    there = ss.evaluate(two, "surface", "surface_levels_db")
+    field = there["surface"].interpolate(found.shown.levels_db)
+    assert found.shown.field_levels_db == pytest.approx(field, abs=1e-6, nan_ok=True)
+
+
+def test_designs_whose_outputs_are_at_other_places_have_no_difference_map(
+    window, panel, settle, user_data
+):
+    installed()
+    window.limbs.look()
+    window.do("store_snapshot_1")
+    window.document.edit("limb", Design(limb="lab-1", inputs=(track(3),)))
+    settle()
+    assert panel.map.difference.words == ELSEWHERE
+    assert panel.map.difference.shown is None

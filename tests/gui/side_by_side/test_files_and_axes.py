@@ -80,6 +80,16 @@ def test_a_design_of_a_file_is_one_of_the_sides_and_the_present_one_stays_open(
     assert document.view.snapshots == kept
 
 
+def test_a_difference_of_snapshots_on_two_limbs_says_on_which_they_are(window, panel, qtbot):
+    document = window.document
+    document.apply(edits.take_snapshot(document.design, document.view, SAVED))
+    settings = SideBySideSettings(of="snapshots", shown="difference")
+    document.look(with_settings(document.view, "side_by_side", settings))
+    [cell] = drawn(panel, qtbot, 1)
+    assert cell.headings[-1] == "1 on Synthetic 2 minus Edited on Synthetic 1"
+    assert all("on Synthetic 2" in one and "on Synthetic 1" in one for one in cell.headings)
+
+
 def test_a_snapshot_on_a_limb_without_the_axes_of_the_view_shows_those_it_has(
     window, panel, qtbot, user_data
 ):
