@@ -14,6 +14,7 @@ from pathlib import Path
 
 from skinsource import __version__
 from skinsource_gui.system_libraries import has_display, install_line, missing_packages
+from skinsource_gui.unread_sources import leave_sources_unread
 
 _FIRST_RUN = Path("build/first-run")
 
@@ -31,7 +32,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     # What is made at the start stays; to look for garbage in it takes a tenth of the time.  The
     # studio collects it itself once its window stands, and rendering to files is over by then.
     gc.disable()
-    importlib.import_module("skinsource_gui.library_first")
+    importlib.import_module("PySide6.QtCore")
+    leave_sources_unread()
     if on_a_screen:
         return int(importlib.import_module("skinsource_gui.shell.app").run(options.design))
     folder = options.render or _FIRST_RUN
