@@ -1,0 +1,105 @@
+"""Scenes that follow one another, and the notes beside them."""
+
+import pytest
+from PySide6.QtWidgets import QApplication, QMessageBox
+
+from skinsource.scenes import all_scenes
+from skinsource_gui.shell.presenting.notes_window import NotesWindow
+
+
+def title(window):
+    return window.document.design.title
+
+
+def test_scenes_are_the_designs_of_the_folder_in_their_order(studio):
+    seen = []
+    for name in ("next_scene", "next_scene", "previous_scene", "previous_scene", "previous_scene"):
+        studio.do(name)
+        seen.append(title(studio))
+    assert seen == ["3 both", "3 both", "2 tone", "1 tap", "1 tap"]
+    # A scene is no file any more: saving asks for a name.
+    assert studio.document.path is None
+
+
+def test_without_a_file_the_scenes_are_those_of_the_paper(make_window, design):
+    window = make_window(design)
+    window.do("next_scene")
+    assert all_scenes()[0].name in title(window)
+    window.do("next_scene")
+    assert all_scenes()[1].name in title(window)
+    # The panels that show it are in sight.
+    assert all(not window.docks[name].isHidden() for name in all_scenes()[1].panels)
+
+
+@pytest.fixture
+def asked(monkeypatch):
+    """Questions about what would be lost; they are answered with Cancel."""
+    found = []
+
+    def question(*given):
+        found.append(given)
+        return QMessageBox.StandardButton.Cancel
+
+    monkeypatch.setattr(QMessageBox, "exec", lambda box: question(box.text()))
+    for kind in ("question", "warning"):
+        monkeypatch.setattr(QMessageBox, kind, question)
+    return found
+
+
+def louder(window, amplitude):
+    window.document.edit("Louder", window.document.design.with_input(0, amplitude=amplitude))
+    return window.document.design
+
+
+def test_what_is_turned_while_a_scene_is_presented_is_not_asked_about(make_window, asked, design):
+    window = make_window(design)
+    window.do("next_scene")
+    window.do("present")
+    first = louder(window, 2.0)
+    window.do("next_scene")
+    assert window.document.design != first
+    louder(window, 3.0)
+    window.do("next_scene")
+    assert all_scenes()[2].name in title(window)
+    assert not asked
+
+
+@pytest.mark.parametrize("presented", ["never", "afterwards", "before"])
+def test_work_that_was_done_in_a_scene_is_not_lost_unasked(make_window, asked, presented, design):
+    window = make_window(design)
+    window.do("next_scene")
+    if presented == "before":
+        window.do("present")
+        window.do("present")
+    edited = louder(window, 2.0)
+    if presented == "afterwards":
+        window.do("present")
+    window.do("next_scene")
+    assert len(asked) == 1
+    assert window.document.design == edited
+    window.document.undo_stack.setClean()
+
+
+def test_the_next_scene_is_that_after_the_one_that_was_opened_last(make_window, design):
+    window = make_window(design)
+    names = [one.name for one in all_scenes()]
+    window.do("next_scene")
+    window.scenes.open(names[5])
+    window.do("next_scene")
+    assert names[6] in title(window)
+    window.files.new()
+    window.do("next_scene")
+    assert names[0] in title(window)
+
+
+def test_notes_follow_the_scenes(studio):
+    studio.do("show_notes")
+    (notes,) = [one for one in QApplication.topLevelWidgets() if isinstance(one, NotesWindow)]
+    assert notes.notes.toPlainText() == "Say 2 tone"
+    studio.do("next_scene")
+    assert notes.heading.text() == "3 both"
+    assert notes.notes.toPlainText() == "Say 3 both"
+    assert notes.next.text() == "This is the last one."
+    studio.do("previous_scene")
+    assert notes.next.text() == "Next: 3 both"
+    notes.close()

@@ -1,0 +1,30 @@
+"""The one control that a scene is about."""
+
+from skinsource.panel_settings import with_settings
+from skinsource_gui.panels.frequency_and_amplitude.settings import ControlSettings
+
+
+def test_a_scene_says_what_is_turned(make_window, design):
+    window = make_window(design)
+    window.do("arrange_presentation")
+    view, panel = window.document.view, window.panel("frequency_and_amplitude")
+    for control, shown in {
+        "onset": {"onset_s"},
+        "all": {"frequency_hz", "amplitude"},
+        "frequency": {"frequency_hz"},
+        "amplitude": {"amplitude"},
+    }.items():
+        window.document.look(
+            with_settings(view, "frequency_and_amplitude", ControlSettings(control=control))
+        )
+        cells = {"amplitude": panel._amplitude, "onset_s": panel._onset}
+        if panel._frequency is not None:
+            cells["frequency_hz"] = panel._frequency
+        assert {name for name, cell in cells.items() if cell.isVisible()} == shown, control
+
+
+def test_turning_the_onset_moves_the_clip(make_window, design):
+    window = make_window(design)
+    panel = window.panel("frequency_and_amplitude")
+    panel._change("onset_s", 0.1, None)
+    assert window.document.design.inputs[0].clips[0].onset_s == 0.1

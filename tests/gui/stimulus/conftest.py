@@ -1,0 +1,70 @@
+"""A design of three tracks at two places, and the page that exports it."""
+
+import pytest
+from PySide6.QtWidgets import QFileDialog
+
+import skinsource as ss
+from skinsource.view import View
+from tests.gui.stimulus.stimulus_bench import WAIT_MS
+
+GABOR = ss.waveforms.Gabor(frequency_hz=200.0)
+
+
+@pytest.fixture
+def design():
+    return ss.Design(
+        limb="synthetic-1",
+        inputs=(
+            ss.track(7, GABOR, onset_s=0.06, amplitude=0.5),
+            ss.track(12, ss.waveforms.Tone(frequency_hz=100.0), onset_s=0.1),
+            ss.track(7, ss.waveforms.Tap(), onset_s=0.2, amplitude=0.25),
+        ),
+        loop_s=(0.05, 0.15),
+    )
+
+
+def selected(design):
+    return View(selected_inputs=(2,), selected_clips=(design.inputs[1].clips[0].id,))
+
+
+@pytest.fixture
+def desk(make_desk, design):
+    return make_desk(design, selected(design))
+
+
+@pytest.fixture
+def window(make_window, design):
+    return make_window(design, selected(design))
+
+
+def opened(actions, qtbot):
+    """The page, once it shows what would be exported."""
+    qtbot.waitExposed(actions.page)
+    qtbot.waitUntil(lambda: not actions.page.busy, timeout=WAIT_MS)
+    return actions.page
+
+
+@pytest.fixture
+def page(desk, qtbot):
+    desk.stimuli.show()
+    yield opened(desk.stimuli, qtbot)
+    desk.stimuli.end()
+
+
+@pytest.fixture
+def page_in_window(window, qtbot):
+    window.do("export_stimulus")
+    yield opened(window.stimuli, qtbot)
+    window.stimuli.end()
+
+
+@pytest.fixture
+def save_as(monkeypatch, tmp_path):
+    """Have the next dialog answer with a name."""
+
+    def answer_with(name):
+        path = tmp_path / name
+        monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+        return path
+
+    return answer_with

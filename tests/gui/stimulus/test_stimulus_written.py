@@ -1,0 +1,104 @@
+"""File > Export stimulus…: what is written is what was looked at."""
+
+import json
+
+import soundfile
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QCheckBox, QFileDialog, QPushButton
+
+from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
+
+
+def test_the_bytes_that_are_told_are_those_of_the_file(page, desk, qtbot, save_as):
+    told = page.channels.overview.n_bytes
+    path = save_as("drive.wav")
+    export(desk, page, qtbot)
+    assert abs(path.stat().st_size - told) < 300
+
+
+def test_what_was_looked_at_is_written_with_its_sidecar(
+    page_in_window, window, qtbot, save_as, design
+):
+    choose(page_in_window, qtbot, "samples", "pcm24")
+    choose(page_in_window, qtbot, "rate", "44100")
+    path = save_as("drive.wav")
+    export(window, page_in_window, qtbot)
+    about = soundfile.info(path)
+    assert (about.samplerate, about.channels, about.subtype) == (44_100, 2, "PCM_24")
+    told = json.loads((path.parent / "drive.wav.json").read_text())
+    assert told["rate_hz"] == 44_100
+    assert "Saved" in window.statusBar().currentMessage()
+    assert window.document.design is design or window.document.design == design
+    assert window.document.undo_stack.count() == 0
+
+
+def test_it_can_be_done_with_keys_alone(page, desk, qtbot, save_as):
+    first = page.form.field("format")
+    assert QApplication.focusWidget() is first
+    QTest.keyClick(first, Qt.Key.Key_Down)
+    assert page.form.format.name == "flac"
+    reached = set()
+    for _ in range(30):
+        QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Tab)
+        reached.add(QApplication.focusWidget().objectName())
+        assert QApplication.focusWidget().accessibleName() or isinstance(
+            QApplication.focusWidget(), QCheckBox | QPushButton
+        ), QApplication.focusWidget()
+        if "stimulus_format" in reached:
+            break
+    names = ("rate", "plays", "channels", "map", "time", "fade_in", "lead_in", "scale", "sync")
+    assert {f"stimulus_{name}" for name in names} <= reached
+    qtbot.waitUntil(lambda: page.ready, timeout=WAIT_MS)
+    path = save_as("drive.flac")
+    QTest.keyClick(page, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: path.exists() and not desk.runner.busy, timeout=WAIT_MS)
+    assert soundfile.info(path).subtype == "PCM_24"
+
+
+def test_what_would_clip_is_shown_and_must_be_confirmed(page, desk, qtbot, save_as):
+    choose(page, qtbot, "scale", "own")
+    field = page.form.field("full_scale")
+    field.setFocus()
+    QTest.keyClicks(field, "0.5")
+    QTest.keyClick(field, Qt.Key.Key_Tab)
+    qtbot.waitUntil(lambda: not page.busy, timeout=WAIT_MS)
+    clipped = page.channels.overview.channels[1].clipped
+    assert clipped > 100
+    assert f"channel 2 (Digit II, base) {clipped}" in label(page, "problem")
+    assert f"{clipped} samples would clip" in page.channels.accessibleDescription()
+    assert not page.ready
+    page.findChild(QCheckBox, "stimulus_confirm").click()
+    assert page.ready
+    # What was confirmed was this, and nothing else.
+    choose(page, qtbot, "rate", "8000")
+    assert not page.ready
+    page.findChild(QCheckBox, "stimulus_confirm").click()
+    path = save_as("loud.wav")
+    export(desk, page, qtbot)
+    assert json.loads((path.parent / "loud.wav.json").read_text())["clip_count"] > 0
+
+
+def test_cancel_writes_nothing_and_leaves_no_thread(page, desk, tmp_path):
+    page.form.field("format").choose("hdf5")
+    page.reject()
+    assert not desk.runner.busy
+    assert list(tmp_path.glob("*.h5")) == []
+
+
+def test_no_name_writes_nothing(page_in_window, window, qtbot, monkeypatch):
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: ("", ""))
+    export(window, page_in_window, qtbot)
+    assert "Saved" not in window.statusBar().currentMessage()
+
+
+def test_a_folder_that_is_missing_is_said_to_be(page_in_window, window, qtbot, save_as):
+    save_as("missing/drive.wav")
+    export(window, page_in_window, qtbot)
+    assert "Choose a folder that exists" in window.notice.text
+
+
+def test_closing_the_studio_closes_the_page(page_in_window, window):
+    page_in_window.form.field("format").choose("csv")
+    window.close_unasked()
+    assert window.stimuli.page is None
