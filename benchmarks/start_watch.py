@@ -10,8 +10,6 @@ from time import monotonic
 from types import ModuleType, SimpleNamespace
 from typing import Any
 
-from resident import resident_mb
-
 #: The collector and the check of the results have run by then.
 _REST_MS = 2500
 
@@ -81,6 +79,7 @@ def watch(window: Any) -> None:
             tell(noted)
 
     def rest() -> None:
+        resident_mb = importlib.import_module("resident").resident_mb
         tell(noted | {"idle_mb": resident_mb()})
 
     window.conductor.delivered.connect(expect_results)

@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from skinsource import __version__
+from skinsource_gui.late_modules import leave_for_use
 from skinsource_gui.system_libraries import has_display, install_line, missing_packages
 from skinsource_gui.unread_sources import leave_sources_unread
 
@@ -34,6 +35,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     gc.disable()
     importlib.import_module("PySide6.QtCore")
     leave_sources_unread()
+    leave_for_use()
     if on_a_screen:
         return int(importlib.import_module("skinsource_gui.shell.app").run(options.design))
     folder = options.render or _FIRST_RUN
