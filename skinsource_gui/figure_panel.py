@@ -2,12 +2,12 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtCore import QSize
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from skinsource_gui.panel import Panel
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.empty_words import output_words
 from skinsource_gui.widgets.figure.figure import Figure
 from skinsource_gui.widgets.figure.words_label import WordsLabel
@@ -64,15 +64,9 @@ class FigurePanel(Panel):
     def sizeHint(self) -> QSize:
         return QSize(360, 280)
 
-    def add_copy(self, table: Callable[[], str]) -> QToolButton:
+    def add_copy(self, table: Callable[[], str]) -> CopyButton:
         """Return a new button that copies what ``table`` gives, at the right end of the choices."""
-        button = QToolButton(self)
-        button.setObjectName(f"{self.name}_copy")
-        button.setText("Copy")
-        button.setToolTip("Copy the numbers as a table, with tabs between the columns")
-        button.setAccessibleName("Copy numbers")
-        button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        button.clicked.connect(lambda: QGuiApplication.clipboard().setText(table()))
+        button = CopyButton(self.name, table, self)
         self.choices.addWidget(button)
         return button
 

@@ -135,19 +135,19 @@ def test_undo_and_redo_bring_back_the_axes_that_were_shown(window, settle, panel
         settle()
 
     settle()
-    first, before = window.document.design, plot.scale.values
+    first, before = window.document.design, plot.value_scale.values
     louder(1.6)
-    grown = plot.scale.values
+    grown = plot.value_scale.values
     assert grown != before
     window.document.undo_stack.undo()
     settle()
-    assert plot.scale.values == before
+    assert plot.value_scale.values == before
     window.document.undo_stack.redo()
     settle()
-    assert plot.scale.values == grown
+    assert plot.value_scale.values == grown
     # While an edit goes on from what is shown, the axes stay as long as they fit.
     louder(1 / 1.3)
-    assert plot.scale.values == grown
+    assert plot.value_scale.values == grown
     window.document.start_over(first, window.document.view, None)
     settle()
-    assert plot.scale.values == before
+    assert plot.value_scale.values == before

@@ -1,7 +1,9 @@
-"""No class of the studio has more than fifteen methods of its own, besides what Qt calls."""
+"""No class of the studio has more than fifteen methods of its own, or hides those of Qt."""
 
+import ast
 import importlib
 import inspect
+import textwrap
 from pathlib import Path
 from types import FunctionType
 
@@ -29,12 +31,29 @@ def classes():
 
 def own_methods(owner: type) -> set[str]:
     """Functions and properties of a class that no class of Qt among its bases has."""
-    of_qt = {name for base in owner.__mro__ if _is_qt(base) for name in vars(base)}
+    of_qt = names_of_qt(owner)
     kinds = (FunctionType, property, classmethod, staticmethod)
     return {
         name
         for name, value in vars(owner).items()
         if isinstance(value, kinds) and name not in of_qt and not name.startswith("__")
+    }
+
+
+def names_of_qt(owner: type) -> set[str]:
+    return {name for base in owner.__mro__ if _is_qt(base) for name in vars(base)}
+
+
+def set_attributes(owner: type) -> set[str]:
+    """Names that methods of a class set on ``self``."""
+    tree = ast.parse(textwrap.dedent(inspect.getsource(owner)))
+    return {
+        node.attr
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Attribute)
+        and isinstance(node.ctx, ast.Store)
+        and isinstance(node.value, ast.Name)
+        and node.value.id == "self"
     }
 
 
@@ -64,3 +83,18 @@ def test_what_qt_calls_is_not_counted_and_all_else_is():
             return 2
 
     assert own_methods(Some) == {"size", "_help"}
+
+
+def test_no_attribute_hides_what_qt_calls_by_its_name():
+    class Some(QObject):
+        def __init__(self):
+            super().__init__()
+            self.mine, self.parent = 1, 2
+
+    assert set_attributes(Some) & names_of_qt(Some) == {"parent"}
+    of_qt = {owner: names_of_qt(owner) for owner in classes()}
+    hidden = {
+        owner.__qualname__: set_attributes(owner) & names for owner, names in of_qt.items() if names
+    }
+    assert len(hidden) > 100
+    assert {name: found for name, found in hidden.items() if found} == {}

@@ -12,9 +12,9 @@ from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
 from skinsource_gui.widgets.fields.level_text import minus, output_text
 from skinsource_gui.widgets.map.colour_maps import colour_table
 from skinsource_gui.widgets.map.small_map import SmallMap, paint_small_map, small_frame
+from skinsource_gui.widgets.outputs.picking import output_at
 
 _COLOURS = "CET-D1A"
-_REACH_PX = 10.0
 _SCALE_PX = 10
 
 
@@ -90,12 +90,11 @@ class DifferenceMap(QWidget):
         places = small_frame(shown.limb_map, self._areas()[1]).to_screen(
             shown.limb_map.output_positions
         )
-        ways = np.hypot(*(places - (point.x(), point.y())).T)
-        nearest = int(np.nanargmin(ways))
-        if not ways[nearest] <= _REACH_PX:
+        number = output_at(places, point)
+        if number is None:
             return ""
-        output = output_text(nearest + 1, self._difference.limb)
-        return f"{output}: {minus(f'{shown.levels_db[nearest]:+z.1f} dB')}"
+        difference = minus(f"{shown.levels_db[number - 1]:+z.1f} dB")
+        return f"{output_text(number, self._difference.limb)}: {difference}"
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, theme, difference = QPainter(self), self._theme, self._difference

@@ -28,6 +28,7 @@ from skinsource.comparing import (
     shown,
 )
 from skinsource.design import Design
+from skinsource.map_range import map_range_db
 from skinsource.view import View
 from skinsource_gui.compared import ELSEWHERE, Compared, gain_db
 from skinsource_gui.panel import Panel
@@ -42,7 +43,7 @@ from skinsource_gui.panels.compare.card_words import (
 from skinsource_gui.panels.compare.difference_map import Difference, DifferenceMap
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.folding_row import FoldingRow
-from skinsource_gui.widgets.map.small_map import SPAN_DB, Range, SmallMap, SmallMaps
+from skinsource_gui.widgets.map.small_map import Range, SmallMap, SmallMaps
 
 _NEEDS = frozenset({"limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db"})
 _BESIDE_PX = 620
@@ -169,8 +170,9 @@ class ComparePanel(Panel):
         """The map of a card, in colours that mean the same on all of them."""
         if one is None or one.values is None:
             return None, None
-        top = loudest_db - gain_db(one)
-        return self._maps.map_of(one.values), (top - SPAN_DB, top)
+        low, high = map_range_db(loudest_db)
+        gain = gain_db(one)
+        return self._maps.map_of(one.values), (low - gain, high - gain)
 
     def _difference(self, compared: Sequence[Compared], present: Compared | None) -> Difference:
         wanted = None if self._design is None else other_than(self._view.snapshots, self._design)

@@ -7,7 +7,6 @@ from typing import Any, ClassVar
 
 import numpy as np
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QFileDialog,
     QLabel,
@@ -36,6 +35,7 @@ from skinsource_gui.panels.perception.level_table import LevelTable
 from skinsource_gui.panels.perception.rows import header, rows, tab_separated
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.beside_or_below import BesideOrBelow
+from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.empty_words import output_words
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.lateness import Lateness
@@ -70,8 +70,7 @@ class PerceptionPanel(Panel):
         self.own = _button(self, "perception_own", "Own thresholds…")
         self.model = _button(self, "perception_model", "Use the model")
         self.model.setToolTip("Use the thresholds of the model again")
-        self.copy = _button(self, "perception_copy", "Copy")
-        self.copy.setToolTip("Copy the numbers as a table, with tabs between the columns")
+        self.copy = CopyButton(self.name, self._numbers, self)
         self.table = LevelTable()
         self.message, self.contact, self.limits = QLabel(), QLabel(), QLabel(LIMITS)
         for label, name in (
@@ -184,7 +183,6 @@ class PerceptionPanel(Panel):
         self.area.edited.connect(lambda area_cm2, _: self._change(area_cm2=area_cm2))
         self.own.clicked.connect(self._ask)
         self.model.clicked.connect(lambda: self._change(table=(), source=""))
-        self.copy.clicked.connect(self._copy)
 
     def _ask(self) -> None:
         chosen, _ = QFileDialog.getOpenFileName(
@@ -200,12 +198,12 @@ class PerceptionPanel(Panel):
         self.message.show()
         self.copy.setEnabled(False)
 
-    def _copy(self) -> None:
-        if self._found is not None:
-            QGuiApplication.clipboard().setText(
-                tab_separated(self._found, self._outputs, self._limb)
-                + contact_table(self._weighted)
-            )
+    def _numbers(self) -> str:
+        """All of it, with tabs between the columns; empty while nothing is found."""
+        if self._found is None:
+            return ""
+        levels = tab_separated(self._found, self._outputs, self._limb)
+        return levels + contact_table(self._weighted)
 
     def _change(self, **changes: Any) -> None:
         settings = replace(self._settings, **changes)

@@ -4,13 +4,12 @@ from collections.abc import Mapping, Sequence
 from typing import ClassVar
 
 from PySide6.QtCore import QEvent, QSize, Qt
-from PySide6.QtGui import QGuiApplication, QResizeEvent
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
     QHBoxLayout,
     QScrollArea,
     QSizePolicy,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -31,6 +30,7 @@ from skinsource_gui.panels.regions.columns import (
 )
 from skinsource_gui.panels.regions.table import RegionTable
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 from skinsource_gui.widgets.lateness import Lateness
 
@@ -59,12 +59,7 @@ class RegionsPanel(Panel):
         self.columns: list[Column] = []
         self._about = ""
         self.about = WordsLabel("regions_about")
-        self.copy = QToolButton()
-        self.copy.setObjectName("regions_copy")
-        self.copy.setText("Copy")
-        self.copy.setToolTip("Copy the numbers as a table, with tabs between the columns")
-        self.copy.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.copy.clicked.connect(self._copy)
+        self.copy = CopyButton(self.name, lambda: tab_separated(self.columns))
         self.stored = RegionTable("regions_stored", "RMS levels of snapshots by region")
         self.table = RegionTable("regions_table", "RMS levels of people by region")
         self._tables = (self.stored, self.table)
@@ -177,6 +172,3 @@ class RegionsPanel(Panel):
         matched = any(one.copied for one in self.columns)
         shifted = f" · snapshots: {LEVELS_MATCHED}" if matched else ""
         self.about.say(f"{self._about}{shifted}{note}")
-
-    def _copy(self) -> None:
-        QGuiApplication.clipboard().setText(tab_separated(self.columns))

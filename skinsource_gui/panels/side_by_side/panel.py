@@ -5,8 +5,8 @@ from functools import partial
 from typing import ClassVar
 
 from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QGuiApplication, QPainter
-from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtGui import QColor, QPainter
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from skinsource import edits
 from skinsource.design import Design
@@ -22,6 +22,7 @@ from skinsource_gui.panels.side_by_side.table import tab_separated
 from skinsource_gui.panels.side_by_side.view import MapsView
 from skinsource_gui.panels.side_by_side.words import about, hindrance, reference_of
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
+from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 from skinsource_gui.widgets.lateness import Lateness
 
@@ -59,13 +60,7 @@ class SideBySidePanel(Panel):
         self._lateness = Lateness(self)
         self._lateness.changed.connect(self.maps.show_outdated)
         self.words = WordsLabel("side_by_side_words", self)
-        self.copy = QToolButton(self)
-        self.copy.setObjectName("side_by_side_copy")
-        self.copy.setText("Copy")
-        self.copy.setToolTip("Copy the numbers as a table, with tabs between the columns")
-        self.copy.setAccessibleName("Copy numbers")
-        self.copy.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.copy.clicked.connect(self._copy)
+        self.copy = CopyButton(self.name, lambda: tab_separated(self.maps.content), self)
         foot = QHBoxLayout()
         foot.setContentsMargins(UNIT_PX, 1, UNIT_PX // 2, 1)
         foot.addWidget(self.words)
@@ -172,6 +167,3 @@ class SideBySidePanel(Panel):
     def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
         if self._design is not None:
             self.edited.emit(edits.select_outputs(self._design, self._view, outputs), None)
-
-    def _copy(self) -> None:
-        QGuiApplication.clipboard().setText(tab_separated(self.maps.content))

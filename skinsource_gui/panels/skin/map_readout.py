@@ -7,7 +7,6 @@ from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import MapLayout
 from skinsource_gui.panels.skin.map_quantity import LEVELS
 from skinsource_gui.widgets.fields.level_text import level_text, output_text
-from skinsource_gui.widgets.outputs.mouse import REACH_PX
 from skinsource_gui.widgets.outputs.picking import output_at
 from skinsource_gui.widgets.tooltips import tooltip
 
@@ -37,7 +36,7 @@ def hover_words(content: MapContent, layout: MapLayout | None, at: QPointF) -> s
         return ""
     if layout.triad_card.contains(at):
         return tooltip(TRIAD_SENTENCE)
-    number = output_at(layout.points, at, REACH_PX)
+    number = output_at(layout.points, at)
     return "" if number is None else output_readout(content, number)
 
 

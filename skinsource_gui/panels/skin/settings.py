@@ -59,7 +59,7 @@ class SkinSettings:
         ``"interpolated"`` or ``"sensors"``; whether sensors are marked on the interpolated map.
     map_range_db
         Levels of the ends of the colour bar; ``None``: they follow the loudest output
-        (`skinsource.decibels.map_range_db`).
+        (`skinsource.map_range.map_range_db`).
     sensation_range_db
         The same of levels above threshold.
     quantity

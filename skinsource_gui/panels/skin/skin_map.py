@@ -36,7 +36,7 @@ from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.key_tables.key_table import meant
 from skinsource_gui.widgets.outputs.keys import ADDS, OutputKeys
-from skinsource_gui.widgets.outputs.mouse import REACH_PX, OutputMouse
+from skinsource_gui.widgets.outputs.mouse import OutputMouse
 from skinsource_gui.widgets.outputs.picking import output_at
 from skinsource_gui.widgets.pan_zoom import FREE, WHOLE, PanZoom
 
@@ -200,7 +200,7 @@ class SkinMap(QWidget):
             adds = bool(event.modifiers() & ADDS)
             points, outputs = self._layout.points, self.content.outputs
             meant_input = input_at(self.content, self._layout, event.position())
-            on_output = output_at(points, event.position(), REACH_PX) is not None
+            on_output = output_at(points, event.position()) is not None
             if meant_input is not None and self.mouse.band is None and not on_output:
                 self.input_chosen.emit(meant_input)
                 self.mouse.give_up()
@@ -209,7 +209,7 @@ class SkinMap(QWidget):
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton and self._layout is not None:
-            if output_at(self._layout.points, event.position(), REACH_PX) is None:
+            if output_at(self._layout.points, event.position()) is None:
                 self.pan_zoom.show(WHOLE)
             else:
                 self.mouse.press(event.position())

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QStackedWidget,
     QTableView,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -24,6 +23,7 @@ from skinsource_gui.panel import Panel
 from skinsource_gui.panels.statistics.rows import NOISE_WORDS, rows_of, tab_separated
 from skinsource_gui.panels.statistics.table_model import TableModel
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.empty_words import output_words
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
@@ -72,13 +72,7 @@ class StatisticsPanel(Panel):
         self._stack.addWidget(self._message)
         self._stack.addWidget(self.table)
         self.about = WordsLabel("statistics_about")
-        self.copy = QToolButton()
-        self.copy.setObjectName("statistics_copy")
-        self.copy.setText("Copy")
-        self.copy.setToolTip("Copy the numbers as a table, with tabs between the columns")
-        self.copy.setAccessibleName("Copy numbers")
-        self.copy.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.copy.clicked.connect(self._copy)
+        self.copy = CopyButton(self.name, lambda: tab_separated(self.model.rows))
         self._lateness = Lateness(self)
         self._lateness.changed.connect(self._mark_late)
         self._lay_out()
@@ -158,9 +152,6 @@ class StatisticsPanel(Panel):
 
     def _mark_late(self, late: bool) -> None:
         self.table.setEnabled(not late)
-
-    def _copy(self) -> None:
-        QGuiApplication.clipboard().setText(tab_separated(self.model.rows))
 
 
 def _copies(event: QKeyEvent) -> bool:

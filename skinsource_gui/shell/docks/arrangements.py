@@ -5,9 +5,10 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from PySide6.QtCore import QObject, QSize, Qt, Signal
-from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
+from PySide6.QtWidgets import QApplication, QMainWindow
 
 from skinsource_gui.shell.docks.dock import Dock
+from skinsource_gui.shell.docks.kept_keyboard import KeptKeyboard
 
 _ACROSS, _DOWN = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
 # Title and frame of a dock; what lies above and below all docks.
@@ -126,6 +127,11 @@ class Arrangements(QObject):
     places
         Where each stands in each arrangement.  A panel about which nothing is said stands at the
         foot of the last column.
+
+    Attributes
+    ----------
+    keyboard
+        Who has it while docks come and go.
     """
 
     #: The `ArrangementSpec` that is taken up; before that happens.
@@ -136,11 +142,11 @@ class Arrangements(QObject):
     def __init__(self, window: QMainWindow, docks: Mapping[str, Dock], places: Places) -> None:
         super().__init__(window)
         self._window, self._docks, self._places = window, docks, places
+        self.keyboard = KeptKeyboard(window, docks)
 
     def show(self, name: str) -> None:
         """Take up the arrangement ``name``; the first one where it is not known."""
         spec = next((one for one in ARRANGEMENTS if one.name == name), ARRANGEMENTS[0])
-        focused = QApplication.focusWidget()
         self.chosen.emit(spec)
         self.text_scaled.emit(spec.text_scale)
         places = {panel: self._place(panel, spec) for panel in self._docks}
@@ -148,34 +154,17 @@ class Arrangements(QObject):
         foot = [panel for panel, place in shown.items() if place.at_foot]
         foot.sort(key=lambda panel: shown[panel].column)
         columns = self._columns(shown, spec, without=foot)
-        self._put(columns, foot)
-        for panel, place in places.items():
-            if isinstance(place, Behind):
-                self._window.tabifyDockWidget(self._docks[place.panel], self._docks[panel])
-        for panel, dock in self._docks.items():
-            dock.setVisible(panel in shown)
-        self._share_room(columns, foot, shown, spec)
-        self._give_back(focused, shown)
+        with self.keyboard.kept():
+            self._put(columns, foot)
+            for panel, place in places.items():
+                if isinstance(place, Behind):
+                    self._window.tabifyDockWidget(self._docks[place.panel], self._docks[panel])
+            for panel, dock in self._docks.items():
+                dock.setVisible(panel in shown)
+            self._share_room(columns, foot, shown, spec)
         # A panel that was a window of its own may have had the keyboard.
         if QApplication.activeWindow() is not self._window:
             self._window.activateWindow()
-
-    def _give_back(self, focused: QWidget | None, shown: Mapping[str, Place]) -> None:
-        """Give the keyboard back to who had it in a panel, or to the first panel in sight.
-
-        Docks that move lose it to whatever comes next: then keys would change another thing.
-        """
-        docks = [dock for panel, dock in self._docks.items() if panel in shown]
-        if focused is None and self._window.focusWidget() is None and docks:
-            # A window that opens: else its first list would have the keyboard, and Space.
-            docks[0].panel.setFocus(Qt.FocusReason.OtherFocusReason)
-            return
-        if focused is None or not any(one.isAncestorOf(focused) for one in self._docks.values()):
-            return
-        if any(dock.isAncestorOf(focused) for dock in docks):
-            focused.setFocus(Qt.FocusReason.OtherFocusReason)
-        elif docks:
-            docks[0].panel.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def bring(self, panel: str) -> None:
         """Bring a panel into sight, where it stands: no other one is moved."""

@@ -8,7 +8,6 @@ from PySide6.QtWidgets import QMainWindow
 
 from skinsource_gui.shell.docks.arrangements import Arrangements, ArrangementSpec
 from skinsource_gui.shell.docks.dock import Dock
-from skinsource_gui.shell.docks.kept_keyboard import KeptKeyboard
 from skinsource_gui.shell.docks.standing import Standing
 from skinsource_gui.state.preferences import Preferences
 
@@ -43,7 +42,6 @@ class DockLayout(QObject):
         self._window, self._docks, self._preferences = window, docks, preferences
         self._arrangements = arrangements
         arrangements.chosen.connect(self._note_arrangement)
-        self._keyboard = KeptKeyboard(window, docks)
         self._present: ArrangementSpec | None = None
         # By arrangement, what the user made of it.
         self._own: dict[str, bytes] = {}
@@ -67,7 +65,7 @@ class DockLayout(QObject):
         self._arrangements.show(name)
         if own and not (again and touched):
             self.put(own)
-        self._keyboard.settle()
+        self._arrangements.keyboard.settle()
         if own and self._present is not None:
             words = _AS_AT_FIRST if again and touched else _AS_LEFT
             self.done.emit(words.format(key=self._present.keys[0]))
@@ -104,7 +102,7 @@ class DockLayout(QObject):
         for dock in in_sight:
             if not dock.in_sight:
                 dock.raise_()
-        self._keyboard.settle()
+        self._arrangements.keyboard.settle()
 
     def restore(self) -> None:
         """Bring back the last session; its sizes only where its screen is there."""

@@ -1,10 +1,11 @@
 """Where the keyboard goes when the panel that has it goes out of sight."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from functools import partial
 
 from PySide6.QtCore import QObject, Qt, QTimer
-from PySide6.QtWidgets import QMainWindow, QWidget
+from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
 from shiboken6 import isValid
 
 from skinsource_gui.shell.docks.dock import Dock
@@ -54,14 +55,34 @@ class KeptKeyboard(QObject):
             self._arranged.stop()
             self._give_back()
 
+    @contextmanager
+    def kept(self) -> Iterator[None]:
+        """Keep the keyboard, once it is in a panel, while all docks are put elsewhere.
+
+        A panel that was a window of its own keeps it too, and where nobody has it, as in a window
+        that opens, the first panel takes it.
+        """
+        focused = QApplication.focusWidget()
+        in_panel = focused is not None and any(
+            dock.isAncestorOf(focused) for dock in self._docks.values()
+        )
+        nobody = focused is None and self._window.focusWidget() is None
+        yield
+        if in_panel or nobody:
+            self._arranged.stop()
+            self._left = None
+            self._give_to(focused)
+
     def _give_back(self) -> None:
         left, self._left = self._left, None
-        if self._window.focusWidget() is not None or not self._window.isVisible():
-            return
+        if self._window.focusWidget() is None and self._window.isVisible():
+            self._give_to(left)
+
+    def _give_to(self, left: QWidget | None) -> None:
+        """Give the keyboard to who had it, if that is in sight, or else to the first panel."""
         if left is not None and isValid(left) and left.isVisible():
             left.setFocus(Qt.FocusReason.OtherFocusReason)
             return
-        for dock in self._docks.values():
-            if dock.isVisible() and dock.in_sight and not dock.is_empty:
-                dock.panel.setFocus(Qt.FocusReason.OtherFocusReason)
-                return
+        first = next((dock for dock in self._docks.values() if dock.in_sight), None)
+        if first is not None:
+            first.panel.setFocus(Qt.FocusReason.OtherFocusReason)

@@ -1,6 +1,5 @@
 """Breakpoints as a small curve: added, dragged, stepped, removed."""
 
-import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
@@ -9,33 +8,27 @@ from PySide6.QtGui import (
     QMouseEvent,
     QPainter,
     QPaintEvent,
-    QPen,
-    QPolygonF,
 )
 from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
 
 from skinsource.effects.breakpoints import (
     HIGHEST,
     Points,
-    curve_at,
     moved,
     place_of,
     with_point,
-    with_point_after,
     with_point_put,
-    with_segment,
-    without_chosen,
 )
-from skinsource.fields import SEGMENTS, BreakpointsSpec, Segment
+from skinsource.fields import SEGMENTS, BreakpointsSpec
 from skinsource_gui.theme import LIGHT, Theme, tabular
-from skinsource_gui.widgets.fields.burst import Burst
+from skinsource_gui.widgets.fields.curve_painter import paint_curve, paint_frame
 from skinsource_gui.widgets.fields.curve_scale import CurveScale
+from skinsource_gui.widgets.fields.edited_points import EditedPoints
 from skinsource_gui.widgets.fields.gesture import new_gesture
 from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.key_tables.key_table import key_text, meant
 from skinsource_gui.widgets.tooltips import tooltip
 
-_NEAR_PX, _POINT_PX = 8.0, 3.5
 _WORDS_PX = 16
 _SEGMENT_WORDS = {"straight": "straight on", "smooth": "smoothly on", "held": "held"}
 
@@ -49,9 +42,8 @@ class CurveField(QWidget):
 
     Attributes
     ----------
-    end_x
-        Where what the curve is of ends: a key adds a point halfway from the last one to there.
-        None: at the last point.
+    points
+        Which one is chosen, and what keys do to them.
     """
 
     #: The new points; number of their gesture.
@@ -60,13 +52,12 @@ class CurveField(QWidget):
     def __init__(self, spec: BreakpointsSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._spec, self._theme = spec, LIGHT
-        self._points: Points = ((0.0, 1.0, "straight"),)
-        self._chosen = 0
-        self.end_x: float | None = None
-        self._burst = Burst(self)
+        self.points = EditedPoints(spec, self)
+        self.points.edited.connect(self.edited)
+        self.points.changed.connect(self.update)
         # While one is dragged: number of the gesture, the points as it began, where it began.
         self._drag: tuple[int, Points, QPointF] | None = None
-        self._scale = CurveScale.around(self._points)
+        self._scale = CurveScale.around(self.value)
         self.setAccessibleName(spec.label)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -83,18 +74,11 @@ class CurveField(QWidget):
     @property
     def value(self) -> Points:
         """The points."""
-        return self._points
-
-    @property
-    def chosen(self) -> int:
-        """Number of the point that the keys are about, from 0."""
-        return self._chosen
+        return self.points.value
 
     def set_value(self, points: Points) -> None:
         """Show other points, and tell nobody."""
-        if points != self._points:
-            self._points = points
-            self._chosen = min(self._chosen, len(points) - 1)
+        self.points.show(points)
         if self._drag is None:
             self._scale = CurveScale.around(points)
         self.update()
@@ -110,7 +94,7 @@ class CurveField(QWidget):
 
     def place_of(self, index: int) -> QPointF:
         """Where a point is seen."""
-        x, y, _ = self._points[index]
+        x, y, _ = self.value[index]
         return self._scale.place(x, y, self._inside())
 
     def sizeHint(self) -> QSize:
@@ -130,19 +114,17 @@ class CurveField(QWidget):
         if event.button() != Qt.MouseButton.LeftButton:
             event.ignore()
             return
-        self._burst.end()
-        gesture, before = new_gesture(), self._points
-        near = self._near(event.position())
+        self.points.burst.end()
+        gesture, before, inside = new_gesture(), self.value, self._inside()
+        near = self._scale.point_at(before, event.position(), inside)
         if near is None:
-            x, _ = self._scale.value(event.position(), self._inside())
-            x = self._rounded(x)
-            if not self._is_on_curve(event.position(), x):
+            x = self._rounded(self._scale.value(event.position(), inside)[0])
+            if not self._scale.is_on_curve(before, x, event.position(), inside):
                 return
-            after, near = with_point(before, x), place_of(before, x)
-            self._tell(after, near, gesture)
-        self._chosen = near
-        self._drag = (gesture, self._points, event.position())
-        self.update()
+            near = place_of(before, x)
+            self.points.put(with_point(before, x), near, gesture)
+        self.points.choose(near)
+        self._drag = (gesture, self.value, event.position())
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if self._drag is None or not event.buttons() & Qt.MouseButton.LeftButton:
@@ -150,32 +132,34 @@ class CurveField(QWidget):
         gesture, start, pressed = self._drag
         inside = self._inside()
         here, there = (self._scale.value(at, inside) for at in (event.position(), pressed))
-        x, y, _ = start[min(self._chosen, len(start) - 1)]
+        chosen = self.points.chosen
+        x, y, _ = start[min(chosen, len(start) - 1)]
         to_x, to_y = self._rounded(x + here[0] - there[0]), round(y + here[1] - there[1], 3)
-        self._tell(moved(start, {self._chosen}, to_x - x, to_y - y), self._chosen, gesture)
+        self.points.put(moved(start, {chosen}, to_x - x, to_y - y), chosen, gesture)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         self._drag = None
-        self.set_value(self._points)
+        self.set_value(self.value)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        if event.button() == Qt.MouseButton.LeftButton and self._near(event.position()) is None:
-            x, y = self._scale.value(event.position(), self._inside())
+        at, inside = event.position(), self._inside()
+        beside = self._scale.point_at(self.value, at, inside) is None
+        if event.button() == Qt.MouseButton.LeftButton and beside:
+            x, y = self._scale.value(at, inside)
             highest = min(self._spec.y.maximum, HIGHEST)
-            put = with_point_put(self._points, self._rounded(x), round(y, 3), highest)
-            self._tell(*put, new_gesture())
+            put = with_point_put(self.value, self._rounded(x), round(y, 3), highest)
+            self.points.put(*put, new_gesture())
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        near = self._near(QPointF(event.pos()))
+        near = self._scale.point_at(self.value, QPointF(event.pos()), self._inside())
         if near is not None:
-            self._chosen = near
-            self.update()
+            self.points.choose(near)
         menu = QMenu(self)
         for segment in SEGMENTS:
             action = menu.addAction(f"After this point: {_SEGMENT_WORDS[segment]}")
-            action.triggered.connect(lambda _=False, segment=segment: self._continue(segment))
+            action.triggered.connect(lambda _=False, segment=segment: self.points.go_on(segment))
         menu.addSeparator()
-        menu.addAction("Remove this point", lambda: self._act("remove"))
+        menu.addAction("Remove this point", lambda: self.points.act("remove"))
         menu.popup(event.globalPos())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -183,29 +167,18 @@ class CurveField(QWidget):
         if self._drag is not None and event.key() == Qt.Key.Key_Escape:
             gesture, start, _ = self._drag
             self._drag = None
-            self._tell(start, min(self._chosen, len(start) - 1), gesture)
+            self.points.put(start, self.points.chosen, gesture)
         elif name:
-            self._act(name)
+            self.points.act(name)
         else:
             event.ignore()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
+        painter, inside = QPainter(self), self._inside()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        whole, inside = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5), self._inside()
-        edge = self._theme.accent if self.hasFocus() else self._theme.border
-        painter.setPen(QPen(QColor(edge), 1))
-        painter.setBrush(QColor(self._theme.base))
-        painter.drawRoundedRect(whole, 4, 4)
-        one = self._scale.place(0.0, 1.0, inside).y()
-        painter.setPen(QPen(QColor(self._theme.grid), 1))
-        painter.drawLine(QPointF(inside.left(), one), QPointF(inside.right(), one))
-        painter.setPen(QPen(QColor(self._theme.accent), 1.5))
-        painter.drawPolyline(QPolygonF(self._scale.course(self._points, inside)))
-        for k in range(len(self._points)):
-            chosen = k == self._chosen and self.hasFocus()
-            painter.setBrush(QColor(self._theme.accent if chosen else self._theme.base))
-            painter.drawEllipse(self.place_of(k), _POINT_PX, _POINT_PX)
+        paint_frame(painter, QRectF(self.rect()), self._theme, focused=self.hasFocus())
+        chosen = self.points.chosen if self.hasFocus() else None
+        paint_curve(painter, inside, self._scale, self.value, chosen, self._theme)
         painter.setPen(QColor(self._theme.dim))
         room = QRectF(inside.left(), 2, inside.width(), _WORDS_PX)
         words = painter.fontMetrics().elidedText(
@@ -216,51 +189,10 @@ class CurveField(QWidget):
     @property
     def words(self) -> str:
         """The chosen point, in words."""
-        x, y, segment = self._points[self._chosen]
-        place = f"{self._chosen + 1}/{len(self._points)}"
+        chosen = self.points.chosen
+        x, y, segment = self.value[chosen]
+        place = f"{chosen + 1}/{len(self.value)}"
         return f"{place} · {1000.0 * x:.4g} ms · {y:.3g} · {_SEGMENT_WORDS[segment]}"
-
-    def _act(self, name: str) -> None:
-        k, points, last = self._chosen, self._points, len(self._points) - 1
-        if name in ("before", "after", "first", "last"):
-            to = {"before": k - 1, "after": k + 1, "first": 0, "last": last}[name]
-            self._chosen = min(max(to, 0), last)
-            self.update()
-        elif name == "segment":
-            self._continue(SEGMENTS[(SEGMENTS.index(points[k][2]) + 1) % len(SEGMENTS)])
-        elif name == "remove":
-            self._tell(*without_chosen(points, {k}), self._burst.gesture())
-        elif name == "add":
-            end_x = points[-1][0] if self.end_x is None else self.end_x
-            self._tell(*with_point_after(points, k, end_x), None)
-        else:
-            far = 10 if name.startswith("far_") else 1
-            by_x = {"left": -1, "right": 1}.get(name.removeprefix("far_"), 0)
-            by_y = {"down": -1, "up": 1}.get(name.removeprefix("far_"), 0)
-            step_x, step_y = far * self._spec.x.step, far * self._spec.y.step
-            after = moved(points, {k}, by_x * step_x, by_y * step_y)
-            self._tell(after, k, self._burst.gesture())
-
-    def _continue(self, segment: Segment) -> None:
-        self._tell(with_segment(self._points, self._chosen, segment), self._chosen, None)
-
-    def _tell(self, points: Points, chosen: int, gesture: int | None) -> None:
-        points = tuple((float(f"{x:.12g}"), float(f"{y:.12g}"), kind) for x, y, kind in points)
-        self._chosen = min(max(chosen, 0), len(points) - 1)
-        if points != self._points:
-            self._points = points
-            self.edited.emit(points, gesture)
-        self.update()
-
-    def _near(self, at: QPointF) -> int | None:
-        """The point under the pointer."""
-        gaps = [(self.place_of(k) - at).manhattanLength() for k in range(len(self._points))]
-        nearest = min(range(len(gaps)), key=gaps.__getitem__)
-        return nearest if gaps[nearest] <= _NEAR_PX else None
-
-    def _is_on_curve(self, at: QPointF, x: float) -> bool:
-        y = float(curve_at(self._points, np.array([x]))[0])
-        return abs(self._scale.place(x, y, self._inside()).y() - at.y()) <= _NEAR_PX
 
     def _rounded(self, x: float) -> float:
         """A time in whole tenths of a step."""

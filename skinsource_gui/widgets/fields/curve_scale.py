@@ -7,6 +7,9 @@ from PySide6.QtCore import QPointF, QRectF
 
 from skinsource.effects.breakpoints import Points, curve_at
 
+# How far from a point or the curve it is still meant.
+_NEAR_PX = 8.0
+
 
 @dataclass(frozen=True, slots=True)
 class CurveScale:
@@ -33,6 +36,17 @@ class CurveScale:
             self.x * (at.x() - area.left()) / area.width(),
             self.y * (area.bottom() - at.y()) / area.height(),
         )
+
+    def point_at(self, points: Points, at: QPointF, area: QRectF) -> int | None:
+        """Number of the point that is seen at a place."""
+        gaps = [(self.place(x, y, area) - at).manhattanLength() for x, y, _ in points]
+        nearest = min(range(len(gaps)), key=gaps.__getitem__)
+        return nearest if gaps[nearest] <= _NEAR_PX else None
+
+    def is_on_curve(self, points: Points, x: float, at: QPointF, area: QRectF) -> bool:
+        """Whether the curve is seen at a place whose value is ``x``."""
+        y = float(curve_at(points, np.array([x]))[0])
+        return abs(self.place(x, y, area).y() - at.y()) <= _NEAR_PX
 
     def course(self, points: Points, area: QRectF) -> list[QPointF]:
         """The curve, at each pixel and at each point; a jump is upright."""

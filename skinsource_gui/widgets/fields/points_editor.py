@@ -28,8 +28,9 @@ class GlideCurve(CurveField):
     @property
     def words(self) -> str:
         """What it is of, and the chosen point."""
-        time_s, value, _ = self.value[self.chosen]
-        place = f"{self.chosen + 1}/{len(self.value)}"
+        chosen = self.points.chosen
+        time_s, value, _ = self.value[chosen]
+        place = f"{chosen + 1}/{len(self.value)}"
         shown = value_text(value, self._y.unit, digits=5)
         return f"{self._y.label} · {place} · {value_text(time_s, 's')} · {shown}"
 

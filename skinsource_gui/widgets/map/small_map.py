@@ -10,9 +10,9 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF
 
 from skinsource.arrays import Floats
-from skinsource.decibels import FLOOR_DB
 from skinsource.design import Design, audible_indices
 from skinsource.limb import LimbMap
+from skinsource.map_range import map_range_db
 from skinsource.surface import SurfaceOperator
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.frame import Frame, fitted
@@ -20,8 +20,6 @@ from skinsource_gui.widgets.map.colour_maps import colour_table, level_colours
 from skinsource_gui.widgets.map.field_image import FieldImage, field_image
 from skinsource_gui.widgets.map.noise_strokes import paint_strokes
 
-#: What the colours of a map span below its loudest output.
-SPAN_DB = 40.0
 _RING_PX, _DISC_PX = 3.0, 2.5
 # As far around an output as on the large map, in the smallest spacings of outputs.
 _NOISE_SPACINGS = 1.38
@@ -54,8 +52,7 @@ class SmallMap:
     @property
     def range_db(self) -> Range:
         """Levels of the lowest and the highest colour, if nothing else is said."""
-        loudest = FLOOR_DB if self.levels_db is None else float(np.max(self.levels_db))
-        return (loudest - SPAN_DB, loudest)
+        return map_range_db(() if self.levels_db is None else self.levels_db)
 
 
 class SmallMaps:

@@ -11,8 +11,6 @@ from skinsource_gui.widgets.outputs.picking import (
     toggled,
 )
 
-#: How far from an output it is still meant, px.
-REACH_PX = 11.0
 # A press that moves less than this is a click.
 _CLICK_PX = 4.0
 
@@ -47,7 +45,7 @@ class OutputMouse(QObject):
     def move(self, at: QPointF, points: Floats) -> None:
         """The mouse moves, whether or not the button is held; ``points`` is (n_outputs, 2)."""
         self.pointer = at
-        self.hovered = output_at(points, at, REACH_PX)
+        self.hovered = output_at(points, at)
         if self._pressed is not None:
             band = QRectF(self._pressed, at).normalized()
             if self.band is not None or max(band.width(), band.height()) >= _CLICK_PX:
@@ -62,7 +60,7 @@ class OutputMouse(QObject):
             found = outputs_inside(points, band)
             self.meant.emit(joined(outputs, found) if adds else found)
             return
-        number = output_at(points, at, REACH_PX)
+        number = output_at(points, at)
         if number is not None:
             self.meant.emit(toggled(outputs, number) if adds else (number,))
 

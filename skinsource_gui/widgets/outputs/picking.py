@@ -7,6 +7,9 @@ from skinsource.arrays import Floats
 
 Outputs = tuple[int, ...]
 
+# How far from an output it is still meant.
+_REACH_PX = 11.0
+
 
 def dorsal_outputs(points: Floats, unplaced: Outputs) -> Outputs:
     """Numbers of the outputs on the back of hand and arm; ``points`` is (n_outputs, 2)."""
@@ -18,8 +21,8 @@ def is_placed(points: Floats, number: int) -> bool:
     return number <= len(points) and bool(np.isfinite(points[number - 1]).all())
 
 
-def output_at(points: Floats, at: QPointF, reach_px: float) -> int | None:
-    """Number of the output nearest to ``at`` and within reach; ``points`` is (n_outputs, 2).
+def output_at(points: Floats, at: QPointF, reach_px: float = _REACH_PX) -> int | None:
+    """Number of the output nearest to ``at`` and within reach; ``points`` is (n_outputs, 2), px.
 
     Those that are nowhere, NaN, are never meant.
     """

@@ -14,8 +14,8 @@ class Readable(Protocol):
     """What a crosshair asks of a plot."""
 
     curves: Curves | None
-    window: XWindow
-    scale: ValueScale
+    x_window: XWindow
+    value_scale: ValueScale
     stacked: bool
     stack: Stack
 
@@ -44,10 +44,10 @@ class Crosshair(QObject):
         if plot.curves is None or self.index is None:
             return None
         x = float(plot.curves.x[self.index])
-        if plot.window.axis.log and x <= 0:
+        if plot.x_window.axis.log and x <= 0:
             return None
-        position = plot.window.axis.position(x)
-        return position if 0 <= plot.window.part(position) <= 1 else None
+        position = plot.x_window.axis.position(x)
+        return position if 0 <= plot.x_window.part(position) <= 1 else None
 
     def put(self, index: int | None) -> None:
         """Read sample ``index``, or nothing."""
@@ -72,5 +72,5 @@ class Crosshair(QObject):
             plot.stack.show_crosshair(None, ())
             return
         n_drawn = len(plot.stack.rows) if plot.stacked else len(plot.curves.names)
-        heights = plot.scale.heights(plot.curves.y[:n_drawn, self.index])
+        heights = plot.value_scale.heights(plot.curves.y[:n_drawn, self.index])
         plot.stack.show_crosshair(position, heights.tolist())

@@ -25,7 +25,7 @@ class Navigable(Protocol):
     """What navigation asks of a plot."""
 
     curves: Curves | None
-    window: XWindow
+    x_window: XWindow
     places: PlotLayout
     crosshair: Crosshair
 
@@ -70,7 +70,9 @@ class Navigation(QObject):
             plot.crosshair.put(None)
             return
         part = (at.x() - plot.places.left) / plot.places.area.width()
-        plot.crosshair.put(plot.curves.nearest(plot.window.axis.value(plot.window.position(part))))
+        plot.crosshair.put(
+            plot.curves.nearest(plot.x_window.axis.value(plot.x_window.position(part)))
+        )
 
     def leave(self) -> None:
         """Read nothing, unless keys put the crosshair where it is."""
@@ -79,7 +81,7 @@ class Navigation(QObject):
 
     def bring(self, value: float) -> None:
         """Ask for a part of the x axis in which a value is."""
-        position, (low, high) = self._plot.window.axis.position(value), self._plot.window.shown
+        position, (low, high) = self._plot.x_window.axis.position(value), self._plot.x_window.shown
         self._pan(min(position - low, 0.0) + max(position - high, 0.0))
 
     def press(self, event: QKeyEvent) -> None:
@@ -94,7 +96,7 @@ class Navigation(QObject):
         elif wanted in _ZOOMS:
             anchor = plot.crosshair.position
             # Keys zoom at the crosshair if it is in sight.
-            self._zoom(sum(plot.window.shown) / 2 if anchor is None else anchor, _ZOOMS[wanted])
+            self._zoom(sum(plot.x_window.shown) / 2 if anchor is None else anchor, _ZOOMS[wanted])
         elif wanted == "step":
             leap = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
             self._step(plot.curves, _STEPS[key] * (_LEAP if leap else 1))
@@ -102,17 +104,17 @@ class Navigation(QObject):
             self._pin(plot.curves, 0 if key == Qt.Key.Key_Home else plot.curves.x.size - 1)
 
     def _zoom(self, anchor: float, factor: float) -> None:
-        self._request(zoomed(self._plot.window.shown, anchor, factor))
+        self._request(zoomed(self._plot.x_window.shown, anchor, factor))
 
     def _pan(self, moved: float) -> None:
         if moved:
-            low, high = self._plot.window.shown
+            low, high = self._plot.x_window.shown
             self._request((low + moved, high + moved))
 
     def _cover(self, start: float, end: float, finished: bool) -> None:
         if self._plot.curves is None:
             return
-        low, high = self._plot.window.shown
+        low, high = self._plot.x_window.shown
         ends = sorted(min(max(place, low), high) for place in (start, end))
         covered = (ends[0], ends[1])
         self._covering = not (finished or self._given_up)
@@ -125,13 +127,13 @@ class Navigation(QObject):
         plot = self._plot
         if plot.curves is None:
             return
-        extent, n_points = plot.window.extent, plot.curves.x.size
+        extent, n_points = plot.x_window.extent, plot.curves.x.size
         shortest = (extent[1] - extent[0]) * min(_FEWEST_SAMPLES / n_points, 1.0)
         part = within(shown, extent, shortest)
-        self.zoom_requested.emit(None if part is None else plot.window.values(part))
+        self.zoom_requested.emit(None if part is None else plot.x_window.values(part))
 
     def _step(self, curves: Curves, samples: int) -> None:
-        window, cursor = self._plot.window, self._plot.crosshair.index
+        window, cursor = self._plot.x_window, self._plot.crosshair.index
         if cursor is None:
             self._pin(curves, curves.nearest(window.axis.value(sum(window.shown) / 2)))
         else:
@@ -139,7 +141,7 @@ class Navigation(QObject):
 
     def _pin(self, curves: Curves, index: int) -> None:
         # The crosshair stays until Esc, and pulls the visible part with it.
-        window = self._plot.window
+        window = self._plot.x_window
         if window.axis.log:
             index = max(index, curves.nearest(window.axis.value(window.extent[0])))
         self._pinned = True

@@ -44,9 +44,9 @@ class Plot(Canvas):
         What is drawn, or ``None``.
     stack
         What is in the scene.
-    scale, unit
+    value_scale, unit
         Where values lie in a row; how they are written.
-    window, zoom, stacked
+    x_window, zoom, stacked
         Visible part of the x axis; what was asked for; whether each curve has a row of its own.
     words, words_font
         What is said around the curves, and how it is written.
@@ -76,9 +76,9 @@ class Plot(Canvas):
         self.setCursor(Qt.CursorShape.CrossCursor)
         self.scene().setMoveDistance(_DRAG_PX)
         self.curves: Curves | None = None
-        self.scale = ValueScale(values=(0.0, 1.0))
+        self.value_scale = ValueScale(values=(0.0, 1.0))
         self.unit: ValueUnit = value_unit("amplitude", 0.0, 1.0)
-        self.window: XWindow = x_window(XAxis(titles=("",), unit=""), (0.0, 1.0), None)
+        self.x_window: XWindow = x_window(XAxis(titles=("",), unit=""), (0.0, 1.0), None)
         self.places = PlotLayout(width=1, height=1, left=0, top=0, right=1, bottom=1, n_rows=1)
         self.words_font = scaled(tabular(self.font()), _TEXT)
         self.zoom: Range | None = None
@@ -114,8 +114,8 @@ class Plot(Canvas):
 
     def set_view(self, axis: XAxis, zoom: Range | None, *, stacked: bool) -> None:
         """X axis, its visible part in SI (``None``: all), and one row for each curve or one."""
-        if (axis, zoom, stacked) != (self.window.axis, self.zoom, self.stacked):
-            self.window = x_window(axis, self._data_range(), zoom)
+        if (axis, zoom, stacked) != (self.x_window.axis, self.zoom, self.stacked):
+            self.x_window = x_window(axis, self._data_range(), zoom)
             self.zoom, self.stacked = zoom, stacked
             self.lay_out()
             self.reading_changed.emit()
@@ -141,9 +141,9 @@ class Plot(Canvas):
         others = self.curves is None or curves.names != self.curves.names
         self.curves = curves
         values = self._held.follow(low, high, curves.kind)
-        self.scale = ValueScale(values=values, edge=self.scale.edge)
+        self.value_scale = ValueScale(values=values, edge=self.value_scale.edge)
         self.unit = value_unit(curves.kind, *values)
-        self.window = x_window(self.window.axis, self._data_range(), self.zoom)
+        self.x_window = x_window(self.x_window.axis, self._data_range(), self.zoom)
         self.lay_out()
         if others:
             self._colour()
@@ -164,7 +164,7 @@ class Plot(Canvas):
             self.stack.show_band(None)
             return
         area = self.places.area
-        start, end = (area.left() + area.width() * self.window.part(at) for at in covered)
+        start, end = (area.left() + area.width() * self.x_window.part(at) for at in covered)
         self.stack.show_band(QRectF(start, area.top(), end - start, area.height()))
 
     def claims(self, event: QKeyEvent) -> bool:
@@ -213,7 +213,7 @@ class Plot(Canvas):
         # What the words above and below the plot say when there is room for them.
         if self.curves is None or self.places.top <= y_px <= self.places.bottom:
             return ""
-        return self.places.header.whole if y_px < self.places.top else self.window.axis.titles[0]
+        return self.places.header.whole if y_px < self.places.top else self.x_window.axis.titles[0]
 
     def _data_range(self) -> Range:
         x = (0.0, 1.0) if self.curves is None else self.curves.x
@@ -227,7 +227,9 @@ class Plot(Canvas):
         n_drawn = places.n_rows if self.stacked else len(self.curves.names)
         rows = [places.row(rank if self.stacked else 0) for rank in range(n_drawn)]
         ratio = self.devicePixelRatioF()
-        self.stack.show_points(curve_points(self.curves, self.window, self.scale, rows, ratio))
+        self.stack.show_points(
+            curve_points(self.curves, self.x_window, self.value_scale, rows, ratio)
+        )
         if other_rows:  # only now has each row its curves
             self._colour()
         self.crosshair.draw()
@@ -238,12 +240,14 @@ class Plot(Canvas):
             self.stack.place_message(QRectF(self.rect()))
             return False
         count = row_count(len(curves.names), stacked=self.stacked)
-        self.scale = ValueScale(values=self.scale.values, edge=EDGE if count > 1 else 0.0)
+        self.value_scale = ValueScale(
+            values=self.value_scale.values, edge=EDGE if count > 1 else 0.0
+        )
         content = Content(
             width=float(self.width()),
             height=float(self.height()),
             n_rows=count,
-            scale=self.scale,
+            scale=self.value_scale,
             stacked=self.stacked,
             unit=self.unit,
             level=curves.level_words if curves.kind == "level" else "",
@@ -252,10 +256,10 @@ class Plot(Canvas):
             words=self.words,
         )
         other_rows = self._content is None or self._content[0].n_rows != count
-        if (content, self.window) != self._content:
-            self._content = (content, self.window)
+        if (content, self.x_window) != self._content:
+            self._content = (content, self.x_window)
             self.places = laid_out(content, QFontMetricsF(self.words_font), self.places.left)
-            self.stack.place(self.places, self.window)
+            self.stack.place(self.places, self.x_window)
         return other_rows
 
     def _colour(self) -> None:

@@ -51,7 +51,7 @@ def _copy_of(plot: Plot, size: QSize, theme: Theme) -> Plot:
     copy = Plot()
     copy.set_theme(theme)
     copy.resize(size)
-    copy.set_view(plot.window.axis, plot.zoom, stacked=plot.stacked)
+    copy.set_view(plot.x_window.axis, plot.zoom, stacked=plot.stacked)
     copy.set_words(replace(plot.words, stale=False))
     if plot.curves is not None:
         copy.show_curves(plot.curves)

@@ -22,7 +22,7 @@ def save_table(path: Path, plot: Plot, title: str) -> None:
     if curves is None:
         return
     unit = "db_re_1_m_per_s2" if curves.kind == "level" else "m_per_s2"
-    axis = plot.window.axis
+    axis = plot.x_window.axis
     about = ["SkinSource studio", title, axis.titles[0]]
     about.extend(curves.about())
     if plot.words.synthetic:

@@ -113,14 +113,14 @@ class SignalView(QWidget):
 
 def reading(plot: Plot) -> LegendText:
     """Names of the curves of ``plot``, and what the crosshair reads there."""
-    curves, unit, axis = plot.curves, plot.unit, plot.window.axis
+    curves, unit, axis = plot.curves, plot.unit, plot.x_window.axis
     if curves is None:
         return LegendText()
     text = LegendText(
         names=curves.names,
         unit=unit.symbol,
         where_room=axis.reading(float(max(-curves.x[0], curves.x[-1]))),
-        reading_room=max((unit.reading(value) for value in plot.scale.values), key=len),
+        reading_room=max((unit.reading(value) for value in plot.value_scale.values), key=len),
     )
     if plot.crosshair.index is None:
         return text

@@ -92,19 +92,19 @@ def test_the_level_switch_shows_db_of_the_same_results_at_once(show):
     assert said_above(panel).unit == "dB re 1 m/s²"
     assert legend.text.readings == ("−6.0", "−26.0")
     assert legend.text.unit == "dB"
-    assert plot.scale.values == (-85.0, -5.0)
+    assert plot.value_scale.values == (-85.0, -5.0)
     click(panel, "log-magnitude")
     assert said_above(panel).unit == "m/s²"
-    assert plot.scale.values[0] == 0.0
+    assert plot.value_scale.values[0] == 0.0
 
 
 def test_frequency_goes_from_0_or_from_10_to_650_hz(show):
     panel = show()
-    window = plot_of(panel).window
+    window = plot_of(panel).x_window
     assert window.values(window.shown) == pytest.approx((0.0, 650.0))
     click(panel, "log-frequency")
     assert settings(panel.views[-1]).log_frequency
-    window = plot_of(panel).window
+    window = plot_of(panel).x_window
     assert window.values(window.shown) == pytest.approx((10.0, 650.0))
     labels = {text for _, text in plot_of(panel).stack.x_axis.ticks()}
     assert {"10", "100", "500"} <= labels
@@ -141,7 +141,7 @@ def test_a_zoom_is_kept_in_the_view_and_survives_new_data(show):
     zoom = settings(panel.views[-1]).frequency_range_hz
     assert zoom == pytest.approx((325 - 650 / 3, 325 + 650 / 3))
     panel.show_results(results_for(panel.views[-1], n_times=901, amplitude=2.0))
-    assert plot.window.shown == pytest.approx(zoom)
+    assert plot.x_window.shown == pytest.approx(zoom)
     QTest.keyClick(plot, Qt.Key.Key_0)
     assert settings(panel.views[-1]).frequency_range_hz is None
 

@@ -45,7 +45,7 @@ def test_the_plot_keeps_most_of_a_small_panel(show):
 @pytest.mark.parametrize(("method", "low"), [("pca", -0.32), ("mag", 0.0)])
 def test_magnitudes_start_at_zero_and_components_are_symmetric(show, method, low):
     panel = show(replace(SIGNED, method=method))
-    assert plot_of(panel).scale.values == pytest.approx((low, 0.32))
+    assert plot_of(panel).value_scale.values == pytest.approx((low, 0.32))
 
 
 def test_the_axis_tells_of_the_delay_and_the_switch_removes_it(show):
@@ -58,7 +58,7 @@ def test_the_axis_tells_of_the_delay_and_the_switch_removes_it(show):
     assert panel.views[-1].delay_removed
     assert button.isChecked()
     assert plot.stack.x_axis.titles[0] == "Time (ms), 52 ms pre-trigger removed"
-    assert plot.window.shown[0] == pytest.approx(-0.052)
+    assert plot.x_window.shown[0] == pytest.approx(-0.052)
     click(panel, "remove-delay")
     assert not panel.views[-1].delay_removed
     assert "late" in plot.stack.x_axis.titles[0]
@@ -70,11 +70,11 @@ def test_what_an_equaliser_of_linear_phase_rings_before_0_is_not_shown_and_said(
     results = results_for(SIGNED)
     time_s = results["response_time_s"]
     panel.show_results({**results, "response_time_s": time_s - 0.3})
-    assert plot.window.shown == pytest.approx((0.0, time_s[-1] - 0.3))
+    assert plot.x_window.shown == pytest.approx((0.0, time_s[-1] - 0.3))
     assert "not shown: 0.3 s before 0" in plot.stack.x_axis.titles[0]
     # Without such an equaliser nothing is left out, and nothing said.
     panel.show_results(results)
-    assert plot.window.shown[0] == time_s[0]
+    assert plot.x_window.shown[0] == time_s[0]
     assert "not shown" not in plot.stack.x_axis.titles[0]
 
 
@@ -88,11 +88,11 @@ def test_removing_the_delay_keeps_the_same_piece_of_the_curves_in_sight(show):
 
 def test_the_axis_speaks_of_the_curves_that_are_drawn_not_of_those_to_come(show):
     panel = show()
-    shown = plot_of(panel).window
+    shown = plot_of(panel).x_window
     panel.show_state(
         start_design("synthetic-1"), replace(SIGNED, delay_removed=True, time_range_s=(0.0, 0.1))
     )
-    assert plot_of(panel).window == shown
+    assert plot_of(panel).x_window == shown
     assert "late" in plot_of(panel).stack.x_axis.titles[0]
 
 
@@ -119,13 +119,13 @@ def test_a_zoom_survives_new_data_and_is_left_by_the_button(show):
     QTest.mouseMove(plot.viewport(), QPoint(220, 60))
     QTest.mouseRelease(plot.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(220, 60))
     zoom = panel.views[-1].time_range_s
-    assert plot.window.shown == pytest.approx(zoom)
+    assert plot.x_window.shown == pytest.approx(zoom)
     panel.show_results(results_for(panel.views[-1], n_times=2000, amplitude=3.0))
-    assert plot.window.shown == pytest.approx(zoom)
+    assert plot.x_window.shown == pytest.approx(zoom)
     assert leave.isVisible()
     QTest.mouseClick(leave, Qt.MouseButton.LeftButton)
     assert panel.views[-1].time_range_s is None
-    assert plot.window.shown == pytest.approx((0.0, 650 / 1300))
+    assert plot.x_window.shown == pytest.approx((0.0, 650 / 1300))
     assert not leave.isVisible()
 
 
@@ -186,7 +186,7 @@ def test_a_projection_on_a_fixed_axis_asks_for_no_main_axis(show):
 @pytest.mark.parametrize(("until_s", "unit"), [(0.999, "ms"), (1.0, "s"), (60.0, "s")])
 def test_times_are_in_seconds_from_one_second_on(show, until_s, unit):
     panel = show(n_times=round(1300 * until_s) + 1)
-    axis = plot_of(panel).window.axis
+    axis = plot_of(panel).x_window.axis
     assert axis.unit == unit
     assert axis.titles[0].startswith(f"Time ({unit}) · responses start ~52 ms late")
     ticks = [tick.label for tick in axis.ticks(0.0, until_s, 400.0)]
@@ -195,8 +195,8 @@ def test_times_are_in_seconds_from_one_second_on(show, until_s, unit):
 
 def test_the_part_that_is_seen_decides_the_unit(show):
     view = replace(SIGNED, time_range_s=(0.1, 0.3))
-    assert plot_of(show(view, n_times=13_001)).window.axis.unit == "ms"
+    assert plot_of(show(view, n_times=13_001)).x_window.axis.unit == "ms"
     later = replace(SIGNED, time_range_s=(5.1, 5.3))
     plot = plot_of(show(later, n_times=13_001))
-    assert plot.window.axis.unit == "s"
-    assert plot.window.axis.reading(5.123077) == "5.12308 s"
+    assert plot.x_window.axis.unit == "s"
+    assert plot.x_window.axis.reading(5.123077) == "5.12308 s"

@@ -34,7 +34,7 @@ def test_each_curve_is_one_line_in_its_place(signals):
 def test_a_curve_is_drawn_at_the_heights_of_its_values(signals):
     curves = waves(1)
     signals.show_curves(curves, synthetic=False)
-    low, high = signals.plot.scale.values
+    low, high = signals.plot.value_scale.values
     area, view = signals.plot.places.area, signals.plot.stack.rows[0].view
     curve = drawn(signals)[0]
     for k in (0, 7, 400):

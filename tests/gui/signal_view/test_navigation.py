@@ -104,13 +104,13 @@ def test_the_wheel_zooms_at_the_pointer(signals, qtbot, modifier):
     signals.show_curves(waves(2), synthetic=False)
     canvas = signals.plot
     left, width = left_and_width(signals)
-    before = canvas.window.position((200 - left) / width)
+    before = canvas.x_window.position((200 - left) / width)
     with qtbot.waitSignal(signals.zoom_requested) as asked:
         turn_wheel(signals, 200, modifier)
     low, high = asked.args[0]
     assert high - low == pytest.approx(0.5 / 1.2)
     signals.set_view(TIME, asked.args[0], stacked=False)
-    after = canvas.window.position((200 - left) / width)
+    after = canvas.x_window.position((200 - left) / width)
     assert after == pytest.approx(before)
 
 
@@ -171,7 +171,7 @@ def test_a_logarithmic_axis_zooms_evenly_in_octaves(signals, qtbot):
     low, high = asked.args[0]
     assert (100 / low, high / 100) == pytest.approx((2**1.5, 2**1.5))
     signals.set_view(FREQUENCY, (0.0, 50.0), stacked=False)
-    assert signals.plot.window.values(signals.plot.window.shown) == pytest.approx((10.0, 50.0))
+    assert signals.plot.x_window.values(signals.plot.x_window.shown) == pytest.approx((10.0, 50.0))
 
 
 def test_a_zoom_that_holds_no_data_says_how_to_leave_it(signals):

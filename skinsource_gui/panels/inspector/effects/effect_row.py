@@ -91,7 +91,7 @@ class EffectRow(QWidget):
         """Take over where the clip ends, for curves over its time."""
         for cell in self._cells:
             if isinstance(cell.field, CurveField):
-                cell.field.end_x = end_s
+                cell.field.points.end_x = end_s
 
     def show_refused(self, name: str, reason: str) -> None:
         """Show again what the effect has in a field, and why it stays so."""
