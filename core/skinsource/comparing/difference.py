@@ -12,7 +12,9 @@ from skinsource.errors import InvalidInputError
 #: makes no difference.
 DEPTH_DB = 60.0
 #: Ends of scales of differences, dB.
-ENDS_DB = (1.0, 2.0, 3.0, 6.0, 10.0, 20.0, 30.0, 60.0)
+ENDS_DB = (1.0, 2.0, 3.0, 5.0, 6.0, 10.0, 15.0, 20.0, 30.0, 40.0, 60.0)
+#: A scale of differences tells this share of them, and all that are a third of the largest.
+_TOLD, _OF_LARGEST = 0.95, 1.0 / 3.0
 
 
 def loudest_db(levels_db: ArrayLike) -> float:
@@ -67,14 +69,20 @@ def difference_db(
 
 
 def end_db(*differences_db: ArrayLike) -> float:
-    """Where a scale ends that tells these differences, or spreads, in dB: the next round number.
+    """Where a scale ends that tells these differences, or spreads, in dB: a round number.
+
+    A few large ones would leave all others without colour: 19 of 20 lie within the scale, and it
+    reaches at least to a third of the largest, so that one that stands alone is seen as it is.
+    What lies beyond has the colour of the end.
 
     Parameters
     ----------
     differences_db
         Of any shape and sign; NaN counts as nothing.
     """
-    largest = max(
-        (float(np.nanmax(np.abs(one), initial=0.0)) for one in differences_db), default=0.0
-    )
-    return next((end for end in ENDS_DB if largest <= end), ENDS_DB[-1])
+    sizes = np.concatenate([np.empty(0), *(np.abs(np.ravel(one)) for one in differences_db)])
+    sizes = sizes[~np.isnan(sizes)]
+    if not sizes.size:
+        return ENDS_DB[0]
+    told = max(float(np.quantile(sizes, _TOLD)), _OF_LARGEST * float(sizes.max()))
+    return next((end for end in ENDS_DB if told <= end), ENDS_DB[-1])

@@ -1,9 +1,10 @@
 """Tools of the editor, and words about its clip."""
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QSizePolicy, QToolButton, QWidget
 
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.fitting_label import FittingLabel
 from skinsource_gui.widgets.key_tables.key_table import key_text
 
 _PLACE = "clip_editor"
@@ -60,7 +61,7 @@ class EditorToolbar(QWidget):
         self._fit = self._button("Fit", f"See all of the clip ({key_text(_PLACE, 'whole')})")
         self._fit.clicked.connect(lambda: self.everything_wanted.emit())
         row.addWidget(self._fit)
-        self._words = QLabel()
+        self._words = FittingLabel()
         self._words.setObjectName("clip_words")
         self._words.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self._words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
@@ -70,11 +71,11 @@ class EditorToolbar(QWidget):
         """Which tool is taken."""
         self._tools[name].setChecked(True)
 
-    def show_words(self, words: str, *, enabled: bool) -> None:
-        """Words about the clip; whether there is one to edit."""
-        if words != self._words.text():
-            self._words.setText(words)
-            self._words.setToolTip(words)
+    def show_words(self, words: str, *, enabled: bool, hint: str = "") -> None:
+        """Words about the clip, and how to begin; whether there is one to edit."""
+        whole = f"{words} · {hint}" if hint else words
+        self._words.show_phrases((whole, hint or words, words))
+        self._words.setToolTip(whole)
         for button in (*self._tools.values(), self._bound, self._fit):
             button.setEnabled(enabled)
 

@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QMouseEvent, QWheelEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QMenu, QWidget
 
 from skinsource.arrays import Floats
 from skinsource.clips import Clip
@@ -127,8 +127,22 @@ class EditorView(Canvas):
             self.lay_out()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        # The right button belongs to the tools.
         event.accept()
+        if self.content is None:
+            return
+        by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
+        menu = QMenu(self)
+        menu.setObjectName("clip_editor_menu")
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self._tool.fill_menu(menu, self.content, None if by_key else QPointF(event.pos()))
+        if menu.isEmpty():
+            # The right button belongs to the tool.
+            menu.deleteLater()
+            return
+        # The menu takes the release of the button.
+        self._held = None
+        self.lay_out()
+        menu.popup(event.globalPos())
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.accept()

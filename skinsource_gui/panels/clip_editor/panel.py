@@ -138,6 +138,8 @@ class ClipEditorPanel(Panel):
     def _take(self, tool: str) -> None:
         self._canvas.use(self._tools[tool])
         self._toolbar.show_tool(tool)
+        if self.clip is not None:
+            self._say(self.clip)
 
     def _connect(self) -> None:
         self._toolbar.tool_wanted.connect(self.use)
@@ -172,14 +174,14 @@ class ClipEditorPanel(Panel):
         self._canvas.show_clip(clip, raw, played, self._rate_hz)
         band_hz = facts_of(self._design.limb).band_hz
         self._spectrum.show_samples(played, self._rate_hz, band_hz)
-        self._toolbar.show_words(self._words(clip), enabled=True)
+        self._say(clip)
 
-    def _words(self, clip: Clip) -> str:
+    def _say(self, clip: Clip) -> None:
         said_of, design, words = self._said
         if said_of is not clip or design is not self._design:
             words = _words(clip, self._design)
             self._said = clip, self._design, words
-        return words
+        self._toolbar.show_words(words, enabled=True, hint=self._canvas.tool.hint)
 
     def _sampled(self, clip: Clip) -> Floats | None:
         """What the clip plays before its effects; it is drawn once for each waveform."""

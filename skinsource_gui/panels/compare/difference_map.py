@@ -11,7 +11,8 @@ from skinsource.comparing import end_db
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
 from skinsource_gui.widgets.fields.level_text import minus, output_text
 from skinsource_gui.widgets.map.colour_maps import colour_table
-from skinsource_gui.widgets.map.small_map import SmallMap, paint_small_map, small_frame
+from skinsource_gui.widgets.map.scale_ticks import tick_text
+from skinsource_gui.widgets.map.small_map import Range, SmallMap, paint_small_map, small_frame
 from skinsource_gui.widgets.outputs.picking import output_at
 
 _COLOURS = "CET-D1A"
@@ -42,6 +43,12 @@ class Difference:
         """Largest difference that the colours tell, dB."""
         levels = None if self.shown is None else self.shown.levels_db
         return end_db() if levels is None else end_db(levels)
+
+    @property
+    def reached_db(self) -> Range | None:
+        """The smallest and the largest difference, dB."""
+        levels = None if self.shown is None else self.shown.levels_db
+        return None if levels is None else (float(levels.min()), float(levels.max()))
 
 
 class DifferenceMap(QWidget):
@@ -134,9 +141,10 @@ class DifferenceMap(QWidget):
         painter.drawRect(ramp)
         painter.setPen(QColor(theme.text))
         centre = Qt.AlignmentFlag.AlignCenter
+        reached = self._difference.reached_db
         for part in (-1.0, -0.5, 0.0, 0.5, 1.0):
             x = ramp.center().x() + part * width / 2
-            words = minus(f"{part * end_db:+g}") if part else "0"
+            words = tick_text(part * end_db, (-end_db, end_db), reached, signed=True)
             painter.drawText(QRectF(x - 30, ramp.bottom(), 60, line), centre, words)
         painter.setPen(QColor(theme.dim))
         below = QRectF(area.left(), ramp.bottom() + line, area.width(), line)

@@ -22,7 +22,7 @@ from skinsource.own_limbs import axes_on
 from skinsource.quoting import printable
 from skinsource_gui.compared import ELSEWHERE, Compared, gain_db, limb_title
 from skinsource_gui.panels.side_by_side.content import DIVERGING, Cell, Scale
-from skinsource_gui.widgets.map.small_map import SmallMap, SmallMaps
+from skinsource_gui.widgets.map.small_map import Range, SmallMap, SmallMaps
 
 #: What something is called, in ever fewer words.
 Names = tuple[str, ...]
@@ -59,8 +59,10 @@ class Cells:
             if k != reference
         ]
         drawn = [cell.values_db for cell in cells if cell.values_db is not None]
-        end = end_db(*drawn)
-        scale = Scale(range_db=(-end, end), words="dB", colours=DIVERGING, signed=True)
+        end, reached = end_db(*drawn), _reached_db(drawn)
+        scale = Scale(
+            range_db=(-end, end), words="dB", colours=DIVERGING, signed=True, reached_db=reached
+        )
         return tuple(cell if cell.small is None else replace(cell, scale=scale) for cell in cells)
 
     def of_spread(self, compared: Sequence[Compared], reference: int) -> tuple[Cell, ...]:
@@ -86,7 +88,9 @@ class Cells:
             "synthetic": any(_synthetic(one) for one in known),
         }
         of_mean = Scale(range_db=map_range_db(mean), words=_UNIT)
-        of_spread = Scale(range_db=(0.0, end_db(spread)), words="dB")
+        of_spread = Scale(
+            range_db=(0.0, end_db(spread)), words="dB", reached_db=_reached_db([spread])
+        )
         return (
             Cell(
                 headings=(f"Mean {what}", "Mean"),
@@ -184,6 +188,14 @@ def _minus(one: Names, other: Names) -> Names:
     n = max(len(one), len(other))
     pairs = [(one[min(k, len(one) - 1)], other[min(k, len(other) - 1)]) for k in range(n)]
     return tuple(f"{this} minus {that}" for this, that in pairs)
+
+
+def _reached_db(drawn: Sequence[Floats]) -> Range | None:
+    """The smallest and the largest of all values; None where there is none."""
+    known = [one for one in drawn if one.size]
+    if not known:
+        return None
+    return (min(float(one.min()) for one in known), max(float(one.max()) for one in known))
 
 
 def _levels_db(one: Compared) -> Floats:

@@ -29,12 +29,16 @@ class Scale:
         Name of the colour map.
     signed
         Whether values are told with their sign.
+    reached_db
+        The smallest and the largest value; those beyond the range have the colour of its end.
+        None: all lie within.
     """
 
     range_db: Range
     words: str
     colours: str = VIRIDIS
     signed: bool = False
+    reached_db: Range | None = None
 
     def text(self, value_db: float) -> str:
         """``"−12.3 dB"``; with a sign where it is one of a difference."""

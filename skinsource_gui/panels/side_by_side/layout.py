@@ -8,8 +8,6 @@ from PySide6.QtCore import QRectF
 SCALE_PX = 9.0
 # Height of a map over its width: hand and arm.
 _HIGH = 2.3
-# Lines of words above each map: what it is, and a value.
-_HEAD_LINES = 2.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -21,7 +19,7 @@ class CellPlace:
     whole
         All of it.
     heading, value
-        A line of words each.
+        One or two lines of words, and one.
     map
         Room for the map.
     scale
@@ -54,7 +52,7 @@ class Places:
     scale: QRectF
 
 
-def places_of(room: QRectF, n: int, line: float, *, common: bool) -> Places:
+def places_of(room: QRectF, n: int, line: float, *, common: bool, heading_lines: int = 1) -> Places:
     """Lay ``n`` maps out in ``room``, in as many rows as give the largest maps.
 
     Parameters
@@ -67,6 +65,8 @@ def places_of(room: QRectF, n: int, line: float, *, common: bool) -> Places:
         Height of a line of words.
     common
         Whether one scale serves all of them.
+    heading_lines
+        How many lines the heading of each has; below it is one for a value.
     """
     edge = 0.3 * line
     scale_height = SCALE_PX + 2.2 * line
@@ -75,7 +75,7 @@ def places_of(room: QRectF, n: int, line: float, *, common: bool) -> Places:
     foot = scale_height if common else 0.0
     scale = QRectF(inner.left(), inner.bottom() - foot, inner.width(), foot)
     maps = QRectF(inner.left(), head.bottom(), inner.width(), scale.top() - head.bottom())
-    beside = _HEAD_LINES * line + (0.0 if common else scale_height) + edge
+    beside = (heading_lines + 1.0) * line + (0.0 if common else scale_height) + edge
     rows = _rows(maps, n, beside)
     columns = ceil(n / rows) if n else 1
     width, height = maps.width() / columns, maps.height() / rows
@@ -89,6 +89,7 @@ def places_of(room: QRectF, n: int, line: float, *, common: bool) -> Places:
             ),
             line,
             0.0 if common else scale_height,
+            heading_lines * line,
         )
         for k in range(n)
     )
@@ -105,14 +106,14 @@ def _rows(room: QRectF, n: int, beside: float) -> int:
     return max(range(1, n + 1), key=map_width, default=1)
 
 
-def _cell(whole: QRectF, line: float, scale_height: float) -> CellPlace:
-    top = whole.top() + _HEAD_LINES * line
+def _cell(whole: QRectF, line: float, scale_height: float, heading: float) -> CellPlace:
+    top = whole.top() + heading + line
     bottom = whole.bottom() - scale_height
     edge = 0.3 * line
     return CellPlace(
         whole=whole,
-        heading=QRectF(whole.left(), whole.top(), whole.width(), line),
-        value=QRectF(whole.left(), whole.top() + line, whole.width(), line),
+        heading=QRectF(whole.left(), whole.top(), whole.width(), heading),
+        value=QRectF(whole.left(), whole.top() + heading, whole.width(), line),
         map=QRectF(whole.left() + edge, top, whole.width() - 2 * edge, bottom - top - edge),
         scale=QRectF(whole.left(), bottom, whole.width(), scale_height),
     )

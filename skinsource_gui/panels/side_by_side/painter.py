@@ -7,10 +7,11 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QImage, QPainter, QPen
 
 from skinsource_gui.panels.side_by_side.content import Cell, Content, Scale
+from skinsource_gui.panels.side_by_side.headings import bold, paint_heading
 from skinsource_gui.panels.side_by_side.layout import SCALE_PX, CellPlace, Places
 from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.map.colour_maps import colour_table
+from skinsource_gui.widgets.map.scale_ticks import tick_text
 from skinsource_gui.widgets.map.small_map import (
     SmallMap,
     paint_small_map,
@@ -73,8 +74,11 @@ def paint_scale(painter: QPainter, area: QRectF, scale: Scale, theme: Theme) -> 
     for value in np.linspace(low, high, n_ticks):
         x = ramp.left() + (value - low) / (high - low) * ramp.width()
         words = QRectF(x - 3.0 * line, ramp.bottom(), 6.0 * line, line)
-        signed = scale.signed and value != 0.0
-        painter.drawText(words, _CENTRE, minus(f"{value:+g}" if signed else f"{value:g}"))
+        painter.drawText(
+            words,
+            _CENTRE,
+            tick_text(value, scale.range_db, scale.reached_db, signed=scale.signed),
+        )
     painter.setPen(QColor(theme.dim))
     below = QRectF(area.left(), ramp.bottom() + line, area.width(), line)
     painter.drawText(below, _CENTRE, scale.words)
@@ -88,11 +92,10 @@ def _paint_cell(
     theme: Theme,
     pointed_at: int | None,
 ) -> None:
-    plain, bold = QFont(painter.font()), QFont(painter.font())
-    bold.setBold(True)
-    painter.setFont(bold)
+    plain = QFont(painter.font())
+    painter.setFont(bold(plain))
     painter.setPen(QColor(theme.text))
-    painter.drawText(place.heading, _CENTRE, fitting(painter, cell.headings, place.heading.width()))
+    paint_heading(painter, cell.headings, place.heading)
     painter.setFont(plain)
     if cell.small is None or cell.scale is None:
         painter.setPen(QColor(theme.dim))

@@ -16,7 +16,7 @@ from skinsource_gui.panel import Panel
 from skinsource_gui.panels.side_by_side.cells import Cells, limb_names, snapshot_names
 from skinsource_gui.panels.side_by_side.choices_bar import ChoicesBar
 from skinsource_gui.panels.side_by_side.content import Cell, Content
-from skinsource_gui.panels.side_by_side.layout import places_of
+from skinsource_gui.panels.side_by_side.headings import places_for
 from skinsource_gui.panels.side_by_side.painter import paint_content
 from skinsource_gui.panels.side_by_side.table import tab_separated
 from skinsource_gui.panels.side_by_side.view import MapsView
@@ -127,8 +127,7 @@ class SideBySidePanel(Panel):
         words = f"{content.about} · SYNTHETIC" if synthetic else content.about
         painter.drawText(QRectF(0, 0, width, 1.5 * line), Qt.AlignmentFlag.AlignCenter, words)
         room.setTop(1.5 * line)
-        common = content.common_scale is not None
-        places = places_of(room, len(content.cells), line, common=common)
+        places = places_for(room, content, painter.font())
         paint_content(painter, content, places, theme)
 
     def _show(self) -> None:

@@ -7,7 +7,8 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.arrays import Floats
 from skinsource_gui.panels.side_by_side.content import Content
-from skinsource_gui.panels.side_by_side.layout import Places, places_of
+from skinsource_gui.panels.side_by_side.headings import places_for
+from skinsource_gui.panels.side_by_side.layout import Places
 from skinsource_gui.panels.side_by_side.painter import paint_content
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
@@ -67,9 +68,7 @@ class MapsView(QWidget):
     @property
     def places(self) -> Places:
         """Where everything is."""
-        common = self.content.common_scale is not None
-        n, line = len(self.content.cells), self.fontMetrics().height()
-        return places_of(QRectF(self.rect()), n, line, common=common)
+        return places_for(QRectF(self.rect()), self.content, tabular(self.font()))
 
     def show_content(self, content: Content) -> None:
         """Draw ``content``."""

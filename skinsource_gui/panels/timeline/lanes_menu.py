@@ -139,9 +139,7 @@ class LanesMenu(QObject):
         track, near = strip.lane.track.id, strip.point_at(place)
         if near is not None:
             self._gain.choose((track, near))
-            self._line(
-                menu, "Remove this point", "remove", lambda: self._gain.remove(track, (near,))
-            )
+            self._line(menu, "Remove point", "remove", lambda: self._gain.remove(track, (near,)))
         else:
             self._line(menu, "Add point here", "", lambda: self._gain.double_click(place))
         everything = tuple(range(len(strip.points)))

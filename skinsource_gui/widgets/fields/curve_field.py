@@ -19,18 +19,22 @@ from skinsource.effects.breakpoints import (
     with_point,
     with_point_put,
 )
-from skinsource.fields import SEGMENTS, BreakpointsSpec
+from skinsource.fields import BreakpointsSpec
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.fields.curve_painter import paint_curve, paint_frame
 from skinsource_gui.widgets.fields.curve_scale import CurveScale
 from skinsource_gui.widgets.fields.edited_points import EditedPoints
 from skinsource_gui.widgets.fields.gesture import new_gesture
+from skinsource_gui.widgets.fields.point_menu import (
+    SEGMENT_WORDS,
+    fill_ground_menu,
+    fill_point_menu,
+)
 from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.key_tables.key_table import key_text, meant
 from skinsource_gui.widgets.tooltips import tooltip
 
 _WORDS_PX = 16
-_SEGMENT_WORDS = {"straight": "straight on", "smooth": "smoothly on", "held": "held"}
 
 
 class CurveField(QWidget):
@@ -67,7 +71,7 @@ class CurveField(QWidget):
                 f"{spec.hint}. Click on the curve, or double-click beside it: a new point. "
                 "Drag, or the arrow keys: move it. "
                 f"{key_text('curve', 'segment')}: straight, smooth, held. "
-                f"{key_text('curve', 'remove')} or the right button: remove it"
+                f"{key_text('curve', 'remove')} or the menu of the right button: remove it"
             )
         )
 
@@ -142,24 +146,29 @@ class CurveField(QWidget):
         self.set_value(self.value)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        at, inside = event.position(), self._inside()
-        beside = self._scale.point_at(self.value, at, inside) is None
+        at = event.position()
+        beside = self._scale.point_at(self.value, at, self._inside()) is None
         if event.button() == Qt.MouseButton.LeftButton and beside:
-            x, y = self._scale.value(at, inside)
-            highest = min(self._spec.y.maximum, HIGHEST)
-            put = with_point_put(self.value, self._rounded(x), round(y, 3), highest)
-            self.points.put(*put, new_gesture())
+            self._put(at)
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        near = self._scale.point_at(self.value, QPointF(event.pos()), self._inside())
-        if near is not None:
-            self.points.choose(near)
+        at = QPointF(event.pos())
+        by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
+        near = self._scale.point_at(self.value, at, self._inside())
+        near = self.points.chosen if by_key else near
         menu = QMenu(self)
-        for segment in SEGMENTS:
-            action = menu.addAction(f"After this point: {_SEGMENT_WORDS[segment]}")
-            action.triggered.connect(lambda _=False, segment=segment: self.points.go_on(segment))
-        menu.addSeparator()
-        menu.addAction("Remove this point", lambda: self.points.act("remove"))
+        menu.setObjectName("point_menu")
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        if near is None:
+            fill_ground_menu(menu, lambda: self._put(at))
+        else:
+            self.points.choose(near)
+            fill_point_menu(
+                menu,
+                lambda: self.points.act("remove"),
+                bend=self.points.go_on,
+                n_points=len(self.value),
+            )
         menu.popup(event.globalPos())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -192,7 +201,14 @@ class CurveField(QWidget):
         chosen = self.points.chosen
         x, y, segment = self.value[chosen]
         place = f"{chosen + 1}/{len(self.value)}"
-        return f"{place} · {1000.0 * x:.4g} ms · {y:.3g} · {_SEGMENT_WORDS[segment]}"
+        return f"{place} · {1000.0 * x:.4g} ms · {y:.3g} · {SEGMENT_WORDS[segment]}"
+
+    def _put(self, at: QPointF) -> None:
+        """Add a point just there."""
+        x, y = self._scale.value(at, self._inside())
+        highest = min(self._spec.y.maximum, HIGHEST)
+        put = with_point_put(self.value, self._rounded(x), round(y, 3), highest)
+        self.points.put(*put, new_gesture())
 
     def _rounded(self, x: float) -> float:
         """A time in whole tenths of a step."""

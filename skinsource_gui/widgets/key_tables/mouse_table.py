@@ -100,7 +100,11 @@ MOUSE: dict[str, tuple[str, tuple[MouseHint, ...]]] = {
                 "With Envelope: click on the curve with Alt",
                 "let it go on straight, smoothly, or held",
             ),
-            ("remove", "With Envelope: right button on a point", "remove a point"),
+            (
+                "menu",
+                "With Envelope: right button on a point",
+                "remove it, or let the curve go on otherwise",
+            ),
             ("zoom", "Turn the wheel over the clip", "see less or more; with Shift other times"),
         ),
     ),

@@ -2,11 +2,14 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource.effects import Envelope
-from tests.gui.clip_editor.bench import ALT, LEFT, NONE, SHIFT, whole
+from skinsource_gui.widgets.fitting_label import FittingLabel
+from tests.gui.clip_editor.bench import ALT, LEFT, NONE, RIGHT, SHIFT, whole
 
 
 def points(bench):
@@ -130,3 +133,52 @@ def test_a_click_on_a_smooth_segment_splits_it_without_bending_it(tone):
     assert tone.panel._shaping.tool.chosen == (1,)
     after = Envelope(points(tone)).values_at(times)
     assert after == pytest.approx(shape.values_at(times), abs=1e-12)
+
+
+def menu_at(tone, time_s, value):
+    """What the right button offers there, after it went down, as a screen with a mouse sends it."""
+    at = whole(tone.at(time_s, value))
+    tone.press(tone.at(time_s, value), RIGHT)
+    viewport = tone.canvas.viewport()
+    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, viewport.mapToGlobal(at))
+    QApplication.sendEvent(viewport, event)
+    menus = tone.canvas.findChildren(QMenu, "clip_editor_menu")
+    return (menus[-1], {one.text(): one for one in menus[-1].actions()}) if menus else (None, {})
+
+
+def test_the_right_button_opens_the_menu_of_a_small_curve(tone):
+    tone.design = tone.design.with_clip(1, effects=(Envelope(((0.0, 0.5), (0.1, 0.9))),))
+    tone.show()
+    menu, lines = menu_at(tone, 0.1, 0.9)
+    assert len(points(tone)) == 2  # nothing is done before a line is chosen
+    lines["After this point: held"].trigger()
+    assert points(tone)[1] == (0.1, 0.9, "held")
+    lines["Remove point"].trigger()
+    menu.close()
+    assert [time_s for time_s, *_ in points(tone)] == [0.0]
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    menu, lines = menu_at(tone, 0.05, -0.4)
+    lines["Add point here"].trigger()
+    menu.close()
+    assert points(tone)[1][0] == pytest.approx(0.05, abs=0.002)
+
+
+def test_a_menu_on_one_of_several_chosen_points_is_about_all_of_them(tone):
+    course = ((0.0, 0.5), (0.05, 0.9), (0.1, 0.9), (0.15, 0.5))
+    tone.design = tone.design.with_clip(1, effects=(Envelope(course),))
+    tone.show()
+    tone.panel._shaping.tool.chosen = (1, 2)
+    menu, lines = menu_at(tone, 0.1, 0.9)
+    lines["Remove 2 points"].trigger()
+    menu.close()
+    assert [time_s for time_s, *_ in points(tone)] == [0.0, 0.15]
+
+
+def test_how_to_begin_stands_above_the_waveform_until_something_has_begun(tone):
+    words = tone.panel.findChild(FittingLabel, "clip_words")
+    assert "a new point" in words.toolTip()
+    tone.press(tone.at(0.1, 1.0))
+    QTest.mouseRelease(tone.canvas.viewport(), LEFT, NONE, whole(tone.at(0.1, 1.0)))
+    assert "a new point" not in words.toolTip()
+    tone.panel.use("look")
+    assert "a new point" not in words.toolTip()

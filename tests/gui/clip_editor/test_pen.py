@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QMessageBox
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtWidgets import QApplication, QMenu, QMessageBox
 
 from skinsource.evaluation import evaluate
 from skinsource.samples import Samples
@@ -95,3 +96,12 @@ def test_another_clip_takes_the_pen_away(flat):
     flat.design = flat.design.with_clip(1, waveform=Tone(100.0, 0.0, 0.2))
     flat.show()
     assert flat.canvas.tool is flat.panel._tools["look"]
+
+
+def test_the_right_button_of_the_pen_opens_no_menu(flat):
+    at = QPoint(100, 100)
+    event = QContextMenuEvent(
+        QContextMenuEvent.Reason.Mouse, at, flat.canvas.viewport().mapToGlobal(at)
+    )
+    QApplication.sendEvent(flat.canvas.viewport(), event)
+    assert not [one for one in flat.canvas.findChildren(QMenu) if one.isVisible()]

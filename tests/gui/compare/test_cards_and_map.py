@@ -9,6 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
+from skinsource.comparing import end_db
 from skinsource.design import Design, track
 from skinsource.waveforms import Tone
 from skinsource_gui.compared import ELSEWHERE
@@ -30,7 +31,11 @@ def test_the_map_shows_how_much_louder_the_design_is(window, panel, settle):
     floor = max(present.max(), stored.max()) - 60.0
     expected = np.maximum(present, floor) - np.maximum(stored, floor)
     np.testing.assert_allclose(difference.shown.levels_db, expected, rtol=0, atol=1e-6)
-    assert difference.end_db >= np.abs(expected).max()
+    assert difference.reached_db == (
+        pytest.approx(expected.min(), abs=1e-6),
+        pytest.approx(expected.max(), abs=1e-6),
+    )
+    assert difference.end_db == end_db(difference.shown.levels_db)
     window.do("match_levels")
     settle()
     matched = stored + present.max() - stored.max()

@@ -9,6 +9,7 @@ from PySide6.QtGui import QGuiApplication, QImage, QMouseEvent, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from skinsource.comparing import end_db
 from skinsource.design import track
 from skinsource.evaluation import evaluate
 from skinsource.map_range import map_range_db
@@ -134,7 +135,9 @@ def test_differences_and_mean_and_spread_are_those_of_the_levels(window, panel, 
         field = cell.small.field_levels_db
         assert np.nanmax(np.abs(field)) <= np.abs(values - expected[0]).max() + 1e-9
         assert cell.scale.range_db[0] == -cell.scale.range_db[1]
-        assert np.abs(values - expected[0]).max() <= cell.scale.range_db[1]
+        differences = np.array(expected[1:]) - expected[0]
+        assert cell.scale.range_db[1] == end_db(differences)
+        assert cell.scale.reached_db == pytest.approx((differences.min(), differences.max()))
     choose(window, shown="mean")
     mean, spread = shown(panel, qtbot, 2)
     assert mean.values_db == pytest.approx(expected.mean(axis=0), abs=1e-9)

@@ -215,7 +215,7 @@ def menu_of(lanes, place):
 def test_the_menu_on_a_point_removes_it_or_the_curve(lanes):
     with_curve(lanes, (0.1, 1.0), (0.5, 0.4))
     menu, lines = menu_of(lanes, on_line(lanes, 0.5))
-    lines["Remove this point"].trigger()
+    lines["Remove point"].trigger()
     menu.close()
     assert curve(lanes) == ((0.1, 1.0),)
     QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)

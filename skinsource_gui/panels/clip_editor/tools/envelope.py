@@ -1,35 +1,32 @@
 """Breakpoints over the waveform."""
 
 from collections.abc import Callable
-from functools import lru_cache
+from functools import partial
 from itertools import product
 
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPixmap
+from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtWidgets import QMenu
 
 from skinsource.arrays import Floats
 from skinsource.effects import breakpoints as algebra
 from skinsource.effects.breakpoints import Points
-from skinsource.fields import SEGMENTS
+from skinsource.fields import SEGMENTS, Segment
 from skinsource_gui.panels.clip_editor.content import EditorContent
 from skinsource_gui.panels.clip_editor.tools.curve_drag import Drag
 from skinsource_gui.panels.clip_editor.tools.curve_look import CurveLook
+from skinsource_gui.panels.clip_editor.tools.curve_points import paint_points, write_point
 from skinsource_gui.panels.clip_editor.tools.tool import Button, Held
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.gesture import new_gesture
-from skinsource_gui.widgets.fields.units import value_text
-from skinsource_gui.widgets.plot.ticks import number_text
+from skinsource_gui.widgets.fields.point_menu import fill_ground_menu, fill_point_menu
 
 #: How near the pointer takes hold of a point, or of the curve, px.
 CATCH_PX = 9.0
-_POINT_PX, _HOVERED_PX = 3.5, 5.0
-# Room for a point and its line.
-_DOT_PX = 10
 _FINE = 0.1
-_HOW = "Double click to add a point, or click the line; drag points to shape the envelope"
-
+_HOW = "Click the line, or double-click beside it: a new point. Drag points to shape it"
 
 _ENVELOPE = CurveLook(how=_HOW)
 
@@ -38,7 +35,7 @@ class EnvelopeTool(QObject):
     """Click on the curve: a new point.  Drag: points, a segment up and down, a box around points.
 
     Ctrl: finely.  Shift: up and down or along alone.  Alt and click on a segment: its next kind.
-    Right button on a point: removes it.
+    Right button: what can be done to the point, or a new one.
 
     Parameters
     ----------
@@ -64,15 +61,15 @@ class EnvelopeTool(QObject):
         self._drag: Drag | None = None
         self._pointer = QPointF(-1, -1)
 
+    @property
+    def hint(self) -> str:
+        return self._look.how if len(self._points()) == 1 and not self.chosen else ""
+
     def press(self, content: EditorContent, at: QPointF, button: Button, held: Held) -> None:
-        points = self._points()
-        index = _point_at(content, points, at)
-        if button == Button.RightButton:
-            if index is not None:
-                self._remove((index,))
-            return
         if button != Button.LeftButton or self._drag is not None:
             return
+        points = self._points()
+        index = _point_at(content, points, at)
         start, number = content.place(at), new_gesture()
         if index is not None:
             if held & Held.ShiftModifier:
@@ -86,8 +83,7 @@ class EnvelopeTool(QObject):
             self._drag = Drag(points, (), start, number, box=at)
         elif held & Held.AltModifier and self._look.bends:
             here = SEGMENTS.index(points[segment][2])
-            following = SEGMENTS[(here + 1) % len(SEGMENTS)]
-            self.changed.emit(algebra.with_segment(points, segment, following), None)
+            self._bend(segment, SEGMENTS[(here + 1) % len(SEGMENTS)])
         else:
             # A click adds a point on the curve; a drag moves the segment up and down, or, where the
             # curve is level before the first or after the last point, the new point alone.
@@ -139,12 +135,23 @@ class EnvelopeTool(QObject):
 
     def double_click(self, content: EditorContent, at: QPointF) -> None:
         """Put a point there, wherever the curve is."""
-        if _point_at(content, self._points(), at) is not None:
-            return
-        highest = self._look.highest
-        added, index = algebra.with_point_put(self._points(), *content.place(at), highest)
-        self.chosen = (index,)
-        self.changed.emit(added, None)
+        if _point_at(content, self._points(), at) is None:
+            self._put(content.place(at))
+
+    def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
+        points = self._points()
+        if at is not None:
+            index = _point_at(content, points, at)
+        else:
+            index = next((one for one in self.chosen if one < len(points)), None)
+        if index is not None:
+            if index not in self.chosen:
+                self.chosen = (index,)
+            bend = partial(self._bend, index) if self._look.bends else None
+            n = len(self.chosen)
+            fill_point_menu(menu, self.remove_chosen, bend=bend, n_chosen=n, n_points=len(points))
+        elif at is not None and content.area.contains(at):
+            fill_ground_menu(menu, partial(self._put, content.place(at)))
 
     def cancel(self) -> bool:
         drag, self._drag = self._drag, None
@@ -172,7 +179,10 @@ class EnvelopeTool(QObject):
 
     def remove_chosen(self) -> None:
         """Remove the selected points."""
-        self._remove(self.chosen)
+        if self.chosen:
+            left, number = algebra.without_chosen(self._points(), self.chosen)
+            self.chosen = (number,)
+            self.changed.emit(left, None)
 
     def paint(self, painter: QPainter, content: EditorContent, theme: Theme) -> None:
         """Paint curve, points and box."""
@@ -192,84 +202,23 @@ class EnvelopeTool(QObject):
         if self._look.mirrored:
             painter.setPen(QPen(colour, 1, Qt.PenStyle.DotLine))
             painter.drawPath(arrayToQPath(x, content.curve(times, -values)[1], finiteCheck=False))
-        self._paint_points(painter, content, points, theme)
+        near = _point_at(content, points, self._pointer)
+        places = _places(content, points)
+        paint_points(painter, places, self.chosen, near, self._look, theme)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if self._drag is not None and self._drag.box is not None:
             painter.setPen(QPen(QColor(theme.accent), 1))
             painter.drawRect(QRectF(self._drag.box, self._pointer).normalized())
-        self._write(painter, content, points, theme)
+        if len(self.chosen) == 1 and self.chosen[0] < len(points):
+            write_point(painter, content, points[self.chosen[0]], self._look, theme)
 
-    def _paint_points(
-        self, painter: QPainter, content: EditorContent, points: Points, theme: Theme
-    ) -> None:
-        near = _point_at(content, points, self._pointer)
-        colour = getattr(theme, self._look.colour)
-        painter.setPen(QPen(QColor(colour), 1.5))
-        painter.setBrush(QColor(theme.base))
-        x, y = _places(content, points)
-        dot = _dot(colour, theme.base, painter.device().devicePixelRatioF())
-        for place in map(QPointF, (x - _DOT_PX / 2).tolist(), (y - _DOT_PX / 2).tolist()):
-            painter.drawPixmap(place, dot)
-        # The others are painted again, over those beside them.
-        for index in {*self.chosen, *(() if near is None else (near,))}:
-            if index < len(points):
-                radius = _HOVERED_PX if index == near else _POINT_PX
-                chosen = index in self.chosen
-                painter.setBrush(QColor(theme.accent if chosen else theme.base))
-                painter.drawEllipse(QPointF(x[index], y[index]), radius, radius)
+    def _put(self, place: tuple[float, float]) -> None:
+        added, index = algebra.with_point_put(self._points(), *place, self._look.highest)
+        self.chosen = (index,)
+        self.changed.emit(added, None)
 
-    def _write(
-        self, painter: QPainter, content: EditorContent, points: Points, theme: Theme
-    ) -> None:
-        if len(points) == 1 and not self.chosen:
-            painter.setPen(QColor(theme.text))
-            flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom
-            painter.drawText(content.area.adjusted(0, 0, 0, -6), flags, self._look.how)
-        if len(self.chosen) != 1 or self.chosen[0] >= len(points):
-            return
-        time_s, value, kind = points[self.chosen[0]]
-        words = self._words(time_s, value, kind)
-        at = content.at(time_s, value)
-        flags = Qt.AlignmentFlag.AlignCenter
-        line = QFontMetricsF(painter.font())
-        width, height = line.horizontalAdvance(words) + 12, line.height() + 4
-        area = content.area
-        left = min(max(at.x() - width / 2, area.left() + 2), area.right() - width - 2)
-        # Below the point where there is no room above it.
-        top = at.y() - height - 10 if at.y() - height - 10 > area.top() else at.y() + 10
-        room = QRectF(left, top, width, height)
-        painter.setBrush(QColor(theme.raised))
-        painter.setPen(QPen(QColor(theme.border), 1))
-        painter.drawRect(room)
-        painter.setPen(QColor(theme.text))
-        painter.drawText(room, flags, words)
-
-    def _words(self, time_s: float, value: float, kind: str) -> str:
-        look, when = self._look, value_text(time_s, "s", digits=5)
-        if look.bends:
-            return f"{when} · {number_text(value, 3)} · {kind}"
-        return f"{look.label} · {when} · {value:.5g} {look.unit}".rstrip()
-
-    def _remove(self, indices: tuple[int, ...]) -> None:
-        if indices:
-            left, number = algebra.without_chosen(self._points(), indices)
-            self.chosen = (number,)
-            self.changed.emit(left, None)
-
-
-@lru_cache(maxsize=8)
-def _dot(line: str, ground: str, ratio: float) -> QPixmap:
-    """Picture of a point, painted once."""
-    dot = QPixmap(round(_DOT_PX * ratio), round(_DOT_PX * ratio))
-    dot.setDevicePixelRatio(ratio)
-    dot.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(dot)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(QPen(QColor(line), 1.5))
-    painter.setBrush(QColor(ground))
-    painter.drawEllipse(QPointF(_DOT_PX / 2, _DOT_PX / 2), _POINT_PX, _POINT_PX)
-    painter.end()
-    return dot
+    def _bend(self, index: int, segment: Segment) -> None:
+        self.changed.emit(algebra.with_segment(self._points(), index, segment), None)
 
 
 def _places(content: EditorContent, points: Points) -> tuple[Floats, Floats]:

@@ -6,6 +6,7 @@ from functools import partial
 
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter
+from PySide6.QtWidgets import QMenu
 
 from skinsource.arrays import Floats
 from skinsource.effects.breakpoints import Points
@@ -84,6 +85,10 @@ class GlideTool(QObject):
         """The curve that was not."""
         return "amplitude" if self.active == "frequency" else "frequency"
 
+    @property
+    def hint(self) -> str:
+        return self.tools[self.active].hint
+
     def flip(self) -> None:
         """Give the keys to the other curve."""
         self.cancel()
@@ -103,6 +108,11 @@ class GlideTool(QObject):
     def double_click(self, content: EditorContent, at: QPointF) -> None:
         self._touch(content, at)
         self.tools[self.active].double_click(of_column(content, self.active), at)
+
+    def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
+        if at is not None:
+            self._touch(content, at)
+        self.tools[self.active].fill_menu(menu, of_column(content, self.active), at)
 
     def cancel(self) -> bool:
         given_up = False

@@ -2,6 +2,7 @@
 
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
+from PySide6.QtWidgets import QMenu
 
 from skinsource_gui.panels.clip_editor.content import EditorContent
 from skinsource_gui.panels.clip_editor.tools.tool import Button, Held
@@ -17,6 +18,7 @@ class Look(QObject):
     pan_wanted = Signal(float)
 
     cursor = Qt.CursorShape.ArrowCursor
+    hint = ""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -37,6 +39,9 @@ class Look(QObject):
 
     def double_click(self, content: EditorContent, at: QPointF) -> None:
         """Nothing more than a click."""
+
+    def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
+        """Nothing to offer: it only reads."""
 
     def cancel(self) -> bool:
         had, self._from = self._from is not None, None

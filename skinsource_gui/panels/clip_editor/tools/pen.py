@@ -2,6 +2,7 @@
 
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtWidgets import QMenu
 
 from skinsource.arrays import Floats
 from skinsource.drawing import Stroke, drawn_over, zeroed
@@ -28,6 +29,7 @@ class Pen(QObject):
     refused = Signal(str)
 
     cursor = Qt.CursorShape.CrossCursor
+    hint = ""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -75,6 +77,9 @@ class Pen(QObject):
 
     def double_click(self, content: EditorContent, at: QPointF) -> None:
         """Nothing more than a click."""
+
+    def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
+        """The right button draws."""
 
     def cancel(self) -> bool:
         if self._first is None:

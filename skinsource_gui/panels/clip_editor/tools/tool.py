@@ -4,6 +4,7 @@ from typing import Protocol
 
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QPainter
+from PySide6.QtWidgets import QMenu
 
 from skinsource_gui.panels.clip_editor.content import EditorContent
 from skinsource_gui.theme import Theme
@@ -17,6 +18,10 @@ class Tool(Protocol):
 
     cursor: Qt.CursorShape
 
+    @property
+    def hint(self) -> str:
+        """How to begin, while nothing has begun; empty where that is clear."""
+
     def press(self, content: EditorContent, at: QPointF, button: Button, held: Held) -> None:
         """A button went down."""
 
@@ -28,6 +33,12 @@ class Tool(Protocol):
 
     def double_click(self, content: EditorContent, at: QPointF) -> None:
         """The left button was pressed twice."""
+
+    def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
+        """Fill the menu of the right button there, or that of what the keys are about.
+
+        A tool that needs the button itself offers nothing.
+        """
 
     def cancel(self) -> bool:
         """Give up what has begun; whether anything had."""
