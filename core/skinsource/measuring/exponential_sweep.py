@@ -1,5 +1,7 @@
 """A sine whose frequency rises evenly over the logarithm: what actuators are measured with."""
 
+from math import floor
+
 import numpy as np
 
 from skinsource.arguments import real_number, whole_number
@@ -11,7 +13,10 @@ _FADE = 0.04
 
 
 def exponential_sweep(
-    band_hz: tuple[float, float], duration_s: float, sample_rate_hz: int
+    band_hz: tuple[float, float],
+    duration_s: float,
+    sample_rate_hz: int,
+    clock_ratio: float = 1.0,
 ) -> Floats:
     """A sweep of amplitude 1, (n_times,), that begins and ends in silence.
 
@@ -27,6 +32,9 @@ def exponential_sweep(
         From first to last sample.
     sample_rate_hz
         A whole number of hertz, more than twice the last frequency.
+    clock_ratio
+        Samples are taken by a clock that is so many times as quick as the one that plays: the
+        sweep as a device records it that has a clock of its own.
 
     Raises
     ------
@@ -43,11 +51,10 @@ def exponential_sweep(
     long_s = real_number("duration_s", duration_s, "at least two turns of the first frequency",
                          least=2.0 / first_hz)  # fmt: skip
     n = round(long_s * rate_hz)
-    time_s = np.arange(n) / rate_hz
+    # Where, in samples of the clock that plays.
+    place = np.arange(floor((n - 1) * clock_ratio) + 1) / clock_ratio
     octaves = np.log(last_hz / first_hz) / long_s
-    sweep: Floats = np.sin(2.0 * np.pi * first_hz * np.expm1(octaves * time_s) / octaves)
+    sweep: Floats = np.sin(2.0 * np.pi * first_hz * np.expm1(octaves * place / rate_hz) / octaves)
     n_fade = max(round(_FADE * n), 1)
-    fade = 0.5 - 0.5 * np.cos(np.pi * np.arange(n_fade) / n_fade)
-    sweep[:n_fade] *= fade
-    sweep[n - n_fade :] *= fade[::-1]
-    return sweep
+    inside = np.minimum(np.minimum(place, n - 1 - place) / n_fade, 1.0)
+    return sweep * (0.5 - 0.5 * np.cos(np.pi * inside))

@@ -47,10 +47,18 @@ class Bench:
         """Samples from one sweep to the next."""
         return self.sweep.size + round(_REST_S * self.rate_hz)
 
+    def sweep_by(self, clock_ratio: float) -> Floats:
+        """One period, (period,), as a clock counts it that is so many times as quick."""
+        found = np.zeros(self.period)
+        sweep = self.sweep
+        if clock_ratio != 1.0:
+            sweep = exponential_sweep(self.swept_hz, self.setup.sweep_s, self.rate_hz, clock_ratio)
+        found[: sweep.size] = sweep
+        return found
+
     def row(self, repeats: int, lead: int) -> Floats:
         """Samples that are played at a gain of 1, (n_times,)."""
-        one = np.zeros(self.period)
-        one[: self.sweep.size] = self.sweep
+        one = self.sweep_by(1.0)
         tail = np.zeros(round(LONGEST_DELAY_S * self.rate_hz))
         return np.concatenate((np.zeros(lead), np.tile(one, repeats), tail))
 

@@ -13,6 +13,8 @@ from skinsource.rigs import Rig
 
 # A phase further from what a delay explains says little; about 30 degrees.
 _DOUBTFUL_RAD = 0.5
+# What less is, a sweep hardly tells; and it turns the phase by nothing.
+_SAME_CLOCK_PPM = 0.1
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -31,9 +33,12 @@ class ChannelMeasurement:
         Points of the band that the noise covers, and that are left out.
     delay_s
         From a sample that is played to the one that is recorded of it: out of the device, through
-        actuator and sensor, and in again.
+        actuator and sensor, and in again; with two devices also when each of them began.
     delay_by_wire
         Whether a loop-back said so; else the phase did.
+    clock_ppm
+        How much quicker the clock of the inputs is than that of the outputs, in millionths; None:
+        both are one device.
     inverted
         Whether the sensor moves against the voltage.
     misfit_rad
@@ -56,6 +61,7 @@ class ChannelMeasurement:
     n_left_out: int
     delay_s: float
     delay_by_wire: bool
+    clock_ppm: float | None
     inverted: bool
     misfit_rad: float
     noise_m_per_s2: float
@@ -77,6 +83,7 @@ class ChannelMeasurement:
             f"Their standard error is {typical:.2g} % in the middle, at most {worst:.2g} %.",
             f"The delay from output to input is {self.delay_s * 1e3:.2f} ms, told from {by}; the "
             "response is without it.",
+            *self._clocks,
             f"At the input: peak {self.peak_m_per_s2:.3g} m/s² ({self.peak_input_db:z.1f} dB of "
             f"full scale), noise {self.noise_m_per_s2:.2g} m/s² RMS.".replace("-", "\u2212"),
         ]
@@ -91,6 +98,26 @@ class ChannelMeasurement:
                 "explained by neither gain nor delay. Wire a loop-back, or look at the sensor."
             )
         return tuple(told)
+
+    @property
+    def _clocks(self) -> tuple[str, ...]:
+        """What two devices make of it."""
+        ppm = self.clock_ppm
+        if ppm is None:
+            return ()
+        if abs(ppm) < _SAME_CLOCK_PPM:
+            clocks = "Their clocks agree."
+        else:
+            clocks = (
+                f"The clock of the input is {abs(ppm):.1f} millionths "
+                f"{'quicker' if ppm > 0.0 else 'slower'}, told from the sweeps; the response is "
+                "without that, too."
+            )
+        return (
+            "Output and input are two devices, which begin when they can: the delay is that of "
+            "this take alone.",
+            clocks,
+        )
 
 
 def kept(rig: Rig, measurement: ChannelMeasurement) -> Rig:

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from threading import Event
-from time import perf_counter
+from time import perf_counter, sleep
 from typing import Any
 
 import numpy as np
@@ -15,7 +15,7 @@ from skinsource.playing.deck import Deck
 from skinsource.playing.devices import Device
 from skinsource.playing.mix import Frames
 from skinsource.playing.portaudio import sound_library
-from skinsource.playing.refusals import refusal
+from skinsource.playing.refusals import refusal, refusal_to_record
 from skinsource.rig_measuring.inputs import InputDevice
 
 _BLOCK_S = 0.01
@@ -31,7 +31,7 @@ class Card:
     Attributes
     ----------
     device, inputs
-        The same sound card, or two of one kind.
+        The same, or two: each has a clock of its own then.
     n_inputs
         Inputs that are recorded, from the first.
     latency_s
@@ -43,9 +43,18 @@ class Card:
     n_inputs: int
     latency_s: float
 
+    @property
+    def two_clocks(self) -> bool:
+        """Whether it is recorded from another device than the one that is played on."""
+        return self.inputs.index != self.device.index
+
 
 class Duplex:
     """Plays a deck to its end, and records meanwhile.
+
+    One device gets one stream both ways: what is recorded stays as late as it is.  Two devices get
+    a stream each: the inputs begin first, and what they hear before the first sample is played is
+    left out, so that it is known to within a few blocks where the recording begins.
 
     Parameters
     ----------
@@ -76,23 +85,16 @@ class Duplex:
         self._deck, self._card = deck, card
         self.recorded: Frames = np.zeros((card.n_inputs, n_samples), np.float32)
         self.n_recorded = self.n_lost = 0
-        self._finished, self._called_s = Event(), perf_counter()
+        self._finished, self._begun = Event(), False
+        self._played_s = self._heard_s = perf_counter()
+        # In the order in which they begin.
+        self._streams: list[Any] = []
+        self._asks_inputs = False
         try:
-            self._stream = self._library.Stream(
-                samplerate=deck.sample_rate_hz,
-                blocksize=round(_BLOCK_S * deck.sample_rate_hz),
-                device=(card.inputs.index, card.device.index),
-                channels=(card.n_inputs, deck.n_outputs),
-                dtype="float32",
-                latency=card.latency_s,
-                # What arrives is what was sent: nothing is added, and full scale is kept before.
-                dither_off=True,
-                clip_off=True,
-                callback=self._pass,
-                finished_callback=self._finished.set,
-            )
-        except self._library.PortAudioError as error:
-            raise PlaybackError(self._refusal(error)) from error
+            self._open_two() if card.two_clocks else self._open_one()
+        except PlaybackError:
+            self._close()
+            raise
 
     def run(self, stop: Stop, told: Callable[[int], None]) -> None:
         """Play and record until the deck ends; ``told`` hears how much is recorded.
@@ -104,49 +106,140 @@ class Duplex:
         PlaybackError
             The device does not begin, or is gone before the end.
         """
-        self._called_s = perf_counter()
+        self._played_s = self._heard_s = perf_counter()
         try:
-            self._stream.start()
+            for stream in self._streams:
+                self._asks_inputs = stream is not self._streams[-1]
+                stream.start()
             while not self._finished.wait(_LOOK_S):
                 told(self.n_recorded)
                 if stop():
                     raise Stopped("Stopped; nothing was measured.")
-                if perf_counter() - self._called_s > _GONE_AFTER_S:
+                if self._gone:
                     break
-            ended = self._deck.ending is not None
+            self._hear_the_end()
         except self._library.PortAudioError as error:
             raise PlaybackError(self._refusal(error)) from error
         finally:
             self._fall_silent()
-        if not ended:
+        ending = self._deck.ending
+        if ending is None or (ending.reason == "end" and self._missing):
             raise PlaybackError(
-                f"{self._card.device.name} stopped answering while it was measured with. Connect "
-                "it again, and measure again."
+                f"{self._gone or self._card.device.name} stopped answering while it was measured "
+                "with. Connect it again, and measure again."
             )
 
+    def _open_one(self) -> None:
+        card, deck = self._card, self._deck
+        self._open(
+            self._library.Stream,
+            device=(card.inputs.index, card.device.index),
+            channels=(card.n_inputs, deck.n_outputs),
+            callback=self._pass,
+            finished_callback=self._finished.set,
+        )
+
+    def _open_two(self) -> None:
+        card, deck = self._card, self._deck
+        self._asks_inputs = True
+        self._open(
+            self._library.InputStream,
+            device=card.inputs.index,
+            channels=card.n_inputs,
+            callback=self._hear,
+        )
+        self._asks_inputs = False
+        self._open(
+            self._library.OutputStream,
+            device=card.device.index,
+            channels=deck.n_outputs,
+            callback=self._play,
+            finished_callback=self._finished.set,
+        )
+
+    def _open(self, kind: Callable[..., Any], **asked: Any) -> None:
+        """Open a stream of the library's ``kind``."""
+        rate_hz = self._deck.sample_rate_hz
+        try:
+            stream = kind(
+                samplerate=rate_hz,
+                blocksize=round(_BLOCK_S * rate_hz),
+                dtype="float32",
+                latency=self._card.latency_s,
+                # What arrives is what was sent: nothing is added, and full scale is kept before.
+                dither_off=True,
+                clip_off=True,
+                **asked,
+            )
+        except self._library.PortAudioError as error:
+            raise PlaybackError(self._refusal(error)) from error
+        self._streams.append(stream)
+
+    @property
+    def _missing(self) -> bool:
+        """Whether less was recorded than is wanted."""
+        return self.n_recorded < self.recorded.shape[1]
+
+    @property
+    def _gone(self) -> str:
+        """The device that has not answered for a while, or ""."""
+        last = min(self._played_s, self._heard_s)
+        if self._finished.is_set():
+            last = self._heard_s
+        if perf_counter() - last <= _GONE_AFTER_S:
+            return ""
+        card = self._card
+        return card.inputs.name if last == self._heard_s else card.device.name
+
+    def _hear_the_end(self) -> None:
+        """What was played last is on its way in yet, where each way has its own stream."""
+        ending = self._deck.ending
+        if ending is not None and ending.reason == "end":
+            while self._missing and not self._gone:
+                sleep(_LOOK_S)
+
     def _fall_silent(self) -> None:
-        if self._stream.active:
+        if self._streams[-1].active:
             # To close it at once would be a click.
             self._deck.stop_at_once()
             self._finished.wait(_LONGEST_WAIT_S)
-        # A device that is gone cannot be closed in order, and need not be.
-        self._stream.close(ignore_errors=True)
+        self._close()
+
+    def _close(self) -> None:
+        for stream in self._streams:
+            # A device that is gone cannot be closed in order, and need not be.
+            stream.close(ignore_errors=True)
+
+    # In the threads of the devices: nothing waits, nothing grows.
 
     def _pass(self, came: Frames, out: Frames, frames: int, times: Any, status: Any) -> None:
-        """In the thread of the device: nothing waits, nothing grows."""
-        self._called_s = perf_counter()
+        self._begun = True
+        self._hear(came, frames, times, status)
+        self._play(out, frames, times, None)
+
+    def _hear(self, came: Frames, frames: int, _times: Any, status: Any) -> None:
+        self._heard_s = perf_counter()
+        if not self._begun:
+            return
         if self.n_recorded:
-            self.n_lost += bool(status.output_underflow or status.input_overflow)
+            # A stream both ways says of both what was lost.
+            self.n_lost += bool(status.input_overflow or status.output_underflow)
         end = min(self.n_recorded + frames, self.recorded.shape[1])
         self.recorded[:, self.n_recorded : end] = came[: end - self.n_recorded].T
         self.n_recorded = end
+
+    def _play(self, out: Frames, _frames: int, _times: Any, status: Any) -> None:
+        self._played_s = perf_counter()
+        if status is not None and self._begun:
+            self.n_lost += bool(status.output_underflow)
+        self._begun = True
         next_block(self._deck, out)
         if self._deck.silent:
             raise self._library.CallbackStop
 
     def _refusal(self, error: Any) -> str:
-        deck, card = self._deck, self._card
-        words = refusal(error, card.device, deck.sample_rate_hz, deck.n_outputs)
-        if card.inputs.index != card.device.index:
-            words += f" It was to record from {card.inputs.name} at the same time."
-        return words
+        deck, card, rate_hz = self._deck, self._card, self._deck.sample_rate_hz
+        if self._asks_inputs:
+            name, prefers_hz = card.inputs.name, card.inputs.sample_rate_hz
+            return refusal_to_record(error, name, prefers_hz, rate_hz, card.n_inputs)
+        return refusal(error, card.device, rate_hz, deck.n_outputs)

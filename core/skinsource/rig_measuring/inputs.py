@@ -20,6 +20,8 @@ class InputDevice:
         As the system has them.
     n_inputs
         How many inputs it has, as it says.
+    sample_rate_hz
+        The rate that it prefers.
     is_default
         Whether it is what the system records from.
     """
@@ -28,6 +30,7 @@ class InputDevice:
     name: str
     host_api: str
     n_inputs: int
+    sample_rate_hz: int
     is_default: bool = False
 
     @property
@@ -50,6 +53,7 @@ def input_devices() -> tuple[InputDevice, ...]:
             name=one.name,
             host_api=one.host_api,
             n_inputs=one.n_channels,
+            sample_rate_hz=one.sample_rate_hz,
             is_default=one.is_default,
         )
         for one in listed("input")
@@ -62,41 +66,30 @@ def input_device_of(name: str, played_on: Device, found: Sequence[InputDevice]) 
     Parameters
     ----------
     name
-        Of it; empty: the same device, or where that has no inputs, the default one beside it.
+        Of it; empty: the same device, or where that has no inputs, the first of its host, or else
+        the one that the system records from.  A name that several hosts have is that of the same
+        host, if it can be.
 
     Raises
     ------
     PlaybackError
-        There is none at all, or not that one, or it cannot run together with the other.
+        There is none at all, or not that one.
     """
     if not found:
         raise PlaybackError(
             "No device to record from was found. Connect the sound card that the accelerometer is "
             "wired to, and measure again."
         )
-    beside = [one for one in found if one.host_api == played_on.host_api]
-    if not name:
-        own = [one for one in beside if one.index == played_on.index]
-        if not (own or beside):
-            raise PlaybackError(
-                f"{played_on.name} has no inputs, and no other device of {played_on.host_api} "
-                "has. Choose a device with inputs."
-            )
-        return (own or beside)[0]
-    named = [one for one in found if name in (one.name, one.title)]
-    both = [one for one in named if one in beside]
-    if named and not both:
-        raise PlaybackError(
-            f"{quoted(name)} is a device of {named[0].host_api}, and {played_on.name} of "
-            f"{played_on.host_api}: they cannot run together. Choose two of one kind."
-        )
+    named = [one for one in found if name in ("", one.name, one.title)]
     if not named:
         listed = ", ".join(one.name for one in found[:5])
         raise PlaybackError(
             f"The device {quoted(name)} has no inputs or is not there. Connect it, or choose "
             f"another; there {'is' if len(found) == 1 else 'are'} {listed}."
         )
-    return both[0]
+    same = [one for one in named if one.index == played_on.index]
+    beside = [one for one in named if one.host_api == played_on.host_api]
+    return (same or beside or named)[0]
 
 
 def check_inputs(device: InputDevice, *numbers: int) -> None:

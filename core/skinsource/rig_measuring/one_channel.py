@@ -13,6 +13,7 @@ from skinsource.arrays import Floats
 from skinsource.decibels import decibels
 from skinsource.errors import InvalidInputError, PlaybackError
 from skinsource.job import Progress, Stop, never, silent, stop_if
+from skinsource.measuring.clock_ratio import clock_ratio, part_from
 from skinsource.measuring.loop_delay import excess_delay
 from skinsource.measuring.repeated_sweeps import (
     AveragedResponse,
@@ -78,13 +79,15 @@ def measure(
     row, loud_db = bench.row(setup.repeats, settling), setup.level_db
     margin = _margin(bench.channel, row, bench.rate_hz, loud_db)
     quiet_db = max(loud_db - QUIETER_DB, LOWEST_DB)
-    first = bench.row(1, lead)
+    # How two clocks differ is told from one sweep to the next.
+    n_quiet = 2 if bench.card.two_clocks else 1
+    first = bench.row(n_quiet, lead)
     told = partial(_tell, progress, first.size + row.size)
     heard = _take(bench, first, quiet_db, margin, stop, partial(told, 0, "Quiet sweep"))
     noise = heard[:, settling:lead]
     _refuse_clipping(bench, heard, quiet_db)
     _refuse_what_will_clip(bench, heard, noise, quiet_db)
-    found = _found(bench, heard, noise, quiet_db, lead, 1)
+    found, _ = _found(bench, heard, noise, quiet_db, lead, n_quiet)
     if isinstance(found, AveragedResponse):
         known = replace(bench.channel, measured=_response(found))
         margin = _margin(known, row, bench.rate_hz, loud_db)
@@ -92,14 +95,14 @@ def measure(
     words = f"{setup.repeats} sweeps"
     heard = _take(bench, row, loud_db, margin, stop, partial(told, first.size, words))
     _refuse_clipping(bench, heard, loud_db)
-    found = _found(bench, heard, noise, loud_db, settling, setup.repeats)
+    found, ratio = _found(bench, heard, noise, loud_db, settling, setup.repeats)
     if isinstance(found, InvalidInputError):
         raise found
-    return _told(bench, found, heard, noise)
+    return _told(bench, found, heard, noise, ratio)
 
 
 def _told(
-    bench: Bench, found: AveragedResponse, heard: Floats, noise: Floats
+    bench: Bench, found: AveragedResponse, heard: Floats, noise: Floats, ratio: float
 ) -> ChannelMeasurement:
     """What was found, with all that says how far it can be trusted."""
     setup = bench.setup
@@ -116,6 +119,7 @@ def _told(
         n_left_out=found.n_left_out,
         delay_s=found.delay.seconds,
         delay_by_wire=setup.loopback_input > 0,
+        clock_ppm=1e6 * (ratio - 1.0) if bench.card.two_clocks else None,
         inverted=phase.inverted,
         misfit_rad=phase.misfit_rad,
         noise_m_per_s2=float(noise[setup.input_number - 1].std() * scale),
@@ -212,30 +216,33 @@ def _clips(number: int, what: str, level_db: float, advice: str) -> InvalidInput
 
 def _found(
     bench: Bench, heard: Floats, noise: Floats, level_db: float, start: int, repeats: int
-) -> AveragedResponse | InvalidInputError:
-    """The response of what was heard; the error where that is not enough."""
+) -> tuple[AveragedResponse | InvalidInputError, float]:
+    """The response of what was heard, or the error where that is not enough; and the clocks."""
     setup, latest = bench.setup, round(LONGEST_DELAY_S * bench.rate_hz)
-    sent = np.zeros(bench.period)
-    sent[: bench.sweep.size] = bench.sweep * factor_of(level_db)
+    ratio = 1.0
+    if bench.card.two_clocks:
+        # A wire says it best.
+        number = setup.loopback_input or setup.input_number
+        still = heard[number - 1] - noise[number - 1].mean()
+        ratio = clock_ratio(still, start, bench.period, repeats)
+    sent = bench.sweep_by(ratio) * factor_of(level_db)
 
     def sweeps_of(number: int, played: Floats, scale: float) -> Sweeps:
         mean = noise[number - 1].mean()
-        parts = [
-            heard[number - 1, begin : begin + bench.period + latest]
-            for begin in start + bench.period * np.arange(repeats)
-        ]
+        n = bench.period + latest
+        begins = start + bench.period * ratio * np.arange(repeats)
+        parts = [part_from(heard[number - 1] - mean, begin, n) for begin in begins]
         silence = (noise[number - 1] - mean) * scale
-        return Sweeps(played, (np.stack(parts) - mean) * scale, silence, bench.rate_hz)
+        return Sweeps(played, np.stack(parts) * scale, silence, bench.rate_hz)
 
     known = None
     try:
         own = sweeps_of(setup.input_number, sent * bench.volts, setup.m_per_s2_at_full_scale)
         if setup.loopback_input:
             known = delay_of(sweeps_of(setup.loopback_input, sent, 1.0), bench.swept_hz)
-        found = averaged_response(own, setup.band_hz, bench.swept_hz, known)
+        return averaged_response(own, setup.band_hz, bench.swept_hz, known), ratio
     except InvalidInputError as error:
-        return InvalidInputError(sentence(str(error)))
-    return found
+        return InvalidInputError(sentence(str(error))), ratio
 
 
 def _response(found: AveragedResponse) -> MeasuredResponse:

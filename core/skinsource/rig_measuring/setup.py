@@ -36,7 +36,10 @@ LOOPBACK = NumberSpec(
     hint="Wired to the output, it tells the delay; 0: none, the delay is told from the phase",
 )
 INPUT_DEVICE = TextSpec(
-    label="Input device", longest=400, one_line=True, hint="Empty: the one that is played on"
+    label="Input device",
+    longest=400,
+    one_line=True,
+    hint="Empty: the one that is played on. Another has a clock of its own, told from the sweeps",
 )
 LEVEL = NumberSpec(
     label="Level",
@@ -67,7 +70,8 @@ class MeasuringSetup:
         Inputs of the accelerometer, and of a wire from the output that is measured, from 1;
         0: there is no such wire.
     input_device
-        What is recorded from; empty: the device that is played on.
+        What is recorded from; empty: the device that is played on.  Another one, of whatever host,
+        has a clock of its own, which the sweeps tell.
     level_db
         Amplitude of the sweep, dB of full scale.
     sweep_s, repeats

@@ -23,8 +23,20 @@ RATE_HZ = 48_000
 N_OUTPUTS = 3
 #: A loop that does not come to its end in a test.
 LONG, LONG_S = 480_000, 10.0
+#: What is matched: a reference at place 7 and a test at place 3, in turn.
+MATCHED = {
+    "person": "Anna",
+    "frequencies_hz": (200.0,),
+    "places": (3,),
+    "amplitude": 0.25,
+    "duration_s": 0.1,
+    "pause_s": 0.05,
+}
+#: Samples of a reference, a pause, a test and a pause.
+CYCLE = round(0.3 * RATE_HZ)
 _SET_PIPE_SIZE = 1031
-_ALSA = Path("/usr/share/alsa/alsa.conf")
+#: What comes with ALSA.
+ALSA_SETTINGS = Path("/usr/share/alsa/alsa.conf")
 
 
 def rows(seed: int, n: int) -> np.ndarray:
@@ -39,10 +51,10 @@ def first_sounding(heard: np.ndarray) -> int:
     return int(np.flatnonzero(np.any(heard != 0.0, axis=0))[0])
 
 
-def read_heard(folder: Path) -> np.ndarray:
+def read_heard(folder: Path, n_outputs: int = N_OUTPUTS) -> np.ndarray:
     """What arrived, (n_outputs, n_times)."""
     raw = np.fromfile(folder / "heard.raw", np.float32)
-    return raw[: raw.size // N_OUTPUTS * N_OUTPUTS].reshape(-1, N_OUTPUTS).T
+    return raw[: raw.size // n_outputs * n_outputs].reshape(-1, n_outputs).T
 
 
 def skip_where_there_is_none() -> None:
@@ -53,15 +65,15 @@ def skip_where_there_is_none() -> None:
         sound_library()
     except SkinSourceError as missing:
         pytest.skip(str(missing))
-    if not _ALSA.is_file():
-        pytest.skip(f"{_ALSA} is not there: the settings of ALSA are not installed")
+    if not ALSA_SETTINGS.is_file():
+        pytest.skip(f"{ALSA_SETTINGS} is not there: the settings of ALSA are not installed")
 
 
 def configure(folder: Path, file: Path) -> None:
     """Make ``card`` the one device there is; what is played on it goes to ``file``."""
     own = folder / "asound.conf"
     own.write_text(f'pcm.card {{ type file slave.pcm {{ type null }} file "{file}" format raw }}\n')
-    os.environ["ALSA_CONFIG_PATH"] = f"{_ALSA}:{own}"
+    os.environ["ALSA_CONFIG_PATH"] = f"{ALSA_SETTINGS}:{own}"
 
 
 def configure_duplex(folder: Path, file: Path, infile: Path) -> None:
@@ -71,14 +83,17 @@ def configure_duplex(folder: Path, file: Path, infile: Path) -> None:
         f'pcm.card {{ type file slave.pcm {{ type null }} file "{file}" infile "{infile}" '
         "format raw }\n"
     )
-    os.environ["ALSA_CONFIG_PATH"] = f"{_ALSA}:{own}"
+    os.environ["ALSA_CONFIG_PATH"] = f"{ALSA_SETTINGS}:{own}"
 
 
 class PacedCard:
     """Takes samples out of a pipe as fast as they would be heard, and can be pulled out."""
 
-    def __init__(self, folder: Path, pulled_after_s: float | None = None) -> None:
+    def __init__(
+        self, folder: Path, pulled_after_s: float | None = None, n_outputs: int = N_OUTPUTS
+    ) -> None:
         self._folder, self._pulled_after_s = folder, pulled_after_s
+        self._frame = 4 * n_outputs
         os.mkfifo(folder / "pipe")
         # Open at both ends: PortAudio opens and closes the other one when it looks for devices.
         self._pipe = os.open(folder / "pipe", os.O_RDWR)
@@ -94,7 +109,7 @@ class PacedCard:
         self._thread.join(30)
 
     def _listen(self) -> None:
-        frame = 4 * N_OUTPUTS
+        frame = self._frame
         begun_s, taken = None, 0
         with (self._folder / "heard.raw").open("wb") as file:
             while True:
@@ -186,6 +201,43 @@ def pulled(folder: Path) -> dict:
     return {"done": done, "ending": stream.deck.ending}
 
 
+def matching(folder: Path) -> dict:
+    """Two presses of an arrow, while reference and test alternate; then Esc."""
+    from skinsource.matching import MatchingRun, Presenter, Procedure
+    from skinsource.playing import Output
+
+    configure(folder, folder / "pipe")
+    card = PacedCard(folder, n_outputs=2)
+    over = threading.Event()
+    presenter = Presenter(Output(device="card", outputs=((7, 2), (3, 1))), lambda _: over.set())
+    run = MatchingRun(Procedure(**MATCHED), None)
+    levels_db = [run.level_db]
+    playing = presenter.present(run.design, 0.0)
+    for _ in range(2):
+        # Until all of it was heard once, and a little of it again.
+        _wait_for(lambda: (playing.position_s() or 0.0) > 0.1)
+        at = card.frames
+        _wait_for(lambda at=at: card.frames > at + CYCLE)
+        run.step(1.0)
+        levels_db.append(run.level_db)
+        same = presenter.present(run.design, 0.0) is playing
+    at = card.frames
+    _wait_for(lambda: card.frames > at + 2 * CYCLE)
+    presenter.stop_at_once()
+    done = over.wait(30)
+    presenter.close()
+    card.close()
+    return {"done": done, "levels_db": levels_db, "same": same, "reason": presenter.reason}
+
+
+def _wait_for(condition) -> None:
+    until_s = perf_counter() + 30.0
+    while not condition():
+        if perf_counter() > until_s:
+            raise TimeoutError
+        sleep(0.002)
+
+
 if __name__ == "__main__":
-    scenes = {"once": once, "live": live, "pulled": pulled}
+    scenes = {"once": once, "live": live, "pulled": pulled, "matching": matching}
     sys.stdout.write(json.dumps(scenes[sys.argv[1]](Path(sys.argv[2]))))

@@ -1,4 +1,4 @@
-"""Measured through PortAudio, on a card that is a file."""
+"""Measured through PortAudio, on devices that are files."""
 
 import json
 import subprocess
@@ -7,17 +7,28 @@ from pathlib import Path
 
 from tests.core.playing import file_card
 
-SCRIPT = Path(__file__).with_name("file_duplex.py")
 DELAY_S = 0.0123
 
 
-def test_a_response_is_measured_through_portaudio(tmp_path):
+def seen(script: str, folder: Path) -> dict:
     file_card.skip_where_there_is_none()
     done = subprocess.run(
-        [sys.executable, str(SCRIPT), str(tmp_path)], capture_output=True, text=True, timeout=120
-    )
+        [sys.executable, str(Path(__file__).with_name(script)), str(folder)],
+        capture_output=True, text=True, timeout=120,
+    )  # fmt: skip
     assert done.returncode == 0, done.stderr
-    found = json.loads(done.stdout.splitlines()[-1])
+    return json.loads(done.stdout.splitlines()[-1])
+
+
+def test_a_response_is_measured_through_portaudio(tmp_path):
+    found = seen("file_duplex.py", tmp_path)
     assert found["off"] < 0.06
     assert abs(found["delay_s"] - DELAY_S) < 2e-5
     assert found["points"] > 230
+
+
+def test_it_is_measured_with_two_devices_whose_clocks_differ(tmp_path):
+    found = seen("file_two_devices.py", tmp_path)
+    assert found["off"] < 0.06
+    assert abs(found["clock_ppm"] - 120.0) < 0.1
+    assert "two devices" in " ".join(found["lines"])

@@ -1,0 +1,135 @@
+"""Played on one device and recorded from another, whose clock is its own."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from skinsource.errors import InvalidInputError, PlaybackError, Stopped
+from skinsource.measuring.clock_ratio import clock_ratio
+from skinsource.measuring.exponential_sweep import exponential_sweep
+from skinsource.playing import Output
+from skinsource.rig_measuring import MeasuringSetup, duplex, measure
+from skinsource.rigs import Rig, RigChannel
+from tests.core.rig_measuring.bench_top import (
+    COIL,
+    DELAY_S,
+    INPUT_VOLTS,
+    RATE_HZ,
+    SENSITIVITY,
+    VOLTS,
+    ears,
+    sensed,
+    use,
+)
+from tests.core.rig_measuring.two_cards import BEGUN_LATER, TwoCards, by_another_clock
+
+RIG = Rig(channels=(RigChannel(place=7, output=3, full_scale_v=VOLTS),))
+SETUP = MeasuringSetup(
+    sensitivity_v_per_m_per_s2=SENSITIVITY,
+    input_full_scale_v=INPUT_VOLTS,
+    level_db=-20.0,
+    sweep_s=1.5,
+    repeats=3,
+)
+HZ = np.geomspace(25.0, 800.0, 60)
+
+
+def measured(setup=SETUP, **more):
+    return measure(RIG, 7, setup, output=Output(sample_rate_hz=RATE_HZ), **more)
+
+
+def apart(found):
+    """Largest relative distance from the formula of the actuator, delay and sign included."""
+    return np.abs(found.response.response(HZ) / COIL.response(HZ) - 1.0).max()
+
+
+@pytest.fixture
+def cards(monkeypatch):
+    return use(monkeypatch, TwoCards(ears(sensed(COIL))))
+
+
+@pytest.mark.parametrize("ppm", [0.0, 83.0, -400.0])
+def test_the_response_comes_back_whatever_the_clocks_do(cards, ppm):
+    cards.ratio = 1.0 + 1e-6 * ppm
+    found = measured()
+    assert found.clock_ppm == pytest.approx(ppm, abs=0.5)
+    assert apart(found) < 0.06
+    # By the clock that records, which has run since the first sample.
+    begun_s = BEGUN_LATER / RATE_HZ + 0.205e-6 * ppm
+    assert found.delay_s == pytest.approx(DELAY_S + begun_s, abs=2e-5)
+    assert np.median(found.error) < 0.01
+    said = " ".join(found.lines)
+    assert "two devices, which begin when they can" in said
+    assert ("millionths quicker", "clocks agree", "millionths slower")[
+        1 - int(np.sign(ppm))
+    ] in said
+
+
+def test_a_wire_tells_delay_and_clocks(cards):
+    cards.paths = (ears(lambda hz: np.full(hz.size, 0.5 + 0j)), *cards.paths)
+    cards.ratio = 1.0 + 150e-6
+    found = measured(replace(SETUP, input_number=2, loopback_input=1))
+    assert found.clock_ppm == pytest.approx(150.0, abs=0.05)
+    assert apart(found) < 0.02
+
+
+def test_the_command_that_looks_for_another_device_finds_it_by_its_name(cards):
+    assert (
+        measured(replace(SETUP, input_device="Hears (Elsewhere, 2 inputs)")).clock_ppm is not None
+    )
+    with pytest.raises(PlaybackError, match="'Plays' has no inputs or is not there"):
+        measured(replace(SETUP, input_device="Plays"))
+
+
+def test_each_device_is_named_that_refuses_or_is_gone(cards, monkeypatch):
+    cards.refusal = ("Invalid sample rate", -9997)
+    with pytest.raises(PlaybackError, match="Hears does not take 8000 Hz; it prefers 44100"):
+        measured()
+    cards.refusal = ("Invalid number of channels", -9998)
+    with pytest.raises(PlaybackError, match="Hears does not take 2 inputs"):
+        measured()
+    cards.refusal = ()
+    monkeypatch.setattr(duplex, "_GONE_AFTER_S", 0.3)
+    cards.pulled_after = 40
+    with pytest.raises(PlaybackError, match="Plays stopped answering"):
+        measured()
+    cards.pulled_after, cards.deaf_after = 100_000, 200
+    with pytest.raises(PlaybackError, match="Hears stopped answering"):
+        measured()
+    assert all(one.closed.is_set() for one in cards.streams)
+
+
+def test_lost_samples_are_told_and_a_stop_is_silent(cards):
+    with pytest.raises(Stopped):
+        measured(stop=lambda: True)
+    assert all(one.closed.is_set() for one in cards.streams)
+    cards.loses_at = 150
+    with pytest.raises(PlaybackError, match="lost 1 times"):
+        measured()
+
+
+def test_a_sensor_that_hears_nothing_is_told(cards):
+    cards.paths = (np.zeros_like(cards.paths[0]),)
+    with pytest.raises(InvalidInputError, match=r"above the noise.*Is the amplifier on"):
+        measured()
+
+
+def test_a_sweep_by_another_clock_is_the_same_sweep():
+    sweep = exponential_sweep((20.0, 1500.0), 1.5, RATE_HZ)
+    there = exponential_sweep((20.0, 1500.0), 1.5, RATE_HZ, 1.0 + 700e-6)
+    exact = by_another_clock(sweep, 1.0 + 700e-6, 0.0)
+    n = min(there.size, exact.size)
+    assert there[:n] == pytest.approx(exact[:n], abs=2e-4)
+    assert abs(there.size - exact.size) <= 1
+
+
+@pytest.mark.parametrize("ppm", [-1800.0, 0.0, 37.0])
+def test_clocks_are_compared_within_noise(ppm):
+    period, ratio = 12_000, 1.0 + 1e-6 * ppm
+    sweep = np.zeros(period)
+    part = exponential_sweep((20.0, 1500.0), 1.0, RATE_HZ)
+    sweep[: part.size] = part
+    heard = by_another_clock(np.tile(sweep, 6), ratio, 40.0)
+    heard += 0.1 * np.random.default_rng(1).standard_normal(heard.size)
+    assert 1e6 * (clock_ratio(heard, 0, period, 5) - ratio) == pytest.approx(0.0, abs=0.3)

@@ -1,0 +1,147 @@
+"""Two devices that are made up: one plays, another records by a clock of its own."""
+
+import threading
+from types import SimpleNamespace
+
+import numpy as np
+import scipy
+from scipy.signal import czt
+
+from tests.core.playing.made_up_sound import CallbackStop, PortAudioError
+from tests.core.rig_measuring.bench_top import RATE_HZ
+
+#: What is played reaches the sensor's device so many of its samples later, beside the path's delay.
+BEGUN_LATER = 321.4
+_NO_TROUBLE = SimpleNamespace(output_underflow=False, input_overflow=False)
+
+
+def by_another_clock(samples, ratio, late):
+    """The same signal, by a clock ``ratio`` times as quick; its sample ``late`` is time 0.
+
+    Exactly what lies between samples: the sum of its Fourier series, by the chirp transform.
+    """
+    n = scipy.fft.next_fast_len(samples.size + 4 * round(late), real=True)
+    n += n % 2
+    series = scipy.fft.fft(samples, n)
+    low = np.concatenate((series[n // 2 + 1 :], series[: n // 2]))
+    count = int((samples.size + late) * ratio)
+    step = 2.0 * np.pi / (n * ratio)
+    wanted = czt(low, count, np.exp(1j * step), np.exp(1j * step * late))
+    place = np.arange(count) - late
+    return (wanted * np.exp(1j * step * place * (1 - n // 2))).real / n
+
+
+class _Way:
+    """One stream: opened, begun, closed."""
+
+    def __init__(self, cards, asked) -> None:
+        self.cards, self.asked, self.active = cards, asked, False
+        self.closed = threading.Event()
+        self._thread = threading.Thread(target=self._run, daemon=True)
+
+    def start(self) -> None:
+        self.active = True
+        self._thread.start()
+
+    def close(self, ignore_errors=True) -> None:
+        self.closed.set()
+        if self._thread.ident is not None:
+            self._thread.join(10)
+        self.active = False
+
+
+class _Out(_Way):
+    """Takes all that is played as quickly as it comes, and hands on what the sensor makes of it."""
+
+    def _run(self) -> None:
+        n, channels = self.asked["blocksize"], self.asked["channels"]
+        # The inputs are on since a while.
+        assert self.cards.listening.wait(10)
+        played, over = [], False
+        with self.cards.turn:
+            while not (over or self.closed.is_set() or len(played) > self.cards.pulled_after):
+                out = np.full((n, channels), np.nan, np.float32)
+                try:
+                    self.asked["callback"](out, n, None, _NO_TROUBLE)
+                except CallbackStop:
+                    over = True
+                played.append(out)
+            self.cards.hear(np.concatenate(played)[:, self.cards.output - 1].astype(float))
+        self.active = False
+        self.asked["finished_callback"]()
+
+
+class _In(_Way):
+    """Records noise, and what is heard as soon as there is something."""
+
+    def _run(self) -> None:
+        cards, n, channels = self.cards, self.asked["blocksize"], self.asked["channels"]
+        rng, heard = np.random.default_rng(len(cards.streams)), np.zeros((channels, 0))
+        for number in range(100_000):
+            if self.closed.is_set() or number > cards.deaf_after:
+                break
+            came = cards.noise * rng.standard_normal((n, channels))
+            lost = number == cards.loses_at
+            status = SimpleNamespace(input_overflow=lost, output_underflow=False)
+            with cards.turn:
+                if cards.answers is not None:
+                    heard, cards.answers = cards.answers[:channels], None
+                now, heard = heard[:, :n], heard[:, n:]
+                came[: now.shape[1], : now.shape[0]] += now.T
+                self.asked["callback"](came.astype("f4"), n, None, status)
+            cards.listening.set()
+            if not cards.began:
+                # Nothing is played yet: no need to hurry.
+                self.closed.wait(0.001)
+        self.active = False
+
+
+class TwoCards:
+    """``Plays`` has outputs; ``Hears`` has inputs and a clock ``ratio`` times as quick."""
+
+    PortAudioError, CallbackStop = PortAudioError, CallbackStop
+
+    def __init__(self, *paths, ratio=1.0, noise=1e-5, output=3) -> None:
+        self.paths, self.ratio, self.noise, self.output = paths, ratio, noise, output
+        self.pulled_after = self.deaf_after = 100_000
+        self.loses_at = -1
+        self.refusal: tuple = ()
+        self.streams: list[_Way] = []
+        self.answers, self.began, self.listening = None, False, threading.Event()
+        # Who has it goes on; the other waits.
+        self.turn = threading.Lock()
+        self.default = SimpleNamespace(device={"input": 1, "output": 0})
+
+    def hear(self, played) -> None:
+        """Make what is recorded of what was played."""
+        rows = [scipy.signal.fftconvolve(played, path) for path in self.paths]
+        self.answers = np.stack([by_another_clock(row, self.ratio, BEGUN_LATER) for row in rows])
+        self.began = True
+
+    def query_hostapis(self):
+        return tuple(
+            {"name": name, "default_output_device": 0, "default_input_device": 1}
+            for name in ("Made up", "Elsewhere")
+        )
+
+    def query_devices(self):
+        rows = (("Plays", 0, 4, 0), ("Hears", 1, 0, 2))
+        names = ("name", "hostapi", "max_output_channels", "max_input_channels")
+        return [
+            {**dict(zip(names, row, strict=True)), "default_samplerate": 44_100.0} for row in rows
+        ]
+
+    def OutputStream(self, **asked):  # as sounddevice calls it
+        return self._open(_Out, asked)
+
+    def InputStream(self, **asked):  # as sounddevice calls it
+        if self.refusal:
+            raise PortAudioError(*self.refusal)
+        assert asked["samplerate"] == RATE_HZ
+        self.answers, self.began = None, False
+        self.listening.clear()
+        return self._open(_In, asked)
+
+    def _open(self, kind, asked):
+        self.streams.append(kind(self, asked))
+        return self.streams[-1]
