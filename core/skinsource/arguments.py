@@ -156,6 +156,9 @@ def _as_floats(found: NDArray[np.generic]) -> Floats:
 
 def _single(value: object) -> float | None:
     """The number that ``value`` is, if it is one: of Python, of numpy, or an array of one."""
+    # Most are; whether something else is a real number takes far longer to find out.
+    if type(value) is float:
+        return value
     if isinstance(value, np.ndarray) and value.ndim == 0 and not np.ma.isMaskedArray(value):
         value = value[()]
     if isinstance(value, bool | np.bool_) or not isinstance(value, Real):

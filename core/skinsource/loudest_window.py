@@ -1,7 +1,7 @@
 """What a level averages over: the whole record, or its loudest window.
 
-Sums over windows are made of sums within blocks as long as a window: only numbers of zero or more
-are added, nothing is subtracted, so that quiet after a burst is as right as the burst.
+Sums over windows are made of sums over 1, 2, 4, 8, … neighbours: only numbers of zero or more are
+added, nothing is subtracted, so that quiet after a burst is as right as the burst.
 """
 
 from typing import Literal, get_args
@@ -20,6 +20,9 @@ LOUDEST_WINDOW_S = 0.1
 #: Length of the window of `skinsource.spectra.peak_hold_spectrum`: longer, as frequencies that
 #: differ by less than one over it are one.
 HOLD_WINDOW_S = 0.25
+
+# They are gone through again and again, and stay in the cache meanwhile.
+_NUMBERS_AT_ONCE = 2**13
 
 
 def check_span(span: str) -> None:
@@ -74,23 +77,32 @@ class LoudestEnergy:
             silence = np.zeros((*self.energy.shape, gap))
             self._before = np.concatenate((self._before[..., gap:], silence), axis=-1)
         squares = np.concatenate((self._before, np.square(signals)), axis=-1)
-        found = _window_sums(squares, self._n_window).max(axis=-1)
-        np.maximum(self.energy, found, out=self.energy)
+        np.maximum(self.energy, _largest_sums(squares, self._n_window), out=self.energy)
         self._before = squares[..., squares.shape[-1] - self._n_window + 1 :].copy()
         self._end = first + signals.shape[-1]
 
 
+def _largest_sums(squares: Floats, n: int) -> Floats:
+    """Largest sum of any ``n`` neighbours, (...,), of (..., n_samples)."""
+    rows = squares.reshape(-1, squares.shape[-1])
+    found = np.empty(len(rows))
+    at_once = max(_NUMBERS_AT_ONCE // rows.shape[-1], 1)
+    for low in range(0, len(rows), at_once):
+        some = slice(low, low + at_once)
+        found[some] = _window_sums(rows[some], n).max(axis=-1)
+    return found.reshape(squares.shape[:-1])
+
+
 def _window_sums(squares: Floats, n: int) -> Floats:
-    """Sum of each ``n`` neighbours, (..., n_samples - n + 1)."""
+    """Sum of each ``n`` neighbours, (n_signals, n_samples - n + 1)."""
     n_sums = squares.shape[-1] - n + 1
-    # One block more than is needed: a window lies in at most two.
-    n_blocks = -(-squares.shape[-1] // n) + 1
-    blocks = np.zeros((*squares.shape[:-1], n_blocks * n))
-    blocks[..., : squares.shape[-1]] = squares
-    blocks = blocks.reshape(*squares.shape[:-1], n_blocks, n)
-    up_to = np.cumsum(blocks, axis=-1)
-    from_on = np.cumsum(blocks[..., ::-1], axis=-1)[..., ::-1]
-    # From a place in a block to its end, and from there up to before the same place in the next.
-    sums = from_on[..., :-1, :].copy()
-    sums[..., 1:] += up_to[..., 1:, :-1]
-    return sums.reshape(*squares.shape[:-1], (n_blocks - 1) * n)[..., :n_sums]
+    sums: Floats = np.zeros((len(squares), n_sums))
+    of_width, width, summed = squares, 1, 0
+    while True:
+        if n & width:
+            sums += of_width[:, summed : summed + n_sums]
+            summed += width
+        if summed == n:
+            return sums
+        of_width = of_width[:, :-width] + of_width[:, width:]
+        width *= 2

@@ -150,7 +150,9 @@ def share_outside_band(
 
     Of the spectrum of the samples at all frequencies, not only at multiples of 1 / duration: its
     integral over the band is a sum of the autocorrelation r(l) over all lags l, times
-    (sin(2 pi high l / rate) - sin(2 pi low l / rate)) / (pi l).  No window nor padding enters.
+    (sin(2 pi high l / rate) - sin(2 pi low l / rate)) / (pi l).  No window nor padding enters.  The
+    sum is taken, by Parseval, over the transform of samples padded to twice their length, of which
+    the squares are the transform of r.
 
     Parameters
     ----------
@@ -177,20 +179,29 @@ def share_outside_band(
         return 0.0
     data, _ = _scaled(data)
     low, high = np.minimum(edges_hz, rate / 2).tolist()
+    outside, whole = (_known_shares if data.size <= _SHORT else _shares)(low, high, data.size, rate)
     # Of numpy: the editor of a clip asks before anything else of scipy.fft has been imported.
-    n = _length(2 * data.size)
-    spectrum = np.fft.rfft(data, n)
-    correlation = np.fft.irfft(spectrum.real**2 + spectrum.imag**2, n)[: data.size]
-    weights = (_known_weights if data.size <= _SHORT else _weights)(low, high, data.size, rate)
-    inside = (high - low) / rate + correlation[1:] @ weights / correlation[0]
-    return min(max(1.0 - 2.0 * float(inside), 0.0), 1.0)
+    spectrum = np.fft.rfft(data, _length(2 * data.size))
+    power = spectrum.real**2 + spectrum.imag**2
+    return min(max(float(power @ outside) / float(power @ whole), 0.0), 1.0)
 
 
-def _weights(low_hz: float, high_hz: float, n_times: int, rate_hz: float) -> Floats:
-    """Of the autocorrelation at lags from 1 on, (n_times - 1,), in `share_outside_band`."""
+def _shares(low_hz: float, high_hz: float, n_times: int, rate_hz: float) -> tuple[Floats, Floats]:
+    """How much of the power at each frequency of `share_outside_band` lies outside, and in all.
+
+    (n_bins,) each, for ``n_times`` samples padded with as many zeros or more.
+    """
+    n = _length(2 * n_times)
+    of_lags = np.zeros(n)
+    of_lags[0] = (high_hz - low_hz) / rate_hz
     edges = np.sin(2.0 * np.pi * turns(high_hz, n_times, rate_hz)[1:])
     edges -= np.sin(2.0 * np.pi * turns(low_hz, n_times, rate_hz)[1:])
-    return edges / (np.pi * np.arange(1, n_times))
+    # Half: each lag stands here in both directions.
+    of_lags[1:n_times] = edges / (2.0 * np.pi * np.arange(1, n_times))
+    of_lags[n - n_times + 1 :] = of_lags[n_times - 1 : 0 : -1]
+    whole = np.ones(n // 2 + 1)
+    whole[1 : (n + 1) // 2] = 2.0
+    return whole * (1.0 - 2.0 * np.fft.rfft(of_lags).real), whole
 
 
 def _length(n: int) -> int:
@@ -201,7 +212,7 @@ def _length(n: int) -> int:
 
 # Asked for again and again for stimuli of one length; short ones, so that little is held.
 _SHORT = 2**14
-_known_weights = lru_cache(maxsize=8)(_weights)
+_known_shares = lru_cache(maxsize=8)(_shares)
 
 
 def _scaled(data: Floats) -> tuple[Floats, Floats]:

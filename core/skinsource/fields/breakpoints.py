@@ -87,7 +87,7 @@ class BreakpointsSpec(Spec):
             raise Misfit(expected)
         # While one of many points is dragged, the others are those that were checked before.
         before = _checked.get(self, ())
-        known = before if len(before) == len(value) else (None,) * len(value)
+        known = before if len(before) == len(value) else (_NO_POINT,) * len(value)
         try:
             points = tuple(
                 point if point is same or self._is_kept(point) else self._point(point, expected)
@@ -154,6 +154,8 @@ class BreakpointsSpec(Spec):
 # the place of one in memory.
 _checked: "dict[BreakpointsSpec, tuple[Breakpoint, ...]]" = {}
 _MOST_CHECKED = 16
+# In the place of a point that was checked: none is the same, not even None.
+_NO_POINT = object()
 
 
 @lru_cache(maxsize=64)

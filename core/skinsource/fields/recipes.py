@@ -2,6 +2,7 @@
 
 import dataclasses
 from collections.abc import Callable
+from contextlib import suppress
 from functools import lru_cache
 from typing import Any
 
@@ -41,13 +42,16 @@ def check(recipe: Any) -> None:
     Values are kept in one form (plain ``float``, ``int``, ``bool``), so that equal recipes are
     equal and files hold what memory holds.
     """
-    for name, spec in _specs(type(recipe)):
+    kind: type = type(recipe)
+    for name, spec, default in _specs_and_defaults(kind):
         value = getattr(recipe, name)
+        if value is default:
+            continue
         try:
             kept = spec.checked(value)
         except Misfit as misfit:
             raise InvalidInputError(
-                f"{type(recipe).__name__}.{name} is {quoted(value)}, expected {misfit}"
+                f"{kind.__name__}.{name} is {quoted(value)}, expected {misfit}"
             ) from None
         if kept is not value:
             object.__setattr__(recipe, name, kept)
@@ -136,6 +140,25 @@ def _both(kind: type) -> tuple[_Specs, _Specs]:
         if "spec" in field.metadata
     )
     return specs, tuple(pair for pair in specs if pair[1].nests)
+
+
+@lru_cache(_MOST_KINDS)
+def _specs_and_defaults(kind: type) -> tuple[tuple[str, Spec, Any], ...]:
+    """Specifications of all fields, each with the default that needs no check any more.
+
+    That is no value of any recipe where there is none.
+    """
+    defaults = {field.name: field.default for field in dataclasses.fields(kind)}
+    return tuple((name, spec, _sound(spec, defaults[name])) for name, spec in _specs(kind))
+
+
+def _sound(spec: Spec, default: Any) -> Any:
+    """The default if it is kept as it is."""
+    if default is not dataclasses.MISSING:
+        with suppress(Misfit):
+            if spec.checked(default) is default:
+                return default
+    return dataclasses.MISSING
 
 
 def _required(kind: type) -> tuple[str, ...]:

@@ -132,7 +132,7 @@ def _parts_of(n_outputs: int) -> list[slice]:
 def same(left: tuple[Placed, ...], right: tuple[Placed, ...]) -> bool:
     """Whether inputs play the same, at the same place and time and as strong."""
     return len(left) == len(right) and all(
-        a.drive is b.drive and a.start == b.start and a.voice == b.voice
+        a is b or (a.drive is b.drive and a.start == b.start and a.voice == b.voice)
         for a, b in zip(left, right, strict=True)
     )
 

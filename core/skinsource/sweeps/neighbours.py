@@ -63,6 +63,7 @@ class Together:
         self._preparing = preparing
         self._common = Common()
         self._common_now: Complexes | None = None
+        self._common_moments: Moments | None = None
         self._responses: Responses | None = None
         self._products: Products | None = None
 
@@ -116,7 +117,7 @@ class Together:
             self._products = Products(
                 responses.n_fft or 0, responses.limb.n_axes, products=products
             )
-            self._common_now = None
+            self._common_now = self._common_moments = None
 
     def _vibrations(
         self, sources: "list[_Source]", n_stimuli: int, n_fft: int
@@ -133,7 +134,10 @@ class Together:
         first = np.zeros((n_stimuli, len(values), n_axes))
         for one in sources:
             if one.drives is None:
-                alone = moments_of(one.values, n_fft, products=len(made.pairs) > n_axes)
+                alone = self._common_moments
+                if alone is None:
+                    alone = moments_of(one.values, n_fft, products=len(made.pairs) > n_axes)
+                    self._common_moments = alone
                 second = np.stack([alone.second[:, a, b] for a, b in made.pairs])[None]
                 first += alone.first
             else:
@@ -159,7 +163,7 @@ class Together:
         keys += [(a.key, b.key) for a, b in combinations(sources, 2)]
         if common is not self._common_now:
             keys = [key for key in keys if not isinstance(key, tuple) or key[0] != _ALL_COMMON]
-            self._common_now = common
+            self._common_now, self._common_moments = common, None
         made.forget_all_but(keys)
 
 

@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from skinsource.chain import refuse_unfollowed
-from skinsource.design import Design
+from skinsource.chain import Actuation, refuse_unfollowed
+from skinsource.design import Design, Input, audible_indices
 from skinsource.job import Stop, stop_if
 from skinsource.limb import Limb
 from skinsource.quantities import voices
@@ -28,17 +28,15 @@ class Prepared:
         Inputs that are heard, with what they play, in their order.
     n_taps
         Samples of a response of the limb itself, without what actuators ring.
+    stimulus_samples
+        Samples from time 0 to the end of the last drive; 1 where nothing is heard.
     """
 
     design: Design
     limb: Limb
     placed: tuple[Placed, ...]
     n_taps: int
-
-    @property
-    def stimulus_samples(self) -> int:
-        """Samples from time 0 to the end of the last drive; 1 where nothing is heard."""
-        return max([1, *(one.end for one in self.placed)])
+    stimulus_samples: int
 
     @property
     def response_samples(self) -> int:
@@ -65,6 +63,20 @@ class Prepared:
         )
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Known:
+    """What an input plays at a rate, and through which actuators it was found to be possible."""
+
+    input: Input
+    rate_hz: float
+    actuation: Actuation | None
+    placed: Placed
+
+    def holds_for(self, one: Input, rate_hz: float, actuation: Actuation | None) -> bool:
+        """Whether it is what ``one`` plays."""
+        return self.input is one and self.rate_hz == rate_hz and self.actuation == actuation
+
+
 class Preparing:
     """Prepares stimuli; remembers what they have in common.
 
@@ -78,6 +90,8 @@ class Preparing:
         self._shared = shared
         # Nobody else keeps the responses that were read of it.
         self._latest: Limb | None = None
+        # Of the latest design, by id: neighbours share the inputs that do not vary.
+        self._known: dict[int, _Known] = {}
 
     @property
     def _remembered(self) -> Remembered:
@@ -96,14 +110,26 @@ class Preparing:
         limb = self._shared.limb_of(design.limb, design.limb_digest)
         rate_hz, n_taps = limb.sample_rate_hz, limb.n_taps
         limb = self._latest = self._shared.driven_limb(limb, design.actuated, design.scaling)
-        found = []
-        for one in voices(self._remembered, design.inputs, rate_hz):
-            if one.heard:
+        known = {}
+        for index in audible_indices(design.inputs):
+            one = design.inputs[index]
+            before = self._known.get(one.id)
+            if before is None or not before.holds_for(one, rate_hz, design.actuated):
                 stop_if(stop)
-                drive = self._remembered.drives.drawn(one.unit, rate_hz)
-                refuse_unfollowed(design.actuated, drive, rate_hz, one.location)
-                found.append(Placed(one, drive, one.start))
-        return Prepared(design, limb, tuple(found), n_taps)
+                placed = self._placed(one, rate_hz, design.actuated)
+                before = _Known(one, rate_hz, design.actuated, placed)
+            known[one.id] = before
+        self._known = known
+        found = tuple(one.placed for one in known.values())
+        end = max([1, *(one.end for one in found)])
+        return Prepared(design, limb, found, n_taps, end)
+
+    def _placed(self, one: Input, rate_hz: float, actuation: Actuation | None) -> Placed:
+        """An input that is heard, with what it plays."""
+        (voice,) = voices(self._remembered, (one,), rate_hz)
+        drive = self._remembered.drives.drawn(voice.unit, rate_hz)
+        refuse_unfollowed(actuation, drive, rate_hz, voice.location)
+        return Placed(voice, drive, voice.start)
 
     def responses(self, one: Prepared, n_fft: int | None) -> Responses:
         """Responses of its limb at the length ``n_fft``."""

@@ -86,7 +86,7 @@ def seen_alone(plan: Plan, field: Field, one: Prepared, extents: Extents, stop: 
     outputs = looked_at(rms, plan)
     rows = np.array(outputs) - 1
     spectra = spectrum.rows(rows, projection.axis_numbers)
-    signals = projection.at(rows).signals(inverse_here(spectra, spectrum.n_fft))
+    signals = _signals(projection.at(rows), spectra, spectrum.n_fft)
     windows = windows_of(signals[..., :n_times], limb.sample_rate_hz)
     level = None
     if plan.level_db is not None:
@@ -116,9 +116,8 @@ def seen_together(
     rows = np.repeat(np.arange(n_stimuli), [len(one) for one in looked])
     outputs = np.array([number - 1 for one in looked for number in one])
     spectra = vibrations.rows(rows, outputs, projection.axis_numbers)
-    traces = inverse_here(spectra, vibrations.n_fft)[..., : max(n_times)]
-    signals = projection.at(rows * n_outputs + outputs).signals(traces)
-    windows = iter(windows_of(signals, limb.sample_rate_hz))
+    signals = _signals(projection.at(rows * n_outputs + outputs), spectra, vibrations.n_fft)
+    windows = iter(windows_of(signals[..., : max(n_times)], limb.sample_rate_hz))
     reach = extents.of(list(rms), stimuli)
     found = []
     for which, (one, numbers) in enumerate(zip(stimuli, looked, strict=True)):
@@ -130,6 +129,14 @@ def seen_together(
         of_outputs = {number: next(windows) for number in numbers}
         found.append(Seen(rms[which], of_outputs, level, reach[which]))
     return found
+
+
+def _signals(projection: Projection, spectra: Complexes, n_fft: int) -> Floats:
+    """Projected signals, (n, n_fft), by the spectra of their axes, (n, n_axes, n_bins)."""
+    if projection.directions is None:
+        return projection.signals(inverse_here(spectra, n_fft))
+    # One transform each, not one for each axis.
+    return inverse_here(projection.spectra(spectra), n_fft)
 
 
 def _projected(
@@ -199,10 +206,7 @@ def _loudest_window(
         outputs = order[first : first + _AT_ONCE]
         if energy[outputs[0]] * _ROUNDING < highest:
             break
-        here, spectra = projection.at(outputs), rows(outputs, projection.axis_numbers)
-        if here.directions is None:
-            signals = here.signals(inverse_here(spectra, n_fft))
-        else:
-            signals = inverse_here(here.spectra(spectra), n_fft)
+        spectra = rows(outputs, projection.axis_numbers)
+        signals = _signals(projection.at(outputs), spectra, n_fft)
         highest = max(highest, float(loudest_energy(signals, n_window).max()))
     return float(np.sqrt(highest / n_window))

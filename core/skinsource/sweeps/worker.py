@@ -5,6 +5,7 @@ by one line for each number, ``{"stimulus": number, "metrics": {…}}`` or, inst
 ``"error": sentence``.  It ends when its input does.
 """
 
+import gc
 import json
 import os
 import sys
@@ -20,6 +21,8 @@ def main() -> None:
     """Answer requests until there are no more."""
     answers = _own_output()
     keep_freed_memory()
+    # Modules stay: to look through them for what can be freed takes as long as a hundred stimuli.
+    gc.freeze()
     measurer: Measurer | None = None
     for line in sys.stdin.buffer:
         request = json.loads(line)

@@ -215,6 +215,10 @@ def test_an_actuator_that_cannot_be_is_a_row_that_says_why():
     table = ss.sweep(tap, {"actuator": names})
     assert "no-such-one" in table.failed[1]
     assert "velocity" in table.failed[2]
+    # What the contactor does, no actuator does: the same input is refused behind one alone.
+    through = ss.sweep([tap, replace(tap, actuation=actuation(names[1]))])
+    assert list(through.failed) == [2]
+    assert "velocity" in through.failed[2]
     assert "expected a name" in ss.sweep(tap, {"actuator": [3]}).failed[1]
     upstream = ss.Design(limb="synthetic-1", inputs=DESIGN.inputs, scaling="relative")
     assert "Probe acceleration" in ss.sweep(upstream, {"actuator": names[1:]}).failed[1]
