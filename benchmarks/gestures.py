@@ -5,7 +5,8 @@ editor or, while a clip is dragged, the timeline in its place.  Each move of the
 everything that it changes is computed and painted: own waveform, spectrum with its share outside
 the band, level, and every panel.  What is promised are frames per second of processor time, of all
 threads: what other programs take of a busy machine is not counted.  Frames per second by the clock
-are printed beside.
+are printed beside.  Then the point of the envelope again, moved sixty times a second as by a hand
+and waited for by nobody: how often the editor paints it, and how often every panel follows.
 
     python benchmarks/gestures.py
 """
@@ -21,7 +22,7 @@ from time import perf_counter, process_time
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtCore import QEvent, QEventLoop, QObject, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication, QWidget
 from yardstick import Beside, computing_and_painting
@@ -41,10 +42,12 @@ from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
 
 RATE_HZ, STEPS, POINTS = 1300.0, 60, 150
+HAND_HZ, FREE_STEPS = 60.0, 180
 #: Frames per second.
 PROMISED_DRAWING, PROMISED_ENVELOPE = 30.0, 60.0
 _LEFT, _NONE = Qt.MouseButton.LeftButton, Qt.MouseButton.NoButton
-_ALT = Qt.KeyboardModifier.AltModifier
+_ALT, _BARE = Qt.KeyboardModifier.AltModifier, Qt.KeyboardModifier.NoModifier
+_ALL = QEventLoop.ProcessEventsFlag.AllEvents
 _PRESS, _MOVE, _RELEASE = (
     QEvent.Type.MouseButtonPress,
     QEvent.Type.MouseMove,
@@ -68,6 +71,20 @@ def scene() -> Design:
     return Design(limb=default_limb(), inputs=tuple(tracks))
 
 
+class PaintCounter(QObject):
+    """Counts the moves that a widget was painted after, once each."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.moves, self.waiting = 0, False
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Note the first painting after a move."""
+        if event.type() == QEvent.Type.Paint and self.waiting:
+            self.moves, self.waiting = self.moves + 1, False
+        return super().eventFilter(watched, event)
+
+
 class Hand:
     """Moves the mouse over a widget of a window, and counts what that costs."""
 
@@ -89,11 +106,32 @@ class Hand:
         self._settle()
         return 1 / median(processor_s), 1 / median(clock_s)
 
+    def drag_freely(self, place: Place) -> tuple[float, float]:
+        """Move sixty times a second; how often it was painted, and results with it, per second."""
+        painted, delivered = PaintCounter(), []
+        note = self._window.conductor.delivered.connect(delivered.append)
+        self._send(_PRESS, place(0.0))
+        self._settle()
+        self._widget.installEventFilter(painted)
+        delivered.clear()
+        began = perf_counter()
+        for step in range(1, FREE_STEPS + 1):
+            painted.waiting = True
+            self._send(_MOVE, place(step / FREE_STEPS))
+            while perf_counter() < began + step / HAND_HZ:
+                QApplication.processEvents(_ALL, 1)
+        seconds = perf_counter() - began
+        self._widget.removeEventFilter(painted)
+        self._window.conductor.delivered.disconnect(note)
+        self._send(_RELEASE, place(1.0))
+        self._settle()
+        return painted.moves / seconds, len(delivered) / seconds
+
     def _settle(self) -> None:
         self._window.catch_up()
         QApplication.processEvents()
 
-    def _send(self, kind: QEvent.Type, at: QPointF, held: Qt.KeyboardModifier) -> None:
+    def _send(self, kind: QEvent.Type, at: QPointF, held: Qt.KeyboardModifier = _BARE) -> None:
         button = _NONE if kind == _MOVE else _LEFT
         buttons = _NONE if kind == _RELEASE else _LEFT
         everywhere = QPointF(self._widget.mapToGlobal(at))
@@ -164,9 +202,13 @@ def envelope(window: MainWindow) -> bool:
     def place(share: float) -> QPointF:
         return editor.content.at(time_s, value + 0.3 * float(np.sin(6 * share)))
 
-    drag = Hand(window, editor.viewport()).drag(place, Qt.KeyboardModifier.NoModifier)
+    hand = Hand(window, editor.viewport())
+    drag = hand.drag(place, _BARE)
     moved = window.document.design.clip(2).effects[0] != effect
-    return report(f"envelope of {POINTS} points", drag, PROMISED_ENVELOPE) and moved
+    kept = report(f"envelope of {POINTS} points", drag, PROMISED_ENVELOPE)
+    shown, followed = hand.drag_freely(place)
+    print(f"moved {HAND_HZ:g} times a second: {shown:.1f} painted, {followed:.1f} computed")
+    return kept and moved
 
 
 def in_sight(window: MainWindow, name: str) -> None:

@@ -2,7 +2,8 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QRectF, QSize, Qt
+import numpy as np
+from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QImage, QPainter
 
 
@@ -45,7 +46,12 @@ class KeptPicture:
 
     def __init__(self) -> None:
         self._key: tuple[object, ...] = ()
-        self._image = QImage()
+        self._image, self._at = QImage(), QPointF()
+
+    @property
+    def kept_px(self) -> int:
+        """How many pixels are painted each time."""
+        return self._image.width() * self._image.height()
 
     def paint(
         self,
@@ -73,7 +79,8 @@ class KeptPicture:
         ratio, font = painter.device().devicePixelRatioF(), painter.font()
         key = (*depends_on, room, ratio, font, ground)
         if key != self._key:
-            self._key, self._image = key, _blank((room.size() * ratio).toSize(), ground)
+            self._key, self._at = key, QPointF()
+            self._image = _blank((room.size() * ratio).toSize(), ground)
             self._image.setDevicePixelRatio(ratio)
             on_image = QPainter(self._image)
             on_image.setRenderHints(painter.renderHints())
@@ -81,7 +88,26 @@ class KeptPicture:
             on_image.translate(-room.topLeft())
             paint_anew(on_image)
             on_image.end()
-        painter.drawImage(room.topLeft(), self._image)
+            if ground is None:
+                self._crop(ratio)
+        if not self._image.isNull():
+            painter.drawImage(room.topLeft() + self._at, self._image)
+
+    def _crop(self, ratio: float) -> None:
+        """Keep no more than what is painted: what is transparent costs as much as what is not."""
+        painted = _painted(self._image)
+        self._at = QPointF(painted.x() / ratio, painted.y() / ratio)
+        self._image = self._image.copy(painted) if painted.isValid() else QImage()
+
+
+def _painted(image: QImage) -> QRect:
+    """The smallest part that holds all that is not transparent; not valid where there is none."""
+    pixels = np.frombuffer(image.constBits(), np.uint32).reshape(image.height(), -1)
+    rows, columns = np.flatnonzero(pixels.any(axis=1)), np.flatnonzero(pixels.any(axis=0))
+    if not rows.size:
+        return QRect()
+    left, top = int(columns[0]), int(rows[0])
+    return QRect(left, top, int(columns[-1]) - left + 1, int(rows[-1]) - top + 1)
 
 
 def _blank(size: QSize, ground: QColor | None) -> QImage:

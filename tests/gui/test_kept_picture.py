@@ -1,3 +1,4 @@
+import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QImage, QPainter
 
@@ -24,20 +25,41 @@ class Dot:
         painter.fillRect(QRectF(4, 4, 2, 2), QColor(self.colour))
 
 
-def show(kept, dot, key=(), ground=None, ratio=1.0):
+def show(kept, dot, key=(), ground=None, ratio=1.0, room=ROOM):
     image = sheet(ratio)
     painter = QPainter(image)
-    kept.paint(painter, ROOM, key, dot.paint, ground)
+    kept.paint(painter, room, key, dot.paint, ground)
     painter.end()
     return image
 
 
-def test_a_kept_picture_looks_as_if_it_were_painted_directly(qapp):
-    direct = sheet()
+class Nothing(Dot):
+    """Paints nothing."""
+
+    def paint(self, painter):
+        self.times += 1
+
+
+@pytest.mark.parametrize("ratio", [1.0, 2.0])
+@pytest.mark.parametrize("room", [ROOM, QRectF(0, 0, 12, 12), QRectF(4, 4, 2, 2)])
+@pytest.mark.parametrize("kind", [Dot, Nothing])
+def test_a_kept_picture_looks_as_if_it_were_painted_directly(qapp, kind, room, ratio):
+    direct, kept = sheet(ratio), KeptPicture()
     painter = QPainter(direct)
-    Dot().paint(painter)
+    kind().paint(painter)
     painter.end()
-    assert show(KeptPicture(), Dot()) == direct
+    for _ in range(2):
+        assert show(kept, kind(), room=room, ratio=ratio) == direct
+
+
+def test_no_more_of_it_is_kept_than_what_is_painted(qapp):
+    kept = KeptPicture()
+    show(kept, Dot(), ratio=2.0)
+    assert kept.kept_px == 16
+    show(kept, Nothing(), ("other",))
+    assert kept.kept_px == 0
+    show(kept, Dot(), ground=QColor("blue"))
+    assert kept.kept_px == 48
 
 
 def test_it_is_painted_once_until_what_it_depends_on_changes(qapp):
