@@ -37,6 +37,7 @@ class FigurePanel(Panel):
         self.setMinimumSize(240, 160)
         self.setFocusProxy(figure)
         self._found = ""
+        self._copy: CopyButton | None = None
         self.words = WordsLabel(f"{self.name}_words")
         self.choices = QHBoxLayout()
         self.choices.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
@@ -66,9 +67,16 @@ class FigurePanel(Panel):
 
     def add_copy(self, table: Callable[[], str]) -> CopyButton:
         """Return a new button that copies what ``table`` gives, at the right end of the choices."""
-        button = CopyButton(self.name, table, self)
-        self.choices.addWidget(button)
-        return button
+        self._copy = CopyButton(self.name, table, self)
+        self.choices.addWidget(self._copy)
+        return self._copy
+
+    def say_instead(self, message: str) -> None:
+        """Say why there is no figure."""
+        self.figure.say(message)
+        self.show_found("")
+        if self._copy is not None:
+            self._copy.setEnabled(False)
 
     def await_results(self) -> None:
         """Ask for nothing any more while what was asked for is computed."""
@@ -90,8 +98,7 @@ class FigurePanel(Panel):
         self.figure.set_stale(stale)
 
     def show_problem(self, reason: str) -> None:
-        self.figure.say(reason)
-        self.show_found("")
+        self.say_instead(reason)
 
     def show_theme(self, theme: Theme) -> None:
         self.figure.show_theme(theme)

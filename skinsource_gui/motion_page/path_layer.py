@@ -46,7 +46,7 @@ class PathLayer(QWidget):
 
     @property
     def _places(self) -> HandLayout:
-        return self._hand.hand
+        return self._hand.stage.layout
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)

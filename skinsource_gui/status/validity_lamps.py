@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from skinsource.validity import Finding, Findings
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, scaled
+from skinsource_gui.widgets.focus_frame import paint_focus_frame
 from skinsource_gui.widgets.lateness import Lateness
 
 #: What lamps are called; the limb has words of its own beside them.
@@ -112,9 +113,7 @@ class ValidityLamps(QWidget):
         for finding, place in self._places():
             self._paint_lamp(painter, finding, place)
         if self.hasFocus():
-            painter.setPen(QPen(QColor(self._theme.accent), 1))
-            painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.drawRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5))
+            paint_focus_frame(painter, QRectF(self.rect()), self._theme)
         painter.end()
 
     def _paint_lamp(self, painter: QPainter, finding: Finding, place: QRectF) -> None:

@@ -13,6 +13,8 @@ from skinsource_gui.widgets.into_sight import areas_around
 NOTCH = 120.0
 #: How many times larger a plot or a map becomes with each notch.
 ZOOM_PER_NOTCH = 1.2
+#: How far each notch goes along an axis, as a part of what is shown.
+PAN_PER_NOTCH = 0.1
 #: After a pause so long the wheel begins anew, s.
 PAUSE_S = 0.5
 # A hand that turns the wheel moves the pointer a little.

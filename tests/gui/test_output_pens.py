@@ -10,7 +10,8 @@ from skinsource_gui.theme import THEMES
 from skinsource_gui.widgets.plot.curve import SignalCurve
 from skinsource_gui.widgets.plot.curve_points import CurvePoints
 from skinsource_gui.widgets.plot.curves import output_names
-from skinsource_gui.widgets.plot.legend_strip import LegendStrip, LegendText
+from skinsource_gui.widgets.plot.legend.legend_strip import LegendStrip
+from skinsource_gui.widgets.plot.legend.legend_text import LegendText
 
 
 def inked(picture, theme, rank):

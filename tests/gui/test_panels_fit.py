@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 from skinsource_gui.panels.transfer.panel import _usable_words
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 from skinsource_gui.widgets.name_column import SHORT_NAME
-from skinsource_gui.widgets.plot.legend_strip import LegendStrip
+from skinsource_gui.widgets.plot.legend.legend_strip import LegendStrip
 
 WIDTHS = (300, 420, 680)
 OUTPUTS = (29, 30, 33, 35, 38, 52)
@@ -62,8 +62,8 @@ def cut_words(panel):
                 found.append(one.text())
         elif isinstance(one, QTableView):
             found += cut_cells(one)
-        elif isinstance(one, LegendStrip) and one._named:
-            x, line = one._lines(one.fontMetrics())[-1]
+        elif isinstance(one, LegendStrip) and one.text.named:
+            x, line = one.layout_of_words.lines()[-1]
             if one.height() < (line + 1) * one.fontMetrics().height() or x > one.width():
                 found.append(one.text.lines())
     return found

@@ -10,7 +10,7 @@ from skinsource_gui.panels.inspector.input_heading import InputHeading
 from skinsource_gui.shell.screen_fit import ScreenFit, fitted
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.status.limb_note import LimbNote
-from skinsource_gui.widgets.plot.legend_strip import LegendStrip
+from skinsource_gui.widgets.plot.legend.legend_strip import LegendStrip
 
 FRAMES = [QMargins(1, 24, 1, 5), QMargins(8, 31, 8, 8), QMargins(0, 37, 0, 0)]
 #: Screens in logical pixels: 1366x768, 1080p at scale 1, 1.5 and 2.

@@ -7,10 +7,11 @@ from skinsource import edits
 from skinsource.arrays import Floats
 from skinsource.clips import Clip
 from skinsource.design import Design
-from skinsource.edits import Edit, Refusal
+from skinsource.edits import Refusal
 from skinsource.quoting import sentence
 from skinsource.view import View
 from skinsource.waveforms import Drawn, Waveform
+from skinsource_gui.panels.clip_editor.drag_start import DragStart
 from skinsource_gui.panels.clip_editor.tools.pen import Pen
 from skinsource_gui.widgets.inputs.input_words import figure_text
 
@@ -35,8 +36,7 @@ class Drawing(QWidget):
         self._rate_hz = 1.0
         # By identity: another design has clips of the same numbers.
         self._allowed: Waveform | None = None
-        # Number of the stroke, and what there was before it.
-        self._before: tuple[int, Design, View] | None = None
+        self._start = DragStart()
         self.pen.drawn.connect(self._draw)
         self.pen.given_up.connect(self._give_up)
         self.pen.refused.connect(self._refuse)
@@ -73,16 +73,15 @@ class Drawing(QWidget):
     def _draw(self, samples: Floats, stroke: int) -> None:
         if self._clip is None:
             return
-        if self._before is None or self._before[0] != stroke:
-            self._before = (stroke, self._design, self._view)
+        self._start.note(stroke, self._design, self._view)
         id = self._clip.id
         outcome = edits.draw_clip(self._design, self._view, id, samples, self._rate_hz)
         self.edited.emit(outcome, stroke)
 
     def _give_up(self, stroke: int) -> None:
-        if self._before is not None and self._before[0] == stroke:
-            _, design, view = self._before
-            self.edited.emit(Edit(label="", design=design, view=view), stroke)
+        back = self._start.way_back(stroke)
+        if back is not None:
+            self.edited.emit(back, stroke)
 
     def _refuse(self, why: str) -> None:
         self.edited.emit(Refusal(sentence=sentence(why)), None)

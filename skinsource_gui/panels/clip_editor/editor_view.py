@@ -13,14 +13,13 @@ from skinsource_gui.panels.clip_editor.tools.tool import Tool
 from skinsource_gui.theme import Theme, scaled, tabular
 from skinsource_gui.widgets.plot.canvas import Canvas
 from skinsource_gui.widgets.time.time_scale import Range, TimeScale, panned, within, zoomed
-from skinsource_gui.widgets.wheel import NOTCH, ZOOM_PER_NOTCH
+from skinsource_gui.widgets.time.time_wheel import range_by_wheel
 
 _TEXT = 0.9
 _LEFT_PX, _RIGHT_PX, _TOP_PX, _BOTTOM_PX = 40.0, 10.0, 6.0, 20.0
 # Behind the end there is room to draw on.
 _BEHIND = 0.06
 _LEAST_S = 0.01
-_PAN_PART = 0.1
 
 
 class EditorView(Canvas):
@@ -146,17 +145,8 @@ class EditorView(Canvas):
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.accept()
-        content = self.content
-        if content is None:
-            return
-        turns, shown = event.angleDelta(), content.scale.shown_s
-        if event.modifiers() & Qt.KeyboardModifier.ShiftModifier or turns.x():
-            notches = (turns.x() or turns.y()) / NOTCH
-            self.pan(-notches * _PAN_PART * (shown[1] - shown[0]))
-        else:
-            anchor_s = content.scale.time(event.position().x())
-            factor = ZOOM_PER_NOTCH ** (turns.y() / NOTCH)
-            self._see(zoomed(shown, anchor_s, factor, self._whole_s))
+        if self.content is not None:
+            self._see(range_by_wheel(event, self.content.scale, self._whole_s))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self.cancel():

@@ -6,12 +6,12 @@ from PySide6.QtGui import QKeyEvent
 from skinsource import edits
 from skinsource.clips import Clip
 from skinsource.design import Design
-from skinsource.edits import Edit
 from skinsource.effects.breakpoints import Points
 from skinsource.own_limbs import facts_of
 from skinsource.synthesis.glide_curves import Column, Curve, bends_of, curve_of
 from skinsource.view import View
 from skinsource.waveforms import Glide
+from skinsource_gui.panels.clip_editor.drag_start import DragStart
 from skinsource_gui.panels.clip_editor.tools.adding import add_point
 from skinsource_gui.panels.clip_editor.tools.glide import GlideTool
 from skinsource_gui.widgets.fields.burst import Burst
@@ -44,8 +44,7 @@ class Gliding(QObject):
         self._drawn: dict[Column, Points] = {}
         self._burst = Burst(self)
         self.tool = GlideTool(self._points, self)
-        # Number of the drag, and what there was before it.
-        self._before: tuple[int, Design, View] | None = None
+        self._start = DragStart()
         self.tool.changed.connect(self._change)
         self.tool.given_up.connect(self._give_up)
 
@@ -93,8 +92,7 @@ class Gliding(QObject):
     def _change(self, column: Column, points: Points, gesture: int | None) -> None:
         if self._clip is None:
             return
-        if gesture is not None and (self._before is None or self._before[0] != gesture):
-            self._before = (gesture, self._design, self._view)
+        self._start.note(gesture, self._design, self._view)
         # Half the sample rate itself cannot be played.
         most = 1.0 if column == "amplitude" else 0.4999 * self._rate_hz
         kept: Points = tuple((round(x, 12), round(min(y, most), 12), kind) for x, y, kind in points)
@@ -105,10 +103,10 @@ class Gliding(QObject):
         self.edited.emit(outcome, gesture)
 
     def _give_up(self, gesture: int) -> None:
-        if self._before is not None and self._before[0] == gesture:
-            _, design, view = self._before
+        back = self._start.way_back(gesture)
+        if back is not None:
             self._drawn = {}
-            self.edited.emit(Edit(label="", design=design, view=view), gesture)
+            self.edited.emit(back, gesture)
 
 
 def _curve(points: Points) -> Curve:

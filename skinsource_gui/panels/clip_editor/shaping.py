@@ -6,11 +6,11 @@ from PySide6.QtGui import QKeyEvent
 from skinsource import edits
 from skinsource.clips import Clip
 from skinsource.design import Design
-from skinsource.edits import Edit
 from skinsource.effects import Envelope
 from skinsource.effects.breakpoints import Points
 from skinsource.effects.envelope import UNCHANGED
 from skinsource.view import View
+from skinsource_gui.panels.clip_editor.drag_start import DragStart
 from skinsource_gui.panels.clip_editor.tools.adding import add_point
 from skinsource_gui.panels.clip_editor.tools.envelope import EnvelopeTool
 from skinsource_gui.widgets.fields.burst import Burst
@@ -44,8 +44,7 @@ class Shaping(QObject):
         self._clip: Clip | None = None
         self._burst = Burst(self)
         self.tool = EnvelopeTool(self._points, self)
-        # Number of the drag, and what there was before it.
-        self._before: tuple[int, Design, View] | None = None
+        self._start = DragStart()
         self.tool.changed.connect(self._change)
         self.tool.given_up.connect(self._give_up)
 
@@ -78,12 +77,11 @@ class Shaping(QObject):
 
     def _change(self, points: Points, gesture: int | None) -> None:
         if self._clip is not None:
-            if gesture is not None and (self._before is None or self._before[0] != gesture):
-                self._before = (gesture, self._design, self._view)
+            self._start.note(gesture, self._design, self._view)
             outcome = edits.set_envelope(self._design, self._view, self._clip.id, points)
             self.edited.emit(outcome, gesture)
 
     def _give_up(self, gesture: int) -> None:
-        if self._before is not None and self._before[0] == gesture:
-            _, design, view = self._before
-            self.edited.emit(Edit(label="", design=design, view=view), gesture)
+        back = self._start.way_back(gesture)
+        if back is not None:
+            self.edited.emit(back, gesture)

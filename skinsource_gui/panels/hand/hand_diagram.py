@@ -2,7 +2,6 @@
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
-    QColor,
     QContextMenuEvent,
     QFocusEvent,
     QHelpEvent,
@@ -11,19 +10,18 @@ from PySide6.QtGui import (
     QMouseEvent,
     QPainter,
     QPaintEvent,
-    QPen,
     QResizeEvent,
     QWheelEvent,
 )
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from skinsource_gui.panels.hand.hand_drawing import HandDrawing
-from skinsource_gui.panels.hand.hand_layout import HandLayout
 from skinsource_gui.panels.hand.hand_stage import HandStage
 from skinsource_gui.panels.hand.hand_state import HandState, Mark
 from skinsource_gui.panels.hand.site_cursor import SiteCursor
 from skinsource_gui.panels.hand.site_mouse import SiteMouse
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.focus_frame import paint_focus_frame
 from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.pan_zoom import WHOLE
 
@@ -96,18 +94,13 @@ class HandDiagram(QWidget):
         return self.stage.state
 
     @property
-    def hand(self) -> HandLayout:
-        """Where the sites are, in pixels of this widget."""
-        return self.stage.layout
-
-    @property
     def cursor_site(self) -> int:
         """Site of the keyboard's cursor, whether or not it is shown."""
         return self._cursor.site
 
     def site_centre(self, site: int) -> QPoint:
         """Middle of a site's marker, in pixels of this widget."""
-        return self.hand.centre(site).toPoint()
+        return self.stage.layout.centre(site).toPoint()
 
     def show_drawing(self, drawing: HandDrawing) -> None:
         """Take another hand."""
@@ -131,14 +124,7 @@ class HandDiagram(QWidget):
         before = self.state
         self._mouse.check(marks)
         self.stage.change(marks=marks, selected=selected, note="")
-        site = None if selected is None else marks[selected].site
-        if site is not None and selected != before.selected and not self.hasFocus():
-            self._cursor.follow(site)
-        elif site is not None and anew and site != before.selected_site:
-            # Another design: the cursor would name a place of the one before.
-            (self._cursor.follow if before.cursor is None else self._cursor.go_to)(site)
-        else:
-            self._describe(self._cursor.site)
+        self._cursor.keep_up(before, anew=anew, focused=self.hasFocus())
 
     def show_note(self, text: str) -> None:
         """Say something below the hand, until the design or the selection changes."""
@@ -164,9 +150,7 @@ class HandDiagram(QWidget):
         self.stage.paint(painter, self.devicePixelRatioF())
         if self.hasFocus():
             # The ring shows where keys act once they are used here; this, that they would be.
-            painter.setPen(QPen(QColor(self._theme.accent), 1))
-            painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.drawRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5))
+            paint_focus_frame(painter, QRectF(self.rect()), self._theme)
         painter.end()
 
     def wheelEvent(self, event: QWheelEvent) -> None:

@@ -3,6 +3,7 @@
 from PySide6.QtCore import QObject, Signal
 
 from skinsource_gui.panels.hand.hand_stage import HandStage
+from skinsource_gui.panels.hand.hand_state import HandState
 from skinsource_gui.panels.hand.site_keys import SiteKeys
 
 
@@ -47,6 +48,18 @@ class SiteCursor(QObject):
         if not self._stage.layout.has(self.site):
             self.site = 1
         self.moved.emit(self.site)
+
+    def keep_up(self, before: HandState, *, anew: bool, focused: bool) -> None:
+        """Other inputs are shown than ``before``; see `HandDiagram.show_inputs`."""
+        state = self._stage.state
+        site = state.selected_site
+        if site is not None and state.selected != before.selected and not focused:
+            self.follow(site)
+        elif site is not None and anew and site != before.selected_site:
+            # Another design: the cursor would name a place of the one before.
+            (self.follow if before.cursor is None else self.go_to)(site)
+        else:
+            self.moved.emit(self.site)
 
     def follow(self, site: int) -> None:
         """Go where the mouse was used, without showing; nowhere else than on this hand."""

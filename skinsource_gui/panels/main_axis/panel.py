@@ -32,7 +32,7 @@ class MainAxisPanel(FigurePanel):
         self.about.setToolTip(f"{_ABOUT}. {_OWN}.")
         self.choices.addWidget(self.about, 1)
         self.copy = self.add_copy(self.table)
-        self._say(self.no_outputs)
+        self.say_instead(self.no_outputs)
 
     @property
     def needs(self) -> frozenset[str]:
@@ -40,15 +40,15 @@ class MainAxisPanel(FigurePanel):
 
     def show_state(self, design: Design, view: View) -> None:
         if not view.outputs:
-            self._say(self.no_outputs)
+            self.say_instead(self.no_outputs)
         elif self.figure.message == self.no_outputs:
             self.await_results()
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         if not results["shown_outputs"]:
-            self._say(self.no_outputs)
+            self.say_instead(self.no_outputs)
         elif results["output_main_axes"] is None:
-            self._say(_SINGLE if results["limb_data"].n_axes > 1 else _ALONG_ONE)
+            self.say_instead(_SINGLE if results["limb_data"].n_axes > 1 else _ALONG_ONE)
         else:
             limb = results["limb_data"]
             self.copy.setEnabled(True)
@@ -64,9 +64,6 @@ class MainAxisPanel(FigurePanel):
             words = [_OWN] if limb.map.axes_shown else []
             words += ["synthetic limb"] if limb.synthetic else []
             self.show_found(" · ".join(words))
-
-    def show_problem(self, reason: str) -> None:
-        self._say(reason)
 
     def show_theme(self, theme: Theme) -> None:
         super().show_theme(theme)
@@ -88,8 +85,3 @@ class MainAxisPanel(FigurePanel):
             said = "no" if found.none[rank] else "yes"
             lines.append("\t".join((str(output), *(repr(float(one)) for one in numbers), said)))
         return "\n".join(lines) + "\n"
-
-    def _say(self, message: str) -> None:
-        self.figure.say(message)
-        self.show_found("")
-        self.copy.setEnabled(False)

@@ -11,11 +11,11 @@ from skinsource_gui.panels.side_by_side.headings import places_for
 from skinsource_gui.panels.side_by_side.layout import Places
 from skinsource_gui.panels.side_by_side.painter import paint_content
 from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.widgets.focus_frame import paint_focus_frame
 from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.key_tables.key_table import meant
 from skinsource_gui.widgets.map.small_map import small_frame
-from skinsource_gui.widgets.outputs.keys import ADDS, OutputKeys
-from skinsource_gui.widgets.outputs.mouse import OutputMouse
+from skinsource_gui.widgets.outputs.picker import OutputPicker
 
 # Those keys of the skin map that are about outputs.
 _KEYS = frozenset({"go", "select", "toggle", "select_all", "select_none"})
@@ -28,8 +28,8 @@ class MapsView(QWidget):
     ----------
     content
         What is shown.
-    mouse, keys
-        What they mean here.
+    picker
+        Which outputs mouse and keys mean.
     """
 
     #: The outputs to select, a tuple of numbers.
@@ -44,10 +44,9 @@ class MapsView(QWidget):
         # Of which map the mouse was last.
         self._at = 0
         self.content = Content()
-        self.mouse, self.keys = OutputMouse(self), OutputKeys(self)
-        self.mouse.meant.connect(self._choose)
-        self.keys.meant.connect(self._choose)
-        self.keys.moved.connect(self._follow_cursor)
+        self.picker = OutputPicker(self)
+        self.picker.chosen.connect(self.outputs_chosen)
+        self.picker.moved.connect(self._tell)
         self.setObjectName("maps_side_by_side")
         self.setAccessibleName("Maps side by side")
         self.setAccessibleDescription(
@@ -61,9 +60,7 @@ class MapsView(QWidget):
     @property
     def output(self) -> int | None:
         """The output that is pointed at, by the mouse or by keys."""
-        if self.mouse.pointer is not None:
-            return self.mouse.hovered
-        return self.keys.cursor_output if self.hasFocus() else None
+        return self.picker.pointed_at(focused=self.hasFocus())
 
     @property
     def places(self) -> Places:
@@ -72,7 +69,7 @@ class MapsView(QWidget):
 
     def show_content(self, content: Content) -> None:
         """Draw ``content``."""
-        self.content = content
+        self.content, self.picker.selected = content, content.outputs
         self.setAccessibleName(content.message or content.about or "Maps side by side")
         self._tell()
 
@@ -101,9 +98,7 @@ class MapsView(QWidget):
         return kept_from_shortcuts(event, self._wants) or super().event(event)
 
     def _wants(self, event: QKeyEvent) -> bool:
-        # Until keys are used here, Space is left to whom the window gives it.
-        is_used = self.keys.used or event.key() != Qt.Key.Key_Space
-        return is_used and meant("skin", event) in _KEYS
+        return meant("skin", event) in _KEYS and self.picker.claims(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, theme, content = QPainter(self), self._theme, self.content
@@ -116,33 +111,28 @@ class MapsView(QWidget):
         else:
             self._paint_maps(painter)
         if self.hasFocus():
-            painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.setPen(QColor(theme.accent))
-            painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
+            paint_focus_frame(painter, QRectF(self.rect()), theme)
         painter.end()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        self.keys.used = False
         if event.button() == Qt.MouseButton.LeftButton:
             self._at = self._map_at(event.position())
-            self.mouse.press(event.position())
+        self.picker.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if not event.buttons():
             self._at = self._map_at(event.position())
-        self.mouse.move(event.position(), self.points_of(self._at))
+        self.picker.mouse.move(event.position(), self.points_of(self._at))
         self._tell()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
-            adds = bool(event.modifiers() & ADDS)
-            points = self.points_of(self._at)
-            self.mouse.release(event.position(), points, self.content.outputs, adds=adds)
+            self.picker.release(event, self.points_of(self._at))
             self.update()
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
-        self.mouse.leave()
+        self.picker.mouse.leave()
         self._tell()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -151,12 +141,9 @@ class MapsView(QWidget):
         middle = QRectF(self.rect()).center()
         if len(unplaced) == len(points) or meant("skin", event) not in _KEYS:
             super().keyPressEvent(event)
-        elif meant("skin", event) == "select_none":
-            if not self.mouse.give_up():
-                self._choose(())
-            self.update()
         else:
-            self.keys.press(event, points, unplaced, self.content.outputs, middle)
+            self.picker.press_key(event, points, unplaced, middle)
+            self.update()
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
@@ -178,27 +165,17 @@ class MapsView(QWidget):
         painter.setOpacity(0.5 if self._outdated else 1.0)
         paint_content(painter, self.content, places, theme, self.output)
         painter.setOpacity(1.0)
-        if self.mouse.band is not None:
+        if self.picker.mouse.band is not None:
             fill = QColor(theme.accent)
             painter.setPen(fill)
             fill.setAlphaF(0.15)
             painter.setBrush(fill)
-            painter.drawRect(self.mouse.band)
+            painter.drawRect(self.picker.mouse.band)
 
     def _map_at(self, point: QPointF) -> int:
         """The map under a point; where there is none the one before."""
         cells = enumerate(self.places.cells)
         return next((k for k, place in cells if place.whole.contains(point)), self._at)
-
-    def _choose(self, outputs: tuple[int, ...]) -> None:
-        if len(outputs) == 1:
-            self.keys.cursor_output = outputs[0]
-        if outputs != self.content.outputs:
-            self.outputs_chosen.emit(outputs)
-
-    def _follow_cursor(self) -> None:
-        self.mouse.leave()
-        self._tell()
 
     def _tell(self) -> None:
         self.pointed_at.emit(self.output)

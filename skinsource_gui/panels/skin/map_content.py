@@ -15,7 +15,6 @@ from skinsource_gui.widgets.map.field_image import FieldImage
 #: What stands on a map that is covered.
 COVERED = "Covered"
 _LEVELS = MapQuantity()
-_COMPARED = (tuple, bool, str, int, float, MapQuantity)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

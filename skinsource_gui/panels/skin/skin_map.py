@@ -11,7 +11,6 @@ from PySide6.QtGui import (
     QMouseEvent,
     QPainter,
     QPaintEvent,
-    QPen,
     QResizeEvent,
     QWheelEvent,
 )
@@ -33,10 +32,10 @@ from skinsource_gui.panels.skin.map_painter import MapPainter, paint_band, paint
 from skinsource_gui.panels.skin.map_readout import hover_words, output_readout, pixel_readout
 from skinsource_gui.panels.skin.map_words import paint_words
 from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.widgets.focus_frame import paint_focus_frame
 from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.key_tables.key_table import meant
-from skinsource_gui.widgets.outputs.keys import ADDS, OutputKeys
-from skinsource_gui.widgets.outputs.mouse import OutputMouse
+from skinsource_gui.widgets.outputs.picker import OutputPicker
 from skinsource_gui.widgets.outputs.picking import output_at
 from skinsource_gui.widgets.pan_zoom import FREE, WHOLE, PanZoom
 
@@ -50,8 +49,8 @@ class SkinMap(QWidget):
         What is shown.
     pan_zoom
         What part of it is seen.
-    mouse, keys
-        What they mean here.
+    picker
+        Which outputs mouse and keys mean.
     """
 
     #: The outputs to select, a tuple of numbers.
@@ -74,10 +73,9 @@ class SkinMap(QWidget):
         self._pointer.pointed_at.connect(self.input_pointed_at)
         self.pan_zoom = PanZoom(self)
         self.pan_zoom.changed.connect(self._lay_out)
-        self.mouse, self.keys = OutputMouse(self), OutputKeys(self)
-        self.mouse.meant.connect(self._choose)
-        self.keys.meant.connect(self._choose)
-        self.keys.moved.connect(self._follow_cursor)
+        self.picker = OutputPicker(self)
+        self.picker.chosen.connect(self.outputs_chosen)
+        self.picker.moved.connect(self._follow_cursor)
         self.setMinimumSize(150, 180)
         # All of it is painted: nothing behind needs to be.
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
@@ -93,7 +91,7 @@ class SkinMap(QWidget):
         if content.same_as(self.content):
             return
         other_limb = content.limb_map is not self.content.limb_map
-        self.content = content
+        self.content, self.picker.selected = content, content.outputs
         if other_limb:
             limb_map = content.limb_map
             self._painter = None if limb_map is None else MapPainter(limb_map)
@@ -101,7 +99,7 @@ class SkinMap(QWidget):
                 self.pan_zoom.fit = WHOLE
             self._fit()
         self.update()
-        if self.mouse.pointer is not None or self.hasFocus():
+        if self.picker.mouse.pointer is not None or self.hasFocus():
             self.readout_changed.emit(self.readout())
 
     def show_theme(self, theme: Theme) -> None:
@@ -124,14 +122,12 @@ class SkinMap(QWidget):
 
     def readout(self) -> str:
         """What is under the pointer, or else under the keyboard's cursor, in words."""
-        number = self.mouse.hovered
-        if number is None and self.mouse.pointer is None and self.hasFocus():
-            number = self.keys.cursor_output
+        number, pointer = self.picker.pointed_at(focused=self.hasFocus()), self.picker.mouse.pointer
         if number is not None:
             return output_readout(self.content, number)
-        if self._layout is None or self.mouse.pointer is None:
+        if self._layout is None or pointer is None:
             return ""
-        return pixel_readout(self.content, self._layout, self.mouse.pointer)
+        return pixel_readout(self.content, self._layout, pointer)
 
     def sizeHint(self) -> QSize:
         return QSize(300, 560)
@@ -141,26 +137,24 @@ class SkinMap(QWidget):
         self._fit()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
+        painter, mouse = QPainter(self), self.picker.mouse
         painter.fillRect(self.rect(), QColor(self._theme.base))
         if self._layout is not None and self._painter is not None:
             painter.setFont(tabular(small_font(self.font())))
             self._painter.paint(painter, self.content, self._layout, self._theme)
-            marks = [(self.mouse.hovered, self._theme.text)]
+            marks = [(mouse.hovered, self._theme.text)]
             if self.hasFocus():
-                marks.append((self.keys.cursor_output, self._theme.accent))
+                marks.append((self.picker.keys.cursor_output, self._theme.accent))
             for number, colour in marks:
                 if number is not None:
                     paint_mark(painter, number, colour, self.content, self._layout, self._theme)
-            if self.mouse.band is not None:
-                paint_band(painter, self.mouse.band, self._theme)
+            if mouse.band is not None:
+                paint_band(painter, mouse.band, self._theme)
         painter.setFont(self.font())
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         paint_words(painter, self.content, self._layout, QRectF(self.rect()), self._theme)
         if self.hasFocus():
-            painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.setPen(QPen(QColor(self._theme.accent), 2))
-            painter.drawRect(self.rect().adjusted(1, 1, -1, -1))
+            paint_focus_frame(painter, QRectF(self.rect()), self._theme)
         painter.end()
 
     def event(self, event: QEvent) -> bool:
@@ -168,28 +162,22 @@ class SkinMap(QWidget):
             words = hover_words(self.content, self._layout, QPointF(event.pos()))
             QToolTip.showText(event.globalPos(), words, self)
             return True
-        return kept_from_shortcuts(event, self._overrides) or super().event(event)
+        return kept_from_shortcuts(event, self._claims) or super().event(event)
 
-    def _overrides(self, event: QKeyEvent) -> bool:
-        """Whether a key is wanted here even if it is a shortcut of the window."""
-        # Until keys are used here, Space is left to whom the window gives it.
-        if event.key() == Qt.Key.Key_Space and not self.keys.used:
-            return False
-        return self.keys.claims(event)
+    def _claims(self, event: QKeyEvent) -> bool:
+        return self.picker.claims(event)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         self.pan_zoom.wheel(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        self.keys.used = False
         self.pan_zoom.press(event)
-        if event.button() == Qt.MouseButton.LeftButton:
-            self.mouse.press(event.position())
+        self.picker.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         self.pan_zoom.move(event)
         if self._layout is not None:
-            self.mouse.move(event.position(), self._layout.points)
+            self.picker.mouse.move(event.position(), self._layout.points)
             self._pointer.follow(input_at(self.content, self._layout, event.position()))
             self.readout_changed.emit(self.readout())
             self.update()
@@ -197,14 +185,13 @@ class SkinMap(QWidget):
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         self.pan_zoom.release(event)
         if event.button() == Qt.MouseButton.LeftButton and self._layout is not None:
-            adds = bool(event.modifiers() & ADDS)
-            points, outputs = self._layout.points, self.content.outputs
+            points, mouse = self._layout.points, self.picker.mouse
             meant_input = input_at(self.content, self._layout, event.position())
             on_output = output_at(points, event.position()) is not None
-            if meant_input is not None and self.mouse.band is None and not on_output:
+            if meant_input is not None and mouse.band is None and not on_output:
                 self.input_chosen.emit(meant_input)
-                self.mouse.give_up()
-            self.mouse.release(event.position(), points, outputs, adds=adds)
+                mouse.give_up()
+            self.picker.release(event, points)
             self.update()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
@@ -212,11 +199,11 @@ class SkinMap(QWidget):
             if output_at(self._layout.points, event.position()) is None:
                 self.pan_zoom.show(WHOLE)
             else:
-                self.mouse.press(event.position())
+                self.picker.mouse.press(event.position())
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
-        self.mouse.leave()
+        self.picker.mouse.leave()
         self._pointer.follow(None)
         self.readout_changed.emit(self.readout())
         self.update()
@@ -231,30 +218,20 @@ class SkinMap(QWidget):
         middle = QRectF(self.rect()).center()
         if layout is None:
             super().keyPressEvent(event)
-        elif wanted == "select_none":
-            if not self.mouse.give_up():
-                self._choose(())
-            self.update()
         elif wanted == "whole":
             self.pan_zoom.show(WHOLE)
         elif wanted == "hand":
             self.pan_zoom.show(HAND)
-        elif not (
-            self.pan_zoom.step(wanted)
-            or self.keys.press(event, layout.points, layout.unplaced, self.content.outputs, middle)
+        elif self.pan_zoom.step(wanted) or self.picker.press_key(
+            event, layout.points, layout.unplaced, middle
         ):
+            self.update()
+        else:
             super().keyPressEvent(event)
 
-    def _choose(self, outputs: tuple[int, ...]) -> None:
-        if len(outputs) == 1:
-            self.keys.cursor_output = outputs[0]
-        if outputs != self.content.outputs:
-            self.outputs_chosen.emit(outputs)
-
     def _follow_cursor(self) -> None:
-        if self.keys.cursor_output is not None:
-            self.pan_zoom.reveal(self.place_of(self.keys.cursor_output))
-        self.mouse.leave()
+        if self.picker.keys.cursor_output is not None:
+            self.pan_zoom.reveal(self.place_of(self.picker.keys.cursor_output))
         self.readout_changed.emit(self.readout())
         self.update()
 

@@ -78,7 +78,7 @@ class SpectrogramPanel(FigurePanel):
         self._show_choices(design.limb)
         self.picture.show_playhead(view.playhead_s)
         if not view.outputs:
-            self._say(self.no_outputs)
+            self.say_instead(self.no_outputs)
         elif self.figure.message == self.no_outputs:
             self.await_results()
         elif redrawn and self._results is not None:
@@ -90,26 +90,22 @@ class SpectrogramPanel(FigurePanel):
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         if results["output_spectrogram"] is None:
-            self._say(self.no_outputs)
+            self.say_instead(self.no_outputs)
             return
         if not results["output_spectrogram"].amplitude.any():
-            self._say(SILENT)
+            self.say_instead(SILENT)
             return
         self._results = dict(results)
         self._draw(results)
-
-    def show_problem(self, reason: str) -> None:
-        self._say(reason)
 
     def show_theme(self, theme: Theme) -> None:
         super().show_theme(theme)
         for field in (self.floor, self.ceiling):
             field.show_theme(theme)
 
-    def _say(self, message: str) -> None:
+    def say_instead(self, message: str) -> None:
         self._results = None
-        self.figure.say(message)
-        self.show_found("")
+        super().say_instead(message)
 
     def _show_choices(self, limb: str) -> None:
         settings, outputs = self._settings, self._view.outputs

@@ -1,7 +1,6 @@
 """The part of the timeline on which clips are moved."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QHelpEvent, QKeyEvent, QMouseEvent, QWheelEvent
@@ -24,15 +23,16 @@ from skinsource_gui.panels.timeline.lanes_item import LanesItem
 from skinsource_gui.panels.timeline.over_item import OverItem
 from skinsource_gui.panels.timeline.overlaps import Overlaps
 from skinsource_gui.panels.timeline.playhead_item import PlayheadItem
+from skinsource_gui.panels.timeline.seen_time import SeenTime
 from skinsource_gui.panels.timeline.settings import shown_gain_curves
 from skinsource_gui.theme import Theme, scaled, tabular
 from skinsource_gui.widgets.plot.canvas import Canvas
-from skinsource_gui.widgets.time.time_scale import Range, TimeScale, panned, within, zoomed
-from skinsource_gui.widgets.wheel import NOTCH, ZOOM_PER_NOTCH
+from skinsource_gui.widgets.time.time_scale import TimeScale
+from skinsource_gui.widgets.wheel import NOTCH
 
 _SIDE_PX = 8.0
 _TEXT = 0.9
-_PAN_PART = 0.1
+_CTRL = Qt.KeyboardModifier.ControlModifier
 
 
 class LanesView(Canvas):
@@ -46,6 +46,8 @@ class LanesView(Canvas):
         What paints.
     gain
         What is done to gain curves.
+    seen
+        Which part of the time is shown.
     sample_rate_hz
         A free drag goes by whole samples of this rate.
     """
@@ -74,18 +76,17 @@ class LanesView(Canvas):
         self._lanes: tuple[Lane, ...] = ()
         self._waveforms: Mapping[int, Floats] = {}
         self._lengths = ClipLengths(self._design)
-        self._held_s: Range | None = None
         self._overlaps = Overlaps()
         self._held_tops: Mapping[int, float] = {}
         self.snaps = True
         self.gain = GainPoints(lambda: self.content, self)
+        self.seen = SeenTime(lambda: self.content, self)
         self.content = self._made()
         self.mouse = LaneMouse(lambda: self.content, self.gain, self)
         self.keys = LaneKeys(lambda: self.content, self.gain, self)
-        self.gain.looked.connect(self.looked)
+        for part in (self.seen, self.gain, self.mouse, self.keys):
+            part.looked.connect(self.looked)
         self.gain.chose.connect(self.lay_out)
-        self.mouse.looked.connect(self.looked)
-        self.keys.looked.connect(self.looked)
         self.mouse.shown.connect(self._show_over)
         self._pointer = QPointF()
 
@@ -122,29 +123,12 @@ class LanesView(Canvas):
         self.snaps = snaps
         self.lay_out()
 
-    def zoom(self, factor: float, anchor_s: float | None = None) -> None:
-        """See a part so many times narrower: around a time, the playhead, or the middle."""
-        shown, playhead_s = self.content.scale.shown_s, self._view.playhead_s
-        if anchor_s is None:
-            inside = shown[0] <= playhead_s <= shown[1]
-            anchor_s = playhead_s if inside else sum(shown) / 2
-        self._look_at(zoomed(shown, anchor_s, factor, self.content.whole_s))
-
-    def show_range(self, wanted_s: Range) -> None:
-        """See this part of the time."""
-        self._look_at(within(wanted_s, self.content.whole_s))
-
-    def show_everything(self) -> None:
-        """See all of the time."""
-        self._look_at(None)
-
     def claims(self, event: QKeyEvent) -> bool:
         return self.keys.claims(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.setFocus(Qt.FocusReason.MouseFocusReason)
-        # The range stays while something is dragged, though the design may become longer.
-        self._held_s = self.content.scale.shown_s
+        self.seen.hold()
         self._held_tops = {one.lane.track.id: one.top for one in self.content.strips}
         self.mouse.press(event.position(), event.button(), event.modifiers(), self.sample_rate_hz)
         event.accept()
@@ -179,17 +163,9 @@ class LanesView(Canvas):
         self.menu_wanted.emit(self.mapToGlobal(place).toPoint(), place)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        turns = event.angleDelta()
-        held = event.modifiers()
-        scale = self.content.scale
-        if held & Qt.KeyboardModifier.ControlModifier:
-            anchor_s = scale.time(event.position().x())
-            factor = ZOOM_PER_NOTCH ** ((turns.y() or turns.x()) / NOTCH)
-            self._look_at(zoomed(scale.shown_s, anchor_s, factor, self.content.whole_s))
-        elif turns.x() or held & Qt.KeyboardModifier.ShiftModifier:
-            notches = (turns.x() or turns.y()) / NOTCH
-            by_s = -notches * _PAN_PART * (scale.shown_s[1] - scale.shown_s[0])
-            self._look_at(panned(scale.shown_s, by_s, self.content.whole_s))
+        turns, held = event.angleDelta(), event.modifiers()
+        if turns.x() or held & (_CTRL | Qt.KeyboardModifier.ShiftModifier):
+            self.seen.turn(event)
         else:
             self.scroll_wanted.emit(turns.y() / NOTCH)
         event.accept()
@@ -212,13 +188,9 @@ class LanesView(Canvas):
         super().leaveEvent(event)
         self.item.show_hovered(None)
 
-    def _look_at(self, shown_s: Range | None) -> None:
-        self._held_s = None
-        if shown_s != self._view.time_range_s:
-            self.looked.emit(replace(self._view, time_range_s=shown_s))
-
     def _let_go(self) -> None:
-        self._held_s, self._held_tops = None, {}
+        self.seen.let_go()
+        self._held_tops = {}
         self.lay_out()
 
     def _show_over(self, shown: Shown) -> None:
@@ -234,7 +206,7 @@ class LanesView(Canvas):
 
     def _made(self) -> Content:
         self._lengths = self._lengths.of(self._design)
-        shown_s = self._view.time_range_s or self._held_s or self._lengths.whole_s
+        shown_s = self.seen.range_s(self._view, self._lengths.whole_s)
         width = max(self.width() - 2 * _SIDE_PX, 1.0)
         return Content(
             design=self._design,

@@ -128,11 +128,11 @@ class TimelinePanel(Panel):
         lanes.keys.copied.connect(clips.copy)
         lanes.keys.cut.connect(clips.cut)
         lanes.keys.pasted.connect(clips.paste)
-        lanes.keys.zoomed.connect(lanes.zoom)
-        lanes.keys.everything_wanted.connect(lanes.show_everything)
+        lanes.keys.zoomed.connect(lanes.seen.zoom)
+        lanes.keys.everything_wanted.connect(lanes.seen.show_everything)
         toolbar.snaps_wanted.connect(lanes.set_snaps)
-        toolbar.zoom_wanted.connect(lanes.zoom)
-        toolbar.everything_wanted.connect(lanes.show_everything)
+        toolbar.zoom_wanted.connect(lanes.seen.zoom)
+        toolbar.everything_wanted.connect(lanes.seen.show_everything)
 
     def _look(self, view: View) -> None:
         if view != self._view:

@@ -53,7 +53,7 @@ class TrackTable(QWidget):
         bar.valueChanged.connect(self.place_lanes)
         self._bar.valueChanged.connect(bar.setValue)
         self.lanes.scroll_wanted.connect(self._scroll)
-        self.time_bar.range_wanted.connect(self.lanes.show_range)
+        self.time_bar.range_wanted.connect(self.lanes.seen.show_range)
 
     def show_state(self, design: Design, view: View) -> None:
         """Show the lanes of a design; its heads are there already."""

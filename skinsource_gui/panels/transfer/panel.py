@@ -81,9 +81,6 @@ class TransferPanel(FigurePanel):
         self._results = dict(results)
         self._draw(results)
 
-    def show_problem(self, reason: str) -> None:
-        self._say(reason)
-
     def show_theme(self, theme: Theme) -> None:
         super().show_theme(theme)
         self.place.show_theme(theme)
@@ -103,14 +100,12 @@ class TransferPanel(FigurePanel):
         return "\n".join(lines) + "\n"
 
     def _say_empty(self) -> None:
-        self._say(self.no_outputs if self._has_inputs else add_words(self.in_sight))
+        self.say_instead(self.no_outputs if self._has_inputs else add_words(self.in_sight))
 
-    def _say(self, message: str) -> None:
+    def say_instead(self, message: str) -> None:
         self._results = None
-        self.figure.say(message)
-        self.show_found("")
+        super().say_instead(message)
         self.place.say("")
-        self.copy.setEnabled(False)
 
     def _draw(self, results: Mapping[str, Any]) -> None:
         found, outputs = results["transfer"], results["shown_outputs"]

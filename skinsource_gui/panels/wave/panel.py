@@ -39,7 +39,7 @@ class WavePanel(FigurePanel):
         )
         self.choices.addWidget(self.about, 1)
         self.copy = self.add_copy(self.table)
-        self._say(self._few())
+        self.say_instead(self._few())
 
     @property
     def needs(self) -> frozenset[str]:
@@ -47,17 +47,17 @@ class WavePanel(FigurePanel):
 
     def show_state(self, design: Design, view: View) -> None:
         if len(view.outputs) < 2:
-            self._say(self._few())
+            self.say_instead(self._few())
         elif self.figure.message == self._few():
             self.await_results()
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         found: LineWave | None = results["line_wave"]
         if found is None:
-            self._say(self._few())
+            self.say_instead(self._few())
             return
         if not found.wave.alike.any():
-            self._say(SILENT)
+            self.say_instead(SILENT)
             return
         outputs = results["shown_outputs"]
         self.copy.setEnabled(True)
@@ -67,9 +67,6 @@ class WavePanel(FigurePanel):
         note = f" · {left_out} not on the map" if left_out else ""
         synthetic = " · synthetic limb" if results["limb_data"].synthetic else ""
         self.show_found(f"{wave_words(found.wave)}{note}{synthetic}")
-
-    def show_problem(self, reason: str) -> None:
-        self._say(reason)
 
     def show_in_sight(self, names: frozenset[str]) -> None:
         said = self.figure.message == self._few()
@@ -103,11 +100,6 @@ class WavePanel(FigurePanel):
                 "Shift+click adds one"
             )
         return "Show the skin map (View > Panels) to select outputs along a line"
-
-    def _say(self, message: str) -> None:
-        self.figure.say(message)
-        self.show_found("")
-        self.copy.setEnabled(False)
 
 
 def wave_words(wave: TravellingWave) -> str:

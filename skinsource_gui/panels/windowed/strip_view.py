@@ -17,6 +17,7 @@ from skinsource_gui.panels.windowed.content import WindowedContent, extent_words
 from skinsource_gui.panels.windowed.strip_layout import StripLayout, strip_layout
 from skinsource_gui.panels.windowed.strip_painter import paint_strip
 from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.widgets.focus_frame import paint_focus_frame
 
 _SYNTHETIC = "SYNTHETIC"
 _STEPS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
@@ -113,9 +114,7 @@ class StripView(QWidget):
         paint_strip(painter, self.content, places, theme, self.chosen)
         painter.setOpacity(1.0)
         if self.hasFocus():
-            painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.setPen(QColor(theme.accent))
-            painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
+            paint_focus_frame(painter, QRectF(self.rect()), theme)
         painter.end()
 
     def event(self, event: QEvent) -> bool:

@@ -1,6 +1,6 @@
 """A number with its unit, that can be typed, dragged, turned and stepped."""
 
-from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QFocusEvent,
@@ -14,7 +14,7 @@ from PySide6.QtGui import (
     QResizeEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QLineEdit, QStyle, QStyleOptionFrame, QToolTip, QWidget
+from PySide6.QtWidgets import QLineEdit, QToolTip, QWidget
 
 from skinsource.fields import NumberSpec
 from skinsource_gui.theme import LIGHT, Theme, tabular
@@ -27,11 +27,9 @@ from skinsource_gui.widgets.fields.number_typing import (
 )
 from skinsource_gui.widgets.fields.round_numbers import clamped
 from skinsource_gui.widgets.fields.shown_number import ShownNumber
+from skinsource_gui.widgets.fields.unit_beside import UnitBeside
 from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 
-_UNIT_GAP_PX = 4
-# Qt leaves this at each side of the text of a line edit.
-_TEXT_EDGE_PX = 2
 #: Fields that stand below each other leave the same room for units, so that digits align.
 WIDEST_UNIT = "m/s²"
 _TEMPORARY_LOSSES = frozenset(
@@ -72,7 +70,7 @@ class NumberField(QLineEdit):
     ) -> None:
         super().__init__(parent)
         self._number = ShownNumber(spec=spec, value_si=clamped(0.0, spec))
-        self._widest_unit = widest_unit
+        self._unit = UnitBeside(self, widest_unit)
         self._problem_beside = problem_beside
         self._theme = LIGHT
         self._typing = NumberTyping(self)
@@ -243,11 +241,7 @@ class NumberField(QLineEdit):
         painter = QPainter(self)
         has_own_unit = self.editing and any(c.isalpha() or c in "°×²" for c in self.text())
         if not has_own_unit:
-            inside = _inside(self)
-            inside.setLeft(inside.right() - self.textMargins().right() + _UNIT_GAP_PX)
-            painter.setPen(QColor(self._theme.dim))
-            flags = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-            painter.drawText(inside, flags, self._number.symbol)
+            self._unit.paint(painter, self._number.symbol, self._theme)
         if self.problem:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.setPen(QPen(QColor(self._theme.error), 2))
@@ -260,14 +254,11 @@ class NumberField(QLineEdit):
     def _show(self, value_si: float) -> None:
         self._number = ShownNumber(spec=self.spec, value_si=value_si)
         if not self.editing:
-            room = _inside(self).width() - self.textMargins().right() - 2 * _TEXT_EDGE_PX
-            self.setText(self._number.fitting_text(self.fontMetrics(), room))
+            self.setText(self._number.fitting_text(self.fontMetrics(), self._unit.room_px))
             self.update()
 
     def _take_spec(self) -> None:
-        units = (self._number.symbol, self._widest_unit)
-        unit_px = max(map(self.fontMetrics().horizontalAdvance, units))
-        self.setTextMargins(0, 0, unit_px + _UNIT_GAP_PX, 0)
+        self._unit.make_room(self._number.symbol)
         self.setAccessibleName(self.spec.label)
         self.setToolTip(self._number.help())
         self._show(self.value_si)
@@ -279,10 +270,3 @@ class NumberField(QLineEdit):
         self.setToolTip(problem or self._number.help())
         if problem:
             QToolTip.showText(self.mapToGlobal(QPoint(0, self.height())), problem, self)
-
-
-def _inside(line: QLineEdit) -> QRect:
-    """Area of the text and the unit."""
-    option = QStyleOptionFrame()
-    line.initStyleOption(option)
-    return line.style().subElementRect(QStyle.SubElement.SE_LineEditContents, option, line)

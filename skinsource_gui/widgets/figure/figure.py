@@ -1,10 +1,11 @@
 """A picture that follows the theme, says why it is empty, and reads what the pointer is over."""
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, scaled, tabular
+from skinsource_gui.widgets.focus_frame import paint_focus_frame
 from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.key_tables.key_table import meant
 from skinsource_gui.widgets.lateness import Lateness
@@ -98,9 +99,7 @@ class Figure(QWidget):
             self.draw(painter, room)
         if self.hasFocus():
             painter.setOpacity(1.0)
-            painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.setPen(QPen(QColor(self.theme.accent), 1))
-            painter.drawRect(room.adjusted(0.5, 0.5, -0.5, -0.5))
+            paint_focus_frame(painter, room, self.theme)
         painter.end()
 
     def event(self, event: QEvent) -> bool:

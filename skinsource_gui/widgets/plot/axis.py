@@ -67,11 +67,6 @@ class Axis(pyqtgraph.AxisItem):
             self.titles, self.band = titles, band
             self.refresh()
 
-    def set_rule(self, rule: TickRule) -> None:
-        """Take over where ticks are."""
-        self._rule = rule
-        self.refresh()
-
     def refresh(self) -> None:
         """Draw anew."""
         self.prepareGeometryChange()

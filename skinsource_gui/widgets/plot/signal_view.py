@@ -9,7 +9,8 @@ from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.lateness import Lateness
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves
-from skinsource_gui.widgets.plot.legend_strip import LegendStrip, LegendText
+from skinsource_gui.widgets.plot.legend.legend_strip import LegendStrip
+from skinsource_gui.widgets.plot.legend.legend_text import LegendText
 from skinsource_gui.widgets.plot.plot import Plot
 from skinsource_gui.widgets.plot.plot_layout import Words
 from skinsource_gui.widgets.plot.plot_toolbar import PlotToolbar

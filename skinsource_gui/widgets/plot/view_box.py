@@ -6,10 +6,8 @@ import pyqtgraph
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QPainter, QPainterPath
 
-from skinsource_gui.widgets.wheel import NOTCH, ZOOM_PER_NOTCH
+from skinsource_gui.widgets.wheel import NOTCH, PAN_PER_NOTCH, ZOOM_PER_NOTCH
 
-# A notch of the wheel pans by so much of what is visible.
-_PAN_PART = 0.1
 _SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 
@@ -52,7 +50,7 @@ class PlotViewBox(pyqtgraph.ViewBox):
         aside = event.orientation() == Qt.Orientation.Horizontal
         if aside or event.modifiers() & _SHIFT:
             low, high = self.viewRange()[0]
-            self.pan_wanted.emit(-turns * _PAN_PART * (high - low))
+            self.pan_wanted.emit(-turns * PAN_PER_NOTCH * (high - low))
         else:
             self.zoom_wanted.emit(self.position(event.scenePos()), ZOOM_PER_NOTCH**turns)
         event.accept()

@@ -38,7 +38,7 @@ def test_tab_reaches_the_diagram_and_shows_the_cursor_on_the_selected_input(qtbo
 
 
 def test_arrow_keys_reach_every_site_from_every_site(studio):
-    hand = studio.diagram.hand
+    hand = studio.diagram.stage.layout
     for start in range(1, 21):
         reached, waiting = {start}, [start]
         while waiting:

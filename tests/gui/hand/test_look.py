@@ -32,7 +32,7 @@ def test_a_silent_input_is_hollow(studio):
 
 
 def test_sites_of_both_contacts_differ_in_shape(studio):
-    hand = studio.diagram.hand
+    hand = studio.diagram.stage.layout
     assert [site for site in range(1, 21) if hand.push(site) is not None] == [1, 2, 3, 4, 5]
 
 
@@ -75,9 +75,9 @@ def test_the_panel_needs_nothing_computed(studio):
 @pytest.mark.parametrize("size", [(260, 330), (260, 900), (900, 330), (700, 1200)])
 def test_all_sites_stay_inside_at_every_size(studio, size):
     studio.panel.resize(*size)
-    radius = round(studio.diagram.hand.radius_px)
+    radius = round(studio.diagram.stage.layout.radius_px)
     for site in range(1, 21):
-        area = studio.diagram.hand.marker_area(site).toAlignedRect()
+        area = studio.diagram.stage.layout.marker_area(site).toAlignedRect()
         assert studio.diagram.rect().contains(area.adjusted(-radius // 4, 0, radius // 4, 0))
 
 

@@ -29,7 +29,7 @@ def test_sites_are_far_enough_apart_to_be_hit_at_the_smallest_size(studio):
         assert apart.x() ** 2 + apart.y() ** 2 >= 22**2
     for site, point in enumerate(points, start=1):
         for off in (QPoint(0, 11), QPoint(0, -11), QPoint(11, 0), QPoint(-11, 0)):
-            assert studio.diagram.hand.site_at(QPointF(point + off)) == site
+            assert studio.diagram.stage.layout.site_at(QPointF(point + off)) == site
             assert studio.diagram.rect().contains(point + off)
 
 

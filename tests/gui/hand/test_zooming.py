@@ -12,13 +12,13 @@ from tests.gui.skin.bench import wheel
 
 
 def test_the_wheel_zooms_at_the_pointer_and_back_to_the_whole_hand(studio):
-    before = studio.diagram.hand.transform.m11()
+    before = studio.diagram.stage.layout.transform.m11()
     at = studio.diagram.site_centre(18)
     wheel(studio.diagram, at, 3)
-    assert studio.diagram.hand.transform.m11() > 1.5 * before
+    assert studio.diagram.stage.layout.transform.m11() > 1.5 * before
     assert (studio.diagram.site_centre(18) - at).manhattanLength() <= 2
     wheel(studio.diagram, at, -9)
-    assert studio.diagram.hand.transform.m11() == before
+    assert studio.diagram.stage.layout.transform.m11() == before
 
 
 def test_places_are_used_where_they_are_seen(studio):
@@ -44,7 +44,7 @@ def test_a_double_click_beside_the_places_shows_the_whole_hand(studio):
         QPoint(x, y)
         for y in range(10, studio.diagram.height(), 7)
         for x in range(10, studio.diagram.width(), 7)
-        if studio.diagram.hand.site_at(QPointF(x, y)) is None
+        if studio.diagram.stage.layout.site_at(QPointF(x, y)) is None
     )
     QTest.mouseDClick(studio.diagram, Qt.MouseButton.LeftButton, pos=empty)
     assert studio.diagram.stage.pan_zoom.fit == WHOLE
@@ -63,7 +63,7 @@ def test_the_hand_cannot_be_moved_out_of_sight(studio):
     wheel(diagram, QPoint(2, 2), 4)
     for _ in range(60):
         diagram.stage.pan_zoom.pan(80, 80)
-    outline = diagram.hand.transform.map(palmar_drawing(standard_hand()).outline)
+    outline = diagram.stage.layout.transform.map(palmar_drawing(standard_hand()).outline)
     middle, reach = QPointF(diagram.rect().center()), 0.25 * diagram.width()
     assert any(
         outline.contains(middle + QPointF(dx * reach, dy * reach))

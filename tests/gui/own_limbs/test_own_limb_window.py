@@ -68,7 +68,7 @@ def test_names_places_and_axes_are_those_of_the_limb(lab_window, lab):
     assert place.count() == N_INPUTS
     assert place.shown_text == "5 · site 5"
     hand = window.panel("hand").diagram
-    assert hand.hand.n_sites == N_INPUTS
+    assert hand.stage.layout.n_sites == N_INPUTS
     assert "site 3" in hand.stage.words(3)
     drawn = window.panel("skin").map.map_layout()
     assert drawn.unplaced == (5,)
@@ -84,12 +84,12 @@ def test_it_is_chosen_like_any_other_and_left_again(lab, window, qtbot):
     rested(window, qtbot)
     assert window.document.design.limb_digest == facts_of("lab-1").digest
     assert window.document.view.axes == "xz"
-    assert window.panel("hand").diagram.hand.n_sites == N_INPUTS
+    assert window.panel("hand").diagram.stage.layout.n_sites == N_INPUTS
     limb.choose("synthetic-1")
     rested(window, qtbot)
     assert window.document.design.limb_digest == ""
     assert window.document.view.axes == "xyz"
-    assert window.panel("hand").diagram.hand.n_sites == 20
+    assert window.panel("hand").diagram.stage.layout.n_sites == 20
     assert window.panel("skin").map.map_layout().card_title == "Palm side"
 
 
@@ -125,12 +125,12 @@ def test_another_limb_unlocks_a_design_whose_limb_is_gone(lab_window, qtbot):
 
 def test_a_left_hand_is_mirrored_in_every_panel_on_request(lab_window, lab, qtbot):
     hand = lab_window.panel("hand").diagram
-    before = hand.hand.centres[:, 0].copy()
+    before = hand.stage.layout.centres[:, 0].copy()
     mirror_limb("lab-1", True)
     QApplication.sendEvent(lab_window, QEvent(QEvent.Type.WindowActivate))
     rested(lab_window, qtbot)
     order = np.argsort(before)
-    assert (np.argsort(hand.hand.centres[:, 0]) == order[::-1]).all()
+    assert (np.argsort(hand.stage.layout.centres[:, 0]) == order[::-1]).all()
     both = lab.outline[:, 0].min() + lab.outline[:, 0].max()
     shown = lab_window.panel("skin").map.content.limb_map
     np.testing.assert_allclose(shown.output_positions[:, 0], both - lab.output_positions[:, 0])

@@ -45,7 +45,7 @@ def test_a_marker_does_not_snap_to_where_it_was(lanes):
 
 
 def test_the_middle_button_takes_the_time_with_it(lanes):
-    lanes.lanes.show_range((0.2, 0.6))
+    lanes.lanes.seen.show_range((0.2, 0.6))
     view, start = lanes.lanes.viewport(), lanes.at(0.4)
     QTest.mousePress(view, Qt.MouseButton.MiddleButton, NONE, start.toPoint())
     lanes.lanes.mouse.move(start - px(lanes, 0.1), NONE)

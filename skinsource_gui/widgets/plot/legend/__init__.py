@@ -1,0 +1,1 @@
+"""Names of curves and what is read of them, in one line."""

@@ -1,0 +1,104 @@
+"""What of a legend there is room for, and where."""
+
+from dataclasses import dataclass
+
+from PySide6.QtGui import QFontMetrics
+
+from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.widgets.plot.legend.legend_text import LegendText
+
+#: Width of the colour of a curve, and what is left between words.
+SWATCH_PX, GAP_PX = 13, 4
+
+
+@dataclass(frozen=True, slots=True)
+class Detail:
+    """Which parts of an entry are written."""
+
+    number: bool
+    place: bool
+    reading: bool
+    unit: bool
+
+
+# From wide to narrow.  A unit that entries have no room for is said once.
+_READING = (
+    Detail(True, True, True, True),
+    Detail(True, True, True, False),
+    Detail(True, False, True, False),
+    Detail(False, False, True, False),
+)
+#: What is written of a curve that a name stands for.
+NAMED = Detail(number=False, place=True, reading=True, unit=False)
+_IDLE = (Detail(True, True, False, False), Detail(True, False, False, False))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LegendLayout:
+    """The words of a legend in a font, and the room for them.
+
+    Attributes
+    ----------
+    text
+        What is said.
+    metrics
+        Of the font.
+    width_px
+        Of the strip.
+    """
+
+    text: LegendText
+    metrics: QFontMetrics
+    width_px: int
+
+    def where(self, where: str, detail: Detail) -> str:
+        """Where curves are read, with the unit if it stands nowhere else."""
+        once = (detail.number or detail.place) and not detail.unit
+        return f"{where} · {self.text.unit}" if once else where
+
+    def entry_px(self, rank: int, detail: Detail) -> int:
+        """Width of what is written of a curve."""
+        name = self.text.names[rank]
+        words = [
+            *([str(name.number)] if detail.number else []),
+            *([name.short] if detail.place else []),
+            *([self.text.reading_room] if detail.reading else []),
+            *([self.text.unit] if detail.unit else []),
+        ]
+        gaps = GAP_PX * len(words) + UNIT_PX
+        return SWATCH_PX + gaps + sum(self.metrics.horizontalAdvance(word) for word in words)
+
+    def fitting(self) -> tuple[Detail, int]:
+        """What is written of each curve in one line, and of how many curves."""
+        widths: list[int] = []
+        room_px = 0
+        details = _READING if self.text.readings else _IDLE
+        for detail in details:
+            room_px = self.width_px - UNIT_PX
+            if self.text.where:
+                where = self.where(self.text.where_room, detail)
+                room_px -= self.metrics.horizontalAdvance(where)
+            widths = [self.entry_px(rank, detail) for rank in range(len(self.text.names))]
+            if sum(widths) <= room_px:
+                return detail, len(widths)
+        room_px -= self.metrics.horizontalAdvance("+00")
+        fitting = 0
+        while fitting < len(widths) and sum(widths[: fitting + 1]) <= room_px:
+            fitting += 1
+        return details[-1], fitting
+
+    def lines(self) -> list[tuple[int, int]]:
+        """Where named entries begin, and at last where they are read: x and number of the line.
+
+        There is room for readings whether or not there are some: nothing moves while one reads.
+        """
+        first, places, line = UNIT_PX // 2, [], 0
+        x = first
+        entries = [self.entry_px(rank, NAMED) for rank in range(len(self.text.names))]
+        where = self.metrics.horizontalAdvance(self.where(self.text.where_room, NAMED))
+        for width in (*entries, where):
+            if x > first and x + width > self.width_px - first:
+                x, line = first, line + 1
+            places.append((x, line))
+            x += width
+        return places
