@@ -38,8 +38,6 @@ class Dock(QDockWidget):
 
     #: The panel is about to be hidden, because another one is in front of it.
     goes_behind = Signal()
-    #: The panel is not behind another one any more.
-    came_forward = Signal()
     #: The panel came into sight, or left it.
     sight_changed = Signal()
 
@@ -123,8 +121,6 @@ class Dock(QDockWidget):
         elif self.in_sight and self.isVisible():
             # To make it is to have it held.
             self._panels[self.objectName()]
-        if turned and not behind:
-            self.came_forward.emit()
         self.sight_changed.emit()
 
     def _raise_shown(self) -> None:

@@ -1,7 +1,6 @@
 """Docks that share a place: one is in front, tabs tell of the others."""
 
 from collections.abc import Mapping
-from functools import partial
 
 from PySide6.QtCore import QChildEvent, QEvent, QObject, Qt, Signal
 from PySide6.QtWidgets import QApplication, QMainWindow, QTabBar, QTabWidget
@@ -29,12 +28,9 @@ class DockTabs(QObject):
     def __init__(self, window: QMainWindow, docks: Mapping[str, Dock]) -> None:
         super().__init__(window)
         self._window, self._docks = window, docks
-        self._keyboard_is_free = False
         window.setTabPosition(Qt.DockWidgetArea.AllDockWidgetAreas, QTabWidget.TabPosition.North)
         window.installEventFilter(self)
         for dock in docks.values():
-            dock.goes_behind.connect(partial(self._free_keyboard, dock))
-            dock.came_forward.connect(partial(self._take_keyboard, dock))
             dock.sight_changed.connect(self._tell)
         self._tell()
 
@@ -61,21 +57,6 @@ class DockTabs(QObject):
             dock.show_tabbed(any(not one.isHidden() for one in others))
             if not dock.is_empty and dock.panel.in_sight != names:
                 dock.panel.show_in_sight(names)
-
-    def _free_keyboard(self, dock: Dock) -> None:
-        focused = QApplication.focusWidget()
-        if focused is None or not dock.isAncestorOf(focused):
-            return
-        # Qt would give it to what comes next in its own order, and keys change another thing.
-        focused.clearFocus()
-        self._keyboard_is_free = True
-        for other in self._docks.values():
-            if other in self._window.tabifiedDockWidgets(dock) and other.in_sight:
-                self._take_keyboard(other)
-
-    def _take_keyboard(self, dock: Dock) -> None:
-        if self._keyboard_is_free:
-            self._keyboard_is_free = not focus_into(dock.panel, Qt.FocusReason.OtherFocusReason)
 
     def _go(self, step: int) -> None:
         docks = [dock for dock in self._docks.values() if not dock.isHidden()]

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
 from shiboken6 import isValid
 
 from skinsource_gui.shell.docks.dock import Dock
+from skinsource_gui.shell.focus_order import focus_into
 
 
 class KeptKeyboard(QObject):
@@ -16,7 +17,8 @@ class KeptKeyboard(QObject):
 
     Qt would give it to whatever comes next, a list of the setup bar as well as any number: the
     next key would change what nobody looks at.  It goes back to who had it if that is in sight
-    again, as where docks are only put into another order, or else to the first panel in sight.
+    again, as where docks are only put into another order, else to the panel that is in front of
+    it now, or else to the first panel in sight.
 
     Parameters
     ----------
@@ -29,7 +31,9 @@ class KeptKeyboard(QObject):
     def __init__(self, window: QMainWindow, docks: Mapping[str, Dock]) -> None:
         super().__init__(window)
         self._window, self._docks = window, docks
+        # Who had it, and in which dock.
         self._left: QWidget | None = None
+        self._before: Dock | None = None
         # Docks come and go while they are arranged: only where they stand at the end counts.
         self._arranged = QTimer(self, singleShot=True, interval=0)
         self._arranged.timeout.connect(self._give_back)
@@ -45,7 +49,7 @@ class KeptKeyboard(QObject):
         if dock.isVisible() and dock.in_sight:
             return
         if not self._arranged.isActive():
-            self._left = focused
+            self._left, self._before = focused, dock
             self._arranged.start()
         focused.clearFocus()
 
@@ -70,19 +74,23 @@ class KeptKeyboard(QObject):
         yield
         if in_panel or nobody:
             self._arranged.stop()
-            self._left = None
+            self._left = self._before = None
             self._give_to(focused)
 
     def _give_back(self) -> None:
-        left, self._left = self._left, None
+        left, dock = self._left, self._before
+        self._left = self._before = None
         if self._window.focusWidget() is None and self._window.isVisible():
-            self._give_to(left)
+            self._give_to(left, dock)
 
-    def _give_to(self, left: QWidget | None) -> None:
-        """Give the keyboard to who had it, if that is in sight, or else to the first panel."""
+    def _give_to(self, left: QWidget | None, before: Dock | None = None) -> None:
+        """Give the keyboard to who had it, if that is in sight, or else to another panel."""
         if left is not None and isValid(left) and left.isVisible():
             left.setFocus(Qt.FocusReason.OtherFocusReason)
             return
-        first = next((dock for dock in self._docks.values() if dock.in_sight), None)
-        if first is not None:
-            first.panel.setFocus(Qt.FocusReason.OtherFocusReason)
+        in_front = [] if before is None else self._window.tabifiedDockWidgets(before)
+        in_sight = [dock for dock in self._docks.values() if dock.in_sight]
+        for dock in sorted(in_sight, key=lambda one: one not in in_front)[:1]:
+            if not focus_into(dock.panel, Qt.FocusReason.OtherFocusReason):
+                # A window that is not shown yet has no stops.
+                dock.panel.setFocus(Qt.FocusReason.OtherFocusReason)
