@@ -29,7 +29,7 @@ from random_edits import RandomEdits
 from resident import held_mb, resident_mb
 
 from skinsource.catalogue import available_limbs, default_limb
-from skinsource.design import Design, start_design, track
+from skinsource.design import Design, track
 from skinsource.quantities import new_graph, sources
 from skinsource.view import View
 from skinsource.waveforms import Tone
@@ -37,6 +37,7 @@ from skinsource_gui.shell.app import make_application
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.state.start_design import start_design
 
 #: What the panels of the window show, and the check of it.
 SHOWN = frozenset(

@@ -17,13 +17,14 @@ from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QApplication
 
 from skinsource.catalogue import available_limbs, default_limb
-from skinsource.design import Design, start_design, track
+from skinsource.design import Design, track
 from skinsource.view import View
 from skinsource.waveforms import Noise, Tap, Tone
 from skinsource_gui.import_page.overview_strip import OverviewStrip
 from skinsource_gui.shell.app import make_application
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.state.start_design import start_design
 
 SIZES = ((1366, 768), (1920, 1080))
 FOLDER = Path("build/pictures")

@@ -290,8 +290,3 @@ def amplitude_spec(scaling: Scaling, actuated: Actuation | None = None) -> Numbe
     """Specification of amplitudes that says what they mean, and in which unit."""
     unit, meaning = amplitude_unit(scaling, actuated), amplitude_meaning(scaling, actuated)
     return replace(AMPLITUDE, unit=unit, hint=f"{meaning}. {AMPLITUDE.hint}")
-
-
-def start_design(limb: str) -> Design:
-    """Design of the first window: a 100 Hz tone on the pad of digit II (input 7)."""
-    return Design(limb=limb, inputs=(track(7, Tone(frequency_hz=100.0)),))

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource.allocation import keep_freed_memory
 from skinsource.catalogue import available_limbs, default_limb
-from skinsource.design import start_design
 from skinsource.files import make_folder
 from skinsource.files.assets import user_folder
 from skinsource.keeping.crash_log import CrashLog
@@ -20,6 +19,7 @@ from skinsource_gui.shell.garbage import take_over_collection
 from skinsource_gui.shell.screen_fit import ScreenFit
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences, settings_path
+from skinsource_gui.state.start_design import start_design
 
 #: While the worker computes, the window gets its turn after this time (Python's own is 5 ms).
 _SWITCH_INTERVAL_S = 5e-4

@@ -10,7 +10,6 @@ from skinsource.design import (
     Input,
     amplitude_spec,
     audible_inputs,
-    start_design,
     track,
 )
 from skinsource.errors import InvalidInputError
@@ -100,13 +99,6 @@ def test_solo_inputs_are_heard_alone_and_muted_ones_never(muted, solo, heard):
 
 def test_amplitudes_have_the_unit_of_their_scaling():
     assert [amplitude_unit(scaling) for scaling in SCALINGS] == ["m/s²", "×", "m/s²"]
-
-
-def test_the_first_window_plays_a_tone_on_the_pad_of_digit_ii():
-    design = start_design("synthetic-3")
-    assert design.limb == "synthetic-3"
-    assert places(design) == [7]
-    assert design.inputs[0].clips[0].waveform == Tone(frequency_hz=100.0)
 
 
 @pytest.mark.parametrize(
@@ -202,7 +194,7 @@ def test_words_about_a_design_are_texts_of_bounded_length(name):
 
 
 def test_a_new_design_is_in_probe_scaling_and_says_what_amplitudes_mean():
-    assert Design(limb="any").scaling == start_design("synthetic-1").scaling == "probe"
+    assert Design(limb="any").scaling == "probe"
     specs = [amplitude_spec(scaling) for scaling in SCALINGS]
     assert [spec.unit for spec in specs] == ["m/s²", "×", "m/s²"]
     assert "within about 3 dB" in amplitude_spec("probe").hint

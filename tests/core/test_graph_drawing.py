@@ -51,11 +51,12 @@ def test_every_rule_that_leads_to_what_is_shown_is_drawn():
 
 @pytest.mark.parametrize("wanted", ["surface_levels_db", "selected_spectra", "trace_error"])
 def test_what_is_drawn_is_what_runs(wanted):
-    from skinsource.design import start_design
+    from skinsource.design import Design, track
     from skinsource.view import View
 
     graph = new_graph()
-    graph.evaluate({wanted}, sources(start_design("synthetic-1"), View()))
+    design = Design(limb="synthetic-1", inputs=(track(7),))
+    graph.evaluate({wanted}, sources(design, View()))
     assert set(graph.runs) == set(rules_of(graph, [wanted]))
 
 

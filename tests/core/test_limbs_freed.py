@@ -5,7 +5,7 @@ from weakref import ref
 
 import pytest
 
-from skinsource.design import start_design
+from skinsource.design import Design, track
 from skinsource.quantities import new_graph, sources
 from skinsource.view import View
 
@@ -16,7 +16,7 @@ def test_a_limb_that_was_left_is_freed(scaling):
     wanted = {"limb_data", "surface_levels_db", "selected_traces", "selected_spectra"}
 
     def show(limb):
-        design = start_design(limb)
+        design = Design(limb=limb, inputs=(track(7),))
         given = sources(design, View()) | {"scaling": scaling}
         return ref(graph.evaluate(wanted, given)["limb_data"])
 

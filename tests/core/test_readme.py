@@ -8,7 +8,6 @@ import pytest
 
 import skinsource as ss
 from skinsource.commands.command_line import main
-from skinsource.design import start_design
 
 ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -26,7 +25,7 @@ def test_the_script_in_the_readme_runs():
 def test_the_export_in_the_readme_is_written(tmp_path, monkeypatch, capsys):
     (call,) = re.findall(r"`skinsource (export scene.*?)`", README, re.DOTALL)
     monkeypatch.chdir(tmp_path)
-    ss.save_design("scene.skinsource", start_design("synthetic-1"))
+    ss.save_design("scene.skinsource", ss.Design(limb="synthetic-1", inputs=(ss.track(7),)))
     assert main(call.split()) == 0
     assert capsys.readouterr().out == "drive.wav\n"
     assert (tmp_path / "drive.wav.json").exists()

@@ -12,10 +12,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
 from skinsource.catalogue import available_limbs
-from skinsource.design import start_design
 from skinsource_gui.files import export_actions
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.state.start_design import start_design
 from tests.gui.desk import Desk
 
 

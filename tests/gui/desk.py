@@ -2,7 +2,7 @@
 
 from PySide6.QtWidgets import QWidget
 
-from skinsource.design import Design, start_design
+from skinsource.design import Design
 from skinsource.view import View
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.import_page.import_actions import ImportActions
@@ -11,6 +11,7 @@ from skinsource_gui.shell.playing.playback import Playback
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.state.start_design import start_design
 from skinsource_gui.stimulus_page.stimulus_actions import StimulusActions
 from skinsource_gui.theme import LIGHT
 

@@ -5,10 +5,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
 from skinsource.catalogue import available_limbs
-from skinsource.design import start_design
 from skinsource.design_file import save_design
 from skinsource.view import View
 from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.start_design import start_design
 
 # The screen of the tests is 800 x 800.
 SIZE = (780, 660)

@@ -7,12 +7,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
 from skinsource.catalogue import available_limbs
-from skinsource.design import start_design
 from skinsource.design_file import save_design
 from skinsource.view import View
 from skinsource_gui.shell.docks.arrangements import ARRANGEMENTS, Behind, Place
 from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.start_design import start_design
 from tests.gui.dock_bench import bar_with, bars, click_tab, in_sight, titles
 
 GUESTS = ("compare", "history", "library")

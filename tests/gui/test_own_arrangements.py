@@ -5,8 +5,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
 from skinsource.catalogue import available_limbs
-from skinsource.design import start_design
 from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.start_design import start_design
 
 
 def in_sight(window):

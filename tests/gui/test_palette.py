@@ -7,11 +7,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QDialog, QMenu, QStyleOptionViewItem, QTextBrowser, QWidget
 
-from skinsource.design import start_design
 from skinsource_gui.shell.action_set import ActionSet
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.palette import Palette, matching, score
 from skinsource_gui.state.document import Document
+from skinsource_gui.state.start_design import start_design
 from skinsource_gui.widgets.key_tables.mouse_table import MOUSE
 
 

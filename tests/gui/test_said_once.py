@@ -7,7 +7,7 @@ from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QWidget
 
 from skinsource import edits
-from skinsource.design import Design, start_design, track
+from skinsource.design import Design, track
 from skinsource.fields import NumberSpec
 from skinsource.panel_settings import settings_of
 from skinsource.view import View
@@ -17,6 +17,7 @@ from skinsource_gui.panels.hand import panel as hand_panel
 from skinsource_gui.panels.inspector.panel import InspectorPanel
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.panels.skin.settings import SkinSettings
+from skinsource_gui.state.start_design import start_design
 from skinsource_gui.status.limb_note import LimbNote
 from skinsource_gui.theme import DARK
 from skinsource_gui.widgets.fields.field_cell import FieldCell

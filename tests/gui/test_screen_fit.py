@@ -4,11 +4,11 @@ from PySide6.QtGui import QFontMetrics, QTextDocument
 from PySide6.QtWidgets import QApplication, QLabel, QToolBar, QToolButton, QWidget
 
 from skinsource import edits
-from skinsource.design import start_design
 from skinsource.rendering.check import TraceError
 from skinsource_gui.panels.inspector.input_heading import InputHeading
 from skinsource_gui.shell.screen_fit import ScreenFit, fitted
 from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.start_design import start_design
 from skinsource_gui.status.limb_note import LimbNote
 from skinsource_gui.widgets.plot.legend.legend_strip import LegendStrip
 

@@ -7,12 +7,12 @@ import pytest
 from PySide6.QtCore import QObject
 
 from skinsource.catalogue import available_limbs
-from skinsource.design import start_design
 from skinsource_gui import __main__ as start
 from skinsource_gui import system_libraries
 from skinsource_gui.late_modules import UNCALLED
 from skinsource_gui.shell.garbage import GarbageCollector, take_over_collection
 from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.start_design import start_design
 
 UNNEEDED = (
     # What opens a page, reads a file, plays or exports comes with that, see `skinsource.late`.

@@ -16,6 +16,7 @@ from skinsource.response import predict
 from skinsource.view import View
 from skinsource.waveforms import Tone
 from skinsource_gui.panels.skin.settings import SkinSettings
+from skinsource_gui.state.start_design import start_design
 
 
 @pytest.fixture
@@ -23,6 +24,13 @@ def delivered(window):
     outcomes = []
     window.conductor.delivered.connect(outcomes.append)
     return outcomes
+
+
+def test_the_first_window_plays_a_tone_on_the_pad_of_digit_ii():
+    design = start_design("synthetic-3")
+    (one,) = design.inputs
+    assert (design.limb, design.scaling, one.location) == ("synthetic-3", "probe", 7)
+    assert one.clips[0].waveform == Tone(frequency_hz=100.0)
 
 
 def test_the_first_window_shows_a_prediction_of_the_start_design(window, settle, delivered):

@@ -14,12 +14,12 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 
 from skinsource.catalogue import available_limbs
-from skinsource.design import start_design
 from skinsource_gui.accuracy_page.memory_use import resident_bytes
 from skinsource_gui.shell.app import make_application
 from skinsource_gui.shell.garbage import take_over_collection
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.state.start_design import start_design
 from tests.gui.monkey.monkey import Monkey
 from tests.gui.monkey.test_monkey import recording
 

@@ -17,6 +17,7 @@ from skinsource.view import View
 from skinsource.waveforms import Waveform
 
 NO_CLIP = Refusal(sentence="No clip is selected; click one in the timeline.")
+NO_TIME = Refusal(sentence="A time is a number of seconds.")
 TOO_MANY_CLIPS = Refusal(
     sentence=f"A track holds at most {MAX_CLIPS} clips; put some of them on another track."
 )
@@ -64,13 +65,9 @@ def move_clips(
     design: Design, view: View, ids: Iterable[int], by_s: float, by_tracks: int = 0
 ) -> Edit | Refusal:
     """Move clips together in time and to other tracks, as far as there is room for all."""
-    chosen = present_clips(design, ids)
-    if not chosen:
-        return NO_CLIP
-    try:
-        moved = _moved(design, chosen, by_s, by_tracks)
-    except InvalidInputError as error:
-        return refused(error)
+    moved = _moved_as_asked(design, ids, by_s, by_tracks)
+    if isinstance(moved, Refusal):
+        return moved
     target = {clip.id: (track_id, clip) for track_id, clip in moved}
     inputs = []
     for one in design.inputs:
@@ -90,7 +87,7 @@ def move_clips(
     if not target.keys() & set(selected):
         selected = tuple(target)
     return Edit(
-        label=f"Move {clips_words(design, chosen)}",
+        label=f"Move {_words_of(design, moved)}",
         design=after,
         view=clips_selected(after, view, selected),
     )
@@ -100,14 +97,10 @@ def copy_clips(
     design: Design, view: View, ids: Iterable[int], by_s: float, by_tracks: int = 0
 ) -> Edit | Refusal:
     """Put copies of clips elsewhere, and select the copies."""
-    chosen = present_clips(design, ids)
-    if not chosen:
-        return NO_CLIP
-    try:
-        moved = _moved(design, chosen, by_s, by_tracks)
-    except InvalidInputError as error:
-        return refused(error)
-    return with_new_clips(design, view, f"Copy {clips_words(design, chosen)}", moved)
+    moved = _moved_as_asked(design, ids, by_s, by_tracks)
+    if isinstance(moved, Refusal):
+        return moved
+    return with_new_clips(design, view, f"Copy {_words_of(design, moved)}", moved)
 
 
 def duplicate_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
@@ -129,11 +122,8 @@ def repeat_clips(design: Design, view: View, ids: Iterable[int], times: int) -> 
     if max(one.onset_s for one in chosen) + (times - 1) * length_s > ONSET.maximum:
         return Refusal(sentence=f"The last repetition would begin after {ONSET.maximum:g} s.")
     copies = []
-    try:
-        for k in range(1, times):
-            copies += _moved(design, chosen, k * length_s, 0)
-    except InvalidInputError as error:
-        return refused(error)
+    for k in range(1, times):
+        copies += _moved(design, chosen, k * length_s, 0)
     return with_new_clips(design, view, f"Repeat {clips_words(design, chosen)}", copies)
 
 
@@ -206,15 +196,28 @@ def with_new_clips(
     return Edit(label=label, design=after, view=clips_selected(after, view, new_ids))
 
 
+def _moved_as_asked(
+    design: Design, ids: Iterable[int], by_s: float, by_tracks: int
+) -> list[tuple[int, Clip]] | Refusal:
+    """What `_moved` says of clips by their ids, or why they cannot be moved so."""
+    chosen = present_clips(design, ids)
+    if not chosen:
+        return NO_CLIP
+    if isinstance(by_s, bool) or not isinstance(by_s, int | float) or by_s != by_s:
+        return NO_TIME
+    if isinstance(by_tracks, bool) or not isinstance(by_tracks, int):
+        return Refusal(sentence="Tracks are counted in whole numbers.")
+    return _moved(design, chosen, by_s, by_tracks)
+
+
 def _moved(
     design: Design, chosen: tuple[Clip, ...], by_s: float, by_tracks: int
 ) -> list[tuple[int, Clip]]:
-    """Clips elsewhere, each with the id of the track it comes to; all by the same way."""
-    by_s = _checked_step(by_s, chosen)
+    """Clips elsewhere, each with the id of its track there; all the same way, as far as all can."""
+    onsets = [one.onset_s for one in chosen]
+    by_s = min(max(by_s, ONSET.minimum - min(onsets)), ONSET.maximum - max(onsets))
     place_of = {c.id: place for place, one in enumerate(design.inputs) for c in one.clips}
     places = [place_of[one.id] for one in chosen]
-    if isinstance(by_tracks, bool) or not isinstance(by_tracks, int):
-        raise InvalidInputError("tracks are counted in whole numbers")
     down = min(max(by_tracks, -min(places)), len(design.inputs) - 1 - max(places))
     return [
         (design.inputs[place + down].id, replace(one, onset_s=_onset(one.onset_s + by_s)))
@@ -222,13 +225,9 @@ def _moved(
     ]
 
 
-def _checked_step(by_s: float, chosen: tuple[Clip, ...]) -> float:
-    """The step in time that all of them can make, as near as may be to the one that is wanted."""
-    if isinstance(by_s, bool) or not isinstance(by_s, int | float) or by_s != by_s:
-        raise InvalidInputError("a time is a number of seconds")
-    earliest = min(one.onset_s for one in chosen)
-    latest = max(one.onset_s for one in chosen)
-    return min(max(by_s, ONSET.minimum - earliest), ONSET.maximum - latest)
+def _words_of(design: Design, moved: list[tuple[int, Clip]]) -> str:
+    """What the history calls clips that were moved, by where they were."""
+    return clips_words(design, tuple(clip for _, clip in moved))
 
 
 def _onset(time_s: float) -> float:

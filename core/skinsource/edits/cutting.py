@@ -12,7 +12,14 @@ from skinsource.clips import ONSET, Clip, numbered
 from skinsource.clips.clip import MAX_EFFECTS
 from skinsource.design import MAX_CLIPS, Design, Input
 from skinsource.edits.clip_selection import clips_selected
-from skinsource.edits.clips import NO_CLIP, clips_words, present_clips, replace_clips, short
+from skinsource.edits.clips import (
+    NO_CLIP,
+    NO_TIME,
+    clips_words,
+    present_clips,
+    replace_clips,
+    short,
+)
 from skinsource.edits.edit import Edit, Refusal, refused, with_clips
 from skinsource.effects import Effect, Fade, Stretch, Trim, played_s
 from skinsource.errors import InvalidInputError
@@ -26,7 +33,6 @@ SHORTEST_S = 0.001
 _FULL = (
     f"A clip has at most {MAX_EFFECTS} effects, and cut in two it needs one more; remove one first."
 )
-_NO_TIME = Refusal(sentence="A time is a number of seconds.")
 _GONE = Refusal(sentence="That clip is no longer there; choose another one.")
 
 
@@ -36,7 +42,7 @@ def split_clips(design: Design, view: View, ids: Iterable[int], at_s: float) -> 
     if not chosen:
         return NO_CLIP
     if not _is_time(at_s):
-        return _NO_TIME
+        return NO_TIME
     cut = parts_by_id(chosen, at_s)
     if isinstance(cut, Refusal):
         return cut
@@ -163,7 +169,7 @@ def _one_clip(design: Design, id: int, *times_s: float) -> Clip | Refusal:
     found = present_clips(design, (id,))
     if not found:
         return _GONE
-    return found[0] if all(_is_time(one) for one in times_s) else _NO_TIME
+    return found[0] if all(_is_time(one) for one in times_s) else NO_TIME
 
 
 def fades_of(one: Clip) -> tuple[float, float]:

@@ -13,7 +13,7 @@ class Presenter:
     """Reference and test in turn on a device; where there is none, in silence: a rehearsal.
 
     `present` and `close` belong to one thread, which may wait for the device; `stop_at_once` to
-    any.  The limiter of the device's way stays: what would pass full scale ends what is played.
+    any.  The guard of the outputs stays: what would pass full scale ends what is played.
 
     Parameters
     ----------

@@ -7,8 +7,8 @@ import numpy as np
 from skinsource.arrays import Floats
 from skinsource.playing.deck import MOST_SAMPLES, Deck, Swap
 from skinsource.playing.ending import Ending
-from skinsource.playing.limiter import passes_the_rig, sound_samples
 from skinsource.playing.mix import Frames, Mix
+from skinsource.playing.output_guard import exceeds_the_rig, playable_samples
 
 
 def next_block(deck: Deck, out: Frames) -> None:
@@ -42,7 +42,7 @@ def _fill(deck: Deck, block: Floats, *, first: bool) -> None:
     deck.panic = False
     if deck.ending is None:
         _take_what_is_wanted(deck)
-        if passes_the_rig(deck):
+        if exceeds_the_rig(deck):
             deck.fallen = 0
             _fall(deck, block)
             return
@@ -52,7 +52,7 @@ def _fill(deck: Deck, block: Floats, *, first: bool) -> None:
         factors = deck.factors[: block.shape[1]]
         deck.gain.fill(factors)
         np.multiply(block, factors, out=block)
-        sound = sound_samples(deck, block)
+        sound = playable_samples(deck, block)
         if sound < block.shape[1]:
             deck.fallen = 0
             if sound:

@@ -51,8 +51,10 @@ def stimulus_of(
 
     Parameters
     ----------
-    design, sample_rate_hz
-        Only inputs that are heard take part; a whole number of hertz, None: the rate of the limb.
+    design
+        Inputs that are not heard are left out.
+    sample_rate_hz
+        A whole number of hertz; None: the rate of the limb.
     per
         ``"place"``: one channel for each place in use, in the order of first use, so that inputs
         at one place add up.  ``"input"``: one channel for each input.
@@ -69,21 +71,18 @@ def stimulus_of(
 
     Raises
     ------
-    InvalidInputError, DatasetMissingError
-        A place, an id, a rate, a sample or a number of samples that cannot be; no measured limbs.
+    InvalidInputError
+        A place, an id, a rate or a sample that cannot be, or more samples than can be held.
+    DatasetMissingError
+        The limb is a measured one, and the measured dataset is not installed.
 
     Examples
     --------
     >>> import skinsource as ss
-    >>> one = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
-    >>> found = ss.stimulus_of(ss.Design(limb="synthetic-1", inputs=(one,)), 48_000)
+    >>> found = ss.stimulus_of(ss.Design(limb="synthetic-1", inputs=(ss.track(7),)), 48_000)
     >>> found.channels[0].title, found.samples.shape
     ('Digit II, pad', (1, 9600))
     """
-    if not isinstance(design, Design):
-        raise InvalidInputError(f"design is {quoted(design)}, expected a Design")
-    if sample_rate_hz is not None:
-        sample_rate_hz = whole_number("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ)
     heard = _taking_part(design, inputs, clips)
     found = _made(design, limb, heard, one_of("per", per, _PER), sample_rate_hz, lead_in_s, stop)
     for stage in stages:
@@ -102,6 +101,8 @@ def _made(
     stop: Stop,
 ) -> Stimulus:
     """What ``heard`` plays."""
+    if sample_rate_hz is not None:
+        sample_rate_hz = whole_number("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ)
     limb = load_limb(design.limb) if limb is None else limb
     for one in heard:
         check_input_location(one.location, limb.n_inputs)
@@ -125,6 +126,8 @@ def _taking_part(
     design: Design, inputs: Iterable[int] | None, clips: Iterable[int] | None
 ) -> tuple[Input, ...]:
     """Inputs that are heard, with those of their clips that take part."""
+    if not isinstance(design, Design):
+        raise InvalidInputError(f"design is {quoted(design)}, expected a Design")
     heard = audible_inputs(design.inputs)
     if inputs is not None:
         wanted = {design.input(id).id for id in inputs}

@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
-from skinsource.design import start_design
+from skinsource_gui.state.start_design import start_design
 from skinsource_gui.widgets.plot.signal_view import SignalView
 
 

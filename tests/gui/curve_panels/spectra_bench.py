@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from skinsource.design import start_design
 from skinsource.panel_settings import with_settings
 from skinsource.spectra import magnitude_spectrum, peak_hold_spectrum
 from skinsource.view import View
 from skinsource_gui.panels.spectra.panel import SpectraPanel
 from skinsource_gui.panels.spectra.settings import SpectraSettings
+from skinsource_gui.state.start_design import start_design
 from tests.gui.curve_panels.bench import whose
 
 LINEAR = with_settings(

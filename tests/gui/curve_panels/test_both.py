@@ -6,11 +6,11 @@ from typing import NamedTuple
 
 import pytest
 
-from skinsource.design import start_design
 from skinsource.quantities import RULES, sources
 from skinsource.view import View
 from skinsource_gui.panels.spectra.panel import SpectraPanel
 from skinsource_gui.panels.traces.panel import TracesPanel
+from skinsource_gui.state.start_design import start_design
 from skinsource_gui.widgets.plot.signal_view import SignalView
 from tests.gui.curve_panels import spectra_bench, traces_bench
 from tests.gui.curve_panels.bench import plot_of, said_above

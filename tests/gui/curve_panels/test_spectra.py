@@ -7,10 +7,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QFont, QFontMetricsF
 from PySide6.QtTest import QTest
 
-from skinsource.design import start_design
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.panels.traces.settings import TracesSettings
+from skinsource_gui.state.start_design import start_design
 from skinsource_gui.widgets.plot.signal_view import SignalView
 from tests.gui.curve_panels.bench import click, plot_of, said_above
 from tests.gui.curve_panels.spectra_bench import LINEAR, SPECTRA, opener, results_for

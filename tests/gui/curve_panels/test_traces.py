@@ -7,10 +7,10 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
-from skinsource.design import start_design
 from skinsource.panel_settings import settings_of
 from skinsource.view import View
 from skinsource_gui.panels.traces.settings import TracesSettings
+from skinsource_gui.state.start_design import start_design
 from skinsource_gui.widgets.plot.signal_view import SignalView
 from tests.gui.curve_panels.bench import click, plot_of, said_above
 from tests.gui.curve_panels.traces_bench import SIGNED, opener, results_for

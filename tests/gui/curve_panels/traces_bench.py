@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from skinsource.design import start_design
 from skinsource.view import View
 from skinsource_gui.panels.traces.panel import TracesPanel
+from skinsource_gui.state.start_design import start_design
 from tests.gui.curve_panels.bench import whose
 
 SIGNED = View(method="pca", outputs=(29, 52, 7))

@@ -3,8 +3,8 @@
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from skinsource.design import start_design
 from skinsource_gui.panels.inspector.input_fields import InputFields
+from skinsource_gui.state.start_design import start_design
 from skinsource_gui.widgets.fields.live_text import LiveText
 
 

@@ -82,7 +82,7 @@ from PySide6.QtCore import QEventLoop, QPoint, QRect
 from PySide6.QtWidgets import QApplication, QFileDialog, QMenu, QTextBrowser
 
 import skinsource as ss
-from skinsource.design import start_design
+from skinsource_gui.state.start_design import start_design
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.panels.loudest.settings import LoudestSettings

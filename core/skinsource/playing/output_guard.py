@@ -12,7 +12,7 @@ from skinsource.playing.deck import Deck
 from skinsource.playing.ending import Ending
 
 
-def passes_the_rig(deck: Deck) -> bool:
+def exceeds_the_rig(deck: Deck) -> bool:
     """Whether the gain is more than the rig allows; nothing of it is played then."""
     mix = deck.mix
     if mix is None or max(deck.gain.wanted, deck.gain.now) <= mix.most_gain:
@@ -24,7 +24,7 @@ def passes_the_rig(deck: Deck) -> bool:
     return True
 
 
-def sound_samples(deck: Deck, block: Floats) -> int:
+def playable_samples(deck: Deck, block: Floats) -> int:
     """Samples before the first that may not be played; sets the ending where there is one."""
     magnitude = deck.other[:, : block.shape[1]]
     np.abs(block, out=magnitude)
