@@ -71,8 +71,8 @@ class ImportActions(QObject):
         page_module = importlib.import_module("skinsource_gui.import_page.page")
         placing = importlib.import_module("skinsource_gui.import_page.placing")
         places = placing.options(self._document.design, self._document.view, place)
-        rate_hz = facts_of(self._document.design.limb).sample_rate_hz
-        page = page_module.ImportPage(path, rate_hz, places, self._theme(), self._window)
+        limb = facts_of(self._document.design.limb)
+        page = page_module.ImportPage(path, limb, places, self._theme(), self._window)
 
         def put(recording: Any, option: str) -> None:
             design, view = self._document.design, self._document.view

@@ -6,6 +6,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from skinsource.recordings import Taken
+from skinsource.samples import Samples
 from skinsource.spectra import share_outside_band
 from skinsource_gui.theme import UNIT_PX, Theme, tabular
 from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
@@ -55,20 +56,19 @@ class ImportPreview(QWidget):
         self._spectrum.show_theme(theme)
         self._notes.setStyleSheet(f"color: {theme.dim};")
 
-    def show_taken(self, taken: Taken) -> None:
-        """Show what will be imported."""
+    def show_taken(self, taken: Taken, band_hz: tuple[float, float] | None) -> None:
+        """Show what will be imported, and the band in which the limb was measured."""
         samples = taken.samples
         peak = float(np.abs(samples.values).max())
         rate = samples.sample_rate_hz
         self._waveform.show_samples(samples.values / (peak or 1.0), rate)
-        self._spectrum.show_samples(samples.values, rate)
+        self._spectrum.show_samples(samples.values, rate, band_hz)
         rms = float(np.sqrt(np.mean(samples.values**2)))
         unit = f" {samples.unit}" if samples.unit else ""
-        outside = share_outside_band(samples.values, rate)
         self._numbers.setText(
             f"{samples.duration_s:.4g} s · peak {peak:.3g}{unit} · RMS {rms:.3g}{unit} · "
-            f"{samples.values.size} samples at {rate:g} Hz\n"
-            f"{_percent(outside)} of the energy lies outside the measured band, 25 to 600 Hz"
+            f"{samples.values.size} samples at {rate:g} Hz"
+            + ("" if band_hz is None else f"\n{_outside(samples, band_hz)}")
         )
         self._notes.setText(" ".join(taken.notes))
         self.set_pale(False)
@@ -83,6 +83,12 @@ class ImportPreview(QWidget):
     def set_pale(self, pale: bool) -> None:
         """Whether something newer is on its way."""
         self._waveform.set_pale(pale)
+
+
+def _outside(samples: Samples, band_hz: tuple[float, float]) -> str:
+    share = _percent(share_outside_band(samples.values, samples.sample_rate_hz, band_hz))
+    low_hz, high_hz = band_hz
+    return f"{share} of the energy lies outside the measured band, {low_hz:g} to {high_hz:g} Hz"
 
 
 def _percent(share: float) -> str:

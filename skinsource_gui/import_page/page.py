@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 from skinsource.arrays import Floats
 from skinsource.fields import ChoiceSpec
 from skinsource.files import named
+from skinsource.limb import LimbFacts
 from skinsource.recordings import Found, ImportChoice, Taken
 from skinsource.recordings.importing import RawPart
 from skinsource.recordings.limits import MOST_PART_S
@@ -38,8 +39,8 @@ class ImportPage(QDialog):
     ----------
     path
         The file.
-    to_hz
-        The rate of the design.
+    limb
+        That of the design: its rate and band.
     places
         Name and words of each place it can go to, the likeliest one first.
     theme
@@ -52,7 +53,7 @@ class ImportPage(QDialog):
     def __init__(
         self,
         path: Path,
-        to_hz: float,
+        limb: LimbFacts,
         places: tuple[tuple[str, str], ...],
         theme: Theme,
         parent: QWidget | None = None,
@@ -62,7 +63,7 @@ class ImportPage(QDialog):
         self.setObjectName("import_page")
         self.setWindowTitle(f"Import {named(Path(path.name))}")
         self.resize(820, 520)
-        self._theme = theme
+        self._theme, self._band_hz = theme, limb.band_hz
         self._form: ChoiceForm | None = None
         self._taken: Taken | None = None
         self._surveyed = ""
@@ -77,7 +78,7 @@ class ImportPage(QDialog):
         )
         self._name_parts()
         self._lay_out()
-        self._worker = ReadingWorker(path, to_hz, self)
+        self._worker = ReadingWorker(path, limb.sample_rate_hz, self)
         self._connect()
         self._worker.look()
 
@@ -211,7 +212,7 @@ class ImportPage(QDialog):
             return
         self._taken = taken
         self._bar.hide()
-        self._preview.show_taken(taken)
+        self._preview.show_taken(taken, self._band_hz)
         self._import_button.setEnabled(True)
         self._import_button.setDefault(True)
 

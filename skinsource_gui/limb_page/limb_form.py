@@ -44,10 +44,25 @@ _NUMBERS = {
         maximum=10.0,
         hint="How late the responses are",
     ),
+    "lowest_hz": NumberSpec(
+        label="Holds from",
+        unit="Hz",
+        minimum=0.0,
+        maximum=384_000.0,
+        hint="Lowest frequency at which the responses hold",
+    ),
+    "highest_hz": NumberSpec(
+        label="Holds up to",
+        unit="Hz",
+        minimum=0.0,
+        maximum=384_000.0,
+        hint="Highest frequency at which the responses hold; 0: not known",
+    ),
 }
+_BAND = ("lowest_hz", "highest_hz")
 # A length is in metres here, as all that fields hold.
 _METRES = 1e-3
-_STARTS = {"sample_rate_hz": 4000.0, "hand_length_mm": 0.18, "pre_trigger_delay_s": 0.0}
+_STARTS = {"sample_rate_hz": 4000.0, "hand_length_mm": 0.18}
 _FILES = {
     "responses": ("Responses", "HDF5 as in docs/limbs.md, or an array: NPY, NPZ, MATLAB, HDF5"),
     "outline": ("Outline", "SVG, or CSV of x and y; without one a hull is drawn"),
@@ -101,8 +116,9 @@ class LimbForm(QObject):
         for field, key in ((self.name, "name"), (self.title, "title"), (self.note, "note")):
             field.setText(str(header[key]))
         self.axes.set_value(str(header["axes"]))
+        said = {**header, **dict(zip(_BAND, header["band_hz"] or (0.0, 0.0), strict=True))}
         for name, field in self.numbers.items():
-            field.set_value(float(header[name]) * (_METRES if name == "hand_length_mm" else 1.0))
+            field.set_value(float(said[name]) * (_METRES if name == "hand_length_mm" else 1.0))
         self.left.setChecked(header["hand"] == "left")
 
     def show_plain(self, in_layout: bool, path: Path) -> None:
@@ -116,6 +132,7 @@ class LimbForm(QObject):
         """Fields of `skinsource.own_limbs.OwnLimb` as they are typed."""
         numbers = {name: field.value_si for name, field in self.numbers.items()}
         numbers["hand_length_mm"] /= _METRES
+        lowest_hz, highest_hz = (numbers.pop(name) for name in _BAND)
         return {
             "name": self.name.text().strip(),
             "title": self.title.text().strip(),
@@ -123,6 +140,7 @@ class LimbForm(QObject):
             "axes": self.axes.value,
             "left": self.left.isChecked(),
             "mirrored": self.mirrored.isChecked(),
+            "band_hz": (lowest_hz, highest_hz) if highest_hz > 0.0 else None,
             **numbers,
         }
 
@@ -144,7 +162,7 @@ class LimbForm(QObject):
         self._rows.addRow("Axes", self.axes)
         for name, field in self.numbers.items():
             field.setObjectName(f"limb_{name}")
-            field.set_value(_STARTS[name])
+            field.set_value(_STARTS.get(name, 0.0))
             field.edited.connect(self._take_number(field))
             self._rows.addRow(_NUMBERS[name].label, field)
         hands = QHBoxLayout()

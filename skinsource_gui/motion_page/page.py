@@ -71,8 +71,10 @@ class MotionPage(QDialog):
         self.path_row = PathRow()
         self.strip = ClipStrip()
         self.motion_fields = RecipeFields(self._of_motion, self)
-        rate_hz = facts_of(document.design.limb).sample_rate_hz
-        self.waveform_fields = RecipeFields(lambda _, spec: spec.at_rate(rate_hz), self)
+        limb = facts_of(document.design.limb)
+        self.waveform_fields = RecipeFields(
+            lambda _, spec: spec.at_rate(limb.sample_rate_hz, limb.band_hz), self
+        )
         self._summary, self._about = QLabel(), QLabel()
         self._buttons()
         self._lay_out()

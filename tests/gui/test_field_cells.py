@@ -10,7 +10,9 @@ from skinsource.fields import ChoiceSpec, NumberSpec, PlainSpec, SwitchSpec, Tex
 from skinsource.waveforms import Formula
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 
-FREQUENCY = NumberSpec(label="Frequency", unit="Hz", minimum=1.0, maximum=649.0, felt=True)
+FREQUENCY = NumberSpec(
+    label="Frequency", unit="Hz", minimum=1.0, maximum=649.0, felt_hz=(25.0, 600.0)
+)
 
 
 @pytest.fixture

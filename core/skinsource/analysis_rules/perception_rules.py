@@ -10,7 +10,7 @@ import scipy
 from skinsource.arrays import Floats
 from skinsource.chain import Actuation, Drive
 from skinsource.job import Stop
-from skinsource.limb import BAND_HZ, PUBLISHED, Limb
+from skinsource.limb import PUBLISHED, Limb
 from skinsource.loudest_window import window_samples
 from skinsource.perception import CHANNELS, sensation_magnitude, site_offsets_db, threshold_rms
 from skinsource.perception.hand_arm import weighted_rms
@@ -35,7 +35,7 @@ _ROOM_S = 0.2
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Sensation:
-    """Levels above the threshold of detection, of the loudest 100 ms, from 25 to 600 Hz.
+    """Levels above the threshold of detection, of the loudest 100 ms.
 
     Attributes
     ----------
@@ -47,12 +47,16 @@ class Sensation:
         See `skinsource.perception.sensation_magnitude`; None for thresholds of one's own.
     problem
         Why there are none; "" where there are.
+    band_hz
+        Frequencies that count: those that the limb was measured at, or, where that is not known,
+        those of the thresholds of one's own.
     """
 
     by_channel: Mapping[str, Floats]
     level_db: Floats
     strength: Floats | None = None
     problem: str = ""
+    band_hz: tuple[float, float] | None = None
 
 
 def sensation(
@@ -69,12 +73,13 @@ def sensation(
     if problem:
         return Sensation(by_channel={}, level_db=np.zeros(0), problem=problem)
     rate = limb_data.sample_rate_hz
+    band_hz = limb_data.band_hz or (table[0][0], table[-1][0])
     offsets: dict[Any, Floats] = {} if table else {**site_offsets_db(limb_data.name)}
     found: dict[Any, Floats] = {}
     for channel in (_OWN,) if table else CHANNELS:
 
         def weights(frequency_hz: Floats, channel: str = channel) -> Floats:
-            return _weights(frequency_hz, channel, perception_settings)
+            return _weights(frequency_hz, channel, perception_settings, band_hz)
 
         energy = _loudest(total_spectrum, streamed_vibration, limb_data, weights, stop)
         with np.errstate(divide="ignore"):
@@ -84,6 +89,7 @@ def sensation(
         by_channel=found,
         level_db=np.array(list(found.values())).max(axis=0),
         strength=None if table else sensation_magnitude(found),
+        band_hz=band_hz,
     )
 
 
@@ -126,9 +132,14 @@ def _problem(limb: Limb, scaling: Scaling, *, own: bool) -> str:
     return _NO_SITES if limb.name not in PUBLISHED and not own else ""
 
 
-def _weights(frequency_hz: Floats, channel: str, settings: PerceptionSettings) -> Floats:
-    """One over the threshold within the measured band, else 0: what is slower was not measured."""
-    low, high = BAND_HZ
+def _weights(
+    frequency_hz: Floats,
+    channel: str,
+    settings: PerceptionSettings,
+    band_hz: tuple[float, float],
+) -> Floats:
+    """One over the threshold within the band, else 0: what is slower was not measured."""
+    low, high = band_hz
     inside = (frequency_hz >= low) & (frequency_hz <= high)
     at = np.where(inside, frequency_hz, low)
     if channel == _OWN:

@@ -139,7 +139,7 @@ def _checks(
         _values(louder(design, k), view, stop, "axis_traces")["axis_traces"] for k in _LEVELS
     ]
     channels = np.stack(at_levels).reshape(len(_LEVELS), -1, field.shape[-1])
-    fit = linear_fit(_LEVELS, channels, rate)[1]
+    fit = linear_fit(_LEVELS, channels, rate, facts_of(design.limb).band_hz)[1]
     heard = audible_inputs(design.inputs)
     if len(heard) < 2:
         return float(np.nanmin(fit)), float("nan")

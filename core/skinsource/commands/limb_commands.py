@@ -64,6 +64,13 @@ def _add_import(actions: Any) -> None:
     one.add_argument("--axes", choices=AXES, help="along which each output measures; z: normal")
     one.add_argument("--rate", type=float, metavar="HZ", help="samples a second")
     one.add_argument("--delay", type=float, metavar="S", help="how late the responses are")
+    one.add_argument(
+        "--band",
+        type=float,
+        nargs=2,
+        metavar=("LOWEST", "HIGHEST"),
+        help="in which the responses hold, Hz (default: not known)",
+    )
     one.add_argument("--hand-length", type=float, metavar="MM", help="middle finger tip to wrist")
     one.add_argument(
         "--hand-length-units",
@@ -105,6 +112,7 @@ def _import(arguments: argparse.Namespace) -> int:
             "axes": arguments.axes,
             "sample_rate_hz": arguments.rate,
             "pre_trigger_delay_s": arguments.delay,
+            "band_hz": arguments.band,
             "hand_length_mm": arguments.hand_length,
             "hand_length_px": arguments.hand_length_units,
             "left": arguments.left,

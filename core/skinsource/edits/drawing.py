@@ -7,6 +7,7 @@ from skinsource.design import Design
 from skinsource.drawing import bounded_to_band
 from skinsource.edits.edit import Edit, Refusal, place_words, refused
 from skinsource.errors import InvalidInputError
+from skinsource.own_limbs import facts_of
 from skinsource.samples import Samples
 from skinsource.view import View
 from skinsource.waveforms import Drawn
@@ -28,8 +29,11 @@ def draw_clip(
 def bound_clip(design: Design, view: View, clip_id: int, sample_rate_hz: float) -> Edit | Refusal:
     """Take away what of a clip's waveform lies outside the measured band; it becomes samples."""
     try:
+        band_hz = facts_of(design.limb).band_hz
+        if band_hz is None:
+            return Refusal(sentence="In which band this limb was measured is not known.")
         drawn = design.clip(clip_id).waveform.samples(sample_rate_hz)
-        bounded = bounded_to_band(drawn, sample_rate_hz)
+        bounded = bounded_to_band(drawn, sample_rate_hz, band_hz)
     except InvalidInputError as error:
         return refused(error)
     if bounded.removed == 0.0 and np.array_equal(bounded.samples, drawn):
@@ -37,5 +41,6 @@ def bound_clip(design: Design, view: View, clip_id: int, sample_rate_hz: float) 
     outcome = draw_clip(design, view, clip_id, bounded.samples, sample_rate_hz)
     if isinstance(outcome, Refusal):
         return outcome
-    label = f"Bound to 25\u2013600 Hz, {100 * bounded.removed:.3g} % removed"
+    low_hz, high_hz = band_hz
+    label = f"Bound to {low_hz:g}\u2013{high_hz:g} Hz, {100 * bounded.removed:.3g} % removed"
     return Edit(label=label, design=outcome.design, view=outcome.view)

@@ -7,6 +7,7 @@ from skinsource.edits.edit import Edit, Refusal, refused
 from skinsource.edits.setup import change_scaling
 from skinsource.effects import BandLimit
 from skinsource.errors import InvalidInputError
+from skinsource.own_limbs import facts_of
 from skinsource.validity import Finding
 from skinsource.view import View
 
@@ -44,13 +45,15 @@ def _quieter(design: Design, view: View, factor: float) -> Edit | Refusal:
 def _band_limited(design: Design, view: View) -> Edit | Refusal:
     """A band limit at the end of the chain of each clip that is heard."""
     heard = {one.id for one in audible_inputs(design.inputs)}
+    band_hz = facts_of(design.limb).band_hz
+    if band_hz is None:
+        return _NOTHING
     try:
+        limit = BandLimit(low_hz=band_hz[0], high_hz=band_hz[1])
         inputs = tuple(
             replace(
                 one,
-                clips=tuple(
-                    replace(clip, effects=(*clip.effects, BandLimit())) for clip in one.clips
-                ),
+                clips=tuple(replace(clip, effects=(*clip.effects, limit)) for clip in one.clips),
             )
             if one.id in heard
             else one

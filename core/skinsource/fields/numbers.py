@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.fields.spec import Address, Misfit, Spec, Tree
+from skinsource.fields.spec import Address, Band, Misfit, Spec, Tree
+from skinsource.limb import BAND_HZ
 
 #: As the minimum of what has to be above 0 and has no other bound.
 SMALLEST = 5e-324
@@ -32,8 +33,9 @@ class NumberSpec(Spec):
         Whether only whole numbers are allowed.
     below_half_rate
         Whether it is a frequency that a limb can only play below half its sample rate.
-    felt
-        Whether it is a frequency of the motion itself, which is known in the measured band.
+    felt_hz
+        Of a frequency of the motion itself: the band in which it was measured, None where it is not
+        known.  None of all else, too.
     """
 
     unit: str = ""
@@ -43,18 +45,34 @@ class NumberSpec(Spec):
     logarithmic: bool = False
     whole: bool = False
     below_half_rate: bool = False
-    felt: bool = False
+    felt_hz: Band = None
 
-    def at_rate(self, sample_rate_hz: float) -> "NumberSpec":
+    def at_rate(self, sample_rate_hz: float, band_hz: Band = BAND_HZ) -> "NumberSpec":
         """What is allowed on a limb of this rate: whole hertz below half of it, where that counts.
+
+        What is felt is known in the band of the limb.
 
         >>> NumberSpec(label="Frequency", unit="Hz", below_half_rate=True).at_rate(1300.0).maximum
         649.0
         """
+        felt_hz = None if self.felt_hz is None else band_hz
         if not self.below_half_rate:
-            return self
+            return self if felt_hz == self.felt_hz else replace(self, felt_hz=felt_hz)
         highest = max(float(np.ceil(sample_rate_hz / 2)) - 1.0, self.minimum)
-        return replace(self, maximum=min(self.maximum, highest))
+        return replace(self, maximum=min(self.maximum, highest), felt_hz=felt_hz)
+
+    @property
+    def about(self) -> str:
+        """The hint, and the band of what is felt."""
+        if self.felt_hz is None:
+            return self.hint
+        low_hz, high_hz = self.felt_hz
+        band = f"{low_hz:g} to {high_hz:g} Hz is the measured band"
+        return f"{self.hint}; {band}" if self.hint else band
+
+    def is_known(self, value: float) -> bool:
+        """Whether what is felt was measured there; so is all else, and where nobody says."""
+        return self.felt_hz is None or self.felt_hz[0] <= value <= self.felt_hz[1]
 
     @property
     def expected(self) -> str:
@@ -209,9 +227,10 @@ class PointsSpec(Spec):
             raise Misfit(expected)
         return points
 
-    def at_rate(self, sample_rate_hz: float) -> "PointsSpec":
+    def at_rate(self, sample_rate_hz: float, band_hz: Band = BAND_HZ) -> "PointsSpec":
         """What is allowed on a limb of this rate, column by column."""
-        return replace(self, columns=tuple(one.at_rate(sample_rate_hz) for one in self.columns))
+        columns = tuple(one.at_rate(sample_rate_hz, band_hz) for one in self.columns)
+        return replace(self, columns=columns)
 
     def encoded(self, value: tuple[tuple[float, ...], ...]) -> Tree:
         """Return a list of lists of numbers."""

@@ -10,9 +10,13 @@ from dataclasses import dataclass
 from typing import Any, TypeVar
 
 from skinsource.errors import FileFormatError, InvalidInputError
+from skinsource.limb import BAND_HZ
 from skinsource.quoting import quoted
 
 Tree = Any
+
+#: Lowest and highest frequency that a limb was measured at; None: nobody says.
+Band = tuple[float, float] | None
 
 #: Recipes within recipes; whoever nests deeper has made a mistake, or means harm.
 MAX_DEPTH = 32
@@ -69,10 +73,15 @@ class Spec(ABC):
         del at
         return tree
 
-    def at_rate(self, sample_rate_hz: float) -> "Spec":
-        """What is allowed on a limb of this sample rate: the same, for most."""
-        del sample_rate_hz
+    def at_rate(self, sample_rate_hz: float, band_hz: Band = BAND_HZ) -> "Spec":
+        """What is allowed on a limb of this sample rate, known in its band: for most, the same."""
+        del sample_rate_hz, band_hz
         return self
+
+    @property
+    def about(self) -> str:
+        """What is said of it where it is edited."""
+        return self.hint
 
     @property
     def nests(self) -> bool:

@@ -6,7 +6,8 @@ from typing import Any
 
 from skinsource.errors import InvalidInputError
 from skinsource.fields.recipes import decode, encode, nesting
-from skinsource.fields.spec import MAX_DEPTH, Address, Misfit, Spec, Tree
+from skinsource.fields.spec import MAX_DEPTH, Address, Band, Misfit, Spec, Tree
+from skinsource.limb import BAND_HZ
 from skinsource.samples import MAX_SAMPLES, Samples
 
 
@@ -82,9 +83,9 @@ class ListSpec(Spec):
         # What is as it was keeps its identity.
         return value if all(a is b for a, b in zip(parts, value, strict=True)) else parts
 
-    def at_rate(self, sample_rate_hz: float) -> "ListSpec":
+    def at_rate(self, sample_rate_hz: float, band_hz: Band = BAND_HZ) -> "ListSpec":
         """What is allowed on a limb of this rate, part by part."""
-        return replace(self, of=self.of.at_rate(sample_rate_hz))
+        return replace(self, of=self.of.at_rate(sample_rate_hz, band_hz))
 
     def encoded(self, value: tuple[Any, ...]) -> Tree:
         """Return a list of trees."""
@@ -115,12 +116,14 @@ class RecipeSpec(Spec):
     kinds
         Gives the classes that are allowed, and those made from them, which are computed but not
         written.  Asked anew each time, so that a kind can be added.
-    rate_hz
-        Sample rate of the limb on which it is played; None: not said.
+    rate_hz, band_hz
+        Sample rate of the limb on which it is played, None: not said; and the band in which that
+        was measured, None: not known.
     """
 
     kinds: Callable[[], tuple[type, ...]]
     rate_hz: float | None = None
+    band_hz: Band = BAND_HZ
 
     def checked(self, value: Any) -> Any:
         """Return ``value`` itself."""
@@ -130,9 +133,9 @@ class RecipeSpec(Spec):
             raise Misfit(f"recipes within recipes at most {MAX_DEPTH} deep")
         return value
 
-    def at_rate(self, sample_rate_hz: float) -> "RecipeSpec":
+    def at_rate(self, sample_rate_hz: float, band_hz: Band = BAND_HZ) -> "RecipeSpec":
         """The same, for a limb of this rate: what its fields allow follows from that."""
-        return replace(self, rate_hz=sample_rate_hz)
+        return replace(self, rate_hz=sample_rate_hz, band_hz=band_hz)
 
     def encoded(self, value: Any) -> Tree:
         """Return the fields by name, and the kind."""

@@ -27,7 +27,7 @@ class LimbFacts:
     ----------
     name, title, sentence
         As files name it; as the window does; and what it is.
-    n_inputs, n_outputs, n_taps, axes, sample_rate_hz, pre_trigger_delay_s, hand_length_mm
+    n_inputs, n_outputs, n_taps, axes, sample_rate_hz, pre_trigger_delay_s, band_hz, hand_length_mm
         As of `Limb`.
     synthetic
         Whether it is computed, not measured.
@@ -52,6 +52,7 @@ class LimbFacts:
     axes: Axes = "xyz"
     sample_rate_hz: float = SAMPLE_RATE_HZ
     pre_trigger_delay_s: float = PRE_TRIGGER_DELAY_S
+    band_hz: tuple[float, float] | None = BAND_HZ
     hand_length_mm: float = 0.0
     synthetic: bool = False
     own: bool = False
@@ -61,11 +62,6 @@ class LimbFacts:
     digest: str = ""
     left: bool = False
     mirrored: bool = False
-
-    @property
-    def band_hz(self) -> tuple[float, float] | None:
-        """In which it was measured; None: a lab does not say it of its own."""
-        return None if self.own else BAND_HZ
 
     @property
     def live(self) -> bool:

@@ -41,7 +41,7 @@ class Limb:
         How late the responses are: 0.052 in the published limbs.
     band_hz
         In which the responses were measured, 25 to 600 Hz of the published limbs; None: it is not
-        known.
+        known, nobody is warned of frequencies, and all count.
     per_unit_drive
         Whether a response answers one sample of the drive, so that convolving is all there is to
         do; else it answers the measuring pulse of the published limbs, which probe scaling divides

@@ -196,6 +196,7 @@ def _of_layout(path: Path, header: dict[str, Any]) -> dict[str, Any]:
         "synthetic": bool(header["synthetic"]),
         "sample_rate_hz": header["sample_rate_hz"],
         "pre_trigger_delay_s": header["pre_trigger_delay_s"],
+        "band_hz": header["band_hz"],
         "hand_length_mm": header["hand_length_mm"],
         "hand_length_px": header["hand_length"],
         "input_names": tuple(header["input_names"]),

@@ -3,7 +3,7 @@
 ::
 
     /                  format, format_version, name, title, note, sample_rate_hz, axes,
-                       pre_trigger_delay_s, answers, hand, hand_length_mm, synthetic
+                       pre_trigger_delay_s, band_hz, answers, hand, hand_length_mm, synthetic
     /responses         (n_inputs, n_outputs, n_axes, n_taps) float32 or float64, m/s²
     /map               hand_length
     /map/outline       (n_vertices, 2)
@@ -65,6 +65,7 @@ def header_of(path: Path) -> dict[str, Any]:
             raise refusal(path, f"format_version is {version:g}", f"{VERSION}")
         header: dict[str, Any] = {name: _text(file, path, name, TEXTS[name]) for name in TEXTS}
         header |= {name: _number(file, path, name, NUMBERS[name]) for name in NUMBERS}
+        header["band_hz"] = _band(file, path)
         responses = _responses(file, path)
         header["shape"] = [int(n) for n in responses.shape]
         group = hdf5.own_member(file, "map", hdf5.Group)
@@ -134,6 +135,8 @@ def _put_header(file: Any, limb: OwnLimb) -> None:
         file.attrs[name] = text
     for name in ("sample_rate_hz", "pre_trigger_delay_s", "hand_length_mm"):
         file.attrs[name] = getattr(limb, name)
+    if limb.band_hz is not None:
+        file.attrs["band_hz"] = limb.band_hz
     file.attrs["format_version"] = VERSION
     file.attrs["synthetic"] = int(limb.synthetic)
     group = file.create_group("map")
@@ -179,6 +182,16 @@ def _number(group: Any, path: Path, name: str, default: float | None) -> float:
     if array.size != 1 or array.dtype.kind not in "iufb" or not np.isfinite(array).all():
         raise refusal(path, f"the attribute {quoted(name)} is {quoted(value)}", "one number")
     return float(array.reshape(-1)[0])
+
+
+def _band(group: Any, path: Path) -> list[float] | None:
+    value = _attribute(group, path, "band_hz", False)
+    if value is False:
+        return None
+    array = np.asarray(value)
+    if array.shape != (2,) or array.dtype.kind not in "iuf" or not np.isfinite(array).all():
+        raise refusal(path, f"the attribute 'band_hz' is {quoted(value)}", "two frequencies")
+    return [float(one) for one in array]
 
 
 def _attribute(group: Any, path: Path, name: str, default: Any) -> Any:

@@ -40,7 +40,7 @@ class OwnLimb:
         What designs and commands call it, see `NAME_RULE`.
     title, note
         What the window calls it, and what users should know of it.
-    n_taps, axes, sample_rate_hz, pre_trigger_delay_s, per_unit_drive, synthetic
+    n_taps, axes, sample_rate_hz, pre_trigger_delay_s, band_hz, per_unit_drive, synthetic
         As of `skinsource.Limb`.
     hand_length_mm
         Tip of the middle finger to the middle of the wrist.
@@ -67,6 +67,7 @@ class OwnLimb:
     axes: Axes
     sample_rate_hz: float
     pre_trigger_delay_s: float = 0.0
+    band_hz: tuple[float, float] | None = None
     per_unit_drive: bool = True
     synthetic: bool = False
     hand_length_mm: float
@@ -98,6 +99,7 @@ class OwnLimb:
             expected = f"a number from {least:g} to {most:g} {unit}"
             number = real_number(name, getattr(self, name), expected, least=least, most=most)
             self._put(**{name: number})
+        self._put(band_hz=_band(self.band_hz, self.sample_rate_hz))
         self._check_places()
         n_bytes = 8 * self.n_inputs * self.n_outputs * len(self.axes) * self.n_taps
         if n_bytes > MOST_BYTES:
@@ -179,6 +181,19 @@ def _line(what: str, text: object, longest: int) -> str:
             f"{what} is {quoted(text)}, expected one line of at most {longest} characters"
         )
     return text.strip()
+
+
+def _band(band_hz: object, sample_rate_hz: float) -> tuple[float, float] | None:
+    if band_hz is None:
+        return None
+    found = real_array("band_hz", band_hz, "two frequencies")  # type: ignore[arg-type]
+    highest = sample_rate_hz / 2.0
+    if found.shape != (2,) or not 0.0 <= found[0] < found[1] <= highest:
+        raise InvalidInputError(
+            f"band_hz is {quoted(band_hz)}, expected a lower and a higher frequency, up to half "
+            f"the sample rate, {highest:g} Hz"
+        )
+    return float(found[0]), float(found[1])
 
 
 def _points(what: str, points: object, fewest: int, most: int, *, missing: bool = True) -> Floats:

@@ -88,6 +88,7 @@ def _read(name: str, path: Path, _changed_ns: int, _size: int) -> tuple[LimbFact
         axes=held.axes,
         sample_rate_hz=held.sample_rate_hz,
         pre_trigger_delay_s=held.pre_trigger_delay_s,
+        band_hz=held.band_hz,
         hand_length_mm=held.hand_length_mm,
         synthetic=held.synthetic,
         own=True,

@@ -38,6 +38,8 @@ _DIGESTED = (
     "output_positions",
     "sha256",
 )
+#: And of these, where they are said: limbs that say nothing of them keep their digest.
+_DIGESTED_IF_SAID = ("band_hz",)
 _FIELDS = tuple(OwnLimb.__dataclass_fields__)
 
 
@@ -229,7 +231,8 @@ def _limb_of(tree: dict[str, Any]) -> OwnLimb:
 
 def _digest(limb: OwnLimb, sums: tuple[str, ...]) -> str:
     tree = _tree(limb, sums)
-    return hashlib.sha256(_json({name: tree[name] for name in _DIGESTED})).hexdigest()
+    said = tuple(name for name in _DIGESTED_IF_SAID if tree[name] is not None)
+    return hashlib.sha256(_json({name: tree[name] for name in (*_DIGESTED, *said)})).hexdigest()
 
 
 def _damaged(path: Path, reason: str) -> FileFormatError:

@@ -70,7 +70,7 @@ def load_own_limb(name: str) -> Limb:
         sample_rate_hz=held.sample_rate_hz,
         axes=held.axes,
         pre_trigger_delay_s=held.pre_trigger_delay_s,
-        band_hz=None,
+        band_hz=held.band_hz,
         per_unit_drive=held.per_unit_drive,
         note=held.note,
         shape=held.shape,

@@ -11,7 +11,7 @@ from skinsource.choice_words import signal_words
 from skinsource.design import Design
 from skinsource.errors import InvalidInputError
 from skinsource.evaluation import evaluate
-from skinsource.limb import BAND_HZ
+from skinsource.own_limbs import facts_of
 from skinsource.plot.paper import DIM, SYNTHETIC, axes_of, style
 from skinsource.plot.rows import Row, common_size, draw_rows, say_scale
 from skinsource.quoting import quoted
@@ -93,7 +93,7 @@ def spectra(
     title: str = "",
     ax: Any = None,
 ) -> Any:
-    """Draw magnitude spectra of outputs from 25 to 600 Hz, a row for each.
+    """Draw magnitude spectra of outputs in the band of the limb, a row for each.
 
     Parameters
     ----------
@@ -121,7 +121,8 @@ def spectra(
             "axes of its own"
         )
     frequency = found[0][0]
-    within = (frequency >= BAND_HZ[0]) & (frequency <= BAND_HZ[1])
+    low_hz, high_hz = facts_of(designs[0].limb).band_hz or (0.0, np.inf)
+    within = (frequency >= low_hz) & (frequency <= high_hz)
     curves = [averaged(magnitude, mean_of_bins)[:, within] for _, magnitude in found]
     rows = _rows(frequency[within], curves, looked.outputs, normalised)
     on, alone = axes_of(ax, _WIDTH_MM, _ROW_MM * len(rows) + _AROUND_MM)

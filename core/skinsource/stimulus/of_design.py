@@ -118,6 +118,7 @@ def _made(
         limb=design.limb,
         scaling=design.scaling,
         own_rate_hz=own_rate_hz,
+        limb_band_hz=limb.band_hz,
         samples_unit="V" if amplitude_unit(design.scaling, design.actuated) == "V" else "",
     )
 

@@ -37,6 +37,8 @@ class Stimulus:
         Rate at which the design was sampled: nothing above its half is in the samples.
     samples_unit
         Unit of the samples, where something made other quantities of the drives; else "".
+    limb_band_hz
+        In which the limb was measured; None: not known.
     """
 
     channels: tuple[Channel, ...]
@@ -47,6 +49,7 @@ class Stimulus:
     start_s: float = 0.0
     own_rate_hz: float
     samples_unit: str = ""
+    limb_band_hz: tuple[float, float] | None = BAND_HZ
 
     def __post_init__(self) -> None:
         if self.samples.ndim != 2 or len(self.channels) != self.samples.shape[0]:
@@ -77,7 +80,8 @@ class Stimulus:
     def band_hz(self) -> tuple[float, float]:
         """Lowest and highest frequency at which what is written is what was predicted."""
         lower_hz = min(self.sample_rate_hz, self.own_rate_hz)
-        return BAND_HZ[0], min(BAND_HZ[1], lower_hz / 2.0 * 12.0 / 13.0)
+        low_hz, high_hz = self.limb_band_hz or (0.0, np.inf)
+        return low_hz, min(high_hz, lower_hz / 2.0 * 12.0 / 13.0)
 
     @property
     def driving(self) -> tuple[int, ...]:

@@ -40,7 +40,7 @@ class DriveMetrics:
         energy = outside = 0.0
         for each in one.placed:
             weight = each.voice.amplitude * each.drive.factor * factor
-            known = self._of_drive(each, rate_hz)
+            known = self._of_drive(each, rate_hz, one.limb.band_hz)
             channels.setdefault(each.voice.location, []).append((weight, each, known))
             energy += weight**2 * known.energy
             outside += weight**2 * known.energy * known.outside
@@ -60,7 +60,7 @@ class DriveMetrics:
             "share_outside_band": outside / energy if energy > 0.0 else np.nan,
         }
 
-    def _of_drive(self, one: Placed, rate_hz: float) -> _Known:
+    def _of_drive(self, one: Placed, rate_hz: float, band_hz: tuple[float, float] | None) -> _Known:
         known = self._known.get(one.voice.id)
         if known is None or known.drive is not one.drive:
             samples = one.drive.samples
@@ -68,7 +68,7 @@ class DriveMetrics:
                 one.drive,
                 float(np.abs(samples).max(initial=0.0)),
                 float(np.vecdot(samples, samples)),
-                share_outside_band(samples, rate_hz),
+                share_outside_band(samples, rate_hz, band_hz) if band_hz else np.nan,
             )
         return known
 

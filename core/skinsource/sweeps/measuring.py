@@ -93,7 +93,8 @@ class Measurer:
 
         - ``factor``: what all amplitudes were multiplied with to reach the plan's level;
         - ``duration_s``; ``drive_peak``, ``drive_rms``: largest and RMS of all channels;
-        - ``share_outside_band``: of the energy of the drive, outside 25 to 600 Hz;
+        - ``share_outside_band``: of the energy of the drive, outside the band in which the limb was
+          measured; NaN where that is not known;
         - ``loudest_output``: where the RMS of the whole record is highest; there ``rms``,
           ``rms_100ms`` (the loudest 100 ms) and ``peak``;
         - ``level_100ms_db``: the highest RMS of any 100 ms at whatever output, dB re 1 m/s²; only

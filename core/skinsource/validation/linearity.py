@@ -15,7 +15,10 @@ BIN_HZ = 2.0
 
 
 def linear_fit(
-    levels: ArrayLike, responses: ArrayLike, sample_rate_hz: float
+    levels: ArrayLike,
+    responses: ArrayLike,
+    sample_rate_hz: float,
+    band_hz: tuple[float, float] | None = BAND_HZ,
 ) -> tuple[Floats, Floats]:
     """Return how well output is in proportion to input, by frequency.
 
@@ -30,6 +33,8 @@ def linear_fit(
         To the same stimulus at these levels.
     sample_rate_hz
         Their rate.
+    band_hz
+        The measured band; None: it is not known, and all frequencies count.
 
     Returns
     -------
@@ -54,12 +59,13 @@ def linear_fit(
     n_times = data.shape[-1]
     power = np.square(np.abs(scipy.fft.rfft(data, axis=-1)))
     frequency_hz = np.arange(power.shape[-1]) * (rate / n_times)
-    inside = (frequency_hz >= BAND_HZ[0]) & (frequency_hz < BAND_HZ[1])
-    bins = np.floor((frequency_hz[inside] - BAND_HZ[0]) / BIN_HZ).astype(int)
+    low_hz, high_hz = band_hz or (0.0, np.inf)
+    inside = (frequency_hz >= low_hz) & (frequency_hz < high_hz)
+    bins = np.floor((frequency_hz[inside] - low_hz) / BIN_HZ).astype(int)
     numbers, first, counts = np.unique(bins, return_index=True, return_counts=True)
     summed = np.add.reduceat(power[..., inside], first, axis=-1)
     y = np.sqrt(summed / counts)
-    middles = BAND_HZ[0] + (numbers + 0.5) * BIN_HZ
+    middles = low_hz + (numbers + 0.5) * BIN_HZ
     return middles, _adjusted_r2(x, y)
 
 

@@ -17,7 +17,7 @@ from skinsource.waveforms.tone import FREQUENCY, PHASE
 
 CARRIER = replace(FREQUENCY, label="Carrier")
 MODULATOR = replace(
-    FREQUENCY, label="Modulator", minimum=0.1, felt=False, hint="How often it swells per second"
+    FREQUENCY, label="Modulator", minimum=0.1, felt_hz=None, hint="How often it swells per second"
 )
 DEPTH = NumberSpec(
     label="Depth", minimum=0.0, maximum=1.0, step=0.01, hint="1: down to silence; 0: a plain tone"

@@ -19,7 +19,7 @@ from skinsource.waveforms.shared_specs import DURATION, WINDOW
 from skinsource.waveforms.square import FUNDAMENTAL
 from skinsource.waveforms.tone import PHASE
 
-RATE = replace(FUNDAMENTAL, label="Rate", felt=False, hint="Pulses per second")
+RATE = replace(FUNDAMENTAL, label="Rate", felt_hz=None, hint="Pulses per second")
 PULSE = NumberSpec(
     label="Pulse",
     unit="s",

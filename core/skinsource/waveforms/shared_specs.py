@@ -33,7 +33,8 @@ CENTRE = NumberSpec(
     step=0.02,
     logarithmic=True,
     below_half_rate=True,
-    hint="Where its spectrum is centred; {:g} to {:g} Hz is the measured band".format(*BAND_HZ),
+    felt_hz=BAND_HZ,
+    hint="Where its spectrum is centred",
 )
 CYCLES = NumberSpec(
     label="Cycles",

@@ -21,8 +21,7 @@ FREQUENCY = NumberSpec(
     step=0.02,
     logarithmic=True,
     below_half_rate=True,
-    felt=True,
-    hint="{:g} to {:g} Hz is the measured band".format(*BAND_HZ),
+    felt_hz=BAND_HZ,
 )
 PHASE = NumberSpec(
     label="Phase", unit="rad", minimum=-2 * pi, maximum=2 * pi, step=pi / 36, hint="Phase at onset"

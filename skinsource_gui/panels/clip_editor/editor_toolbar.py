@@ -51,11 +51,7 @@ class EditorToolbar(QWidget):
             row.addWidget(button)
         self._tools["look"].setChecked(True)
         row.addSpacing(8)
-        self._bound = self._button(
-            "Bound to band",
-            "Take away what lies outside 25 to 600 Hz, where nothing was measured; the waveform "
-            "becomes samples",
-        )
+        self._bound = self._button("Bound to band", "")
         self._bound.clicked.connect(lambda: self.bound_wanted.emit())
         row.addWidget(self._bound)
         self._fit = self._button("Fit", f"See all of the clip ({key_text(_PLACE, 'whole')})")
@@ -78,6 +74,17 @@ class EditorToolbar(QWidget):
         self._words.setToolTip(whole)
         for button in (*self._tools.values(), self._bound, self._fit):
             button.setEnabled(enabled)
+
+    def show_band(self, band_hz: tuple[float, float] | None) -> None:
+        """In which band the limb was measured; None: not known, and nothing can be bound to it."""
+        words = "In which band this limb was measured is not known"
+        if band_hz is not None:
+            words = (
+                f"Take away what lies outside {band_hz[0]:g} to {band_hz[1]:g} Hz, where nothing "
+                "was measured; the waveform becomes samples"
+            )
+        self._bound.setToolTip(words)
+        self._bound.setEnabled(band_hz is not None)
 
     def offer_glide(self, offered: bool) -> None:
         """Whether the clip plays a glide, whose curves can be shaped."""

@@ -175,6 +175,7 @@ class ClipEditorPanel(Panel):
         band_hz = facts_of(self._design.limb).band_hz
         self._spectrum.show_samples(played, self._rate_hz, band_hz)
         self._say(clip)
+        self._toolbar.show_band(band_hz)
 
     def _say(self, clip: Clip) -> None:
         said_of, design, words = self._said

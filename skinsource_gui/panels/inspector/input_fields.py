@@ -57,7 +57,8 @@ class InputFields(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._theme = LIGHT
-        self._rate_hz, self._places = facts_of("").sample_rate_hz, _places_of("")
+        facts = facts_of("")
+        self._played_at, self._places = (facts.sample_rate_hz, facts.band_hz), _places_of("")
         self._own: tuple[LabelledCell, ...] = ()
         self._built_for: type[Waveform] | None = None
         self._length: WordsCell | None = None
@@ -109,21 +110,25 @@ class InputFields(QObject):
             cell.show_differs(len(found) > 1)
 
     def show_limb(self, limb: str) -> None:
-        """Take over which places there are."""
+        """Take over which places there are, and in which band it was measured."""
         places = _places_of(limb)
         if places != self._places:
             self._places = places
             self.place.set_spec(places)
+        self._take(self._played_at[0], facts_of(limb).band_hz)
 
     def show_rate(self, sample_rate_hz: float) -> None:
         """Take over the rate of the limb, which says what frequencies can be played."""
-        if self._rate_hz == sample_rate_hz:
+        self._take(sample_rate_hz, self._played_at[1])
+
+    def _take(self, sample_rate_hz: float, band_hz: tuple[float, float] | None) -> None:
+        if self._played_at == (sample_rate_hz, band_hz):
             return
-        self._rate_hz = sample_rate_hz
+        self._played_at = sample_rate_hz, band_hz
         specs = specs_of(self._built_for) if self._built_for else {}
         for cell in self._own:
             if isinstance(cell, FieldCell):
-                cell.set_spec(specs[cell.name].at_rate(sample_rate_hz))
+                cell.set_spec(specs[cell.name].at_rate(*self._played_at))
 
     def show_refused(self, one: Input, name: str, reason: str) -> None:
         """Show again what ``one`` has in this field, and why it stays so."""
@@ -158,7 +163,7 @@ class InputFields(QObject):
         cells: list[LabelledCell] = []
         self._length = None
         for name, spec in (specs_of(waveform) if waveform else {}).items():
-            own = FieldCell(name, spec.at_rate(self._rate_hz))
+            own = FieldCell(name, spec.at_rate(*self._played_at))
             own.edited.connect(self.edited)
             cells.append(own)
         if waveform and fixed_length_text(waveform):

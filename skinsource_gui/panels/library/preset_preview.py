@@ -77,10 +77,11 @@ class PresetPreview(QWidget):
         if preset is None:
             return
         try:
-            rate_hz = facts_of(self._limb).sample_rate_hz
+            limb = facts_of(self._limb)
+            rate_hz = limb.sample_rate_hz
             samples = mixed(preset.fragment, rate_hz)
             self.strip.show_lanes(strip_lanes(preset.fragment, rate_hz))
-            self.spectrum.show_samples(samples, rate_hz)
+            self.spectrum.show_samples(samples, rate_hz, limb.band_hz)
         except SkinSourceError as error:
             self.strip.show_words(sentence(str(error)))
             self.spectrum.show_samples(None)

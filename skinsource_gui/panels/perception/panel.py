@@ -109,7 +109,7 @@ class PerceptionPanel(Panel):
         short = self.fontMetrics().elidedText(name, middle, _MOST_NAME_PX)
         self.own.setText(short if own else "Own thresholds…")
         self.own.setToolTip(f"{name}. {_TAKE_OWN}" if own else _TAKE_OWN)
-        self.limits.setText(_OWN_LIMITS if own else LIMITS)
+        self.limits.setText(_limits(self._settings, self._found))
         if not view.outputs:
             self._say(output_words(self.in_sight))
         elif self.message.text() == output_words(self.in_sight):
@@ -125,6 +125,7 @@ class PerceptionPanel(Panel):
             self._say(found.problem or output_words(self.in_sight))
             return
         self._found, self._outputs, self._limb = found, outputs, results["limb_data"].name
+        self.limits.setText(_limits(self._settings, self._found))
         self.table.fill(header(found), outputs, rows(found, outputs, self._limb))
         loudest = int(np.argmax(found.level_db))
         synthetic = " Synthetic limb." if results["limb_data"].synthetic else ""
@@ -217,3 +218,12 @@ def _button(parent: QWidget, name: str, words: str) -> QToolButton:
     button.setText(words)
     button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     return button
+
+
+def _limits(settings: PerceptionSettings, found: Sensation | None) -> str:
+    """What such numbers are not good for, and which frequencies count."""
+    words = _OWN_LIMITS if settings.thresholds else LIMITS
+    if found is None or found.band_hz is None:
+        return words
+    low_hz, high_hz = found.band_hz
+    return f"{words} What lies from {low_hz:g} to {high_hz:g} Hz counts."

@@ -8,12 +8,13 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 from skinsource.choice_words import SCALINGS, limb_word, signal_words, word_of
 from skinsource.design import Design
 from skinsource.limb import LimbMap
+from skinsource.own_limbs import facts_of
 from skinsource.view import View
 from skinsource_gui.panels.skin.colour_scale import paint_colour_scale
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import ALL, MapLayout, SeenPart, map_layout
 from skinsource_gui.panels.skin.map_painter import MapPainter, small_font
-from skinsource_gui.panels.skin.map_quantity import MapQuantity
+from skinsource_gui.panels.skin.map_quantity import SENSATION, MapQuantity
 from skinsource_gui.panels.skin.map_words import paint_words
 from skinsource_gui.theme import Theme, tabular
 from skinsource_gui.widgets.kept_picture import PaintedAnew
@@ -43,6 +44,9 @@ def heading_of(design: Design | None, view: View, quantity: MapQuantity | None =
     quantity = quantity or MapQuantity(span=view.span)
     parts = [quantity.details or signal_words(view.axes, view.method)]
     if design is not None:
+        band_hz = facts_of(design.limb).band_hz
+        if quantity.name == SENSATION and band_hz is not None:
+            parts.append(f"{band_hz[0]:g} to {band_hz[1]:g} Hz")
         scaling = word_of(SCALINGS, design.scaling).title.lower()
         parts = [limb_word(design.limb).title, *parts, f"scaling: {scaling}"]
     return Heading(title=quantity.heading, details=" · ".join(parts))

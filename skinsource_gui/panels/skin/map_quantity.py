@@ -83,7 +83,7 @@ class MapQuantity:
     def details(self) -> str:
         """What was made of the axes."""
         if self.name in (Z, SENSATION):
-            return "z" if self.name == Z else "x, y, z together, 25 to 600 Hz"
+            return "z" if self.name == Z else "x, y, z together"
         return "x, y, z, magnitude" if self.name == MAGNITUDE else self.signal
 
     def text(self, value: float) -> str:

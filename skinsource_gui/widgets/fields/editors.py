@@ -21,13 +21,12 @@ from skinsource.fields import (
     TextSpec,
     made_for,
 )
-from skinsource.limb import BAND_HZ
 from skinsource.quoting import printable
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.curve_field import CurveField
 from skinsource_gui.widgets.fields.editor import Editor
-from skinsource_gui.widgets.fields.list_editors import CurveText, NumbersEditor
+from skinsource_gui.widgets.fields.list_editors import CurveText, NumbersEditor, outside_band_words
 from skinsource_gui.widgets.fields.live_text import LiveText
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.fields.parts.parts_editor import PartsEditor
@@ -35,8 +34,6 @@ from skinsource_gui.widgets.fields.points_editor import PointsEditor
 from skinsource_gui.widgets.fields.units import value_text
 from skinsource_gui.widgets.inputs.kind_field import KindField
 from skinsource_gui.widgets.tooltips import tooltip
-
-_OUTSIDE_BAND = f"outside the measured band ({BAND_HZ[0]:g} to {BAND_HZ[1]:g} Hz)"
 
 
 class NumberEditor(QObject):
@@ -59,8 +56,8 @@ class NumberEditor(QObject):
 
     def advice(self) -> str:
         """Warn of frequencies that were not measured."""
-        inside = BAND_HZ[0] <= self.field.value_si <= BAND_HZ[1]
-        return _OUTSIDE_BAND if self.field.spec.felt and not inside else ""
+        spec = self.field.spec
+        return "" if spec.is_known(self.field.value_si) else outside_band_words(spec)
 
 
 class _Plain(QObject):

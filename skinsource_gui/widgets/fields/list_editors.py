@@ -1,13 +1,13 @@
 """What edits lists of numbers: a line of text, read as one types."""
 
+from math import inf
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
 from skinsource.errors import InvalidInputError
-from skinsource.fields import CurveSpec, ListSpec, PointsSpec, TextSpec
-from skinsource.limb import BAND_HZ
+from skinsource.fields import CurveSpec, ListSpec, NumberSpec, PointsSpec, TextSpec
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.live_text import LiveText
 from skinsource_gui.widgets.fields.sweep_dialog import SweepDialog
@@ -20,6 +20,12 @@ from skinsource_gui.widgets.fields.typed_numbers import (
 )
 
 _LONGEST = 100_000
+
+
+def outside_band_words(spec: NumberSpec) -> str:
+    """What is said of a frequency that was not measured."""
+    low_hz, high_hz = spec.felt_hz or (0.0, inf)
+    return f"outside the measured band ({low_hz:g} to {high_hz:g} Hz)"
 
 
 class Listed(QObject):
@@ -100,14 +106,11 @@ class NumbersEditor(Listed):
 
     def advice(self) -> str:
         """Warn of frequencies that were not measured."""
-        if self._spec.of.unit != "Hz":
+        outside = tuple(one for one in self._value if not self._spec.of.is_known(one))
+        if not outside:
             return ""
-        low_hz, high_hz = BAND_HZ
-        outside = tuple(one for one in self._value if not low_hz <= one <= high_hz)
         words = numbers_text(outside[:3], self._spec) + (" …" if len(outside) > 3 else "")
-        return f"{words} Hz: outside the measured band ({low_hz:g} to {high_hz:g} Hz)" * bool(
-            outside
-        )
+        return f"{words} Hz: {outside_band_words(self._spec.of)}"
 
     def _read(self, text: str) -> tuple[float, ...]:
         return read_numbers(text, self._spec)

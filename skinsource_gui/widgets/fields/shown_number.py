@@ -84,7 +84,7 @@ class ShownNumber:
         """What it is, what is allowed, and how it is changed."""
         return tooltip(
             f"{self.spec.label}, {range_text(self.spec)}",
-            self.spec.hint,
+            self.spec.about,
             "Drag, turn the wheel or press ↑ ↓: the next round number (Ctrl: finer, Shift or "
             "Page Up, Page Down: ten times as far)",
             "Double-click or type to enter a number",

@@ -7,11 +7,11 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
-from skinsource.limb import BAND_HZ, SAMPLE_RATE_HZ
+from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource_gui.theme import LIGHT, Theme, tabular
 
 LOWEST_HZ, FLOOR_DB = 10.0, -80.0
-_TICKS_HZ = (10, 25, 50, 100, 200, 600)
+_TICKS_HZ = (10, 25, 50, 100, 200, 600, 2000, 6000, 20_000)
 _TICKS_DB = (0, -40, -80)
 _LEFT_PX, _BOTTOM_PX, _EDGE_PX = 40, 18, 6
 _BAND_ALPHA = 24
@@ -20,7 +20,7 @@ _BAND_ALPHA = 24
 class SpectrumPreview(QWidget):
     """The largest line of each pixel, in dB below the largest of all, from 10 Hz to half the rate.
 
-    What the impulse responses are measured for, 25 to 600 Hz, is shaded.
+    The band in which the limb was measured is shaded.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -28,13 +28,20 @@ class SpectrumPreview(QWidget):
         self._theme = LIGHT
         self._lines: tuple[Floats, Floats] | None = None
         self._highest_hz = SAMPLE_RATE_HZ / 2.0
+        self._band_hz: tuple[float, float] | None = None
         self.setObjectName("spectrum_preview")
         self.setAccessibleName("Spectrum")
         self.setFont(tabular(self.font()))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
-    def show_samples(self, samples: Floats | None, sample_rate_hz: float = SAMPLE_RATE_HZ) -> None:
-        """Draw the spectrum of ``samples``, (n_times,); nothing without any."""
+    def show_samples(
+        self,
+        samples: Floats | None,
+        sample_rate_hz: float = SAMPLE_RATE_HZ,
+        band_hz: tuple[float, float] | None = None,
+    ) -> None:
+        """Draw the spectrum of ``samples``, (n_times,), and the band; nothing without any."""
+        self._band_hz = band_hz
         self._highest_hz = sample_rate_hz / 2.0
         self._lines = None if samples is None else _lines(samples, sample_rate_hz)
         self.update()
@@ -47,10 +54,13 @@ class SpectrumPreview(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         plot = QRectF(self.rect()).adjusted(_LEFT_PX, _EDGE_PX, -_EDGE_PX, -_BOTTOM_PX)
-        band = QColor(self._theme.accent)
-        band.setAlpha(_BAND_ALPHA)
-        left, right = (self._x(plot, hz) for hz in BAND_HZ)
-        painter.fillRect(QRectF(left, plot.top(), right - left, plot.height()), band)
+        if self._band_hz is not None:
+            band = QColor(self._theme.accent)
+            band.setAlpha(_BAND_ALPHA)
+            left, right = (
+                self._x(plot, min(max(hz, LOWEST_HZ), self._highest_hz)) for hz in self._band_hz
+            )
+            painter.fillRect(QRectF(left, plot.top(), right - left, plot.height()), band)
         self._paint_ticks(painter, plot)
         if self._lines is not None:
             self._paint_lines(painter, plot, *self._lines)
@@ -78,13 +88,13 @@ class SpectrumPreview(QWidget):
                 room, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, text
             )
         free = plot.left() - 8.0
-        for hz in _TICKS_HZ:
-            if hz >= self._highest_hz:
-                break
+        seen = [hz for hz in _TICKS_HZ if hz < self._highest_hz]
+        last = seen[-1] if seen else 0
+        for hz in seen:
             x = self._x(plot, hz)
             painter.setPen(grid)
             painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
-            text = f"{hz} Hz" if hz == _TICKS_HZ[-1] else f"{hz}"
+            text = f"{hz} Hz" if hz == last else f"{hz}"
             width = metrics.horizontalAdvance(text)
             start = min(x - width / 2, self.width() - width - 1)
             if start > free:

@@ -8,8 +8,9 @@ from skinsource.catalogue import load_limb
 from skinsource.errors import SkinSourceError
 from skinsource.limb_import import LimbSource, import_limb, prepared
 from skinsource.limb_import import importing as importing_module
-from skinsource.own_limbs import own_limb_names
+from skinsource.own_limbs import own_limb_names, own_limb_path
 from skinsource.recordings.reading_process import ReadingProcess
+from tests.core.own_limbs.mutants import try_kept, try_layout, whole_file
 
 N_MUTANTS = 300
 
@@ -18,25 +19,6 @@ N_MUTANTS = 300
 def process():
     with ReadingProcess(silence_s=5.0) as one:
         yield one
-
-
-def whole_file(path):
-    with h5py.File(path, "w") as file:
-        file.attrs.update(
-            format="skinsource limb",
-            format_version=1,
-            name="ours",
-            axes="xz",
-            sample_rate_hz=4000.0,
-            hand_length_mm=180.0,
-        )
-        rng = np.random.default_rng(1)
-        file["responses"] = rng.standard_normal((2, 4, 2, 8))
-        file["map/outline"] = [[0.0, 0.0], [60.0, 0.0], [60.0, 100.0], [0.0, 100.0]]
-        file["map/inputs"] = rng.uniform(0, 50, (2, 2))
-        file["map/outputs"] = rng.uniform(0, 50, (4, 2))
-        file["names/inputs"] = ["a", "b"]
-    return path
 
 
 def outcome(path, process):
@@ -51,27 +33,18 @@ def outcome(path, process):
     return None
 
 
-def test_hundreds_of_mutants_give_a_limb_or_one_clear_error(tmp_path, process):
-    whole = whole_file(tmp_path / "whole.h5").read_bytes()
-    random = np.random.default_rng(3)
-    path, failed = tmp_path / "mutant.h5", 0
-    for _ in range(N_MUTANTS):
-        mutant = bytearray(whole)
-        kind = random.integers(4)
-        if kind == 0:
-            mutant = mutant[: random.integers(len(mutant))]
-        else:
-            for place in random.integers(0, len(mutant), (1, 4, 24)[kind - 1]):
-                mutant[place] = random.integers(256)
-        path.write_bytes(mutant)
-        error = outcome(path, process)
-        if error is not None:
-            failed += 1
-            assert "mutant.h5" in str(error)
-            assert "\n" not in str(error)
-            assert len(str(error)) < 600
-    assert failed > N_MUTANTS // 4
-    assert outcome(whole_file(tmp_path / "whole.h5"), process) is None
+def test_hundreds_of_mutants_give_a_limb_or_one_clear_error(user_data, tmp_path, process):
+    whole = whole_file(tmp_path / "whole.h5")
+    tally = try_layout(whole, N_MUTANTS, 3, tmp_path, process)
+    assert tally.wrong == []
+    assert tally.outcomes["refused"] > N_MUTANTS // 4
+    assert tally.outcomes["read"] > N_MUTANTS // 20
+    assert tally.outcomes["process lost"] == 0
+    assert outcome(whole, process) is None
+    import_limb(LimbSource(responses=whole))
+    kept = try_kept(own_limb_path("ours"), N_MUTANTS, 3, tmp_path)
+    assert kept.wrong == []
+    assert kept.outcomes["refused"] > N_MUTANTS // 2
 
 
 def hostile(change):

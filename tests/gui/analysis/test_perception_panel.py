@@ -29,7 +29,7 @@ def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
     panel = window.panel("perception")
     assert runs["sensation"] == 1
     assert panel.table.rowCount() == 3
-    assert panel.limits.text() == LIMITS
+    assert panel.limits.text() == f"{LIMITS} What lies from 25 to 600 Hz counts."
     assert "not perception" in panel.contact.text()
     assert "place 7" in panel.contact.text()
     panel.copy.click()

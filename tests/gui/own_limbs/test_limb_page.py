@@ -42,7 +42,7 @@ def imported(page, name, qtbot):
 def test_a_file_in_the_layout_is_imported_and_can_be_chosen_at_once(
     user_data, tmp_path, window, page, qtbot
 ):
-    installed()
+    installed(band_hz=(40.0, 1500.0))
     digest = facts_of("lab-1").digest
     export_limb("lab-1", tmp_path / "lab.h5")
     remove_limb("lab-1")
@@ -52,6 +52,7 @@ def test_a_file_in_the_layout_is_imported_and_can_be_chosen_at_once(
     assert page.form.name.text() == "lab-1"
     assert page.form.axes.value == "xz"
     assert page.form.values()["hand_length_mm"] == pytest.approx(180.0)
+    assert page.form.values()["band_hz"] == (40.0, 1500.0)
     assert len(page.draft.inputs) == 7
     imported(page, "lab-1", qtbot)
     assert facts_of("lab-1").digest == digest
@@ -88,6 +89,7 @@ def test_places_are_clicked_on_a_photograph(user_data, tmp_path, window, page, q
     click("hand", (100, 30), (100, 230))
     imported(page, "two", qtbot)
     limb = load_limb("two")
+    assert limb.band_hz is None
     assert limb.sample_rate_hz == RATE_HZ
     np.testing.assert_array_equal(limb.response_to(2)[:, 0], responses[1])
     scale = limb.map.hand_length_px

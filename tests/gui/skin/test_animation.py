@@ -12,6 +12,7 @@ import skinsource as ss
 from skinsource.errors import InvalidInputError, Stopped, StorageError
 from skinsource.export.video import video_file
 from skinsource.job import never
+from skinsource.limb import PUBLISHED
 from skinsource.panel_settings import with_settings
 from skinsource.view import View
 from skinsource_gui.panels.skin.map_layout import SeenPart
@@ -25,6 +26,7 @@ from skinsource_gui.widgets.pictures.layouts import LAYOUTS
 from skinsource_gui.widgets.pictures.picture_options import PictureDialog, PictureOptions
 
 imageio_ffmpeg = pytest.importorskip("imageio_ffmpeg")
+PERSON = PUBLISHED["synthetic-1"]
 DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tap()),))
 VIEW = View(time_range_s=(0.06, 0.066))
 
@@ -100,25 +102,30 @@ def test_it_is_as_slow_as_its_waves_need_and_never_faster_than_wanted():
     per_s = 60
     for name, least in ((Z, 20.0), (MAGNITUDE, 50.0), (RMS, 2.0)):
         settings = SkinSettings(quantity=name, rms_window_s=0.02)
-        assert pace_of(View(), settings, per_s) == least
-        assert pace_of(View(slow_motion=100.0), settings, per_s) == 100.0
-    assert pace_of(View(slow_motion=30.0), SkinSettings(quantity=MAGNITUDE), per_s) == 50.0
+        assert pace_of(View(), settings, per_s, PERSON) == least
+        assert pace_of(View(slow_motion=100.0), settings, per_s, PERSON) == 100.0
+    settings = SkinSettings(quantity=MAGNITUDE)
+    assert pace_of(View(slow_motion=30.0), settings, per_s, PERSON) == 50.0
+    # At 4 kHz waves may be three times as quick, unless the lab says that they are not.
+    lab = replace(PERSON, own=True, sample_rate_hz=4000.0, band_hz=None)
+    assert pace_of(View(), settings, per_s, lab) == 200.0
+    assert pace_of(View(), settings, per_s, replace(lab, band_hz=(20.0, 250.0))) == 20.0
 
 
 def test_a_film_is_that_of_the_time_axes_and_not_endless():
     settings = SkinSettings(quantity=Z)
-    film = film_of(View(), settings, 0.5, 60)
+    film = film_of(View(), settings, 0.5, 60, PERSON)
     assert (film.begin_s, film.slow_motion) == (0.0, 20.0)
     assert film.time_s(film.count - 1) <= 0.5 < film.time_s(film.count)
     with pytest.raises(InvalidInputError, match="Zoom the time axes"):
-        film_of(View(slow_motion=200.0), settings, 600.0, 60)
+        film_of(View(slow_motion=200.0), settings, 600.0, 60, PERSON)
 
 
 def test_the_picture_says_when_how_slowly_and_of_whom(small):
     exported = animation.ExportedDesign(DESIGN, VIEW, lambda *now: None, never)
     settings = SkinSettings(quantity=Z)
     camera = animation._Camera(exported, settings)
-    film = film_of(VIEW, settings, camera.end_s, 60)
+    film = film_of(VIEW, settings, camera.end_s, 60, PERSON)
     assert camera.words(film) == "Synthetic 1 (175 mm) · 1/20 of real time"
     first, later = (camera.frame(film, number).copy() for number in (0, 7))
     assert first.shape == (240, 180, 3)
@@ -163,7 +170,8 @@ def test_a_film_has_its_stimulus_below_it_at_every_size(monkeypatch):
     exported = animation.ExportedDesign(DESIGN, VIEW, lambda *now: None, never)
     options = PictureOptions(width_px=200, height_px=300, dpi=192, colours="dark")
     camera = animation._Camera(exported, SkinSettings(quantity=Z), options)
-    frame = camera.frame(film_of(VIEW, SkinSettings(quantity=Z), camera.end_s, 60), 0)
+    film = film_of(VIEW, SkinSettings(quantity=Z), camera.end_s, 60, PERSON)
+    frame = camera.frame(film, 0)
     assert frame.shape == (600, 400, 3)
     assert "Place 7" in seen[0]
     assert tuple(frame[1, 1]) == QColor(DARK.base).getRgb()[:3]

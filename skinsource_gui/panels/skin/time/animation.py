@@ -14,6 +14,8 @@ from skinsource.errors import InvalidInputError
 from skinsource.export.exported_design import ExportedDesign
 from skinsource.export.video import frames_per_s, video_file
 from skinsource.job import Progress, Stop, never, silent
+from skinsource.limb import LimbFacts
+from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of
 from skinsource.rendering.in_time import block_of
 from skinsource.view import View
@@ -35,8 +37,6 @@ MOST_PX = 4096
 PACES = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)
 #: Ten minutes of a film.
 MOST_FRAMES = 36_000
-# The measured band ends here; a length of a vector moves twice as fast.
-_HIGHEST_HZ = 600.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -61,19 +61,21 @@ class Film:
         return self.begin_s + number / (self.frames_per_s * self.slow_motion)
 
 
-def pace_of(view: View, settings: SkinSettings, per_s: int) -> float:
+def pace_of(view: View, settings: SkinSettings, per_s: int, limb: LimbFacts) -> float:
     """How many times slower it is shown: as the view says, or as slowly as it can be followed.
 
     Fewer than two instants in a period of the fastest motion would show waves that there are not.
     """
-    fastest_hz = {Z: _HIGHEST_HZ, MAGNITUDE: 2.0 * _HIGHEST_HZ, RMS: 1.0 / settings.rms_window_s}
+    highest_hz = limb.band_hz[1] if limb.band_hz else limb.sample_rate_hz / 2.0
+    # A length of a vector moves twice as fast.
+    fastest_hz = {Z: highest_hz, MAGNITUDE: 2.0 * highest_hz, RMS: 1.0 / settings.rms_window_s}
     needed = 2.0 * fastest_hz[settings.quantity] / per_s
     if view.slow_motion >= needed:
         return view.slow_motion
     return next((pace for pace in PACES if pace >= needed), PACES[-1])
 
 
-def film_of(view: View, settings: SkinSettings, end_s: float, per_s: int) -> Film:
+def film_of(view: View, settings: SkinSettings, end_s: float, per_s: int, limb: LimbFacts) -> Film:
     """The film of what the time axes show, of all of it where they are not zoomed.
 
     Raises
@@ -83,7 +85,7 @@ def film_of(view: View, settings: SkinSettings, end_s: float, per_s: int) -> Fil
     """
     first_s, last_s = view.time_range_s or (0.0, end_s)
     first_s, last_s = min(max(first_s, 0.0), end_s), min(max(last_s, 0.0), end_s)
-    pace = pace_of(view, settings, per_s)
+    pace = pace_of(view, settings, per_s, limb)
     count = int((last_s - first_s) * per_s * pace) + 1
     if count > MOST_FRAMES:
         raise InvalidInputError(
@@ -145,7 +147,7 @@ def export_animation(
         settings = replace(settings, quantity=Z)
     per_s = frames_per_s(path)
     camera = _Camera(ExportedDesign(design, view, progress, stop), settings, options, seen)
-    film = film_of(view, settings, camera.end_s, per_s)
+    film = film_of(view, settings, camera.end_s, per_s, facts_of(design.limb))
     about = f"SkinSource studio, {camera.words(film)}"
     with video_file(path, camera.size, about, stop) as add:
         for number in range(film.count):

@@ -130,7 +130,7 @@ class PartFields(QObject):
 
     def _at_rate(self, spec: Any) -> Any:
         rate_hz = self._spec.rate_hz
-        return spec if rate_hz is None else spec.at_rate(rate_hz)
+        return spec if rate_hz is None else spec.at_rate(rate_hz, self._spec.band_hz)
 
     def _change(self, name: str, value: object, gesture: int | None) -> None:
         self._last = name

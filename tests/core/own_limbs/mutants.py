@@ -1,0 +1,104 @@
+"""Damaged files of limbs by the thousand, and what may come of reading one.
+
+A mutant of the layout in which labs hand limbs over is one clear error, or a limb whose numbers are
+those that HDF5 itself reads from the mutant.  A mutant of the file that a limb is kept in is the
+limb as it was, or one clear error: that file carries checksums.
+"""
+
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from skinsource.errors import SkinSourceError
+from skinsource.limb_import import LimbSource, prepared
+from skinsource.limb_import import importing as importing_module
+from skinsource.own_limbs.limb_file import LimbFile
+from skinsource.recordings.reading_process import ReadingProcess
+from tests.core.recordings.mutants import Tally, mutant
+
+FORMATS = ("limb", "kept limb")
+_LONGEST = 600
+_CRASHED = ("crashed", "too long", "too much memory")
+
+
+def whole_file(path: Path) -> Path:
+    """A limb of two places and four outputs in the layout, with all that may be said."""
+    with h5py.File(path, "w") as file:
+        file.attrs.update(
+            format="skinsource limb",
+            format_version=1,
+            name="ours",
+            axes="xz",
+            sample_rate_hz=4000.0,
+            hand_length_mm=180.0,
+            band_hz=(30.0, 1200.0),
+        )
+        rng = np.random.default_rng(1)
+        file["responses"] = rng.standard_normal((2, 4, 2, 8))
+        file["map/outline"] = [[0.0, 0.0], [60.0, 0.0], [60.0, 100.0], [0.0, 100.0]]
+        file["map/inputs"] = rng.uniform(0, 50, (2, 2))
+        file["map/outputs"] = rng.uniform(0, 50, (4, 2))
+        file["names/inputs"] = ["a", "b"]
+    return path
+
+
+def try_layout(
+    whole: Path, count: int, random_seed: int, folder: Path, process: ReadingProcess
+) -> Tally:
+    """Import ``count`` mutants of a file in the layout; whatever else is raised is raised."""
+    rng = np.random.default_rng([random_seed, 0])
+    seed, path, tally = whole.read_bytes(), folder / "mutant.h5", Tally()
+    for number in range(count):
+        path.write_bytes(mutant(seed, rng))
+        try:
+            found = prepared(LimbSource(responses=path), process)
+            blocks = list(importing_module._responses(path, found, process, lambda: False))
+        except SkinSourceError as error:
+            _refused(tally, number, error)
+            continue
+        tally.outcomes["read"] += 1
+        with h5py.File(path) as file:
+            there = np.asarray(file["responses"][()], np.float64)
+            axes = file.attrs["axes"]
+        read = np.array(blocks).reshape(there.shape)
+        if not np.array_equal(read, there, equal_nan=True):
+            tally.wrong.append(f"layout {number}: other responses than HDF5 reads")
+        if found.limb.shape != there.shape or found.limb.axes != str(axes):
+            tally.wrong.append(f"layout {number}: {found.limb.shape} along {found.limb.axes}")
+    return tally
+
+
+def try_kept(whole: Path, count: int, random_seed: int, folder: Path) -> Tally:
+    """Open ``count`` mutants of the file that a limb is kept in."""
+    rng = np.random.default_rng([random_seed, 1])
+    before, path, tally = LimbFile(whole), folder / "mutant.limb", Tally()
+    seed, responses = whole.read_bytes(), [before.response(k) for k in (1, 2)]
+    for number in range(count):
+        content = mutant(seed, rng)
+        path.write_bytes(content)
+        try:
+            found = LimbFile(path)
+            read = [found.response(k) for k in range(1, found.limb.n_inputs + 1)]
+        except SkinSourceError as error:
+            _refused(tally, number, error)
+            continue
+        tally.outcomes["read"] += 1
+        same = found.digest == before.digest and _text(found) == _text(before)
+        if not same or not np.array_equal(read, responses):
+            tally.wrong.append(f"kept {number}: read as another limb")
+    return tally
+
+
+def _text(file: LimbFile) -> str:
+    """All but the arrays, which the digest stands for."""
+    values = {name: getattr(file.limb, name) for name in file.limb.__dataclass_fields__}
+    return repr({name: one for name, one in values.items() if not isinstance(one, np.ndarray)})
+
+
+def _refused(tally: Tally, number: int, error: SkinSourceError) -> None:
+    said = str(error)
+    lost = any(words in said for words in _CRASHED)
+    tally.outcomes["process lost" if lost else "refused"] += 1
+    if "mutant" not in said or "\n" in said or len(said) >= _LONGEST or "Traceback" in said:
+        tally.wrong.append(f"{number}: unclear: {said}")

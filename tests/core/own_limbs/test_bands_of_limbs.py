@@ -1,0 +1,131 @@
+"""In which band a lab measured: said or not, everything asks the limb."""
+
+import h5py
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource import edits
+from skinsource.analysis_rules.perception_rules import Sensation
+from skinsource.design import Design, track
+from skinsource.errors import InvalidInputError, RecordingError
+from skinsource.evaluation import Evaluator
+from skinsource.fields import specs_of
+from skinsource.limb import BAND_HZ
+from skinsource.limb_import import LimbSource, export_limb, import_limb
+from skinsource.own_limbs import facts_of
+from skinsource.panel_settings import with_settings
+from skinsource.perception.settings import PerceptionSettings, held
+from skinsource.stimulus import stimulus_of
+from skinsource.view import View
+from skinsource.waveforms import Noise, Tone, WaveletTrain
+from tests.core.own_limbs.lab_bench import installed, own_limb
+from tests.core.own_limbs.mutants import whole_file
+
+BAND = (40.0, 1500.0)
+# Half of what plays lies at 1 kHz: outside of the published band, inside of this one.
+PLAYED = Design(
+    limb="lab-1",
+    inputs=(
+        track(1, Tone(frequency_hz=100.0, duration_s=0.2)),
+        track(2, Tone(frequency_hz=1000.0, duration_s=0.2)),
+    ),
+)
+FLAT = ((20.0, 0.1), (2000.0, 0.1))
+
+
+def lamp(design):
+    found = Evaluator().evaluate(design, ("validity",))["validity"]
+    return next(one for one in found if one.name == "band")
+
+
+def sensation_of(design, table=FLAT) -> Sensation:
+    view = with_settings(View(axes="xz"), "perception", PerceptionSettings(table=held(table)))
+    return Evaluator().evaluate(design, ("sensation",), view)["sensation"]
+
+
+def test_the_band_is_kept_exported_and_part_of_the_digest(user_data, tmp_path):
+    installed()
+    silent = facts_of("lab-1").digest
+    assert facts_of("lab-1").band_hz is None
+    assert ss.load_limb("lab-1").band_hz is None
+    installed(band_hz=BAND)
+    said = facts_of("lab-1")
+    assert said.band_hz == ss.load_limb("lab-1").band_hz == BAND
+    assert said.digest != silent
+    export_limb("lab-1", tmp_path / "lab.h5")
+    again = import_limb(LimbSource(responses=tmp_path / "lab.h5", values={"name": "copy"}))
+    assert (again.band_hz, again.digest) == (BAND, said.digest)
+
+
+@pytest.mark.parametrize("band", [(600.0, 25.0), (0.0, 2001.0), (-1.0, 5.0), (5.0,), (np.nan, 9.0)])
+def test_a_band_that_is_none_is_refused(band):
+    with pytest.raises(InvalidInputError, match="band_hz"):
+        own_limb(band_hz=band)
+
+
+def test_a_file_that_says_a_band_wrongly_is_refused_by_name(user_data, tmp_path):
+    path = whole_file(tmp_path / "bad.h5")
+    with h5py.File(path, "r+") as file:
+        file.attrs["band_hz"] = "all"
+    with pytest.raises(RecordingError, match="'band_hz' is 'all', expected two frequencies"):
+        import_limb(LimbSource(responses=path))
+
+
+def test_frequencies_are_known_where_the_limb_says_it():
+    for kind in (Tone, Noise, WaveletTrain):
+        specs = specs_of(kind)
+        names = [name for name in specs if name.endswith("_hz")]
+        assert names
+        for name in names:
+            spec, named = specs[name], getattr(specs[name], "of", specs[name])
+            assert named.felt_hz == BAND_HZ
+            on_lab = spec.at_rate(4000.0, BAND)
+            on_lab = getattr(on_lab, "of", on_lab)
+            assert [on_lab.is_known(hz) for hz in (39.0, 40.0, 1500.0, 1501.0)] == [0, 1, 1, 0]
+            assert "40 to 1500 Hz is the measured band" in on_lab.about
+            unknown = spec.at_rate(4000.0, None)
+            unknown = getattr(unknown, "of", unknown)
+            assert unknown.is_known(1900.0)
+            assert "measured band" not in unknown.about
+
+
+def test_what_plays_is_judged_mended_drawn_and_written_in_the_band_of_the_limb(user_data):
+    installed(band_hz=BAND)
+    assert lamp(PLAYED).state == "kept"
+    low = PLAYED.with_clip(PLAYED.inputs[0].clips[0].id, waveform=Tone(frequency_hz=10.0))
+    assert lamp(low).state == "left"
+    assert "40 to 1500 Hz" in lamp(low).sentence
+    (limit,) = edits.mend(low, View(), lamp(low)).design.inputs[0].clips[0].effects
+    assert (limit.low_hz, limit.high_hz) == BAND
+    bound = edits.bound_clip(low, View(), low.inputs[0].clips[0].id, 4000.0)
+    assert bound.label.startswith("Bound to 40–1500 Hz")
+    assert stimulus_of(PLAYED).band_hz == BAND
+    installed()
+    assert lamp(low).state == "unknown"
+    refused = edits.bound_clip(low, View(), low.inputs[0].clips[0].id, 4000.0)
+    assert refused.sentence == "In which band this limb was measured is not known."
+    assert stimulus_of(PLAYED).band_hz == (0.0, pytest.approx(2000.0 * 12 / 13))
+
+
+def test_levels_above_threshold_count_what_was_measured(user_data):
+    installed(band_hz=BAND)
+    both = sensation_of(PLAYED)
+    assert both.band_hz == BAND
+    installed(band_hz=(40.0, 600.0))
+    slow = sensation_of(PLAYED)
+    installed()
+    assert sensation_of(PLAYED).band_hz == (20.0, 2000.0)
+    np.testing.assert_allclose(sensation_of(PLAYED).level_db, both.level_db, atol=0.3)
+    quick = sensation_of(PLAYED, ((700.0, 0.1), (2000.0, 0.1)))
+    assert quick.band_hz == (700.0, 2000.0)
+    # Two tones, and what the one and the other alone would be.
+    assert (both.level_db > slow.level_db).all()
+    assert (both.level_db > quick.level_db).all()
+    alone = evaluate_alone(1)
+    np.testing.assert_allclose(quick.level_db, alone.level_db, atol=0.5)
+
+
+def evaluate_alone(index):
+    inputs = (PLAYED.inputs[index],)
+    return sensation_of(Design(limb="lab-1", inputs=inputs), ((700.0, 0.1), (2000.0, 0.1)))

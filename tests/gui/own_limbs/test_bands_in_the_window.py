@@ -1,0 +1,35 @@
+"""What the window says of frequencies: in the band that the lab says, or nothing."""
+
+import pytest
+from PySide6.QtWidgets import QLabel, QToolButton
+
+from skinsource import edits
+from skinsource.design import Design, track
+from skinsource.presets.shelf import read_shelf, shipped_folder
+from skinsource.view import View
+from skinsource.waveforms import Tone
+from tests.core.own_limbs.lab_bench import installed
+
+PLAYED = Design(limb="synthetic-1", inputs=(track(5, Tone(frequency_hz=900.0, duration_s=0.1)),))
+
+
+@pytest.mark.parametrize("band", [None, (40.0, 1500.0), (40.0, 800.0)])
+def test_the_advice_beside_fields_asks_the_limb(user_data, make_window, qtbot, band):
+    installed(band_hz=band)
+    edit = edits.change_limb(PLAYED, View(selected_inputs=(1,), outputs=(3,)), "lab-1")
+    window = make_window(edit.design, edit.view)
+    for name in ("inspector", "clip_editor", "spectra"):
+        window.docks[name].bring_forward()
+    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
+    window.catch_up()
+    note = window.findChild(QLabel, "frequency_hz_note")
+    warned = band is not None and band[1] < 900.0
+    assert ("outside the measured band (40 to 800 Hz)" in note.text()) is warned
+    bound = window.findChild(QToolButton, "clip_bound to band")
+    assert bound.isEnabled() is (band is not None)
+    assert ("40 to" in bound.toolTip()) is (band is not None)
+    library = window.panel("library")
+    library.preview.show_limb("lab-1")
+    library.preview.show_preset(read_shelf(shipped_folder()).entries[0].preset)
+    assert library.preview.spectrum._band_hz == band
+    library.preview.grab()
