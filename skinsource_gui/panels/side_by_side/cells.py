@@ -65,12 +65,16 @@ class Cells:
         )
         return tuple(cell if cell.small is None else replace(cell, scale=scale) for cell in cells)
 
-    def of_spread(self, compared: Sequence[Compared], reference: int) -> tuple[Cell, ...]:
+    def of_spread(
+        self, compared: Sequence[Compared], names: Sequence[Names], reference: int
+    ) -> tuple[Cell, ...]:
         """Mean and standard deviation over all whose outputs are at the places of ``reference``."""
         self._begin()
         base = compared[reference]
         limb = _limb(base)
         alike = [one for one in compared if same_outputs(limb, _limb(one))]
+        pairs = zip(compared, names, strict=True)
+        called = [words for one, words in pairs if one in alike and one.values is not None]
         known = [one for one in alike if one.values is not None]
         # A mean of those that happen to be known already would change by itself.
         computing = any(one.values is None and not one.problem for one in alike)
@@ -79,7 +83,7 @@ class Cells:
             problem = next((one.problem for one in alike if one.problem), few)
             return (Cell(headings=("",), limb=limb, words="" if computing else problem),)
         mean, spread = mean_and_spread_over([_levels_db(one) for one in known])
-        what = f"of {len(known)}"
+        what = _of_all(called, len(compared))
         late = any(one.late for one in known)
         noisy = _noisy(*known)
         common: dict[str, Any] = {
@@ -93,13 +97,17 @@ class Cells:
         )
         return (
             Cell(
-                headings=(f"Mean {what}", "Mean"),
+                headings=(*(f"Mean {one}" for one in what), "Mean"),
                 small=self._map("mean", base, mean, noisy),
                 scale=of_mean,
                 **common,
             ),
             Cell(
-                headings=(f"Standard deviation {what}", "Standard deviation", "Spread"),
+                headings=(
+                    *(f"Standard deviation {one}" for one in what),
+                    *(f"Spread {one}" for one in what),
+                    "Spread",
+                ),
                 small=self._map("spread", base, spread, noisy),
                 scale=of_spread,
                 **common,
@@ -181,6 +189,15 @@ def snapshot_names(
         short = () if edited and not other else (f"{one.name}{on_limb}",)
         found.append((*longest, f"{called}{other}", *short))
     return found
+
+
+def _of_all(called: Sequence[Names], n_compared: int) -> Names:
+    """Of how many and of which; where some cannot take part, of how many there are."""
+    number = f"of {len(called)}"
+    if len(called) < n_compared:
+        number += f" of {n_compared}"
+    listed = ", ".join(one[min(1, len(one) - 1)] for one in called)
+    return f"{number}: {listed}", number
 
 
 def _minus(one: Names, other: Names) -> Names:

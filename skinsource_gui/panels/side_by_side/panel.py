@@ -156,7 +156,7 @@ class SideBySidePanel(Panel):
         if difference:
             return self._cells.of_differences(compared, names, reference)
         if settings.shown == "mean":
-            return self._cells.of_spread(compared, reference)
+            return self._cells.of_spread(compared, names, reference)
         return self._cells.of_levels(compared, names)
 
     def _read(self, output: int | None) -> None:

@@ -42,9 +42,10 @@ class Heading:
 def heading_of(design: Design | None, view: View, quantity: MapQuantity | None = None) -> Heading:
     """What a picture of the map is called; levels, if nothing else is said."""
     quantity = quantity or MapQuantity(span=view.span)
-    parts = [quantity.details or signal_words(view.axes, view.method)]
+    limb = facts_of("" if design is None else design.limb)
+    parts = [quantity.details_on(limb.axes) or signal_words(view.axes, view.method)]
     if design is not None:
-        band_hz = facts_of(design.limb).band_hz
+        band_hz = limb.band_hz
         if quantity.name == SENSATION and band_hz is not None:
             parts.append(f"{band_hz[0]:g} to {band_hz[1]:g} Hz")
         scaling = word_of(SCALINGS, design.scaling).title.lower()

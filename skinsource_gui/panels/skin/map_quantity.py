@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from skinsource.choice_words import level_words, span_words
+from skinsource.choice_words import AXES, level_words, signal_words, span_words, word_of
 from skinsource_gui.widgets.fields.level_text import minus
 
 #: Levels; along z, with its sign; the length of the vector; the RMS of a window that slides.
@@ -79,12 +79,11 @@ class MapQuantity:
         }
         return f"{what[self.name]}, at {time_text(self.time_s)}"
 
-    @property
-    def details(self) -> str:
-        """What was made of the axes."""
+    def details_on(self, axes: str) -> str:
+        """What was made of the axes of a limb."""
         if self.name in (Z, SENSATION):
-            return "z" if self.name == Z else "x, y, z together"
-        return "x, y, z, magnitude" if self.name == MAGNITUDE else self.signal
+            return "z" if self.name == Z else f"{word_of(AXES, axes).title} together"
+        return signal_words(axes, "mag") if self.name == MAGNITUDE else self.signal
 
     def text(self, value: float) -> str:
         """A value in words."""

@@ -46,7 +46,8 @@ def paint_triad(painter: QPainter, card: QRectF, theme: Theme) -> None:
     below = QRectF(
         card.left(), card.bottom() - (len(CAPTION) + _FOOT_LINES) * line, card.width(), 2 * line
     )
-    painter.drawText(below, centred, "\n".join(CAPTION))
+    # The tails of letters may reach below two lines.
+    painter.drawText(below, centred | Qt.TextFlag.TextDontClip, "\n".join(CAPTION))
 
 
 def _paint_arrow(

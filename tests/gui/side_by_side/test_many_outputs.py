@@ -43,7 +43,7 @@ def test_what_is_mostly_noise_is_hatched_on_each_map_and_on_what_is_made_of_seve
     assert (one.small.noisy, two.small.noisy) == ((3, 70), (70, 71))
     [difference] = Cells().of_differences(pair, names, 0)
     assert difference.small.noisy == (3, 70, 71)
-    assert [cell.small.noisy for cell in Cells().of_spread(pair, 0)] == [(3, 70, 71)] * 2
+    assert [cell.small.noisy for cell in Cells().of_spread(pair, names, 0)] == [(3, 70, 71)] * 2
     [quiet, _] = Cells().of_levels([compared(1, noisy=()), pair[1]], names)
     assert painted(one.small) != painted(quiet.small)
 

@@ -142,7 +142,9 @@ def test_differences_and_mean_and_spread_are_those_of_the_levels(window, panel, 
     mean, spread = shown(panel, qtbot, 2)
     assert mean.values_db == pytest.approx(expected.mean(axis=0), abs=1e-9)
     assert spread.values_db == pytest.approx(expected.std(axis=0, ddof=1), abs=1e-9)
-    assert (mean.heading, spread.heading) == ("Mean of 4", "Standard deviation of 4")
+    of_whom = "of 4: Synthetic 1, Synthetic 2, Synthetic 3, Synthetic 4"
+    assert mean.headings == (f"Mean {of_whom}", "Mean of 4", "Mean")
+    assert spread.heading == f"Standard deviation {of_whom}"
     choose(window, limbs="synthetic-3 synthetic-1", shown="difference")
     [only] = shown(panel, qtbot, 1)
     # The limb in the window is what the others are compared with, wherever it stands.
@@ -235,7 +237,7 @@ def test_a_limb_that_is_too_large_missing_or_otherwise_laid_out_says_so_and_runs
     shown(panel, qtbot, 1)
     assert "other places" in panel.maps.content.cells[1].words
     choose(window, shown="mean")
-    assert shown(panel, qtbot, 2)[0].heading == "Mean of 2"
+    assert shown(panel, qtbot, 2)[0].heading == "Mean of 2 of 3: Synthetic 1, Synthetic 2"
     monkeypatch.setattr("skinsource.limb.facts.LIVE_INPUTS", 5)
     monkeypatch.setattr("skinsource_gui.state.predicting.LIVE_INPUTS", 5)
     asked = []

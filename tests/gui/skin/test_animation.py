@@ -117,6 +117,9 @@ def test_a_film_is_that_of_the_time_axes_and_not_endless():
     film = film_of(View(), settings, 0.5, 60, PERSON)
     assert (film.begin_s, film.slow_motion) == (0.0, 20.0)
     assert film.time_s(film.count - 1) <= 0.5 < film.time_s(film.count)
+    # 0.075 - 0.055 is a little less than 0.02 in binary.
+    zoomed = film_of(View(time_range_s=(0.055, 0.075)), settings, 0.5, 60, PERSON)
+    assert zoomed.time_s(zoomed.count - 1) == pytest.approx(0.075)
     with pytest.raises(InvalidInputError, match="Zoom the time axes"):
         film_of(View(slow_motion=200.0), settings, 600.0, 60, PERSON)
 

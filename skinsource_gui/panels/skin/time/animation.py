@@ -86,7 +86,8 @@ def film_of(view: View, settings: SkinSettings, end_s: float, per_s: int, limb: 
     first_s, last_s = view.time_range_s or (0.0, end_s)
     first_s, last_s = min(max(first_s, 0.0), end_s), min(max(last_s, 0.0), end_s)
     pace = pace_of(view, settings, per_s, limb)
-    count = int((last_s - first_s) * per_s * pace) + 1
+    # The last instant belongs to it, however its seconds are rounded.
+    count = int((last_s - first_s) * per_s * pace + 1e-6) + 1
     if count > MOST_FRAMES:
         raise InvalidInputError(
             f"The animation from {first_s:g} s to {last_s:g} s at 1/{pace:g} has {count} frames, "
