@@ -26,13 +26,14 @@ class SpectrogramSettings:
     output
         Of which of the selected outputs; 0, or one that is not selected: of the last one.
     floor_hz, ceiling_hz
-        What is drawn; a ceiling that is not above the floor counts as the top of the band.
+        What is drawn, up to half the rate of the limb; a ceiling that is not above the floor counts
+        as that.
     """
 
     window_ms: str = fields.choice("50", WINDOW)
     output: int = fields.number(0, OUTPUT)
     floor_hz: float = fields.number(0.0, FLOOR)
-    ceiling_hz: float = fields.number(650.0, CEILING)
+    ceiling_hz: float = fields.number(CEILING.maximum, CEILING)
 
     def __post_init__(self) -> None:
         fields.check(self)

@@ -4,6 +4,7 @@ from skinsource.choice_words import limb_word
 from skinsource.dataset.store import describe
 from skinsource.design import Design
 from skinsource.errors import SkinSourceError
+from skinsource.own_limbs import facts_of
 from skinsource.version import __version__
 
 #: The paper, and the dataset.
@@ -20,16 +21,20 @@ _DATASET = (
 
 
 def citation(design: Design) -> str:
-    """What to cite for a design, as lines of text: the paper, the dataset, program and limb."""
-    limb = limb_word(design.limb).title
-    synthetic = design.limb.startswith("synthetic")
-    what = "computed from a wave model, not measured" if synthetic else f"doi:{DATASET_DOI}"
-    digest = data_of(design)["source_sha256"]
+    """What to cite for a design, as lines of text: the paper, the dataset, program and limb.
+
+    The dataset is named where its limbs are used: one of a lab's own is told by its digest.
+    """
+    limb, data = limb_word(design.limb).title, data_of(design)
+    published = bool(data["dataset_doi"])
+    what = f"doi:{DATASET_DOI}" if published else _kind_of(design.limb)
+    digest, own = data["source_sha256"], data["limb_sha256"]
     lines = [
         _PAPER,
-        *([] if synthetic else [_DATASET]),
+        *([_DATASET] if published else []),
         f"Predicted with SkinSource studio {__version__} on the limb {limb} ({what})"
-        + (f", responses SHA-256 {digest}" if digest else ""),
+        + (f", responses SHA-256 {digest}" if digest else "")
+        + (f", its numbers SHA-256 {own}" if own else ""),
     ]
     return "\n".join(lines) + "\n"
 
@@ -37,9 +42,16 @@ def citation(design: Design) -> str:
 def data_of(design: Design) -> dict[str, str]:
     """Where the responses of a design's limb come from: name, DOI and SHA-256 of the file.
 
-    What is not known here, or is computed, is empty.
+    Of a limb that a lab imported: the SHA-256 of its numbers.  What is not known here, or is
+    computed, is empty.
     """
-    found = {"limb": design.limb, "dataset_doi": "", "source_name": "", "source_sha256": ""}
+    found = {
+        "limb": design.limb,
+        "dataset_doi": "",
+        "source_name": "",
+        "source_sha256": "",
+        "limb_sha256": design.limb_digest or facts_of(design.limb).digest,
+    }
     if not design.limb.startswith("measured"):
         return found
     found["dataset_doi"] = DATASET_DOI
@@ -48,3 +60,10 @@ def data_of(design: Design) -> dict[str, str]:
     except SkinSourceError:
         return found
     return {**found, "source_name": store.source_name, "source_sha256": store.source_sha256}
+
+
+def _kind_of(limb: str) -> str:
+    facts = facts_of(limb)
+    if facts.synthetic:
+        return "computed from a wave model, not measured"
+    return "imported here" if facts.own else "not known here"

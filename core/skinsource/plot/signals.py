@@ -194,6 +194,6 @@ def _scale_words(rows: Sequence[Row], normalised: bool, view: View) -> str:
 def _finish(ax: Any, designs: Sequence[Design], alone: bool) -> None:
     if not alone:
         return
-    if any(one.limb.startswith("synthetic") for one in designs):
+    if any(facts_of(one.limb).synthetic for one in designs):
         ax.figure.text(0.99, 0.01, SYNTHETIC, ha="right", color=DIM, fontsize=6)
     ax.figure.subplots_adjust(left=0.14, right=0.97, bottom=0.17, top=0.88)

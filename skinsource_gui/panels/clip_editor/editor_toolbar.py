@@ -51,7 +51,7 @@ class EditorToolbar(QWidget):
             row.addWidget(button)
         self._tools["look"].setChecked(True)
         row.addSpacing(8)
-        self._bound = self._button("Bound to band", "")
+        self._bound, self._band_known = self._button("Bound to band", ""), False
         self._bound.clicked.connect(lambda: self.bound_wanted.emit())
         row.addWidget(self._bound)
         self._fit = self._button("Fit", f"See all of the clip ({key_text(_PLACE, 'whole')})")
@@ -72,8 +72,9 @@ class EditorToolbar(QWidget):
         whole = f"{words} · {hint}" if hint else words
         self._words.show_phrases((whole, hint or words, words))
         self._words.setToolTip(whole)
-        for button in (*self._tools.values(), self._bound, self._fit):
+        for button in (*self._tools.values(), self._fit):
             button.setEnabled(enabled)
+        self._bound.setEnabled(enabled and self._band_known)
 
     def show_band(self, band_hz: tuple[float, float] | None) -> None:
         """In which band the limb was measured; None: not known, and nothing can be bound to it."""
@@ -84,7 +85,8 @@ class EditorToolbar(QWidget):
                 "was measured; the waveform becomes samples"
             )
         self._bound.setToolTip(words)
-        self._bound.setEnabled(band_hz is not None)
+        self._band_known = band_hz is not None
+        self._bound.setEnabled(self._band_known)
 
     def offer_glide(self, offered: bool) -> None:
         """Whether the clip plays a glide, whose curves can be shaped."""

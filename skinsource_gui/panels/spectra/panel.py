@@ -21,17 +21,12 @@ from skinsource_gui.widgets.plot.curves import Curves, output_names
 from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_later
 
 _LOWEST_HZ = 10.0
-_BAND = f"{BAND_HZ[0]:g} to {BAND_HZ[1]:g} Hz"
 _LINEAR_AXIS = XAxis(
-    titles=(
-        f"Frequency (Hz) · measured band {_BAND}, shaded outside",
-        f"Frequency (Hz) · band {_BAND}",
-        "Frequency (Hz)",
-    ),
+    titles=("Frequency (Hz)",),
     unit="Hz",
     column="frequency_hz",
     extent=(0.0, facts_of("").sample_rate_hz / 2),
-    band=BAND_HZ,
+    band=None,
 )
 # What the height of a curve means, longest first.
 _SCALINGS = {
@@ -169,6 +164,12 @@ def _axes(
     """The linear and the logarithmic axis of a limb of this rate and band; None: not known."""
     highest_hz = sample_rate_hz / 2
     linear = replace(_LINEAR_AXIS, extent=(0.0, highest_hz))
-    if band is None:
-        linear = replace(linear, titles=("Frequency (Hz)",), band=None)
+    if band is not None:
+        words = f"{band[0]:g} to {band[1]:g} Hz"
+        titles = (
+            f"Frequency (Hz) · measured band {words}, shaded outside",
+            f"Frequency (Hz) · band {words}",
+            "Frequency (Hz)",
+        )
+        linear = replace(linear, titles=titles, band=band)
     return linear, replace(linear, extent=(_LOWEST_HZ, highest_hz), log=True)

@@ -11,6 +11,7 @@ from skinsource.choice_words import signal_words
 from skinsource.design import Design
 from skinsource.fields import ChoiceSpec
 from skinsource.locations import output_words
+from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.figure_panel import SILENT, FigurePanel
@@ -120,7 +121,7 @@ class SpectrogramPanel(FigurePanel):
         self.output.setEnabled(len(outputs) > 1)
         self.window_length.set_value(settings.window_ms)
         self.floor.set_value(settings.floor_hz)
-        self.ceiling.set_value(settings.ceiling_hz)
+        self.ceiling.set_value(min(settings.ceiling_hz, facts_of(limb).sample_rate_hz / 2.0))
 
     def _draw(self, results: Mapping[str, Any]) -> None:
         found = results["output_spectrogram"]

@@ -5,6 +5,7 @@ import importlib
 import io
 import json
 import zipfile
+from dataclasses import replace
 
 import pytest
 
@@ -12,10 +13,12 @@ import skinsource as ss
 from skinsource.commands.command_line import main
 from skinsource.design_file import open_design, save_design
 from skinsource.errors import MissingExtraError, Stopped, StorageError
+from skinsource.own_limbs import facts_of
 from skinsource.packing import citation, data_of, pack
 from skinsource.rigs import Rig, save_rig
 from skinsource.version import __version__
 from skinsource.view import View
+from tests.core.own_limbs.lab_bench import installed
 
 # The package has a function of the same name.
 packing_module = importlib.import_module("skinsource.packing.design_pack")
@@ -140,3 +143,17 @@ def test_a_citation_names_paper_version_and_limb_and_the_dataset_where_it_was_us
     assert "Measured 2" in measured
     assert data_of(DESIGN)["dataset_doi"] == ""
     assert data_of(ss.Design(limb="measured-2"))["dataset_doi"] == "10.5281/zenodo.10547601"
+
+
+def test_a_limb_of_a_lab_is_told_by_its_digest_and_not_by_the_published_dataset():
+    installed()
+    digest = facts_of("lab-1").digest
+    design = replace(DESIGN, limb="lab-1")
+    for one in (design, replace(design, limb_digest=digest)):
+        assert "zenodo" not in citation(one)
+        assert f"on the limb Lab 1 (imported here), its numbers SHA-256 {digest}" in citation(one)
+        assert data_of(one)["limb_sha256"] == digest
+    installed(synthetic=True)
+    assert "computed from a wave model" in citation(design)
+    assert "not known here" in citation(replace(DESIGN, limb="gone-1"))
+    assert data_of(DESIGN)["limb_sha256"] == ""

@@ -18,7 +18,7 @@ def test_the_advice_beside_fields_asks_the_limb(user_data, make_window, qtbot, b
     installed(band_hz=band)
     edit = edits.change_limb(PLAYED, View(selected_inputs=(1,), outputs=(3,)), "lab-1")
     window = make_window(edit.design, edit.view)
-    for name in ("inspector", "clip_editor", "spectra"):
+    for name in ("inspector", "clip_editor", "spectra", "spectrogram"):
         window.docks[name].bring_forward()
     qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
     window.catch_up()
@@ -27,7 +27,15 @@ def test_the_advice_beside_fields_asks_the_limb(user_data, make_window, qtbot, b
     assert ("outside the measured band (40 to 800 Hz)" in note.text()) is warned
     bound = window.findChild(QToolButton, "clip_bound to band")
     assert bound.isEnabled() is (band is not None)
+    window.panel("clip_editor").use("envelope")
+    assert bound.isEnabled() is (band is not None)
     assert ("40 to" in bound.toolTip()) is (band is not None)
+    axis = window.panel("spectra")._axis
+    assert axis.band == band
+    assert ("measured band 40 to" in axis.titles[0]) is (band is not None)
+    spectrogram = window.panel("spectrogram")
+    assert spectrogram.picture.shown.band_hz == (0.0, 2000.0)
+    assert spectrogram.ceiling.value_si == 2000.0
     library = window.panel("library")
     library.preview.show_limb("lab-1")
     library.preview.show_preset(read_shelf(shipped_folder()).entries[0].preset)
