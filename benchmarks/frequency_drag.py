@@ -213,7 +213,7 @@ def measure(options: argparse.Namespace, seconds: float) -> bool:
         free = drag_freely(window, drag)
         drag.release()
         window.catch_up()
-        window.document.undo_stack.setClean()
+        window.document.mark_saved(window.document.path)
         window.close()
     print(f"\n{default_limb()}, {options.inputs} inputs of {seconds:g} s, {len(OUTPUTS)} outputs,")
     print(f"{options.size}, offscreen; one edit after another:")

@@ -118,7 +118,7 @@ def in_the_window(application: QApplication, count: int) -> bool:
         before = len(window.findChildren(QObject))
         watched(edits, paint, count // 2)
         after = len(window.findChildren(QObject))
-        window.document.undo_stack.setClean()
+        window.document.mark_saved(window.document.path)
         window.close()
     kept = after - before < MOST_MORE_OBJECTS
     print(

@@ -49,7 +49,7 @@ def keep_files(you: Driver, folder: Path) -> None:
     you.expect(len(asked) == 1 and document.path == path, "unsaved edits are asked about")
     you.picture("all inputs removed")
     you.key(KEY.Key_Z, CONTROL)
-    document.undo_stack.setClean()
+    document.mark_saved(document.path)
 
 
 def export_field(you: Driver, folder: Path) -> None:
@@ -83,7 +83,7 @@ def export_field(you: Driver, folder: Path) -> None:
     you.picture("an export given up")
     you.expect(not (folder / "long.npz").exists(), "nothing is left of it")
     you.key(KEY.Key_Z, CONTROL)
-    document.undo_stack.setClean()
+    document.mark_saved(document.path)
 
 
 def arrange(you: Driver, _: Path) -> None:

@@ -71,7 +71,7 @@ def main() -> int:
                 print(chapter.__doc__)
                 chapter(you, Path(scratch))
         finally:
-            window.document.undo_stack.setClean()
+            window.document.mark_saved(window.document.path)
             # Whatever it asks, such as whether to stop an export.
             with you.answering(answer=QMessageBox.StandardButton.Yes):
                 window.close()

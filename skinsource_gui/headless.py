@@ -31,7 +31,7 @@ def run(folder: Path, design: Path | None) -> int:
         window.catch_up()
         application.processEvents()
         names = _write(window, folder)
-        window.document.undo_stack.setClean()
+        window.document.mark_saved(window.document.path)
         window.close()
     except SkinSourceError as error:
         sys.stderr.write(f"skinsource-gui: {error}\n")

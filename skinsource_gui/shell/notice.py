@@ -32,8 +32,9 @@ class Notice(QObject):
     """Words at the edge of a window; they stay until closed, replaced or outdated.
 
     No panel lies below them.  What passes by itself lies over the status bar, or, while that is
-    away, over the titles of the panels; what stays gets room below the status bar.  A click on the
-    words reaches nothing else, nor does one where a button of theirs has just been.
+    away, over the upper right corner, where no panel has its title; what stays gets room below the
+    status bar.  A click on the words reaches nothing else, nor does one where a button of theirs
+    has just been.
 
     Parameters
     ----------
@@ -179,7 +180,7 @@ class Notice(QObject):
         self._guarding.start(QApplication.doubleClickInterval())
 
     def _place(self) -> None:
-        width, height = self._window.width(), self._window.height()
+        whole, height = self._window.width(), self._window.height()
         status = self._window.statusBar()
         at_top = self._passes and status.isHidden()
         self._close.setHidden(at_top)
@@ -190,13 +191,17 @@ class Notice(QObject):
         least = max(size.height(), shown.height()) + (2 if self._passes else UNIT_PX)
         if self._passes and not at_top:
             least = max(least, status.height())
+        width = whole
+        if at_top:
+            words = self._words.fontMetrics().horizontalAdvance(self._words.text())
+            width = min(whole, words + left + size.width() + 4 * UNIT_PX)
         needed = max(self._words.heightForWidth(width), least)
-        top = 0 if at_top else height - needed
-        self._picture.setGeometry(QRect(QPoint(UNIT_PX, top + UNIT_PX // 4), shown))
-        self._words.setGeometry(0, top, width, needed)
+        start, top = whole - width, 0 if at_top else height - needed
+        self._picture.setGeometry(QRect(QPoint(start + UNIT_PX, top + UNIT_PX // 4), shown))
+        self._words.setGeometry(start, top, width, needed)
         middle = top + (needed - size.height()) // 2
         self.buttons.setGeometry(
-            width - size.width() - UNIT_PX, middle, size.width(), size.height()
+            whole - size.width() - UNIT_PX, middle, size.width(), size.height()
         )
         over = needed if at_top else status.height() if self._passes else 0
         self._window.setContentsMargins(0, 0, 0, max(0, needed - over))

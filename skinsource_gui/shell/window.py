@@ -129,7 +129,7 @@ class MainWindow(QMainWindow):
     def close_unasked(self) -> None:
         """Close as the user would, but ask nothing; what is not saved is lost."""
         self.running_jobs.end()
-        self.document.undo_stack.setClean()
+        self.document.mark_saved(self.document.path)
         self.close()
 
     def catch_up(self, also: Panel | None = None) -> None:

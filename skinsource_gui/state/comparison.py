@@ -94,8 +94,11 @@ class Comparison(QObject):
     def store(self, number: str) -> None:
         """Keep the present design under a number."""
         document = self._document
+        steps = document.undo_stack.index()
         document.apply(edits.store_snapshot(document.design, document.view, int(number)))
-        self.done.emit(f"Stored snapshot {number}; X shows the one before, and this again")
+        replaced = " in place of another, which Undo brings back"
+        words = replaced if document.undo_stack.index() > steps else ""
+        self.done.emit(f"Stored snapshot {number}{words}; X shows the one before, and this again")
 
     def forget_problems(self) -> None:
         """Try again what could not be predicted: limbs came or went."""

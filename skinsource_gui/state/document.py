@@ -7,6 +7,7 @@ from time import time
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
+from skinsource.comparing import brought_back
 from skinsource.design import Design
 from skinsource.edits import Edit, Refusal, kept_selection
 from skinsource.own_limbs import missing_limb
@@ -20,8 +21,10 @@ _NO_GESTURE = -1
 class Document(QObject):
     """Holds one immutable design and one immutable view.
 
-    Edits swap both at once.  A step of the history brings back the design, the selected outputs and
-    the selected inputs and clips; what else the view holds is only looked at, and never undone.
+    Edits swap both at once.  A step of the history brings back the design, the selected outputs,
+    inputs and clips, and those snapshots that it replaced or forgot; what else the view holds is
+    only looked at, and never undone.  To keep one more snapshot is no step: nothing is lost by it,
+    and none is lost by what is undone later.
     """
 
     changed = Signal()
@@ -75,12 +78,14 @@ class Document(QObject):
     @property
     def modified(self) -> bool:
         """Whether there are edits, or snapshots, that no file holds; choosing outputs is none."""
-        if self._lost or self.undo_stack.isClean():
-            return self._lost
+        if self._lost or not _same_snapshots(self._view, self._saved_view):
+            return True
+        if self.undo_stack.isClean():
+            return False
         # What was made and removed by hand is in no file; a new design without it is no proof.
         if self._made and self._path is None:
             return True
-        return self._design != self._saved or not _same_snapshots(self._view, self._saved_view)
+        return self._design != self._saved
 
     def apply(self, outcome: Edit | Refusal, gesture: int | None = None) -> None:
         """Take over what an edit leads to, or tell why there was none.
@@ -110,7 +115,10 @@ class Document(QObject):
 
     def look(self, view: View) -> None:
         """Replace the view."""
+        kept = self._view.snapshots
         self._show(self._design, view)
+        if self._view.snapshots is not kept:
+            self._tell_title()
         self.settled.emit()
 
     def start_over(
@@ -131,8 +139,8 @@ class Document(QObject):
         self._was_modified = self._lost = False
         self.title_changed.emit()
 
-    def mark_saved(self, path: Path) -> None:
-        """Note that ``path`` holds the present design."""
+    def mark_saved(self, path: Path | None) -> None:
+        """Note that ``path`` holds the present design; None: no file shall, nothing is unsaved."""
         self._path, self._saved, self._read_only = path, self._design, False
         self._saved_view = self._view
         self.undo_stack.setClean()
@@ -187,10 +195,10 @@ class _Step:
         self.design, self.view = design, view
 
     def is_same(self, other: "_Step") -> bool:
-        """Whether the history need not tell them apart."""
+        """Whether the history need not tell them apart: going on to ``other`` loses nothing."""
         mine, theirs = self.view, other.view
-        same = mine.outputs == theirs.outputs and mine.snapshots == theirs.snapshots
-        return same and self.design == other.design
+        same = mine.outputs == theirs.outputs and self.design == other.design
+        return same and all(one in theirs.snapshots for one in mine.snapshots)
 
     def is_before(self, other: "_Step") -> bool:
         """Whether ``other`` goes on from this one, with the same inputs and clips selected."""
@@ -200,14 +208,18 @@ class _Step:
             and self.view.selected_clips == other.view.selected_clips
         )
 
-    def seen_as(self, view: View) -> View:
-        """Return ``view`` with the inputs, clips and outputs that were selected then."""
+    def seen_as(self, view: View, other: "_Step") -> View:
+        """Return ``view`` with the inputs, clips and outputs that were selected then.
+
+        It has the snapshots as they were then where they differ from those of the ``other`` end of
+        the step, and all others as they are now.
+        """
         return replace(
             view,
             outputs=self.view.outputs,
             selected_inputs=self.view.selected_inputs,
             selected_clips=self.view.selected_clips,
-            snapshots=self.view.snapshots,
+            snapshots=brought_back(self.view.snapshots, other.view.snapshots, view.snapshots),
         )
 
 
@@ -227,7 +239,8 @@ class Swap(QUndoCommand):
     def redo(self) -> None:
         step = self._after
         # The first time, all of the view is new.
-        view = step.seen_as(self._document.view) if self._done_before else step.view
+        again = self._done_before
+        view = step.seen_as(self._document.view, self._before) if again else step.view
         if self._done_before:
             self._document.jumped.emit()
         self._done_before = True
@@ -236,7 +249,8 @@ class Swap(QUndoCommand):
     def undo(self) -> None:
         step = self._before
         self._document.jumped.emit()
-        self._document.show_step(step.design, step.seen_as(self._document.view))
+        view = step.seen_as(self._document.view, self._after)
+        self._document.show_step(step.design, view)
 
     def id(self) -> int:
         return self._gesture

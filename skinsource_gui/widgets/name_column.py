@@ -14,10 +14,12 @@ from skinsource_gui.theme import UNIT_PX, tabular
 #: Under this role a name has its short form; one without stays as it is.
 SHORT_NAME = Qt.ItemDataRole.UserRole
 _LEAST_PX = 3 * UNIT_PX
+# With fewer letters of a name its short form says as much.
+_LETTERS = 7
 
 
 class NameDelegate(QStyledItemDelegate):
-    """Paints the short forms of names where one of them does not fit as a whole."""
+    """Paints as much of a name as has room; its short form where next to nothing of it has."""
 
     def initStyleOption(
         self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
@@ -31,9 +33,8 @@ class NameDelegate(QStyledItemDelegate):
         if short is None:
             return
         metrics = option.fontMetrics
-        model, column = index.model(), index.column()
-        names = (model.index(row, column).data() for row in range(model.rowCount()))
-        if any(metrics.horizontalAdvance(str(one)) > room for one in names):
+        least = metrics.horizontalAdvance(str(short)) + _LETTERS * metrics.averageCharWidth()
+        if metrics.horizontalAdvance(str(index.data())) > room and room < least:
             option.text = str(short)
 
 

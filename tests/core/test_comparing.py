@@ -12,6 +12,7 @@ from skinsource import edits
 from skinsource.comparing import (
     EDITED,
     Snapshot,
+    brought_back,
     difference_db,
     louder,
     loudest_db,
@@ -232,3 +233,14 @@ def test_whatever_is_done_two_turns_of_the_key_lead_back(actions):
             assert toggle(design, view)[0] == before
         elif what != "toggle":
             design, view = store(design, view, what)
+
+
+def test_a_change_of_snapshots_is_taken_back_and_what_was_stored_since_stays():
+    old, new = (Snapshot(number=1, design=one) for one in (DESIGN, Design(limb="synthetic-2")))
+    later, anew = Snapshot(number=2, design=DESIGN), Snapshot(number=1, design=DESIGN, gain=2.0)
+    assert brought_back((old,), (new,), (new, later)) == (old, later)
+    assert brought_back((), (old,), (old, later)) == (later,)
+    assert brought_back((old,), (), (later,)) == (old, later)
+    assert brought_back((old,), (), (anew, later)) == (anew, later)  # stored where it was free
+    assert brought_back((later, old), (old, later), (old, later)) == (later, old)
+    assert brought_back((), (), (later,)) == (later,)

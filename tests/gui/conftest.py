@@ -181,7 +181,7 @@ def settle(qtbot, window):
 
 def _forget_changes(window):
     # A modal question at the end would wait for ever.
-    window.document.undo_stack.setClean()
+    window.document.mark_saved(window.document.path)
     window.runner.close()
 
 

@@ -78,7 +78,7 @@ def test_a_window_that_was_closed_is_freed_with_its_panels_graphs_and_worker(mak
     held = [weakref.ref(one) for one in (window, engine, window.document, *window.panels)]
     graphs = [weakref.ref(graph) for graph in engine._graphs.values()]
     assert graphs
-    window.document.undo_stack.setClean()
+    window.document.mark_saved(window.document.path)
     window.close()
     window.deleteLater()
     opened = gc.get_referrers(window)

@@ -1,7 +1,7 @@
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QPushButton, QToolButton
+from PySide6.QtWidgets import QLabel, QPushButton, QTabBar, QToolButton
 
 from skinsource.edits import Refusal
 from skinsource_gui.shell import notice
@@ -44,14 +44,23 @@ def test_a_notice_that_passes_moves_nothing_and_lies_over_the_status_bar(window,
     assert label.geometry() == window.statusBar().geometry()
 
 
-def test_a_notice_while_presenting_lies_over_titles_only(window, settle):
+def test_a_notice_while_presenting_covers_neither_a_panel_nor_the_name_of_one(window, settle):
     window.do("present")
+    window.docks["regions"].bring_forward()
+    window.docks["side_by_side"].bring_forward()
     settle()
+    window.reports.refuse("That cannot be.")
     label = window.findChild(QLabel, "notice")
     assert label.isVisible()
     assert label.y() == 0
-    highest = min(dock.widget().mapTo(window, QPoint()).y() for dock in shown_docks(window))
-    assert label.geometry().bottom() <= highest
+    assert label.geometry().right() == window.width() - 1
+    for bar in window.findChildren(QTabBar):
+        if bar.isVisible():
+            tabs = bar.tabRect(bar.count() - 1).translated(bar.mapTo(window, QPoint()))
+            assert bar.count() > 1
+            assert not label.geometry().intersects(tabs)
+    tops = [dock.widget().mapTo(window, QPoint()).y() for dock in shown_docks(window)]
+    assert label.geometry().bottom() <= min(y for y in tops if y > 0)  # others lie behind as tabs
     window.do("present")
     window.reports.refuse("That cannot be.")
     settle()

@@ -146,7 +146,7 @@ def test_closing_during_an_evaluation_ends_cleanly(make_window):
     window.engine._worker.submit(gate.wait, 5)
     window.document.edit("a", window.document.design.with_clip(1, onset_s=0.1))
     assert window.engine.busy
-    window.document.undo_stack.setClean()
+    window.document.mark_saved(window.document.path)
     gate.set()
     window.close()  # the fixture sees that no thread is left
 

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
         EDITED,
         NUMBERS,
         Snapshot,
+        brought_back,
         louder,
         nothing_to_compare,
         other_than,
@@ -29,7 +30,8 @@ else:
             "difference": "difference_db end_db loudest_db matching_gain",
             "limbs": "MOST_BESIDE limbs_beside mean_and_spread_over same_outputs",
             "snapshot": (
-                "EDITED NUMBERS Snapshot louder nothing_to_compare other_than reference shown"
+                "EDITED NUMBERS Snapshot brought_back louder nothing_to_compare other_than "
+                "reference shown"
             ),
         },
     )
@@ -39,6 +41,7 @@ __all__ = [
     "MOST_BESIDE",
     "NUMBERS",
     "Snapshot",
+    "brought_back",
     "difference_db",
     "end_db",
     "limbs_beside",

@@ -98,3 +98,22 @@ def reference(snapshots: Sequence[Snapshot]) -> Snapshot | None:
     What was edited is never changed, therefore.
     """
     return min(snapshots, key=lambda one: one.number, default=None)
+
+
+def brought_back(
+    wanted: Sequence[Snapshot], other: Sequence[Snapshot], present: Sequence[Snapshot]
+) -> tuple[Snapshot, ...]:
+    """Return ``present`` with that in place of which an edit had changed ``wanted`` to ``other``.
+
+    What was stored since then stays, also under a number that the edit had made free.  The order is
+    that of ``wanted``, the one that was shown last stands last; what it does not hold comes after.
+    """
+    then, gone, now = ({one.number: one for one in each} for each in (wanted, other, present))
+    for number in {*then, *gone}:
+        if then.get(number) == gone.get(number) or now.get(number) != gone.get(number):
+            continue
+        now.pop(number, None)
+        if number in then:
+            now[number] = then[number]
+    numbers = [*(one for one in then if one in now), *(one for one in now if one not in then)]
+    return tuple(now[number] for number in numbers)

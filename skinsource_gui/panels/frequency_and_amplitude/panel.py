@@ -39,12 +39,13 @@ class _Labelled(QWidget):
         self._line.setContentsMargins(0, 0, 0, 0)
         self._line.setSpacing(UNIT_PX)
         if cell is not None:
-            self.hold(cell)
+            self.hold(cell.label, cell)
 
-    def hold(self, cell: FieldCell) -> None:
+    def hold(self, label: QLabel, field: QWidget) -> None:
         """Take a field up."""
-        self._line.addWidget(cell.label)
-        self._line.addWidget(cell, 1)
+        label.setBuddy(field)
+        self._line.addWidget(label)
+        self._line.addWidget(field, 1)
 
 
 class FrequencyAndAmplitudePanel(Panel):
@@ -66,6 +67,8 @@ class FrequencyAndAmplitudePanel(Panel):
         self._words.setWordWrap(True)
         self._control = ChoiceField(CONTROL, self)
         self._control.setObjectName("control_field")
+        self._control_part = _Labelled()
+        self._control_part.hold(QLabel(CONTROL.label), self._control)
         self._control.chosen.connect(self._choose_control)
         self._amplitude = FieldCell("amplitude", AMPLITUDE)
         self._onset = FieldCell(_ONSET, ONSET_S)
@@ -74,7 +77,7 @@ class FrequencyAndAmplitudePanel(Panel):
         self._turned = _Labelled()
         self._amplitude_part = _Labelled(self._amplitude)
         self._onset_part = _Labelled(self._onset)
-        parts = (self._turned, self._amplitude_part, self._onset_part, self._control)
+        parts = (self._turned, self._amplitude_part, self._onset_part, self._control_part)
         self._row = FoldingRow(parts, UNIT_PX)
         column = QVBoxLayout(self)
         column.setContentsMargins(UNIT_PX, 0, UNIT_PX, UNIT_PX)
@@ -135,7 +138,7 @@ class FrequencyAndAmplitudePanel(Panel):
                 self._frequency = FieldCell(_FREQUENCY, spec)
                 self._frequency.show_theme(self._theme)
                 self._frequency.edited.connect(self._change)
-                self._turned.hold(self._frequency)
+                self._turned.hold(self._frequency.label, self._frequency)
         self._turned.setVisible(self._frequency is not None)
         if self._frequency is not None and one is not None:
             self._frequency.set_value(getattr(one.waveform, _FREQUENCY))

@@ -13,8 +13,9 @@ from skinsource.locations import output_words
 from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.figure.figure import Figure
 
-_LEAST_ROW_PX = 58.0
+_LEAST_ROW_PX = 66.0
 _LEAST_SIDE_PX = 40.0
+_GAP_PX = 3.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -120,18 +121,20 @@ class MainAxisPicture(Figure):
         shown, theme = self.shown, self.theme
         if shown is None:
             return
-        centre, radius = area.center(), 0.42 * min(area.width(), area.height())
+        metrics = QFontMetricsF(painter.font())
+        # Beside and above the ellipse there is room for the names of the axes.
+        beside = max(map(metrics.horizontalAdvance, shown.axes)) + _GAP_PX
+        room = area.adjusted(_GAP_PX, metrics.height(), -beside, -_GAP_PX)
+        centre, radius = room.center(), 0.5 * min(room.width(), room.height())
         painter.setPen(QPen(QColor(theme.grid), 1))
         painter.drawLine(QLineF(centre.x() - radius, centre.y(), centre.x() + radius, centre.y()))
         painter.drawLine(QLineF(centre.x(), centre.y() - radius, centre.x(), centre.y() + radius))
         painter.setPen(QColor(theme.dim))
-        right = Qt.AlignmentFlag.AlignRight
-        painter.drawText(area, right | Qt.AlignmentFlag.AlignVCenter, shown.axes[plane[0]])
-        painter.drawText(
-            area.adjusted(0, -2, 0, 0),
-            Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop,
-            shown.axes[plane[1]],
-        )
+        height = metrics.height()
+        right = QRectF(centre.x() + radius, centre.y() - height / 2.0, beside, height)
+        painter.drawText(right, Qt.AlignmentFlag.AlignCenter, shown.axes[plane[0]])
+        above = QRectF(centre.x() - beside, centre.y() - radius - height, 2.0 * beside, height)
+        painter.drawText(above, Qt.AlignmentFlag.AlignCenter, shown.axes[plane[1]])
         if largest <= 0.0:
             return
         scale = radius / largest

@@ -13,6 +13,8 @@ from skinsource_gui.widgets.name_column import dress_table
 
 #: Size of its words: six columns beside the names of regions need it.
 _TEXT = 0.9
+# Of a row, besides what its name needs.
+_ROW_PX = 1
 #: Names where those of the table have too little room.
 _SHORT = {"Back of the hand": "Back", "Wrist, palm side": "W. palm"}
 
@@ -59,8 +61,6 @@ class RegionTable(QTableWidget):
         font = scaled(tabular(around), _TEXT)
         for part in (self, self.horizontalHeader(), self.verticalHeader()):
             part.setFont(font)
-        rows = self.verticalHeader()
-        rows.setDefaultSectionSize(self.fontMetrics().height() + UNIT_PX // 2)
         self._name_rows()
         self._fit_height()
 
@@ -90,4 +90,9 @@ class RegionTable(QTableWidget):
             names = [_SHORT.get(name, name) for name in names]
         self.setVerticalHeaderLabels(names)
         for row, name in enumerate(REGION_OUTPUTS):
-            self.verticalHeaderItem(row).setToolTip(name)
+            item = self.verticalHeaderItem(row)
+            item.setToolTip(name)
+            # The header itself takes over the font around it once it is shown.
+            item.setFont(self.font())
+        rows = self.verticalHeader()
+        rows.setDefaultSectionSize(max(map(rows.sectionSizeHint, range(rows.count()))) + _ROW_PX)

@@ -160,15 +160,44 @@ def test_a_snapshot_is_predicted_once_however_long_one_edits(window, panel, sett
     assert requests.count("snapshot 1") <= 2
 
 
-def test_storing_is_a_step_and_is_saved_with_the_file(window, settle, tmp_path):
+def test_storing_is_no_step_and_is_saved_with_the_file(window, settle, tmp_path):
     window.files._save_to(tmp_path / "a.skinsource")
-    assert not window.document.modified
+    titles = []
+    window.document.title_changed.connect(lambda: titles.append(window.document.modified))
     window.do("store_snapshot_1")
-    assert window.document.modified
-    window.do("undo")
-    assert window.document.view.snapshots == ()
-    assert not window.document.modified
-    window.do("redo")
+    assert (window.document.modified, titles) == (True, [True])
+    assert not window.document.undo_stack.canUndo()
     window.files.save()
-    assert not window.document.modified
+    assert (window.document.modified, titles[-1]) == (False, False)
     assert open_design(tmp_path / "a.skinsource").view.snapshots[0].design == window.document.design
+
+
+def test_what_is_undone_later_takes_no_snapshot_away(window):
+    document = window.document
+    edit(window, 2.0)
+    window.do("store_snapshot_1")
+    window.do("undo")
+    assert [one.number for one in document.view.snapshots] == [1]
+    assert document.view.snapshots[0].design.inputs[0].amplitude == 2.0
+    window.do("redo")
+    assert len(document.view.snapshots) == 1
+    assert document.undo_stack.count() == 1
+
+
+def test_a_snapshot_that_another_replaces_comes_back_with_undo_and_later_ones_stay(window):
+    document = window.document
+    window.do("store_snapshot_1")
+    first = document.view.snapshots
+    edit(window, 2.0)
+    window.do("store_snapshot_1")
+    assert document.undo_stack.count() == 2
+    assert "Undo brings back" in window.notice.text or "Undo brings back" in (
+        window.statusBar().currentMessage()
+    )
+    window.do("store_snapshot_3")
+    window.do("undo")
+    assert document.view.snapshots[0] == first[0]
+    assert [one.number for one in document.view.snapshots] == [1, 3]
+    window.do("redo")
+    assert document.view.snapshots[0].design.inputs[0].amplitude == 2.0
+    assert {one.number for one in document.view.snapshots} == {1, 3}

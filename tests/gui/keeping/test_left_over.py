@@ -92,7 +92,7 @@ def test_saving_left_over_work_suggests_the_file_that_it_belonged_to(
     )
     window.do("save_design")
     assert asked == [str(tmp_path / "tap.skinsource")]
-    window.document.undo_stack.setClean()
+    window.document.mark_saved(window.document.path)
     window.do("new_design")
     window.do("save_design")
     assert asked[1].endswith("design.skinsource")

@@ -154,7 +154,7 @@ class Monkey:
 
     def _begin_anew(self) -> None:
         # Nobody is asked about what was saved.
-        self.document.undo_stack.setClean()
+        self.document.mark_saved(self.document.path)
         self.window.files.new()
         self._base = self.document.design
 

@@ -189,6 +189,6 @@ def test_nothing_ticks_while_nothing_is_played(sound, studio, player, qtbot, lis
 
 def test_closing_the_window_lets_go_of_the_device(sound, studio, player, listen):
     listen(loops=True)
-    studio.document.undo_stack.setClean()
+    studio.document.mark_saved(studio.document.path)
     studio.close()
     assert not sound.streams[0].active

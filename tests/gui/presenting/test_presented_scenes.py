@@ -77,7 +77,7 @@ def test_work_that_was_done_in_a_scene_is_not_lost_unasked(make_window, asked, p
     window.do("next_scene")
     assert len(asked) == 1
     assert window.document.design == edited
-    window.document.undo_stack.setClean()
+    window.document.mark_saved(window.document.path)
 
 
 def test_the_next_scene_is_that_after_the_one_that_was_opened_last(make_window, design):

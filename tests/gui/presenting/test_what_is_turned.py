@@ -1,7 +1,10 @@
 """The one control that a scene is about."""
 
+from PySide6.QtWidgets import QLabel
+
 from skinsource.panel_settings import with_settings
 from skinsource_gui.panels.frequency_and_amplitude.settings import ControlSettings
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
 
 
 def test_a_scene_says_what_is_turned(make_window, design):
@@ -28,3 +31,10 @@ def test_turning_the_onset_moves_the_clip(make_window, design):
     panel = window.panel("frequency_and_amplitude")
     panel._change("onset_s", 0.1, None)
     assert window.document.design.inputs[0].clips[0].onset_s == 0.1
+
+
+def test_the_list_of_what_is_turned_has_its_label(window):
+    panel = window.panel("frequency_and_amplitude")
+    fields = panel.findChildren(ChoiceField, "control_field")
+    labels = [one for one in panel.findChildren(QLabel) if one.buddy() in fields]
+    assert [one.text() for one in labels] == ["Turn"]

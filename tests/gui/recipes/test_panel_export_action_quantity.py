@@ -159,7 +159,7 @@ facts["four_digits"] = panel.words.text()
 path = folder / "a.skinsource"
 ss.save_design(path, window.document.design, window.document.view)
 window.document.look(with_settings(view, "loudest", LoudestSettings()))
-window.document.undo_stack.setClean()
+window.document.mark_saved(window.document.path)
 window.files.open(path)
 settle()
 facts["restored"] = [panel.settings.digits, panel.words.text()]
