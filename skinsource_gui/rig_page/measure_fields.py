@@ -15,7 +15,7 @@ from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
 
 _DEVICE = "input_device"
-_SAME = ("", "The one that is played on")
+_SAME = ("", "The one played on, if it has inputs")
 
 
 class MeasureFields(QObject):

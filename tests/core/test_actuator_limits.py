@@ -1,11 +1,13 @@
 """Actuators at their limits: wrong parameters, voltages and rates are refused by name."""
 
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource.actuators.limits import Limits
+from skinsource.actuators.prediction import Breach
 from skinsource.errors import InvalidInputError
 from tests.core.actuators_bench import COIL, PIEZO, RECOIL
 
@@ -72,3 +74,11 @@ def test_no_voltage_at_all_is_no_motion():
 def test_responses_beyond_all_numbers_are_refused():
     with pytest.raises(InvalidInputError, match="parameters"):
         ss.actuators.VoiceCoil(1e-300, 1e-300, 1e-300, 1e-300, 0.0, 0.0).response(1e9)
+
+
+def test_a_limit_that_is_passed_is_called_as_in_the_panel_with_its_unit():
+    said = [str(Breach(one.name, 0.0123456, 0.002)) for one in fields(Limits)]
+    assert said[0] == "peak voltage: 0.01235 V, expected at most 0.002 V"
+    assert "RMS voltage: 0.01235 V, expected at most 0.002 V" in said
+    assert "slew: 0.01235 V/s, expected at most 0.002 V/s" in said
+    assert said[-1] == "duty: 0.01235, expected at most 0.002"

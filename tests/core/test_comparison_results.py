@@ -9,6 +9,7 @@ import pytest
 from skinsource.errors import FileFormatError, MissingExtraError
 from skinsource.method_comparison import plot
 from skinsource.method_comparison.engines import ENGINES, engine_of
+from skinsource.method_comparison.every_scene import EVERY_ENGINE
 from skinsource.method_comparison.machine import Fact, facts
 from skinsource.method_comparison.measure import QUICK, Case, cases_of, in_fresh_process, measure
 from skinsource.method_comparison.pareto import pareto_front
@@ -227,6 +228,12 @@ def test_the_report_names_machine_versions_and_hashes():
     assert report_of([ROW], [Fact(name="a", value="b")], QUICK).count("- a: b\n") == 1
 
 
+def test_a_ratio_to_unavoidable_rounding_is_told_of_convolutions_alone():
+    rows = (replace(ROW, scene=scene, ratio=0.0123) for scene in ("S1", "A1", "R1"))
+    lines = [line for line in report_of(list(rows), [], QUICK).splitlines() if "| kept |" in line]
+    assert ["0.012" in line for line in lines] == [True, False, False]
+
+
 def test_without_matplotlib_the_line_to_type_is_told(monkeypatch, tmp_path):
     def absent(name):
         raise ImportError(f"No module named {name!r}")
@@ -235,6 +242,11 @@ def test_without_matplotlib_the_line_to_type_is_told(monkeypatch, tmp_path):
     with pytest.raises(MissingExtraError, match=r'pip install "skinsource\[bench\]"'):
         plot.write_plots([ROW], tmp_path / "p")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_engines_that_share_a_legend_have_a_colour_each():
+    colours = plot._colours(engine.name for engine in EVERY_ENGINE)
+    assert len(set(colours.values())) == len(colours) == 14
 
 
 def test_the_plot_shows_every_scene_and_tells_of_failures(tmp_path):

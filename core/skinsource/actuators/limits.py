@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from skinsource import fields
-from skinsource.fields import SMALLEST, NumberSpec, OptionalSpec
+from skinsource.fields import SMALLEST, NumberSpec, OptionalSpec, specs_of
 
 
 def _limit(label: str, unit: str, hint: str, most: float = float("inf")) -> OptionalSpec:
@@ -55,6 +55,24 @@ class Limits:
 
     def __post_init__(self) -> None:
         fields.check(self)
+
+
+def limit_words(name: str) -> str:
+    """What a field of `Limits` is called in the middle of a sentence."""
+    label = _spec_of(name).label
+    return label if label[1].isupper() else label[0].lower() + label[1:]
+
+
+def with_unit(name: str, value: float) -> str:
+    """A value of a field of `Limits`, with its unit."""
+    return f"{value:.4g} {_spec_of(name).unit}".rstrip()
+
+
+def _spec_of(name: str) -> NumberSpec:
+    spec = specs_of(Limits)[name]
+    if not (isinstance(spec, OptionalSpec) and isinstance(spec.of, NumberSpec)):
+        raise KeyError(name)
+    return spec.of
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.actuators.actuator import Actuator
-from skinsource.actuators.limits import Limits, Thermal
+from skinsource.actuators.limits import Limits, Thermal, limit_words, with_unit
 from skinsource.actuators.motion import ActuatorMotion
 from skinsource.arguments import finite_array, whole_number
 from skinsource.arrays import Floats
@@ -148,8 +148,8 @@ class Breach:
     limit: float
 
     def __str__(self) -> str:
-        words = self.name.replace("_", " ")
-        return f"{words}: {self.found:.4g}, expected at most {self.limit:.4g}"
+        found, limit = (with_unit(self.name, one) for one in (self.found, self.limit))
+        return f"{limit_words(self.name)}: {found}, expected at most {limit}"
 
 
 def breaches(prediction: Prediction, limits: Limits) -> tuple[Breach, ...]:

@@ -19,7 +19,11 @@ from skinsource.method_comparison.signal_scenes import SignalScene
 from skinsource.method_comparison.table import Row
 from skinsource.quoting import printable
 
-_COLOURS = ("#000000", "#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#7F7F7F")
+# Of Okabe and Ito, then of Tol: one for each engine, as they share a legend.
+_COLOURS = (
+    "#000000", "#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#7F7F7F",
+    "#882255", "#44AA99", "#999933", "#332288", "#AA4499", "#661100",
+)  # fmt: skip
 _MARKERS: dict[Precision, str] = {"float64": "o", "float32": "^"}
 _LARGEST_ERROR, _SMALLEST_ERROR = 10.0, 1e-17
 #: Above the points there is room for words.
@@ -217,7 +221,7 @@ def _look(row: Row) -> dict[str, Any]:
 def _colours(names: Iterable[str]) -> dict[str, str]:
     """Colour of each engine: always the same, whichever of them are drawn."""
     places = list(dict.fromkeys(engine.name for engine in EVERY_ENGINE))
-    return {name: _COLOURS[places.index(name) % len(_COLOURS)] for name in dict.fromkeys(names)}
+    return {name: _COLOURS[places.index(name)] for name in dict.fromkeys(names)}
 
 
 def _shown(row: Row) -> float:

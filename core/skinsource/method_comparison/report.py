@@ -94,10 +94,15 @@ def _cells(row: Row, on_front: bool) -> list[str]:
         _number(row.err_window, ".1e"),
         _number(row.err_max, ".1e"),
         _number(row.err_l2, ".1e"),
-        "" if row.promise == "none" else _number(row.ratio, ".2g"),
+        _number(row.ratio, ".2g") if _has_ratio(row) else "",
         _number(row.peak_mb, ".0f"),
         "broken" if row.promise.startswith("broken") else row.promise,
     ]
+
+
+def _has_ratio(row: Row) -> bool:
+    """Only for convolutions the rounding that cannot be helped is known."""
+    return row.promise != "none" and not isinstance(any_scene(row.scene), SignalScene)
 
 
 def _failures(rows: Sequence[Row]) -> str:
@@ -108,13 +113,13 @@ def _failures(rows: Sequence[Row]) -> str:
 def _how_to_read(effort: Effort) -> str:
     quietest_db = float(decibels(QUIETEST))
     text = f"""\
-        Every row was measured in {effort.processes} fresh process(es), all rows of a round in
-        random order; in each process at most {effort.most_runs} runs or {effort.longest_s:g} s,
-        after up to {effort.warm_ups} runs that do not count. *fastest* is the least disturbed
-        figure; the median stands with its median absolute deviation; *first* is preparation and
-        first run together. A row is *unstable* where 95 % of the runs took up to more than three
-        times the fastest. *memory* is what the process held above
-        idle, without drives that the program would have drawn itself.
+        Every row was measured in {effort.processes} fresh process(es), those of scenes A and R in
+        one, all rows of a round in random order; in each process at most {effort.most_runs} runs
+        or {effort.longest_s:g} s, after up to {effort.warm_ups} runs that do not count.
+        *fastest* is the least disturbed figure; the median stands with its median absolute
+        deviation; *first* is preparation and first run together. A row is *unstable* where 95 %
+        of the runs took up to more than three times the fastest. *memory* is what the process
+        held above idle, without drives that the program would have drawn itself.
 
         All rows but *map and 6 traces* give all 216 channels in time. Between two runs the
         drives change, so nothing but the spectra of the responses can be kept. *predict()* is one
@@ -126,6 +131,10 @@ def _how_to_read(effort: Effort) -> str:
         channels. *worst window*: largest error in a window over that window's own peak, for
         windows down to {-quietest_db:.0f} dB below the channel's peak. *of the peak*: over the
         channel's peak. *ratio*: error over eps log2(n) sum ||x|| ||h||.
+
+        Scenes A are actuators after a step of the voltage: acceleration, velocity, displacement
+        and current, each over its own peak. Scenes R are signals at another sample rate. There
+        all samples are compared, with exact values from elsewhere, and there is no *ratio*.
 
         Rows in **bold** are those that nothing else beats in both time and worst window.
         Settings that trade error for time (*cut*, *rank*) promise nothing."""

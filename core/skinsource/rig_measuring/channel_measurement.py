@@ -36,6 +36,8 @@ class ChannelMeasurement:
         actuator and sensor, and in again; with two devices also when each of them began.
     delay_by_wire
         Whether a loop-back said so; else the phase did.
+    played_on, recorded_from
+        Names of the devices.
     clock_ppm
         How much quicker the clock of the inputs is than that of the outputs, in millionths; None:
         both are one device.
@@ -61,6 +63,8 @@ class ChannelMeasurement:
     n_left_out: int
     delay_s: float
     delay_by_wire: bool
+    played_on: str
+    recorded_from: str
     clock_ppm: float | None
     inverted: bool
     misfit_rad: float
@@ -114,8 +118,8 @@ class ChannelMeasurement:
                 "without that, too."
             )
         return (
-            "Output and input are two devices, which begin when they can: the delay is that of "
-            "this take alone.",
+            f"Output and input are two devices, {self.played_on} and {self.recorded_from}, which "
+            "begin when they can: the delay is that of this take alone.",
             clocks,
         )
 

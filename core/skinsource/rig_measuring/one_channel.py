@@ -119,6 +119,8 @@ def _told(
         n_left_out=found.n_left_out,
         delay_s=found.delay.seconds,
         delay_by_wire=setup.loopback_input > 0,
+        played_on=bench.card.device.name,
+        recorded_from=bench.card.inputs.name,
         clock_ppm=1e6 * (ratio - 1.0) if bench.card.two_clocks else None,
         inverted=phase.inverted,
         misfit_rad=phase.misfit_rad,

@@ -7,6 +7,7 @@ from math import inf
 import numpy as np
 from numpy.typing import ArrayLike
 
+from skinsource.actuators.limits import limit_words
 from skinsource.rigs.checking import limits_of, rig_breaches
 from skinsource.rigs.rig import Rig
 
@@ -62,10 +63,10 @@ def highest_gain(
         breach = one.breach
         allowed = 0.0 if breach.name in _OF_TIME else _LOUDER * breach.limit / breach.found
         if allowed < found.factor:
-            found = Margin(allowed, f"place {one.place}: {breach.name.replace('_', ' ')}")
+            found = Margin(allowed, f"place {one.place}: {limit_words(breach.name)}")
     if repeated:
         for place in places:
             channel = rig.channel_of(place)
             if channel is not None and limits_of(channel).duration_s is not None:
-                return Margin(0.0, f"place {place}: duration s, repeated without end")
+                return Margin(0.0, f"place {place}: duration, repeated without end")
     return found

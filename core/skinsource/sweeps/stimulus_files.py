@@ -1,5 +1,6 @@
 """The stimuli of a sweep as files that actuators play."""
 
+import json
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -52,8 +53,8 @@ class StimulusFiles:
     ) -> None:
         """Export each stimulus that was measured; those that are there already are left alone.
 
-        The largest drive of all of them is full scale in every file, so that their differences
-        stay.
+        A file of another rate than is asked for is written anew.  The largest drive of all of
+        them is full scale in every file, so that their differences stay.
 
         Raises
         ------
@@ -65,7 +66,7 @@ class StimulusFiles:
         waiting = [
             (path, design)
             for path, design in self._files(plan, table, out / FOLDER)
-            if not (is_there(path) and is_there(sidecar_path(path)))
+            if not self._there(path)
         ]
         if not waiting:
             return
@@ -76,6 +77,18 @@ class StimulusFiles:
             stop_if(stop)
             progress(done, len(waiting), f"Exporting {path.name}")
             export_stimulus(design, path, self.format, self.rate_hz, options=options, stop=stop)
+
+    def _there(self, path: Path) -> bool:
+        """Whether a stimulus is exported in this form."""
+        beside, kind = sidecar_path(path), format_named(self.format, Path())
+        if not (is_there(path) and is_there(beside)):
+            return False
+        own_rate = kind.fixed_rate or self.rate_hz is None
+        try:
+            about = json.loads(beside.read_text(encoding="utf-8"))
+            return bool(about["rate_hz"] == (kind.rate_hz if own_rate else self.rate_hz))
+        except (OSError, ValueError, KeyError, TypeError):
+            return False
 
     def _files(self, plan: Plan, table: SweepTable, folder: Path) -> Iterator[tuple[Path, Design]]:
         """Where each stimulus that was measured goes, and its design."""

@@ -115,7 +115,7 @@ def test_a_limit_of_the_rig_stops_it_before_anything_is_heard(sound, session):
     assert session.over.wait(30)
     ending = playing.stream.deck.ending
     assert ending.reason == "rig"
-    assert "place 7: peak voltage v" in ending.sentence
+    assert "place 7: peak voltage)" in ending.sentence
     assert "Turn the gain down to" in ending.sentence
     assert not sound.streams[0].samples.any()
     # What it says is enough.

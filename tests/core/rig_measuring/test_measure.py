@@ -130,7 +130,7 @@ def test_it_is_stopped_within_a_millisecond_of_sound(card):
 
 def test_what_would_pass_a_limit_of_the_rig_is_never_played(card):
     held = replace(CHANNEL, limits=Limits(peak_voltage_v=0.15))
-    with pytest.raises(InvalidInputError, match=r"peak voltage v.*−26\.1 dB or less"):
+    with pytest.raises(InvalidInputError, match=r"place 7: peak voltage\); .*−26\.1 dB or less"):
         measured(Rig(channels=(held,)))
     assert not card.streams
     assert apart(measured(Rig(channels=(held,)), setup=replace(SETUP, level_db=-26.1))) < BOTH
@@ -138,7 +138,7 @@ def test_what_would_pass_a_limit_of_the_rig_is_never_played(card):
 
 def test_a_limit_of_the_motion_is_looked_at_once_the_response_is_known(card):
     held = replace(CHANNEL, limits=Limits(displacement_m=1e-6))
-    with pytest.raises(InvalidInputError, match="displacement m"):
+    with pytest.raises(InvalidInputError, match="place 7: displacement"):
         measured(Rig(channels=(held,)))
     assert len(card.streams) == 1
 

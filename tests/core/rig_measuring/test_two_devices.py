@@ -60,7 +60,7 @@ def test_the_response_comes_back_whatever_the_clocks_do(cards, ppm):
     assert found.delay_s == pytest.approx(DELAY_S + begun_s, abs=2e-5)
     assert np.median(found.error) < 0.01
     said = " ".join(found.lines)
-    assert "two devices, which begin when they can" in said
+    assert "two devices, Plays and Hears, which begin when they can" in said
     assert ("millionths quicker", "clocks agree", "millionths slower")[
         1 - int(np.sign(ppm))
     ] in said

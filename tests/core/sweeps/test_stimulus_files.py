@@ -83,3 +83,20 @@ def test_what_could_not_be_measured_is_not_exported(tmp_path):
 def test_a_form_that_there_is_not_is_refused(changes):
     with pytest.raises(InvalidInputError):
         StimulusFiles(**changes)
+
+
+def test_asked_for_at_another_rate_no_file_of_the_old_one_stays(tmp_path):
+    vary = {"1.amplitude": AMPLITUDES}
+    for rate_hz in (8000, 4000):
+        ss.sweep(DESIGN, vary, out=tmp_path, files=StimulusFiles(rate_hz=rate_hz))
+        files = sorted((tmp_path / "stimuli").glob("*.wav"))
+        assert [soundfile.info(one).samplerate for one in files] == [rate_hz] * 3
+    before = [one.stat().st_mtime_ns for one in files]
+    ss.sweep(DESIGN, vary, out=tmp_path, files=StimulusFiles(rate_hz=4000))
+    assert [one.stat().st_mtime_ns for one in files] == before
+    # What a format itself decides is not asked for again and again.
+    for _ in range(2):
+        ss.sweep(DESIGN, vary, out=tmp_path, files=StimulusFiles(format="bos1901"))
+        chips = sorted(p for p in (tmp_path / "stimuli").iterdir() if ".wav" not in p.name)
+        seen = [one.stat().st_mtime_ns for one in chips]
+    assert seen == [one.stat().st_mtime_ns for one in chips]
