@@ -2,21 +2,17 @@
 
 from dataclasses import dataclass
 
-import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QHelpEvent, QImage, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from skinsource.comparing import end_db
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
 from skinsource_gui.widgets.fields.level_text import minus, output_text
-from skinsource_gui.widgets.map.colour_maps import colour_table
-from skinsource_gui.widgets.map.scale_ticks import tick_text
+from skinsource_gui.widgets.map.colour_maps import DIVERGING, colour_table
+from skinsource_gui.widgets.map.scale_row import Scale, paint_scale_row, scale_row_px
 from skinsource_gui.widgets.map.small_map import Range, SmallMap, paint_small_map, small_frame
 from skinsource_gui.widgets.outputs.picking import output_at
-
-_COLOURS = "CET-D1A"
-_SCALE_PX = 10
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -58,7 +54,6 @@ class DifferenceMap(QWidget):
         super().__init__(parent)
         self._theme: Theme = LIGHT
         self._difference = Difference()
-        self._table = colour_table(_COLOURS)
         self.setObjectName("difference_map")
         self.setMinimumSize(180, 160)
 
@@ -115,9 +110,17 @@ class DifferenceMap(QWidget):
             return
         painter.setPen(QColor(theme.text))
         painter.drawText(top, flags, difference.heading)
-        end = difference.end_db
-        paint_small_map(painter, area, difference.shown, None, theme, (-end, end), self._table)
-        self._paint_scale(painter, bottom, end)
+        end, reached = difference.end_db, difference.reached_db
+        scale = Scale(
+            range_db=(-end, end),
+            words=difference.words,
+            colours=DIVERGING,
+            signed=True,
+            reached_db=reached,
+        )
+        table = colour_table(DIVERGING)
+        paint_small_map(painter, area, difference.shown, None, theme, scale.range_db, table)
+        paint_scale_row(painter, bottom, scale, theme)
         painter.end()
 
     def _areas(self) -> tuple[QRectF, QRectF, QRectF]:
@@ -125,27 +128,7 @@ class DifferenceMap(QWidget):
         line = self.fontMetrics().height()
         room = QRectF(self.rect())
         top = QRectF(room.left(), room.top(), room.width(), line)
-        below = 2 * line + _SCALE_PX + UNIT_PX // 2
+        below = scale_row_px(line)
         bottom = QRectF(room.left(), room.bottom() - below, room.width(), below)
         area = room.adjusted(UNIT_PX, line + UNIT_PX // 2, -UNIT_PX, -below - UNIT_PX // 2)
         return top, area, bottom
-
-    def _paint_scale(self, painter: QPainter, area: QRectF, end_db: float) -> None:
-        theme, line = self._theme, self.fontMetrics().height()
-        width = min(area.width() - 8 * UNIT_PX, 30.0 * UNIT_PX)
-        ramp = QRectF(area.center().x() - width / 2, area.top(), width, _SCALE_PX)
-        row = np.ascontiguousarray(self._table)
-        image = QImage(row.data, len(row), 1, 4 * len(row), QImage.Format.Format_RGB32)
-        painter.drawImage(ramp, image)
-        painter.setPen(QPen(QColor(theme.border), 1))
-        painter.drawRect(ramp)
-        painter.setPen(QColor(theme.text))
-        centre = Qt.AlignmentFlag.AlignCenter
-        reached = self._difference.reached_db
-        for part in (-1.0, -0.5, 0.0, 0.5, 1.0):
-            x = ramp.center().x() + part * width / 2
-            words = tick_text(part * end_db, (-end_db, end_db), reached, signed=True)
-            painter.drawText(QRectF(x - 30, ramp.bottom(), 60, line), centre, words)
-        painter.setPen(QColor(theme.dim))
-        below = QRectF(area.left(), ramp.bottom() + line, area.width(), line)
-        painter.drawText(below, centre, self._difference.words)

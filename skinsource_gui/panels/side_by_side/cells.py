@@ -21,7 +21,9 @@ from skinsource.map_range import map_range_db
 from skinsource.own_limbs import axes_on
 from skinsource.quoting import printable
 from skinsource_gui.compared import ELSEWHERE, Compared, gain_db, limb_title
-from skinsource_gui.panels.side_by_side.content import DIVERGING, Cell, Scale
+from skinsource_gui.panels.side_by_side.content import Cell
+from skinsource_gui.widgets.map.colour_maps import DIVERGING
+from skinsource_gui.widgets.map.scale_row import Scale
 from skinsource_gui.widgets.map.small_map import Range, SmallMap, SmallMaps
 
 #: What something is called, in ever fewer words.

@@ -7,42 +7,9 @@ import numpy as np
 
 from skinsource.arrays import Floats
 from skinsource.design import Design
-from skinsource_gui.widgets.fields.level_text import minus, output_text
-from skinsource_gui.widgets.map.colour_maps import VIRIDIS
-from skinsource_gui.widgets.map.small_map import Range, SmallMap
-
-#: Colours of what is signed: white where there is no difference.
-DIVERGING = "CET-D1A"
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Scale:
-    """Colours, and what they mean.
-
-    Attributes
-    ----------
-    range_db
-        Values of the lowest and the highest colour.
-    words
-        Unit, and what the values are.
-    colours
-        Name of the colour map.
-    signed
-        Whether values are told with their sign.
-    reached_db
-        The smallest and the largest value; those beyond the range have the colour of its end.
-        None: all lie within.
-    """
-
-    range_db: Range
-    words: str
-    colours: str = VIRIDIS
-    signed: bool = False
-    reached_db: Range | None = None
-
-    def text(self, value_db: float) -> str:
-        """``"−12.3 dB"``; with a sign where it is one of a difference."""
-        return minus(f"{value_db:+.1f} dB" if self.signed else f"{value_db:.1f} dB")
+from skinsource_gui.widgets.fields.level_text import output_text
+from skinsource_gui.widgets.map.scale_row import Scale
+from skinsource_gui.widgets.map.small_map import SmallMap
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

@@ -5,7 +5,8 @@ from math import ceil
 
 from PySide6.QtCore import QRectF
 
-SCALE_PX = 9.0
+from skinsource_gui.widgets.map.scale_row import scale_row_px
+
 # Height of a map over its width: hand and arm.
 _HIGH = 2.3
 
@@ -69,7 +70,7 @@ def places_of(room: QRectF, n: int, line: float, *, common: bool, heading_lines:
         How many lines the heading of each has; below it is one for a value.
     """
     edge = 0.3 * line
-    scale_height = SCALE_PX + 2.2 * line
+    scale_height = scale_row_px(line)
     inner = room.adjusted(edge, 0.0, -edge, -edge)
     head = QRectF(inner.left(), inner.top(), inner.width(), 1.2 * line)
     foot = scale_height if common else 0.0

@@ -2,16 +2,15 @@
 
 from collections.abc import Sequence
 
-import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QImage, QPainter, QPen
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QColor, QFont, QPainter, QPen
 
-from skinsource_gui.panels.side_by_side.content import Cell, Content, Scale
+from skinsource_gui.panels.side_by_side.content import Cell, Content
 from skinsource_gui.panels.side_by_side.headings import bold, paint_heading
-from skinsource_gui.panels.side_by_side.layout import SCALE_PX, CellPlace, Places
+from skinsource_gui.panels.side_by_side.layout import CellPlace, Places
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.map.colour_maps import colour_table
-from skinsource_gui.widgets.map.scale_ticks import tick_text
+from skinsource_gui.widgets.map.scale_row import paint_scale_row
 from skinsource_gui.widgets.map.small_map import (
     SmallMap,
     paint_small_map,
@@ -23,8 +22,6 @@ from skinsource_gui.widgets.outputs.picking import is_placed
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 _RING_PX, _WIDE_PX = 4.0, 7.0
 _FEW_RINGS = 12
-# Of the levels that a map spans, of differences with zero in their middle, and of narrow scales.
-_TICKS, _SIGNED_TICKS, _FEW_TICKS = 6, 5, 3
 
 
 def paint_content(
@@ -50,38 +47,9 @@ def paint_content(
     for cell, place in zip(content.cells, places.cells, strict=True):
         _paint_cell(painter, cell, place, content, theme, pointed_at)
         if common is None and cell.scale is not None:
-            paint_scale(painter, place.scale, cell.scale, theme)
+            paint_scale_row(painter, place.scale, cell.scale, theme)
     if common is not None:
-        paint_scale(painter, places.scale, common, theme)
-
-
-def paint_scale(painter: QPainter, area: QRectF, scale: Scale, theme: Theme) -> None:
-    """Draw colours with numbers and words below them."""
-    line = painter.fontMetrics().height()
-    width = max(min(area.width() - 4.0 * line, 20.0 * line), 4.0 * line)
-    ramp = QRectF(area.center().x() - width / 2.0, area.top() + 2.0, width, SCALE_PX)
-    row = np.ascontiguousarray(colour_table(scale.colours))
-    image = QImage(row.data, len(row), 1, 4 * len(row), QImage.Format.Format_RGB32)
-    painter.drawImage(ramp, image)
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setPen(QPen(QColor(theme.border), 1))
-    painter.drawRect(ramp)
-    low, high = scale.range_db
-    painter.setPen(QColor(theme.text))
-    n_ticks = _SIGNED_TICKS if scale.signed else _TICKS
-    if ramp.width() < 3.0 * line * n_ticks:
-        n_ticks = _FEW_TICKS
-    for value in np.linspace(low, high, n_ticks):
-        x = ramp.left() + (value - low) / (high - low) * ramp.width()
-        words = QRectF(x - 3.0 * line, ramp.bottom(), 6.0 * line, line)
-        painter.drawText(
-            words,
-            _CENTRE,
-            tick_text(value, scale.range_db, scale.reached_db, signed=scale.signed),
-        )
-    painter.setPen(QColor(theme.dim))
-    below = QRectF(area.left(), ramp.bottom() + line, area.width(), line)
-    painter.drawText(below, _CENTRE, scale.words)
+        paint_scale_row(painter, places.scale, common, theme)
 
 
 def _paint_cell(

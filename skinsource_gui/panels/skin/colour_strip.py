@@ -120,8 +120,6 @@ class ColourStrip(QWidget):
         self._at_press: Range | None = None
         self._grip_y: float | None = None
         self._scale = KeptPicture()
-        # All of it is painted: nothing behind needs to be.
-        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setObjectName("colour_strip")
         self.setAccessibleName("Range of the colours")
         self.setToolTip("Drag to move the range, double-click for the automatic one")

@@ -11,8 +11,6 @@ LEVELS, Z, MAGNITUDE, RMS = "levels", "z", "magnitude", "rms"
 SENSATION = "sensation"
 #: What is the same at any time.
 STILL = (LEVELS, SENSATION)
-#: Blue is down and red is up, for those who cannot tell red from green too.
-DIVERGING = "CET-D1A"
 _DB, _MPS2 = "dB re 1 m/s²", "m/s²"
 
 

@@ -5,8 +5,9 @@ from math import ceil
 
 from PySide6.QtCore import QRectF
 
+from skinsource_gui.widgets.map.scale_row import scale_row_px
+
 _MOST_MAP_PX = 190.0
-_SCALE_PX = 9.0
 _PLOT_LINES = 6.5
 # Height of a map over its width: hand and arm.
 _HIGH = 2.3
@@ -41,7 +42,7 @@ def strip_layout(room: QRectF, n_windows: int, line: float) -> StripLayout:
     head = QRectF(inner.left(), inner.top(), inner.width(), 1.4 * line)
     plot_height = min(_PLOT_LINES * line, 0.3 * inner.height())
     foot = QRectF(inner.left(), inner.bottom() - plot_height, inner.width(), plot_height)
-    scale_height = _SCALE_PX + 2.2 * line
+    scale_height = scale_row_px(line)
     scale = QRectF(inner.left(), foot.top() - scale_height - edge, inner.width(), scale_height)
     maps = QRectF(inner.left(), head.bottom(), inner.width(), scale.top() - edge - head.bottom())
     plot = foot.adjusted(3.2 * line, 1.2 * line, -edge, -1.2 * line)

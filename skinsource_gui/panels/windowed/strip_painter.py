@@ -3,18 +3,16 @@
 from collections.abc import Callable
 from math import ceil
 
-import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QImage, QPainter, QPen
+from PySide6.QtGui import QColor, QPainter, QPen
 
 from skinsource_gui.panels.windowed.content import WindowedContent, window_words
 from skinsource_gui.panels.windowed.strip_layout import StripLayout
 from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.map.colour_maps import colour_table
+from skinsource_gui.widgets.map.scale_row import Scale, paint_scale_row
 from skinsource_gui.widgets.map.small_map import paint_small_map
 
-_SCALE_PX = 9.0
 _DOT_PX = 2.5
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -58,31 +56,9 @@ def paint_strip(
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.setPen(QPen(QColor(theme.accent), 1.5))
             painter.drawRoundedRect(cell.adjusted(1.0, 0.5, -1.0, -1.0), 3.0, 3.0)
-    _paint_scale(painter, layout.scale, content.range_db, theme)
+    scale = Scale(range_db=content.range_db, words="dB re 1 m/s²")
+    paint_scale_row(painter, layout.scale, scale, theme)
     _paint_extent(painter, layout.plot, content, theme)
-
-
-def _paint_scale(
-    painter: QPainter, area: QRectF, range_db: tuple[float, float], theme: Theme
-) -> None:
-    line = painter.fontMetrics().height()
-    width = min(area.width() - 4.0 * line, 20.0 * line)
-    ramp = QRectF(area.center().x() - width / 2.0, area.top(), width, _SCALE_PX)
-    row = np.ascontiguousarray(colour_table())
-    image = QImage(row.data, len(row), 1, 4 * len(row), QImage.Format.Format_RGB32)
-    painter.drawImage(ramp, image)
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setPen(QPen(QColor(theme.border), 1))
-    painter.drawRect(ramp)
-    low, high = range_db
-    painter.setPen(QColor(theme.text))
-    for level in np.linspace(low, high, 6):
-        x = ramp.left() + (level - low) / (high - low) * ramp.width()
-        words = QRectF(x - 3.0 * line, ramp.bottom(), 6.0 * line, line)
-        painter.drawText(words, _CENTRE, minus(f"{level:.0f}"))
-    painter.setPen(QColor(theme.dim))
-    below = QRectF(area.left(), ramp.bottom() + line, area.width(), line)
-    painter.drawText(below, _CENTRE, "dB re 1 m/s²")
 
 
 def _paint_extent(painter: QPainter, area: QRectF, content: WindowedContent, theme: Theme) -> None:

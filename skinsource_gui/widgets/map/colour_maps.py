@@ -11,6 +11,8 @@ from PySide6.QtGui import QColor
 N_COLOURS = 256
 #: The usual map: perceptually uniform, and safe for colour-vision deficiencies.
 VIRIDIS = "viridis"
+#: Of what has a sign: blue is down and red is up, for those who cannot tell red from green too.
+DIVERGING = "CET-D1A"
 
 
 @cache

@@ -67,6 +67,22 @@ def test_arrow_keys_go_the_way_they_point(studio):
     assert studio.edits == []
 
 
+def test_the_cursor_follows_what_is_selected_elsewhere_unless_keys_are_used_here(studio, qtbot):
+    first, second = track(location=7), track(location=13)
+    studio.show(first, second, selected=0)
+    assert studio.diagram.cursor_site == 7
+    with qtbot.waitActive(studio.panel):
+        studio.panel.activateWindow()
+    studio.diagram.setFocus()
+    assert studio.diagram.hasFocus()
+    studio.keys(KEY.Key_8)
+    studio.panel.show_state(studio.design, View(selected_inputs=(2,)))
+    assert studio.diagram.cursor_site == 8
+    studio.diagram.clearFocus()
+    studio.panel.show_state(studio.design, View(selected_inputs=(1,)))
+    assert studio.diagram.cursor_site == 7
+
+
 def test_home_end_and_typed_numbers_move_the_cursor(studio):
     studio.keys(KEY.Key_End)
     assert studio.diagram.cursor_site == 20

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QApplication, QToolTip
 
 from skinsource.errors import InvalidInputError
 from skinsource_gui.widgets.fields.field_cell import FieldCell
+from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.fields.shown_number import ShownNumber
 from skinsource_gui.widgets.fields.units import number_text, parse_number, value_text
 from tests.gui.number_field.bench import (
@@ -241,3 +242,9 @@ def test_a_long_time_is_shown_typed_and_copied_in_seconds(bench):
 def test_a_number_that_nobody_can_hold_is_not_taken(digits):
     with pytest.raises(InvalidInputError, match="too long"):
         parse_number(digits, AMPLITUDE)
+
+
+def test_digits_of_fields_with_other_units_end_at_the_same_place(qapp):
+    fields = [NumberField(spec) for spec in (DURATION, FREQUENCY, AMPLITUDE, SEED)]
+    [margin] = {field.textMargins().right() for field in fields}
+    assert margin > fields[0].fontMetrics().horizontalAdvance("m/s²")

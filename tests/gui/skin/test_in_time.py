@@ -13,9 +13,10 @@ from skinsource.limb import PRE_TRIGGER_DELAY_S
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.quantities import new_graph, sources
 from skinsource.rendering.in_time import BLOCK_S
-from skinsource_gui.panels.skin.map_quantity import DIVERGING, LEVELS, MAGNITUDE, RMS, Z
+from skinsource_gui.panels.skin.map_quantity import LEVELS, MAGNITUDE, RMS, Z
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.time.frames import NEEDS
+from skinsource_gui.widgets.map.colour_maps import DIVERGING
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2)
 SHORT = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE),))

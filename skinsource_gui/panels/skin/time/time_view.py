@@ -11,13 +11,14 @@ from PySide6.QtWidgets import QWidget
 from skinsource.decibels import decibels
 from skinsource.rendering.in_time import block_of
 from skinsource.view import View
-from skinsource_gui.panels.skin.map_quantity import DIVERGING, STILL
+from skinsource_gui.panels.skin.map_quantity import STILL
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.time.frames import NEEDS, Frames
 from skinsource_gui.panels.skin.time.quantity_row import QuantityRow
 from skinsource_gui.panels.skin.time.scrub_bar import ScrubBar
 from skinsource_gui.panels.skin.time.signed_bar import SignedBar
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.map.colour_maps import DIVERGING
 
 
 class TimeView(QObject):

@@ -1,0 +1,37 @@
+"""What of a legend a line has room for."""
+
+import pytest
+from PySide6.QtGui import QFont, QFontMetrics
+
+from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.widgets.plot.curves import output_names
+from skinsource_gui.widgets.plot.legend.legend_layout import LegendLayout
+from skinsource_gui.widgets.plot.legend.legend_text import LegendText
+
+NAMES = output_names(tuple(range(1, 41)), "synthetic-1")
+
+
+@pytest.mark.parametrize("width", [60, 200, 500, 900, 4000])
+@pytest.mark.parametrize("reads", [False, True])
+def test_as_many_curves_are_written_as_fit_beside_how_many_do_not(qapp, width, reads):
+    text = LegendText(names=NAMES, unit="m/s²", reading_room="−0.123")
+    if reads:
+        text = LegendText(
+            names=NAMES,
+            unit="m/s²",
+            where="12 ms",
+            where_room="1234.5 ms",
+            readings=("0.1",) * len(NAMES),
+            reading_room="−0.123",
+        )
+    metrics = QFontMetrics(QFont())
+    layout = LegendLayout(text, metrics, width)
+    detail, fitting = layout.fitting()
+    where = metrics.horizontalAdvance(layout.where(text.where_room, detail)) if reads else 0
+    room = width - UNIT_PX - where
+    entries = [layout.entry_px(rank, detail) for rank in range(len(NAMES))]
+    if fitting < len(NAMES):
+        room -= metrics.horizontalAdvance("+00")
+        assert sum(entries[: fitting + 1]) > room
+    assert fitting == 0 or sum(entries[:fitting]) <= room
+    assert detail.reading == reads
