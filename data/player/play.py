@@ -15,6 +15,7 @@ import argparse
 import csv
 import sys
 import time
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -106,18 +107,40 @@ class Playing:
 def play(samples, rate_hz, device):
     """Play ``samples`` (n_times, n_outputs), wait until that is done, and give the `Playing`."""
     playing = Playing(samples)
-    stream = sounddevice.OutputStream(
-        samplerate=rate_hz,
-        device=device,
-        channels=samples.shape[1],
-        dtype="float32",
-        latency="low",
-        callback=playing.fill,
-    )
+    with explained():
+        stream = sounddevice.OutputStream(
+            samplerate=rate_hz,
+            device=device,
+            channels=samples.shape[1],
+            dtype="float32",
+            latency="low",
+            callback=playing.fill,
+        )
     with stream:
         while stream.active:
             time.sleep(0.005)
+    if playing.at < len(samples):
+        raise SystemExit(f"the device stopped after {playing.at / rate_hz:.3f} s: is it connected?")
     return playing
+
+
+@contextmanager
+def explained():
+    """End with one sentence where the sound card does not do what it is asked for."""
+    try:
+        yield
+    except (ValueError, sounddevice.PortAudioError) as error:
+        raise SystemExit(f"{error}: see python play.py --list for devices and outputs") from error
+
+
+def unused(path):
+    """``path``, or with a number behind its name: no log of an earlier session is lost."""
+    number = 1
+    found = path
+    while found.exists():
+        number += 1
+        found = path.with_name(f"{path.stem}-{number}{path.suffix}")
+    return found
 
 
 def session(rows, options, log):
@@ -153,9 +176,10 @@ def loopback(output, source, options, rate_hz=48000):
     samples = np.zeros((int(clicks[-1]) + 2 * step, output), np.float32)
     for at in clicks:
         samples[at : at + round(CLICK_S * rate_hz), output - 1] = 0.5
-    recorded = sounddevice.playrec(
-        samples, rate_hz, channels=source, device=options.device, dtype="float32", blocking=True
-    )[:, source - 1]
+    with explained():
+        recorded = sounddevice.playrec(
+            samples, rate_hz, channels=source, device=options.device, dtype="float32", blocking=True
+        )[:, source - 1]
     found = delays(recorded, clicks, rate_hz)
     seen = found[np.isfinite(found)]
     if not seen.size:
@@ -201,8 +225,10 @@ def main(arguments=None):
         rows = list(csv.DictReader(file))
     if options.order == "random":
         rows = [rows[k] for k in np.random.default_rng(options.seed).permutation(len(rows))]
-    with options.log.open("w", newline="", encoding="utf-8") as log:
+    path = unused(options.log)
+    with path.open("x", newline="", encoding="utf-8") as log:
         session(rows, options, log)
+    sys.stdout.write(f"{path}\n")
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ from skinsource.files.writing import explained, flush_file, flush_folder
 
 
 @contextmanager
-def replacing_folder(path: Path, mark: str) -> Iterator[Path]:
+def replacing_folder(path: Path, mark: str, kept: str = "") -> Iterator[Path]:
     """Give a temporary folder beside ``path`` to fill; move it into place at the end.
 
     All files in it are flushed to disk before the move.  On any error it is deleted, and what
@@ -28,6 +28,9 @@ def replacing_folder(path: Path, mark: str) -> Iterator[Path]:
     mark
         Name of a file that shows that a folder was written by the same writer: others are not
         replaced, unless they are empty.
+    kept
+        Pattern of names, such as ``log*.csv``, of what was written into the folder since by
+        others: it goes over into the new one.
 
     Raises
     ------
@@ -42,6 +45,9 @@ def replacing_folder(path: Path, mark: str) -> Iterator[Path]:
     try:
         with explained(path):
             yield temporary
+            for one in path.glob(kept) if kept else ():
+                if one.is_file() and not (temporary / one.name).exists():
+                    shutil.copy2(one, temporary / one.name)
             for one in sorted(temporary.rglob("*"), reverse=True):
                 if one.is_dir():
                     flush_folder(one)

@@ -22,6 +22,8 @@ from skinsource.stimulus_formats import Outgoing, format_named
 
 #: Name of what shows that a folder is an exported stimulus.
 MARK = "stimulus.json"
+#: What its player writes into it, session by session.
+LOGS = "log*.csv"
 _DIGEST_BYTES = 2**20
 
 
@@ -180,7 +182,7 @@ def _write_folder(
     confirmed: tuple[str, ...],
     stack: ExitStack,
 ) -> None:
-    temporary = stack.enter_context(replacing_folder(path, MARK))
+    temporary = stack.enter_context(replacing_folder(path, MARK, kept=LOGS))
     facts = ready.format.write(outgoing, temporary)
     stop_if(outgoing.stop)
     n_bytes = sum(one.stat().st_size for one in temporary.rglob("*") if one.is_file())

@@ -24,6 +24,9 @@ class MadeUpCard(types.ModuleType):
     class CallbackStop(Exception):
         """As in sounddevice."""
 
+    class PortAudioError(Exception):
+        """As in sounddevice."""
+
     def __init__(self):
         super().__init__("sounddevice")
         self.streams = []
@@ -144,12 +147,55 @@ def test_outputs_of_the_stimulus_are_not_taken_for_anything_else(player):
         player.main(["--gain-db", "3"])
 
 
+def test_no_log_of_an_earlier_session_is_lost(folder, player, capsys, design):
+    for _ in range(3):
+        player.main([])
+    told = capsys.readouterr().out.split()
+    logs = [folder / name for name in ("log.csv", "log-2.csv", "log-3.csv")]
+    assert told == [str(one) for one in logs]
+    before = [one.read_text() for one in logs]
+    ss.export_stimulus(design, folder, format="psychopy", rate_hz=8000)
+    assert [one.read_text() for one in logs] == before
+
+
+def test_what_the_card_does_not_do_is_one_sentence(player, card):
+    class Refused(card.OutputStream):
+        def __init__(self, **_):
+            raise ValueError("No output device matching 'nope'")
+
+    card.OutputStream = Refused
+    with pytest.raises(SystemExit, match=r"matching 'nope': see python play.py --list"):
+        player.main(["--device", "nope"])
+
+    def playrec(*_, **__):
+        raise card.PortAudioError("Invalid number of channels")
+
+    card.playrec = playrec
+    with pytest.raises(SystemExit, match="Invalid number of channels: see"):
+        player.main(["--loopback", "1", "1"])
+
+
+def test_a_device_that_stops_before_the_end_ends_the_session(player, card, folder):
+    class Gone(card.OutputStream):
+        def __enter__(self):
+            block = np.zeros((256, self.shape), np.float32)
+            about = types.SimpleNamespace(currentTime=1.0, outputBufferDacTime=1.0)
+            self.callback(block, 256, about, types.SimpleNamespace(output_underflow=False))
+            return self
+
+    card.OutputStream = Gone
+    with pytest.raises(SystemExit, match=r"stopped after 0\.005 s: is it connected"):
+        player.main([])
+    # The row that was not played to its end is not in the log.
+    assert len((folder / "log.csv").read_text().splitlines()) == 1
+
+
 def test_an_earlier_folder_is_replaced_and_a_foreign_one_is_not(design, tmp_path):
     path = tmp_path / "session"
     ss.export_stimulus(design, path, format="psychopy")
-    (path / "log.csv").write_text("mine")
+    (path / "stimuli" / "old.wav").write_text("")
     ss.export_stimulus(design, path, format="psychopy", rate_hz=8000)
-    assert not (path / "log.csv").exists()
+    assert not (path / "stimuli" / "old.wav").exists()
     assert soundfile.info(path / "stimuli" / "session.wav").samplerate == 8000
     other = tmp_path / "thesis"
     other.mkdir()
