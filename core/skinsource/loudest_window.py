@@ -8,7 +8,7 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from skinsource.arguments import one_of, positive_number
+from skinsource.arguments import positive_number
 from skinsource.arrays import Floats
 from skinsource.signals import sample_count
 
@@ -23,11 +23,6 @@ HOLD_WINDOW_S = 0.25
 
 # They are gone through again and again, and stay in the cache meanwhile.
 _NUMBERS_AT_ONCE = 2**13
-
-
-def check_span(span: str) -> None:
-    """Raise `InvalidInputError` unless ``span`` is one of `SPANS`."""
-    one_of("span", span, SPANS)
 
 
 def window_samples(sample_rate_hz: float) -> int:

@@ -102,3 +102,19 @@ def test_every_number_of_every_waveform_has_an_end_that_gives_samples():
     for kind in (Tone, Noise):
         shortest_s = fields.specs_of(kind)["duration_s"].minimum
         assert kind(duration_s=shortest_s, window="none").samples(1300.0).size >= 1
+
+
+def test_a_default_is_checked_as_any_value_and_kept_in_the_same_form():
+    @dataclass(frozen=True, slots=True, kw_only=True)
+    class Careless:
+        size: float = fields.number(1, NumberSpec(label="Size", minimum=0.0))
+        count: float = fields.number(-1.0, NumberSpec(label="Count", minimum=0.0))
+
+        def __post_init__(self):
+            fields.check(self)
+
+    for _ in range(2):
+        made = Careless(count=2.0)
+        assert (made.size, type(made.size)) == (1.0, float)
+        with pytest.raises(InvalidInputError, match=r"Careless\.count is -1.0"):
+            Careless()

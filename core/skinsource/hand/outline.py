@@ -23,8 +23,6 @@ from skinsource.limb import LimbMap
 
 #: Outline pixels in one hand length.
 HAND_LENGTH_PX = 400.0
-#: The arm is drawn this far past the wrist, in forearm lengths: to just below the elbow.
-ARM_END = 1.115
 
 _N_VERTICES = 720
 _MARGIN_PX = 20.0

@@ -149,12 +149,6 @@ def read_points(path: Path, process: ReadingProcess, *, stop: Stop = never) -> P
     return Points(points=points, names=names, y_down=bool(found["y_down"]))
 
 
-def arrays_in(path: Path, process: ReadingProcess, *, stop: Stop = never) -> list[dict[str, Any]]:
-    """Name and shape of each array that can hold responses; raises as `import_limb`."""
-    about = process.ask(path, {"do": "limb"}, stop=stop)["limb"]
-    return [] if about["header"] is not None else list(about["arrays"])
-
-
 def _arranged(
     source: LimbSource, about: dict[str, Any]
 ) -> tuple[tuple[int, int, int, int], dict[str, Any]]:

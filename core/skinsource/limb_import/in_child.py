@@ -10,8 +10,6 @@ from skinsource.limb_import.points import points_of
 from skinsource.recordings.readers import reader_of
 
 _HDF5 = "HDF5", "MATLAB 7.3"
-#: What requests about limbs do.
-REQUESTS = ("limb", "points", "arrays", "responses")
 #: What such files can be.
 EXPECTED = {
     "limb": "responses in the layout of docs/limbs.md, or in NPY, NPZ, MATLAB or HDF5",

@@ -6,8 +6,6 @@ from skinsource.errors import MissingExtraError, NothingToPlayOnError
 from skinsource.extras import package_of_extra
 from skinsource.quoting import printable
 
-#: What to type where it is missing.
-INSTALL = 'pip install "skinsource[audio]"'
 _LIBRARY = (
     "PortAudio is not installed, without which nothing can be played. On Linux it is a package of "
     "the system: sudo apt install libportaudio2 (Debian, Ubuntu), sudo dnf install portaudio "

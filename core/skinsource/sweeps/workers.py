@@ -10,7 +10,7 @@ import sys
 from collections import Counter, deque
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
-from queue import Empty, Queue
+from queue import Empty, SimpleQueue
 from threading import Lock, Thread
 from typing import IO
 
@@ -42,7 +42,7 @@ def measured(
         No process can be started.
     """
     tasks = _Tasks(numbers)
-    rows: Queue[Row | BaseException | None] = Queue()
+    rows: SimpleQueue[Row | BaseException | None] = SimpleQueue()
     servers = [_Server(plan, tasks, rows) for _ in range(max(1, processes))]
     try:
         for one in servers:
@@ -94,7 +94,7 @@ class _Server(Thread):
     """One process, and the thread that feeds it."""
 
     def __init__(
-        self, plan: Plan, tasks: _Tasks, rows: "Queue[Row | BaseException | None]"
+        self, plan: Plan, tasks: _Tasks, rows: "SimpleQueue[Row | BaseException | None]"
     ) -> None:
         super().__init__(daemon=True)
         self._plan, self._tasks, self._rows = plan, tasks, rows

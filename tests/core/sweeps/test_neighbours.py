@@ -10,6 +10,7 @@ from skinsource.sweeps import Measurer, Plan
 from skinsource.sweeps.main_axes import main_axes
 from skinsource.sweeps.measuring import METRICS
 from skinsource.sweeps.neighbours import Together
+from skinsource.sweeps.plan import TOGETHER
 from skinsource.sweeps.prepared import Preparing
 
 PLACES = (3, 7, 7, 18)
@@ -74,6 +75,16 @@ def test_moments_are_those_of_the_prediction(name):
         expected = np.einsum("oat,obt->oab", field, field)
         scale = np.einsum("oaa->o", expected)[:, None, None]
         np.testing.assert_allclose(second[k] / scale, expected / scale, atol=1e-11)
+
+
+def test_what_the_next_neighbours_have_in_common_is_looked_at_anew():
+    frequencies = tuple(np.linspace(40.0, 400.0, TOGETHER).tolist())
+    variables = (("1.amplitude", (1.0, -3.0)), ("2.frequency_hz", frequencies))
+    together = Measurer(Plan(designs=(("one", four_inputs()),), variables=variables))
+    for number in (1, TOGETHER + 1):
+        alone = Plan(designs=(("one", together.plan.design_of(number)),))
+        expected, found = Measurer(alone).measure(1), together.measure(number)
+        assert found["rms"] == pytest.approx(expected["rms"], rel=1e-10)
 
 
 def test_where_inputs_cancel_no_digits_are_lost():
