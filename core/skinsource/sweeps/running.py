@@ -4,6 +4,7 @@ import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import dataclass
+from math import isfinite
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -237,6 +238,9 @@ def _value(name: str, value: Any) -> Value:
         value = value.tolist()
     if isinstance(value, list | tuple):
         return tuple(whole_number(f"{name}[{k}]", one, 1, 2**31) for k, one in enumerate(value))
-    if isinstance(value, bool | int | float | str):
+    # What a report cannot hold is no value, and would be found out at the end.
+    if isinstance(value, bool | int | str) or (isinstance(value, float) and isfinite(value)):
         return value
-    raise InvalidInputError(f"{quoted(name)} holds {quoted(value)}, expected numbers or texts")
+    raise InvalidInputError(
+        f"{quoted(name)} holds {quoted(value)}, expected finite numbers or texts"
+    )

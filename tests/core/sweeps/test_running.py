@@ -223,8 +223,13 @@ def test_parquet_holds_the_same_table(tmp_path):
 
 @pytest.mark.parametrize(
     ("vary", "words"),
-    [({"frequency_hz": 50.0}, "a list"), ({"frequency_hz": [None]}, "numbers or texts")],
+    [
+        ({"frequency_hz": 50.0}, "a list"),
+        ({"frequency_hz": [None]}, "numbers or texts"),
+        ({"frequency_hz": [50.0, np.nan]}, "'frequency_hz' holds nan, expected finite numbers"),
+        ({"amplitude": [-np.inf]}, "holds -inf, expected finite"),
+    ],
 )
-def test_values_that_are_none_are_refused(vary, words):
+def test_what_is_no_value_is_refused_before_anything_is_measured(vary, words):
     with pytest.raises(InvalidInputError, match=words):
         ss.sweep(DESIGN, vary)
