@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QPixmap
+from PySide6.QtGui import QCursor, QPixmap
 from PySide6.QtWidgets import (
     QApplication,
     QHBoxLayout,
@@ -23,6 +23,8 @@ PASSING_MS = 5000
 _LEAST_MS, _LETTER_MS = 4000, 60
 #: A click so soon belongs to what the notice is about, and takes nothing away.
 _FRESH_MS = 700
+# After so many intervals of a double click even a pointer that rests means what lies there.
+_MOST_TIMES_GUARDED = 6
 #: What can be done about it: words of the button, and what it does.
 Choice = tuple[str, Callable[[], object]]
 _LAID_OUT = (QEvent.Type.Resize, QEvent.Type.LayoutRequest)
@@ -79,7 +81,8 @@ class Notice(QObject):
         self._guard.setObjectName("notice_guard")
         self._guarding = QTimer(self._guard)
         self._guarding.setSingleShot(True)
-        self._guarding.timeout.connect(self._guard.hide)
+        self._guarding.timeout.connect(self._guard_on_rest)
+        self._guarded_at, self._times_guarded = QPoint(), 0
         self._guard.hide()
         self.be_quiet()
         window.installEventFilter(self)
@@ -177,7 +180,19 @@ class Notice(QObject):
             act()
 
     def _guard_on(self) -> None:
+        self._guarded_at, self._times_guarded = QCursor.pos(), 0
         self._guarding.start(QApplication.doubleClickInterval())
+
+    def _guard_on_rest(self) -> None:
+        """Who has not moved the pointer since does not mean what lies there now."""
+        self._times_guarded += 1
+        at = QCursor.pos()
+        within = self._guard.rect().contains(self._guard.mapFromGlobal(at))
+        rests = within and at == self._guarded_at
+        if rests and self._times_guarded < _MOST_TIMES_GUARDED:
+            self._guarding.start()
+        else:
+            self._guard.hide()
 
     def _place(self) -> None:
         whole, height = self._window.width(), self._window.height()

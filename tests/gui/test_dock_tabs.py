@@ -4,7 +4,8 @@ import random
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication
+from PySide6.QtGui import QColor, QImage, QPainter
+from PySide6.QtWidgets import QApplication, QStyle, QStyleOptionFrame
 
 from skinsource.catalogue import available_limbs
 from skinsource.design_file import save_design
@@ -201,3 +202,22 @@ def test_whatever_is_done_to_docks_just_those_in_front_are_shown(window, settle,
             assert dock.panel.isVisible() == (dock.isVisible() and seen), dock.objectName()
         assert all(bar.focusPolicy() == Qt.FocusPolicy.NoFocus for bar in found)
     settle()
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_a_panel_out_of_the_window_has_a_frame_that_is_seen(window, theme):
+    # Where the desktop frames it, as the one without a screen does, it is not asked for.
+    window.do(f"use_{theme}_theme")
+    dock = window.docks["inspector"]
+    image = QImage(60, 40, QImage.Format.Format_RGB32)
+    image.fill(QColor(window.theme.window))
+    option = QStyleOptionFrame()
+    option.initFrom(dock)
+    option.rect = image.rect()
+    painter = QPainter(image)
+    dock.style().drawPrimitive(QStyle.PrimitiveElement.PE_FrameDockWidget, option, painter, dock)
+    painter.end()
+    edges = [image.pixelColor(x, y).name() for x, y in ((0, 20), (1, 20), (59, 20), (30, 0))]
+    assert edges == [window.theme.dim] * 4
+    assert image.pixelColor(2, 20).name() == window.theme.window
+    window.do("use_light_theme")
