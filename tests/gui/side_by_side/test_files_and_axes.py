@@ -63,8 +63,8 @@ def test_a_design_of_a_file_is_one_of_the_sides_and_the_present_one_stays_open(
     [other] = [cell for cell in cells if cell.heading != "Edited"]
     expected = evaluate(SAVED, "output_levels_db", view=document.view)["output_levels_db"]
     assert other.values_db == pytest.approx(expected, abs=1e-9)
-    document.undo_stack.undo()
-    assert document.view.snapshots == ()
+    # It is beside the history, as every snapshot.
+    assert document.undo_stack.count() == 0
     # What cannot be read, and a fifth one, change nothing and say why.
     (tmp_path / "broken.skinsource").write_text("{")
     choose("broken.skinsource")
