@@ -19,7 +19,8 @@ from skinsource.quoting import quoted
 from skinsource.view import View
 
 _USUAL_COUNT = 5
-_MAP_MM, _AROUND_MM, _HEIGHT_MM = 28.0, 30.0, 95.0
+_MAP_MM, _LEFT_MM, _RIGHT_MM, _HEIGHT_MM = 28.0, 17.0, 20.0, 95.0
+_AROUND_MM = _LEFT_MM + _RIGHT_MM
 _QUANTITIES = (
     "limb_data",
     "surface",
@@ -146,10 +147,19 @@ def strip(
 
 def _drawn(found: WindowedLevels, n: int, range_db: Range | None, title: str) -> Any:
     """A figure of the first ``n`` windows."""
-    figure = new_figure(_MAP_MM * n + _AROUND_MM, _HEIGHT_MM)
+    width_mm = _MAP_MM * n + _AROUND_MM
+    figure = new_figure(width_mm, _HEIGHT_MM)
     with style():
         grid = figure.add_gridspec(
-            2, n, height_ratios=(4.0, 1.0), left=0.08, right=0.88, top=0.88, bottom=0.1, wspace=0.05
+            2,
+            n,
+            height_ratios=(4.0, 1.0),
+            # Words beside the axes take as much room in a narrow figure as in a wide one.
+            left=_LEFT_MM / width_mm,
+            right=1.0 - _RIGHT_MM / width_mm,
+            top=0.88,
+            bottom=0.1,
+            wspace=0.05,
         )
         maps = [figure.add_subplot(grid[0, k]) for k in range(n)]
         draw_strip(figure, maps, found, range_db)
@@ -200,7 +210,11 @@ def draw_extent(ax: Any, found: WindowedLevels, n: int) -> None:
     for (label, values), colour in zip(curves, COLOURS, strict=False):
         ax.plot(middles, values, "o-", ms=3, color=colour, label=label)
     ax.set_xlim(0.0, n)
-    ax.set_ylim(bottom=0.0)
+    ax.set_ylim(0.0, 1.1 * ax.dataLim.y1 if ax.dataLim.y1 > 0.0 else 1.0)
     ax.set_xticks([])
-    ax.set_ylabel("mm from the input")
-    ax.legend(fontsize=6, loc="upper right", ncols=2)
+    ax.set_ylabel("mm from\nthe input")
+    # Above, where no curve runs; over few windows there is no room for both side by side.
+    columns = 2 if n > 2 else 1
+    ax.legend(
+        fontsize=6, loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.1, ncols=columns
+    )

@@ -178,19 +178,35 @@ def snapshot_names(
     ``with_limbs``: where they are on several limbs, they say on which.
     """
     found: list[Names] = []
+    titles = [printable(one.snapshot.design.title).strip() for one in compared]
+    own_parts = _own_parts([each for each in titles if each])
     several = with_limbs and len({_limb(one) for one in compared}) > 1
-    for one in compared:
+    for one, title in zip(compared, titles, strict=True):
         along = axes_on(_limb(one), axes)
         other = f" ({word_of(AXES, along).title})" if along != axes else ""
         on_limb = f" on {limb_title(_limb(one))}" if several else ""
         other += on_limb
         edited = one.snapshot.number == EDITED
         called = one.name if edited else f"Snapshot {one.name}"
-        title = printable(one.snapshot.design.title).strip()
-        longest = (f"{called} · {title}{other}",) if title and not edited else ()
+        parts = dict.fromkeys((title, own_parts.get(title, title)))
+        longest = tuple(f"{called} · {part}{other}" for part in parts if part and not edited)
+        if len(longest) > 1:
+            longest = (*longest, f"{one.name} · {own_parts[title]}{other}")
         short = () if edited and not other else (f"{one.name}{on_limb}",)
         found.append((*longest, f"{called}{other}", *short))
     return found
+
+
+def _own_parts(titles: Sequence[str]) -> dict[str, str]:
+    """What each title says that the others do not: ``"Fig. 2B · 50 Hz"`` is ``"50 Hz"``.
+
+    Of titles whose parts, between middle dots, begin alike.
+    """
+    parts = [one.split(" · ") for one in titles]
+    alike = 0
+    while parts and all(len(one) > alike + 1 and one[alike] == parts[0][alike] for one in parts):
+        alike += 1
+    return {one: " · ".join(each[alike:]) for one, each in zip(titles, parts, strict=True)}
 
 
 def _of_all(called: Sequence[Names], n_compared: int) -> Names:

@@ -3,6 +3,7 @@
 import subprocess
 import sys
 from dataclasses import replace
+from io import BytesIO
 
 import numpy as np
 import pytest
@@ -199,3 +200,20 @@ def test_drawing_asks_for_no_window_and_never_for_qt():
         [sys.executable, "-W", "error", "-c", probe], capture_output=True, text=True, timeout=120
     )
     assert done.stdout.strip() == "[] False", done.stderr
+
+
+@pytest.mark.parametrize("count", [1, 3, 5])
+def test_all_words_of_a_strip_stand_in_the_figure_and_none_on_a_curve(count):
+    inputs = (ss.track(7, ss.waveforms.WaveletTrain()),)
+    figure = ss.plot.strip(ss.Design(limb="synthetic-4", inputs=inputs), count=count)
+    figure.savefig(BytesIO(), dpi=figure.dpi)
+    (extent,) = (ax for ax in figure.axes if ax.get_legend())
+    words = [ax.yaxis.label for ax in figure.axes if ax.yaxis.label.get_text()]
+    words += [ax.title for ax in figure.axes if ax.get_title()] + extent.get_legend().get_texts()
+    for one in words:
+        room = one.get_window_extent()
+        assert figure.bbox.x0 <= room.x0 < room.x1 <= figure.bbox.x1, one.get_text()
+        assert figure.bbox.y0 <= room.y0 < room.y1 <= figure.bbox.y1, one.get_text()
+    assert extent.get_legend().get_window_extent().y0 >= extent.get_window_extent().y1 - 1.0
+    (label,) = (one for one in words if one.get_text() == "mm from\nthe input")
+    assert label.get_window_extent().x1 < extent.get_window_extent().x0

@@ -105,9 +105,11 @@ def test_a_scene_is_opened_with_the_keyboard(window, qtbot, settle):
     opened = ss.scenes.open_scene("2B")
     assert window.document.design == opened.design
     assert window.document.view == opened.view
-    assert window.panel("compare").isVisible()
-    assert window.docks["compare"].in_sight
-    assert [card.isVisible() for card in window.panel("compare").cards[1:]] == [True] * 4
+    assert window.docks["side_by_side"].in_sight
+    maps = window.panel("side_by_side").maps
+    qtbot.waitUntil(lambda: sum(one.small is not None for one in maps.content.cells) == 4)
+    called = [cell.headings[1] for cell in maps.content.cells]
+    assert called == [f"Snapshot {k} · {hz} Hz" for k, hz in enumerate((50, 100, 200, 400), 1)]
 
 
 def test_a_double_click_opens_and_the_next_time_it_is_selected(window, qtbot, settle):

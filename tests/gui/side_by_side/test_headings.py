@@ -4,6 +4,10 @@ import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFontMetricsF, QImage, QPainter
 
+from skinsource.comparing import Snapshot
+from skinsource.design import Design
+from skinsource_gui.compared import Compared
+from skinsource_gui.panels.side_by_side.cells import snapshot_names
 from skinsource_gui.panels.side_by_side.content import Cell, Content
 from skinsource_gui.panels.side_by_side.headings import bold, paint_heading, places_for
 from skinsource_gui.widgets.map.scale_ticks import tick_text
@@ -55,3 +59,28 @@ def test_what_has_no_room_at_all_ends_with_dots_within_its_room(qapp):
 )
 def test_the_ends_of_a_scale_say_what_else_has_their_colour(value, reached, words):
     assert tick_text(value, (-20.0, 20.0), reached, signed=True) == words
+
+
+def test_snapshots_of_a_scene_are_told_by_what_their_titles_do_not_share():
+    def stored(number, title):
+        design = Design(limb="synthetic-1", title=title)
+        return Compared(snapshot=Snapshot(number=number, design=design))
+
+    tones = [stored(1, "Fig. 2B: Far · 50 Hz"), stored(2, "Fig. 2B: Far · 100 Hz")]
+    one, two = snapshot_names(tones, "xyz")
+    assert one == (
+        "Snapshot 1 · Fig. 2B: Far · 50 Hz",
+        "Snapshot 1 · 50 Hz",
+        "1 · 50 Hz",
+        "Snapshot 1",
+        "1",
+    )
+    assert two[1] == "Snapshot 2 · 100 Hz"
+    # What is the same throughout is said; nothing is taken from titles that share nothing.
+    assert snapshot_names([tones[0], tones[0]], "xyz")[0][1] == "Snapshot 1 · 50 Hz"
+    assert snapshot_names([tones[0], stored(2, "Other")], "xyz")[1] == (
+        "Snapshot 2 · Other",
+        "Snapshot 2",
+        "2",
+    )
+    assert snapshot_names([stored(1, "")], "xyz") == [("Snapshot 1", "1")]

@@ -1,7 +1,7 @@
 """Fig. 1: what the skin does after a single pulse."""
 
 from skinsource.scenes.paper_scene import Scene
-from skinsource.scenes.shipped.making import MOVING, MadeScene, at, made, played
+from skinsource.scenes.shipped.making import BESIDE, MOVING, MadeScene, at, made, played
 from skinsource.waveforms import Impulse
 
 _ALONG_DIGIT_III = (20, 24, 26, 27, 48, 49, 72)
@@ -55,8 +55,12 @@ _AXES = made(
         title="One pulse, three axes",
         sentence="A pulse along digit III moves the skin on all three axes of the sensors, each "
         "with a pattern of its own.",
-        inferred=("one colour scale for the three maps",),
+        inferred=(
+            "one colour scale for the three maps",
+            "in the window one axis is seen at a time",
+        ),
         arrangement="design",
+        panels=("hand", "skin"),
     ),
     played(3, *at([3], _PULSE), scaling="relative"),
     turned="amplitude",
@@ -72,10 +76,11 @@ _PLACES = made(
         inferred=("which three places: 8, 13 and 18", "each map relative to its own maximum"),
         labels=("Input 8, pad of digit III", "Input 13, base of digit III", "Input 18, palm"),
         arrangement="design",
-        panels=("skin", "compare"),
+        panels=("skin", "side_by_side"),
     ),
     *(played(1, *at([place], _PULSE), scaling="relative") for place in (8, 13, 18)),
     turned="amplitude",
+    panels=BESIDE,
     method="mag",
 )
 
@@ -88,10 +93,11 @@ _PEOPLE = made(
         inferred=("each map relative to its own maximum",),
         labels=("Limb 1", "Limb 2", "Limb 3", "Limb 4"),
         arrangement="design",
-        panels=("skin", "compare"),
+        panels=("skin", "side_by_side"),
     ),
     *(played(limb, *at([8], _PULSE), scaling="relative") for limb in (1, 2, 3, 4)),
     turned="amplitude",
+    panels=BESIDE,
     method="mag",
 )
 

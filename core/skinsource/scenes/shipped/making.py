@@ -16,6 +16,8 @@ from skinsource.waveforms import Waveform
 CONTROLS = "frequency_and_amplitude"
 #: The skin as it moves along z, slowed down: of scenes that speak of what travels.
 MOVING = {"skin": {"quantity": "z"}}
+#: Maps of all designs of a scene at once: of scenes that compare people, places or frequencies.
+BESIDE = {"side_by_side": {"of": "snapshots"}}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,7 +1,7 @@
 """Fig. 2: stimuli, and what arrives of them."""
 
 from skinsource.scenes.paper_scene import Scene
-from skinsource.scenes.shipped.making import MOVING, MadeScene, at, made, played
+from skinsource.scenes.shipped.making import BESIDE, MOVING, MadeScene, at, made, played
 from skinsource.waveforms import Noise, Tap, Tone, WaveletTrain
 
 # Ten cycles of 200 Hz, 65 samples; and 200 ms, 260 samples, whatever the frequency.
@@ -41,7 +41,7 @@ _FREQUENCIES = made(
         "little more than the finger.",
         labels=tuple(f"{frequency:g} Hz" for frequency in _FREQUENCIES_HZ),
         arrangement="design",
-        panels=("skin", "compare"),
+        panels=("skin", "side_by_side"),
     ),
     *(
         played(1, *at([7], Tone(frequency_hz=frequency, duration_s=0.2)))
@@ -50,6 +50,7 @@ _FREQUENCIES = made(
     turned="frequency",
     method="mag",
     outputs=(30, 43),
+    panels=BESIDE,
 )
 
 _NOISE_TRACES = made(
@@ -92,13 +93,14 @@ _TAPS = made(
         inferred=("the same four places for every person",),
         labels=("Limb 2", "Limb 3", "Limb 4"),
         arrangement="design",
-        panels=("skin", "compare"),
+        panels=("skin", "side_by_side"),
     ),
     *(played(limb, *at([7, 8, 9, 10], Tap())) for limb in (2, 3, 4)),
     shown=1,
     turned="onset",
     method="mag",
     outputs=(19, 43),
+    panels=BESIDE,
 )
 
 _INTERFERENCE = made(
