@@ -72,6 +72,10 @@ def missing_limb(name: str, digest: str) -> str:
     return ""
 
 
+def _band_words(band_hz: tuple[float, float] | None) -> str:
+    return "" if band_hz is None else f", measured from {band_hz[0]:g} to {band_hz[1]:g} Hz"
+
+
 @lru_cache(maxsize=64)
 def _read(name: str, path: Path, _changed_ns: int, _size: int) -> tuple[LimbFacts, LimbMap]:
     file = LimbFile(path)
@@ -81,7 +85,7 @@ def _read(name: str, path: Path, _changed_ns: int, _size: int) -> tuple[LimbFact
         name=name,
         title=held.title or name,
         sentence=f"{hand}, imported: {held.n_inputs} places, {held.n_outputs} outputs along "
-        f"{words(held.axes)}, {held.sample_rate_hz:g} Hz.",
+        f"{words(held.axes)}, {held.sample_rate_hz:g} Hz{_band_words(held.band_hz)}.",
         n_inputs=held.n_inputs,
         n_outputs=held.n_outputs,
         n_taps=held.n_taps,

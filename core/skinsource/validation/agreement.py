@@ -125,7 +125,8 @@ def aligned(measured: ArrayLike, predicted: ArrayLike, most: int) -> tuple[Float
     n_fft = scipy.fft.next_fast_len(n_times + theirs.shape[-1], real=True)
     cross = scipy.fft.rfft(ours, n_fft) * np.conj(scipy.fft.rfft(theirs, n_fft))
     sums = scipy.fft.irfft(cross.sum(axis=(0, 1)), n_fft)
-    lags = np.arange(-most, most + 1)
+    # At others the two do not meet: a short response, a long search.
+    lags = np.arange(-min(most, theirs.shape[-1] - 1), min(most, n_times - 1) + 1)
     shift = int(lags[np.argmax(sums[lags])])
     found = np.zeros(ours.shape)
     first = max(-shift, 0)

@@ -59,6 +59,15 @@ def test_a_shifted_measurement_is_brought_back(lag):
     assert found == pytest.approx(pulse, abs=1e-12)
 
 
+@pytest.mark.parametrize("lag", [-40, -7, 0, 12, 42])
+def test_a_search_beyond_both_lengths_finds_the_shift_too(lag):
+    pulse = np.zeros((3, 2, 90))
+    pulse[..., 42:48] = np.hanning(6) * [[[1.0], [0.2]]]
+    found, shift = aligned(np.roll(pulse, -lag, axis=-1), pulse, 800)
+    assert shift == lag
+    assert found == pytest.approx(pulse, abs=1e-12)
+
+
 def test_outputs_in_proportion_are_a_straight_line_and_a_limiter_is_not():
     time = np.arange(2600) / 1300.0
     sweep = np.sin(2 * np.pi * (25 * time + 140 * time**2))

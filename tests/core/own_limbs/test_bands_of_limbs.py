@@ -53,6 +53,7 @@ def test_the_band_is_kept_exported_and_part_of_the_digest(user_data, tmp_path):
     said = facts_of("lab-1")
     assert said.band_hz == ss.load_limb("lab-1").band_hz == BAND
     assert said.digest != silent
+    assert said.sentence.endswith("4000 Hz, measured from 40 to 1500 Hz.")
     export_limb("lab-1", tmp_path / "lab.h5")
     again = import_limb(LimbSource(responses=tmp_path / "lab.h5", values={"name": "copy"}))
     assert (again.band_hz, again.digest) == (BAND, said.digest)
