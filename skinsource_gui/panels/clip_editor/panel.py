@@ -73,7 +73,7 @@ class ClipEditorPanel(Panel):
         self._stack = QStackedLayout(self)
         self._stack.addWidget(self._empty)
         self._stack.addWidget(inside)
-        self.setMinimumSize(260, 200)
+        self.setMinimumSize(260, 176)
         self.setFocusProxy(self._canvas)
         self._lateness = Lateness(self)
         self._lateness.changed.connect(self._canvas.item.show_stale)

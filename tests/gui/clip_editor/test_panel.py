@@ -105,3 +105,13 @@ def test_curves_are_painted_again_only_when_they_look_different(tone, monkeypatc
     tone.panel.show_theme(DARK)
     tone.canvas.grab()
     assert len(painted) == 4
+
+
+def test_all_of_it_is_seen_where_a_small_screen_leaves_it_little_height(tone):
+    # What a window of 1366 x 768 px under a title bar leaves it at its foot.
+    assert tone.panel.minimumHeight() <= 190
+    tone.panel.resize(1360, 190)
+    assert tone.panel.height() == 190
+    tone.canvas.lay_out()
+    assert tone.canvas.content.area.height() > 100
+    assert tone.canvas.geometry().bottom() <= tone.canvas.parentWidget().rect().bottom()
