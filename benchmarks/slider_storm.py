@@ -19,7 +19,8 @@ from yardstick import judge
 
 from skinsource.graph import Graph
 from skinsource_gui.shell.app import make_application
-from skinsource_gui.state.engine import WAIT_FOR_RESULTS_S, Engine, Outcome, Request
+from skinsource_gui.state.conductor import WAIT_FOR_RESULTS_S
+from skinsource_gui.state.engine import Engine, Outcome, Request
 
 CHANGES, PERIOD_MS, EVALUATION_S = 1000, 5, 0.04
 #: In times an evaluation.

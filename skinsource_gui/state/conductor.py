@@ -13,15 +13,12 @@ from skinsource.quantities import sources
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.engine import (
-    FIRST_SLOT,
-    WAIT_FOR_RESULTS_S,
-    Engine,
-    Outcome,
-    Purpose,
-    Request,
-)
+from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request
 from skinsource_gui.state.predicting import reason_of, too_large
+
+#: An edit waits so long for its results, a frame of most screens: the worker is quicker when it
+#: has the interpreter to itself, and both are painted together.
+WAIT_FOR_RESULTS_S = 0.016
 
 
 class Conductor(QObject):

@@ -20,11 +20,6 @@ from skinsource.work import Work
 _ABANDONED_AFTER_S = 0.5
 
 
-#: An edit waits so long for its results, a frame of most screens: the worker is quicker when it
-#: has the interpreter to itself, and both are painted together.
-WAIT_FOR_RESULTS_S = 0.016
-
-
 class Purpose(IntEnum):
     """What a request is for; of those that wait, the first of these goes first."""
 
