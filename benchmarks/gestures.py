@@ -118,6 +118,7 @@ class Hand:
         for step in range(1, FREE_STEPS + 1):
             painted.waiting = True
             self._send(_MOVE, place(step / FREE_STEPS))
+            QApplication.processEvents()
             while perf_counter() < began + step / HAND_HZ:
                 QApplication.processEvents(_ALL, 1)
         seconds = perf_counter() - began

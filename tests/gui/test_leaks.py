@@ -28,6 +28,8 @@ def alive(window, qtbot):
     def count() -> Counter:
         # Docks move to their new places for a fifth of a second, and longer on a busy machine.
         qtbot.waitUntil(lambda: not moving(), timeout=30_000)
+        # What the status bar says has a timer as long as it is said.
+        window.statusBar().clearMessage()
         for _ in range(3):
             QApplication.processEvents()
             QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)

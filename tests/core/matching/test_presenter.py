@@ -92,7 +92,7 @@ def test_stopped_at_once_it_is_silent_and_can_be_played_again(sound, presenter):
     assert playing.stream.deck.ending.reason == "panic"
 
 
-def test_the_limiter_ends_what_would_pass_full_scale(sound, presenter):
+def test_what_would_pass_full_scale_ends_it(sound, presenter):
     run = MatchingRun(PROCEDURE, None)
     run.step(30.0)
     playing = presenter.present(run.design, 0.0)

@@ -147,7 +147,7 @@ def test_esc_stops_at_once_and_a_second_one_in_a_hurry_closes_nothing(
     assert page.run.level_db == pytest.approx(level_db + 1.0)
 
 
-def test_the_limiter_stops_and_says_so(sound, page, qtbot):
+def test_what_would_pass_full_scale_stops_it_and_is_said(sound, page, qtbot):
     page.form.field("amplitude").set_value(1.0)
     page.form.field("gain_db").set_value(20.0)
     begin(page, qtbot)
