@@ -9,6 +9,7 @@ from skinsource.commands.command_line import main
 from skinsource.errors import MissingExtraError
 from skinsource.method_comparison import commands
 from skinsource.method_comparison.engines import ENGINES, engine_of
+from skinsource.method_comparison.measure import measure
 from skinsource.method_comparison.scenes import scene_of
 from skinsource.method_comparison.table import read_table
 
@@ -36,7 +37,7 @@ def test_without_matplotlib_table_and_report_are_written(tmp_path, monkeypatch, 
 
     monkeypatch.setattr(commands, "EVERY_SCENE", (scene_of("S1"),))
     monkeypatch.setattr(commands, "EVERY_ENGINE", (engine_of("this program"),))
-    monkeypatch.setattr(commands, "measure", lambda cases, effort, progress: [])
+    monkeypatch.setattr(commands, "measure", lambda cases, effort, progress, keep: [])
     monkeypatch.setattr(commands, "write_plots", refuse)
     assert main(["bench", "--quick", "--out", str(tmp_path)]) == 1
     assert sorted(path.name for path in tmp_path.iterdir()) == ["report.md", "work_precision.csv"]
@@ -52,10 +53,50 @@ def test_other_programs_can_read_how_far_the_work_is(tmp_path, monkeypatch, caps
     assert capsys.readouterr().out.splitlines()[:2] == ["0/2 S1 direct", "1/2 S1 this program"]
 
 
-def tell_and_find_nothing(cases, effort, progress):
+def tell_and_find_nothing(cases, effort, progress, keep):
     progress(0, 2, "S1 direct")
     progress(1, 2, "S1 this program")
     return []
+
+
+def test_what_was_measured_until_it_is_stopped_stands_in_table_and_report(
+    tmp_path, monkeypatch, capsys
+):
+    monkeypatch.setattr(commands, "EVERY_SCENE", (scene_of("S1"),))
+    monkeypatch.setattr(commands, "EVERY_ENGINE", (engine_of("this program"),))
+    monkeypatch.setattr(commands, "measure", measure_until(2))
+    monkeypatch.setattr(commands, "write_plots", lambda *_: pytest.fail("who stops does not wait"))
+    assert main(["bench", "--quick", "--out", str(tmp_path)]) == 130
+    assert str(tmp_path / "report.md") in capsys.readouterr().err
+    assert len(read_table(tmp_path / "work_precision.csv")) == 2
+    report = (tmp_path / "report.md").read_text()
+    assert "Stopped before the end:** 2 of 3 rows are there" in report
+    monkeypatch.setattr(commands, "measure", measure_until(0))
+    assert main(["bench", "--quick", "--out", str(tmp_path / "nothing")]) == 130
+    assert list((tmp_path / "nothing").iterdir()) == []
+
+
+def measure_until(n_processes):
+    """Measure, and press Ctrl+C after so many processes."""
+
+    def stopped(cases, effort, progress, keep):
+        left = iter(range(n_processes))
+
+        def start(task, timeout_s):
+            if next(left, None) is None:
+                raise KeyboardInterrupt
+            return {
+                "first_s": 0.5,
+                "run_s": [0.003],
+                "channels": 216,
+                "errors": {"peak": 1e-15, "l2": 1e-15, "window": 1e-12, "silence": 0.0},
+                "ratio": 0.01,
+                "bytes_above_idle": 5_000_000,
+            }
+
+        return measure(cases, effort, progress, start, keep=keep)
+
+    return stopped
 
 
 def test_a_folder_that_cannot_be_written_is_told_before_the_work(tmp_path, monkeypatch, capsys):

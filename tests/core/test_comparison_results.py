@@ -267,3 +267,25 @@ def test_the_plot_shows_every_scene_and_tells_of_failures(tmp_path):
     assert png.read_bytes().startswith(b"\x89PNG")
     again, _ = plot.write_plots(rows, tmp_path / "again")
     assert again.read_bytes() == svg.read_bytes()
+
+
+def test_rows_are_given_as_they_come_and_all_once_before_any_again():
+    seen = []
+    cases = cases_of([scene_of("S1")], ENGINES, quick=True)
+    measure(
+        cases,
+        replace(QUICK, processes=2),
+        start=lambda task, timeout_s: RESULT,
+        keep=lambda rows: seen.append(
+            [(row.engine, row.precision, row.setting, row.processes) for row in rows]
+        ),
+    )
+    n = len(cases)
+    assert [len(rows) for rows in seen] == [*range(1, n + 1), *[n] * n]
+    assert {processes for *_, processes in seen[n - 1]} == {1}
+    assert {processes for *_, processes in seen[-1]} == {2}
+    keys = [(case.engine.name, case.method.precision, case.method.setting.name) for case in cases]
+    assert [row[:3] for row in seen[-1]] == keys
+    # In their order, too, while some are still missing.
+    half = [row[:3] for row in seen[n // 2]]
+    assert half == [key for key in keys if key in half]

@@ -2,12 +2,10 @@
 
 import argparse
 import sys
-import time
 from pathlib import Path
 from typing import Any
 
-from skinsource.dataset.progress_bar import ProgressBar
-from skinsource.job import left_in_words, seconds_left
+from skinsource.dataset.progress_bar import ProgressBar, WithTimeLeft
 from skinsource.sweeps import read_sweep, run
 from skinsource.sweeps.cluster import Cluster
 from skinsource.sweeps.folder import TABLE
@@ -22,6 +20,9 @@ def add_to(subparsers: Any) -> None:
         help="measure many stimuli: designs x frequencies x places x ...",
         description="Measures all combinations that a TOML file names, on all cores, and writes "
         "stimuli.csv with one row for each. Run again after it was stopped, it goes on.",
+        epilog="A stimulus that cannot be measured is left out: its row says why, all others are "
+        "measured. Ends with 0 where all rows were measured, with 1 where one was left out or the "
+        "sweep could not be run, with 130 where it was stopped.",
     )
     sweep.add_argument("sweep", type=Path, metavar="SWEEP", help="a .toml file")
     sweep.add_argument(
@@ -47,7 +48,7 @@ def _sweep(arguments: argparse.Namespace) -> int:
             arguments.out,
             processes=arguments.processes,
             measuring=cluster,
-            progress=_WithTimeLeft(bar),
+            progress=WithTimeLeft(bar),
         )
     failed = table.failed
     for number in sorted(failed)[:_MOST_SHOWN]:
@@ -56,20 +57,5 @@ def _sweep(arguments: argparse.Namespace) -> int:
         sys.stderr.write(f"skinsource: … and {len(failed) - _MOST_SHOWN} more\n")
     left_out = f", {len(failed)} of them left out" if failed else ""
     sys.stdout.write(f"{len(table)} stimuli{left_out}\n{arguments.out / TABLE}\n")
-    return 0
-
-
-class _WithTimeLeft:
-    """Shows progress with the time left, as seen since the start of this run."""
-
-    def __init__(self, bar: ProgressBar) -> None:
-        self._bar = bar
-        self._start_s = time.monotonic()
-        self._before: int | None = None
-
-    def __call__(self, done: int, total: int, text: str) -> None:
-        if self._before is None:
-            self._before = done
-        elapsed_s = time.monotonic() - self._start_s
-        left = left_in_words(seconds_left(done - self._before, total - self._before, elapsed_s))
-        self._bar(done, total, f"{text}  {left}".rstrip())
+    # What builds on the table (make, a queue of jobs) shall not take a part for the whole.
+    return int(bool(failed))

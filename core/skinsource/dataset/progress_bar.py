@@ -1,7 +1,10 @@
 """One line in the terminal that shows how far a job is."""
 
+import time
 from types import TracebackType
 from typing import Self, TextIO
+
+from skinsource.job import left_in_words, seconds_left
 
 _WIDTH = 30
 
@@ -39,3 +42,20 @@ class ProgressBar:
             self._stream.write("\r" + line.ljust(len(self._shown)) + ("" if line else "\r"))
             self._stream.flush()
             self._shown = line
+
+
+class WithTimeLeft:
+    """Shows progress with the time left, as seen since the start of this run."""
+
+    def __init__(self, bar: ProgressBar) -> None:
+        self._bar = bar
+        self._start_s = time.monotonic()
+        self._before: int | None = None
+
+    def __call__(self, done: int, total: int, text: str) -> None:
+        """Show ``done`` of ``total``."""
+        if self._before is None:
+            self._before = done
+        elapsed_s = time.monotonic() - self._start_s
+        left = left_in_words(seconds_left(done - self._before, total - self._before, elapsed_s))
+        self._bar(done, total, f"{text}  {left}".rstrip())

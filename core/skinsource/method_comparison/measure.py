@@ -90,13 +90,19 @@ def measure(
     progress: Progress = silent,
     start: Callable[[Task, float], dict[str, Any]] | None = None,
     stop: Stop = never,
+    keep: Callable[[list[Row]], None] | None = None,
 ) -> list[Row]:
     """Rows of all ``cases``, in their order; those that failed are among them.
+
+    Every case is measured once before any is measured again.
 
     Parameters
     ----------
     start
         Measures a task within some seconds; by default in a fresh process.
+    keep
+        Gets the rows that there are, in their order, after each process: what is stopped later
+        has not been for nothing.
     stop
         Asked before each process.
 
@@ -109,16 +115,21 @@ def measure(
     shuffle = random.Random(_SEED).shuffle  # noqa: S311, an order, not a secret
     total = sum(min(effort.processes, case.scene.most_processes) for case in cases)
     done = 0
+    rows: dict[int, Row] = {}
     for turn in range(effort.processes):
-        order = [case for case in cases if turn < case.scene.most_processes]
+        order = [k for k, case in enumerate(cases) if turn < case.scene.most_processes]
         shuffle(order)
-        for case in order:
+        for k in order:
+            case = cases[k]
             stop_if(stop, "Measuring was stopped.")
             progress(done, total, f"{case.scene.key} {case.engine.name}")
             done += 1
             if not case.failure:
                 _measure_once(case, effort, run)
-    return [row_of(case) for case in cases]
+                rows[k] = row_of(case)
+                if keep is not None:
+                    keep([rows[each] for each in sorted(rows)])
+    return [rows[k] for k in sorted(rows)]
 
 
 def _measure_once(case: Case, effort: Effort, run: Callable[[Task, float], dict[str, Any]]) -> None:

@@ -11,6 +11,7 @@ from skinsource.method_comparison.measure import Effort
 from skinsource.method_comparison.pareto import pareto_front
 from skinsource.method_comparison.signal_scenes import SignalScene
 from skinsource.method_comparison.table import Row
+from skinsource.method_comparison.timing import ONCE_FROM_S
 
 # Long times are written without a power of ten.
 _WHOLE_FROM = 1000.0
@@ -30,12 +31,23 @@ _HEADINGS = (
 )
 
 
-def report_of(rows: Sequence[Row], facts: Iterable[Fact], effort: Effort) -> str:
-    """Return the report as Markdown."""
+def report_of(
+    rows: Sequence[Row], facts: Iterable[Fact], effort: Effort, *, n_cases: int | None = None
+) -> str:
+    """Return the report as Markdown.
+
+    Parameters
+    ----------
+    rows, facts, effort
+        What was measured, on what, and how.
+    n_cases
+        How many rows there would be, where measuring was stopped; None: it was not.
+    """
     keys = list(dict.fromkeys(row.scene for row in rows))
     parts = [
         "# Error against run time",
         "\n".join(f"- {fact.name}: {fact.value}" for fact in facts),
+        *([] if n_cases is None else [_stopped(rows, n_cases)]),
         "## Promises",
         _promises(rows),
     ]
@@ -44,6 +56,14 @@ def report_of(rows: Sequence[Row], facts: Iterable[Fact], effort: Effort) -> str
     parts += ["## What could not be measured", _failures(rows)]
     parts += ["## How to read this", _how_to_read(effort)]
     return "\n\n".join(parts) + "\n"
+
+
+def _stopped(rows: Sequence[Row], n_cases: int) -> str:
+    fewest = min((row.processes for row in rows if not row.failure), default=0)
+    return (
+        f"**Stopped before the end:** {len(rows)} of {n_cases} rows are there, each from "
+        f"{fewest} fresh process(es) or more."
+    )
 
 
 def _promises(rows: Sequence[Row]) -> str:
@@ -113,9 +133,10 @@ def _failures(rows: Sequence[Row]) -> str:
 def _how_to_read(effort: Effort) -> str:
     quietest_db = float(decibels(QUIETEST))
     text = f"""\
-        Every row was measured in {effort.processes} fresh process(es), those of scenes A and R in
-        one, all rows of a round in random order; in each process at most {effort.most_runs} runs
-        or {effort.longest_s:g} s, after up to {effort.warm_ups} runs that do not count.
+        Every row was measured in {effort.processes} fresh process(es), those of scenes S5, A and R
+        in one, all rows of a round in random order; in each process at most {effort.most_runs} runs
+        or {effort.longest_s:g} s, after up to {effort.warm_ups} runs that do not count. What runs
+        for {ONCE_FROM_S:g} s or longer is run once.
         *fastest* is the least disturbed figure; the median stands with its median absolute
         deviation; *first* is preparation and first run together. A row is *unstable* where 95 %
         of the runs took up to more than three times the fastest. *memory* is what the process

@@ -14,6 +14,7 @@ from skinsource.files import named, replacing, replacing_folder
 from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.rigs import Rig
 from skinsource.stimulus import Stage
+from skinsource.stimulus_export.notes import calibration_of, edges_of, loses_of
 from skinsource.stimulus_export.options import StimulusOptions
 from skinsource.stimulus_export.preparing import Prepared, prepared
 from skinsource.stimulus_export.safety import Limit, objections
@@ -41,12 +42,18 @@ class Exported:
         Samples that were cut off.
     objections
         What was confirmed.
+    edges, loses, calibration
+        Which channels begin or end hard; what of the drive is not in the files; whether m/s² follow
+        from the samples: in words, as in the sidecars.  "" where nothing is to be said.
     """
 
     files: tuple[Path, ...]
     gain: float
     clip_count: int
     objections: tuple[str, ...]
+    edges: str
+    loses: str
+    calibration: str
 
 
 def export_stimulus(
@@ -137,6 +144,9 @@ def write_prepared(
         gain=ready.gain,
         clip_count=ready.clipped,
         objections=found,
+        edges=edges_of(ready),
+        loses=loses_of(ready),
+        calibration=calibration_of(ready),
     )
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from skinsource.arrays import Floats
-from skinsource.stimulus_export.edges import edge_words
+from skinsource.stimulus_export.notes import calibration_of, edges_of, loses_of
 from skinsource.stimulus_export.preparing import Prepared, clipped_samples
 from skinsource.stimulus_export.safety import Limit, objections
 
@@ -112,9 +112,9 @@ def overview_of(ready: Prepared, limits: Sequence[Limit] = ()) -> Overview:
         duration_s=first.stimulus.duration_s,
         full_scale=first.full_scale,
         unit=first.stimulus.unit,
-        edges=edge_words([one.stimulus for _, one in ready.files], ready.cut),
-        loses=ready.format.loses(first.choices),
-        calibration=first.calibration,
+        edges=edges_of(ready),
+        loses=loses_of(ready),
+        calibration=calibration_of(ready),
         objections=objections(ready, limits),
     )
 

@@ -13,6 +13,7 @@ from skinsource.decibels import decibels
 from skinsource.design import Input
 from skinsource.stimulus import Stimulus
 from skinsource.stimulus_export.edges import edge_words
+from skinsource.stimulus_export.notes import loses_of
 from skinsource.stimulus_export.preparing import Prepared, clipped_samples
 from skinsource.stimulus_export.rigged import about_channels, about_equaliser
 from skinsource.stimulus_export.validity import about_validity
@@ -80,7 +81,7 @@ def sidecar_of(
         "confirmed": list(confirmed),
         "edges": edge_words([stimulus], ready.cut),
         "errors": _errors(stimulus, facts),
-        "loses": ready.format.loses(outgoing.choices),
+        "loses": loses_of(ready),
         "versions": versions(),
         **{name: value for name, value in facts.items() if name != "clipped_samples"},
     }

@@ -8,6 +8,9 @@ import soundfile
 import skinsource as ss
 from skinsource.commands.command_line import main
 
+#: Formats that cannot hold a drive as it is.
+LOSSY = ("c-header", "drv2605l", "bos1901", "drv2665", "haptic", "ahap", "pwle")
+
 
 @pytest.fixture
 def saved(design, tmp_path):
@@ -16,12 +19,16 @@ def saved(design, tmp_path):
     return path
 
 
-def test_it_writes_the_file_and_its_sidecar_and_says_where(saved, tmp_path, capsys):
+def test_it_writes_the_file_and_its_sidecar_and_says_where_and_that_it_is_uncalibrated(
+    saved, tmp_path, capsys
+):
     out = tmp_path / "drive.wav"
     call = ["export", str(saved), "--format", "wav", "--rate", "44100", "--out", str(out)]
     assert main(call) == 0
     told = capsys.readouterr()
-    assert told.out == f"{out}\n"
+    path, said = told.out.splitlines()
+    assert path == str(out)
+    assert said.startswith("  Uncalibrated: no rig says how many volts")
     assert told.err == ""
     about = soundfile.info(out)
     assert (about.samplerate, about.channels, about.subtype) == (44_100, 2, "FLOAT")
@@ -29,12 +36,21 @@ def test_it_writes_the_file_and_its_sidecar_and_says_where(saved, tmp_path, caps
 
 
 @pytest.mark.parametrize("name", ss.export_formats())
-def test_every_format_takes_a_rate_or_ignores_it(saved, tmp_path, capsys, name):
+def test_every_format_takes_a_rate_or_ignores_it_and_says_what_it_loses(
+    saved, tmp_path, capsys, name
+):
     out = tmp_path / "out"
     assert main(["export", str(saved), "--format", name, "--rate", "8000", "--out", str(out)]) == 0
-    capsys.readouterr()
+    said = [line for line in capsys.readouterr().out.splitlines() if line.startswith("  ")]
     assert out.exists()
-    assert json.loads((tmp_path / "out.json").read_text())["format"] == name
+    about = json.loads((tmp_path / "out.json").read_text())
+    assert about["format"] == name
+    assert about["calibration"].startswith("uncalibrated")
+    expected = [about[key].rstrip(".") for key in ("edges", "loses", "calibration")]
+    assert [line.strip().rstrip(".").lower() for line in said] == [
+        words.lower() for words in expected if words
+    ]
+    assert bool(about["loses"]) == (name in LOSSY)
 
 
 def test_options_reach_the_file(saved, tmp_path, capsys):

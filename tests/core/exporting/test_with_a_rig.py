@@ -171,7 +171,9 @@ def test_the_command_takes_a_rig_and_an_equaliser(design, rig, tmp_path, capsys)
     assert sidecar(path)["equaliser"]["phase"] == "minimum"
     assert main(call) == 0
     assert sidecar(path)["equaliser"] is None
-    capsys.readouterr()
+    said = capsys.readouterr().out.splitlines()[-1].strip()
+    assert said == f"{sidecar(path)['calibration'].capitalize()}."
+    assert said.startswith("Calibrated")
 
 
 def test_channels_wait_for_the_one_with_the_longest_delay(design, rig, tmp_path):

@@ -78,9 +78,14 @@ def test_a_file_that_cannot_be_says_where_and_why(folder, text, words):
     assert "sweep.toml" in str(refused.value)
 
 
-def test_the_command_measures_and_names_what_it_left_out(folder, capsys):
+def test_the_command_measures_names_what_it_left_out_and_ends_with_1_then(folder, capsys):
+    path = written(folder, 'designs = ["two.skinsource"]\n[vary]\nfrequency_hz = [50]\n')
+    assert main(["sweep", str(path), "--out", str(folder / "whole")]) == 0
+    assert capsys.readouterr().out == f"1 stimuli\n{folder / 'whole' / 'stimuli.csv'}\n"
     path = written(folder, 'designs = ["two.skinsource"]\n[vary]\nfrequency_hz = [50, 700]\n')
-    assert main(["sweep", str(path), "--out", str(folder / "out")]) == 0
+    for _ in range(2):
+        # Run again, it measures nothing anew, and says the same.
+        assert main(["sweep", str(path), "--out", str(folder / "out")]) == 1
     said = capsys.readouterr()
     assert "2 stimuli, 1 of them left out" in said.out
     assert "stimulus 2 left out" in said.err
