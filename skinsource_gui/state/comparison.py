@@ -30,6 +30,7 @@ from skinsource_gui.state.predicting import (
     sources_of_levels,
     too_large,
 )
+from skinsource_gui.widgets.fields.gesture import new_gesture
 
 _LEVELS = frozenset({"output_levels_db"})
 # Number under which the results of the window are remembered.
@@ -81,6 +82,9 @@ class Comparison(QObject):
         self._asked: dict[int, Request] = {}
         self._known: dict[int, _Known] = {}
         self._then: Callable[[], None] | None = None
+        # However often one goes to and fro, the history has one step, or none once all is as it
+        # was before.
+        self._going = new_gesture()
 
     def begin(self) -> None:
         """Follow the document, after those who show it in the window: they ask for that."""
@@ -121,13 +125,14 @@ class Comparison(QObject):
         document = self._document
         asked = document.design, document.view
         if not document.view.levels_matched:
-            document.apply(edits.show_snapshot(*asked, number))
+            document.apply(edits.show_snapshot(*asked, number), self._going)
             return
 
         def show_matched() -> None:
             if (document.design, document.view.snapshots) == (asked[0], asked[1].snapshots):
                 gain = self._gain(number)
-                document.apply(edits.show_snapshot(document.design, document.view, number, gain))
+                outcome = edits.show_snapshot(document.design, document.view, number, gain)
+                document.apply(outcome, self._going)
 
         self._then = show_matched
         self._ask()

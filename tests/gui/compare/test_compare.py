@@ -79,6 +79,37 @@ def test_an_edit_while_levels_are_predicted_is_not_lost(window, settle):
     assert window.document.design.inputs[0].amplitude == 5.0
 
 
+@pytest.mark.parametrize("matched", [False, True])
+def test_however_often_one_goes_to_and_fro_it_is_one_step_or_none_at_all(window, settle, matched):
+    document, stack = window.document, window.document.undo_stack
+    if document.view.levels_matched != matched:
+        window.do("match_levels")
+    window.do("store_snapshot_1")
+    two_places(window)
+    edited, chosen = document.design, document.view.selected_inputs
+    settle()
+    counts = []
+    for _ in range(5):
+        window.do("toggle_snapshots")
+        settle()
+        counts.append(stack.count())
+    assert counts == [2, 1, 2, 1, 2]
+    assert len(document.design.inputs) == 1
+    window.do("undo")
+    assert (document.design, document.view.selected_inputs) == (edited, chosen)
+    window.do("redo")
+    assert len(document.design.inputs) == 1
+    # What is edited between is a step of its own, and so is what is shown after it.
+    edit(window, 2.0)
+    settle()
+    window.do("toggle_snapshots")
+    settle()
+    assert stack.count() == 4
+    for _ in range(3):
+        window.do("undo")
+    assert document.design == edited
+
+
 def test_without_a_snapshot_one_is_told_how_to_store_one(window):
     assert not window.actions_by_name["toggle_snapshots"].isEnabled()
     window.comparison.toggle()
