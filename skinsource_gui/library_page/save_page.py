@@ -2,7 +2,6 @@
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
-    QComboBox,
     QDialog,
     QDialogButtonBox,
     QFormLayout,
@@ -17,6 +16,7 @@ from skinsource.presets import Preset, tags_of
 from skinsource.quoting import sentence
 from skinsource_gui.library_page.preset_choices import Choice
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.fields.drop_down import DropDown
 
 TITLE = "Save to library"
 
@@ -42,7 +42,7 @@ class SavePage(QDialog):
         self.setWindowTitle(TITLE)
         self.setMinimumWidth(460)
         self._choices = choices
-        self.what = QComboBox()
+        self.what = DropDown()
         self.what.addItems([one.words for one in choices])
         self.name, self.tags = QLineEdit(), QLineEdit()
         self.description, self.source = QLineEdit(), QLineEdit()

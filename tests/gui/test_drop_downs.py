@@ -3,7 +3,7 @@
 from collections import Counter
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QRect, Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
@@ -20,6 +20,7 @@ from skinsource.fields import ChoiceSpec
 from skinsource_gui.panels.hand.site_marker import contrast
 from skinsource_gui.theme import THEMES, apply_theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.fields.drop_down import DropDown
 
 SPEC = ChoiceSpec(label="Size", options=(("s", "Small"), ("m", "Medium"), ("l", "Large")))
 READABLE = 4.5
@@ -106,3 +107,22 @@ def test_the_wheel_alone_gives_the_focus_to_nothing_that_it_would_change(window)
         if isinstance(one, QComboBox | QAbstractSpinBox | QLineEdit | QAbstractSlider):
             assert not one.focusPolicy() & Qt.FocusPolicy.WheelFocus & ~Qt.FocusPolicy.StrongFocus
     assert window.findChildren(ChoiceField)
+
+
+def test_every_list_that_drops_down_shows_its_arrow_and_cuts_no_entry_off(window, qtbot):
+    window.docks["library"].bring_forward()
+    tags = window.panel("library").search.tags
+    page = window.library.ask_and_save()
+    qtbot.addWidget(page)
+    for field in (tags, page.what, *window.findChildren(QComboBox)):
+        assert isinstance(field, DropDown)
+    for field in (tags, page.what):
+        shown = field.grab(QRect(field.width() - 20, field.height() // 2 - 5, 14, 10)).toImage()
+        inked = {shown.pixel(x, y) for x in range(14) for y in range(10)}
+        assert len(inked) > 1
+    tags.showPopup()
+    qtbot.waitUntil(lambda: tags.view().isVisible())
+    view = tags.view()
+    assert view.viewport().width() >= view.sizeHintForColumn(0)
+    tags.hidePopup()
+    page.reject()

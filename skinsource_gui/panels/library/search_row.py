@@ -4,7 +4,9 @@ from collections.abc import Iterable
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLineEdit, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QWidget
+
+from skinsource_gui.widgets.fields.drop_down import DropDown
 
 _ALL = "All tags"
 
@@ -19,7 +21,7 @@ class SearchRow(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.line, self.tags = QLineEdit(), QComboBox()
+        self.line, self.tags = QLineEdit(), DropDown()
         self.line.setObjectName("preset_search")
         self.line.setPlaceholderText("Search")
         self.line.setAccessibleName("Search presets")
@@ -29,13 +31,8 @@ class SearchRow(QWidget):
         self.line.returnPressed.connect(self.accepted)
         self.line.installEventFilter(self)
         self.tags.setObjectName("preset_tags")
-        self.tags.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.tags.setAccessibleName("Tag")
         self.tags.setToolTip("Only presets with this tag")
-        self.tags.setSizeAdjustPolicy(
-            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
-        )
-        self.tags.setMinimumContentsLength(8)
         self.tags.addItem(_ALL)
         self.tags.currentIndexChanged.connect(self.changed)
         row = QHBoxLayout(self)
