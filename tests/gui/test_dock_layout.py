@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QApplication
 from skinsource.catalogue import available_limbs
 from skinsource.design_file import save_design
 from skinsource.view import View
+from skinsource_gui.shell.docks.dock import Dock
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.start_design import start_design
 
@@ -79,3 +80,25 @@ def test_sizes_of_another_screen_are_not_brought_back_but_hidden_panels_are(sess
     assert again.size() == usual
     assert again.docks["spectra"].isHidden()
     assert again.docks["traces"].isVisible()
+
+
+def test_a_panel_that_was_out_of_the_window_is_in_front_of_it_again(session, qtbot, monkeypatch):
+    window = session()
+    window.docks["inspector"].setFloating(True)
+    window.close_unasked()
+    shown = []
+    show_of = {kind: kind.showEvent for kind in (Dock, MainWindow)}
+
+    def note(one, event):
+        # Qt asks the desktop for the window after this.
+        shown.append(one.objectName())
+        show_of[type(one)](one, event)
+
+    for kind in show_of:
+        monkeypatch.setattr(kind, "showEvent", note)
+    again = session()
+    qtbot.waitUntil(lambda: shown[-1] == "inspector")
+    # Of windows that are shown the last one is in front.
+    assert "studio" in shown
+    assert again.docks["inspector"].isFloating()
+    assert again.docks["inspector"].isVisible()

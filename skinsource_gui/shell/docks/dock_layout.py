@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import QByteArray, QObject, QTimer, Signal
+from PySide6.QtCore import QByteArray, QEvent, QObject, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QScreen
 from PySide6.QtWidgets import QMainWindow
 
@@ -114,6 +114,14 @@ class DockLayout(QObject):
         self._arrangements.show(self._preferences.arrangement)
         self._own = self._preferences.own_arrangements if fits else {}
         (self.put if fits else self.show_panels)(bytes(layout.data()))
+        self._window.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self._window and event.type() == QEvent.Type.Show:
+            watched.removeEventFilter(self)
+            # Qt shows the window itself after this event.
+            QTimer.singleShot(0, self, self._show_floating)
+        return super().eventFilter(watched, event)
 
     def close(self) -> None:
         """Remember this session for the next one; the window closes."""
@@ -131,6 +139,16 @@ class DockLayout(QObject):
         self._preferences.arrangement = spec.name
         self._present = spec
         self._settled.start()
+
+    def _show_floating(self) -> None:
+        """Show panels out of the window once more, now that there is one to be in front of.
+
+        A desktop keeps a window in front of its parent only if that was shown first.
+        """
+        for dock in self._docks.values():
+            if dock.isFloating() and dock.isVisible():
+                dock.hide()
+                dock.show()
 
     def _note_untouched(self) -> None:
         self._untouched = Standing.of(self._window, self._docks)
