@@ -122,7 +122,7 @@ def play(seconds: float) -> dict[str, object]:
         limb="synthetic-1",
         inputs=tuple(ss.track(place, tone, amplitude=0.9) for place in range(1, CHANNELS + 1)),
     )
-    sys.setswitchinterval(0.001)
+    sys.setswitchinterval(0.0005)
     over = threading.Event()
     session = Session(lambda _stream: over.set())
     output = Output(sample_rate_hz=RATE_HZ)

@@ -21,7 +21,8 @@ from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences, settings_path
 from skinsource_gui.state.start_design import start_design
 
-#: While the worker computes, the window gets its turn after this time (Python's own is 5 ms).
+#: While the worker computes, the window gets its turn after this time, and so does a device that
+#: plays, which asks every 5 ms (Python's own is 5 ms).
 _SWITCH_INTERVAL_S = 5e-4
 #: After the first results: by then they are painted; and where no panel wants any.
 _SETTLED_MS, _SETTLED_ANYWAY_MS = 200, 5000

@@ -11,6 +11,8 @@ from hypothesis import strategies as st
 
 import skinsource as ss
 from skinsource import resampling
+from skinsource.resampling import conversion
+from skinsource.resampling.kernel import Kernel
 
 PAIRS = [
     *((1300, rate) for rate in (2000, 8000, 44_100, 48_000, 96_000, 192_000, 1301, 47_999)),
@@ -182,7 +184,7 @@ def test_equal_rates_give_the_same_bits():
 def test_blocks_leave_no_seam(from_hz, to_hz, monkeypatch):
     signal = np.random.default_rng(1).standard_normal(20_000)
     whole = ss.resample(signal, from_hz, to_hz)
-    monkeypatch.setattr(resampling, "_BLOCK", 3000)
+    monkeypatch.setattr(conversion, "_BLOCK", 3000)
     np.testing.assert_allclose(ss.resample(signal, from_hz, to_hz), whole, rtol=0, atol=1e-12)
 
 
@@ -190,8 +192,8 @@ def test_blocks_leave_no_seam(from_hz, to_hz, monkeypatch):
 def test_weights_computed_one_by_one_are_those_of_the_filter(from_hz, to_hz, monkeypatch):
     signal = np.random.default_rng(1).standard_normal((2, 3000))
     whole = ss.resample(signal, from_hz, to_hz)
-    monkeypatch.setattr(resampling, "_LONGEST_FILTER", 0)
-    monkeypatch.setattr(resampling, "_BLOCK", 20_000)
+    monkeypatch.setattr(conversion, "_LONGEST_FILTER", 0)
+    monkeypatch.setattr(conversion, "_BLOCK", 20_000)
     np.testing.assert_allclose(ss.resample(signal, from_hz, to_hz), whole, rtol=0, atol=1e-12)
 
 
@@ -236,8 +238,36 @@ def test_what_cannot_be_converted_is_refused(samples, rates, words):
 
 
 def test_the_place_of_a_bad_sample_is_told_in_any_block(monkeypatch):
-    monkeypatch.setattr(resampling, "_BLOCK", 2000)
+    monkeypatch.setattr(conversion, "_BLOCK", 2000)
     signals = np.zeros((2, 5000))
     signals[1, 4321] = np.inf
     with pytest.raises(ss.errors.InvalidInputError, match=r"index \(1, 4321\)"):
         ss.resample(signals, 1300, 2600)
+
+
+@pytest.mark.parametrize(
+    ("from_hz", "to_hz"),
+    [(1300, 48_000), (48_000, 1300), (1300, 2600), (1300, 1000), (44_100, 48_000), (1210, 1300)],
+)
+def test_a_matrix_of_weights_gives_what_the_filter_gives(from_hz, to_hz, monkeypatch):
+    signals = np.random.default_rng(3).standard_normal((2, 3001))
+    signals[:, 1000:1700] = 0.0
+    found = ss.resample(signals, from_hz, to_hz)
+    monkeypatch.setattr(Kernel, "is_small", False)
+    filtered = ss.resample(signals, from_hz, to_hz)
+    np.testing.assert_allclose(found, filtered, rtol=0, atol=2e-14)
+    assert not np.array_equal(found, filtered)
+
+
+@pytest.mark.parametrize(("from_hz", "to_hz"), [(1300, 48_000), (48_000, 1300), (1300, 1000)])
+def test_a_stretch_has_the_bits_of_the_whole(from_hz, to_hz):
+    signal = np.random.default_rng(4).standard_normal(4 * from_hz)
+    signal[: 2 * from_hz] = signal[3 * from_hz :] = 0.0
+    whole, needed = ss.resample(signal, from_hz, to_hz), resampling.stretch_of(from_hz, to_hz)
+    first = (2 * from_hz - needed.reach) // needed.period * needed.period
+    for begin in (first, first - needed.period):
+        start = begin * to_hz // from_hz
+        part = ss.resample(signal[begin : 3 * from_hz + needed.reach], from_hz, to_hz)
+        np.testing.assert_array_equal(part, whole[start : start + part.size])
+        assert not whole[:start].any()
+        assert not whole[start + part.size :].any()

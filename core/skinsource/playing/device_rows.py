@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from skinsource.arrays import Floats
-from skinsource.resampling import reach_samples, resample
+from skinsource.resampling import resample, stretch_of
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -55,13 +55,11 @@ class DeviceRows:
         if not sounding.size:
             return
         from_hz, to_hz = self._rates
-        ratio = np.gcd(from_hz, to_hz)
-        up, down = to_hz // int(ratio), from_hz // int(ratio)
-        reach = reach_samples(from_hz, to_hz)
+        needed = stretch_of(from_hz, to_hz)
         # From a sample on that both rates share.
-        first = max(int(sounding[0]) - reach, 0) // down * down
-        last = min(int(sounding[-1]) + 1 + reach, own.size)
+        first = max(int(sounding[0]) - needed.reach, 0) // needed.period * needed.period
+        last = min(int(sounding[-1]) + 1 + needed.reach, own.size)
         there = resample(own[first:last], from_hz, to_hz)
-        start = first // down * up
+        start = first * to_hz // from_hz
         out[start : start + there.size] = there[: out.size - start]
         self.n_resampled += last - first

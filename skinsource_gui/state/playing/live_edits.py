@@ -50,13 +50,15 @@ class LiveEdits(QObject):
         self._rig: Rig | None = None
         self._busy = False
         self._edited_s = self.render_s = 0.0
+        # When the first edit was made that waits for the one before it.
+        self._waiting_s: float | None = None
 
     def begin(
         self, playing: "Playing", design: Design, output: Output, rig: "Rig | None", *, loops: bool
     ) -> None:
         """Follow the document, of which ``design`` is what is played."""
         self._playing, self._output, self._loops, self._rig = playing, output, loops, rig
-        self._rendered, self.render_s = (design, loops), 0.0
+        self._rendered, self.render_s, self._waiting_s = (design, loops), 0.0, None
         self._document.changed.connect(self._follow)
         self._follow()
 
@@ -74,9 +76,16 @@ class LiveEdits(QObject):
 
     def _follow(self) -> None:
         wanted = self._document.design, self._loops
-        if self._busy or self._playing is None or self._rendered == wanted:
+        if self._playing is None or self._rendered == wanted:
+            self._waiting_s = None if self._rendered == wanted else self._waiting_s
             return
-        self._busy, self._rendered, self._edited_s = True, wanted, perf_counter()
+        since_s = perf_counter() if self._waiting_s is None else self._waiting_s
+        if self._busy:
+            # Its delay begins now, not when its turn comes.
+            self._waiting_s = since_s
+            return
+        self._busy, self._rendered = True, wanted
+        self._edited_s, self._waiting_s = since_s, None
         change = partial(
             self._session.made.change,
             self._playing,

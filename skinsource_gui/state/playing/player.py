@@ -1,6 +1,5 @@
 """Plays the open design, and tells what happens."""
 
-import sys
 from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
@@ -24,8 +23,6 @@ _GONE = (
     "The device does not ask for sound any more: it may have been unplugged. Connect it, look for "
     "devices again (View > Panels > Playback), and play."
 )
-# How long a thread may keep the others waiting: the device asks every 5 ms.
-_SWITCH_S = 0.001
 # How often it is looked whether the device is still there.
 _WATCH_MS = 250
 
@@ -76,7 +73,6 @@ class Player(QObject):
         self._starting = False
         # A stream that was over before its thread had said that it plays.
         self._over_early: Stream | None = None
-        self._usual_switch_s = sys.getswitchinterval()
         self.gain, self.loops = GainSetting(self), False
         self._watcher = QTimer(self, interval=_WATCH_MS)
         self._watcher.timeout.connect(self._watch)
@@ -177,7 +173,6 @@ class Player(QObject):
                 self._thread.do(self._session.close, _nothing_more)
             else:
                 self._starting, self.now = False, playing
-                sys.setswitchinterval(_SWITCH_S)
                 if playing.reason or playing.stream is not None:
                     self.settings.note_missing(playing.reason)
                 if playing.reason:
@@ -239,7 +234,6 @@ class Player(QObject):
         self.playhead.rest()
         if self.now is not None:
             self.now = None
-            sys.setswitchinterval(self._usual_switch_s)
         self.changed.emit()
 
 

@@ -7,34 +7,30 @@ nothing does, and what lies between may fold back, but only above the pass band.
 long, and steeper it does not get.
 """
 
-from collections.abc import Iterator
+from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
-from math import ceil
 
 import numpy as np
 import scipy
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import ArrayLike
 
 from skinsource.arguments import real_array, whole_number
-from skinsource.arrays import Floats, Indices
+from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
-from skinsource.limb import BAND_HZ
+from skinsource.resampling.kernel import Kernel, blocks, half_transition
 from skinsource.signals import MAX_SAMPLES
 
 #: The highest rate that is known.
 MAX_RATE_HZ = 10_000_000
 
-_STOP_BAND_DB = 140.0
-_BETA = 0.1102 * (_STOP_BAND_DB - 8.7)
-# Half the transition, as a share of half the lower rate.
-_WIDEST, _NARROWEST = 1.0 / 13.0, 1.0 / 130.0
 # Of a filter that is kept whole; longer ones are computed where they are needed.
 _LONGEST_FILTER = 2**25
-# … and of one that is kept for the next time: to compute it takes longer than to use it.
-_LONGEST_KEPT = 2**18
 # Values that a block works on.
 _BLOCK = 2**18
+# Periods that are multiplied together, always: the bits of a result then do not depend on which
+# others are computed.  So few that the library of products does not call for other threads.
+_TOGETHER = 4
 
 
 def resample(samples: ArrayLike, from_hz: int, to_hz: int) -> Floats:
@@ -95,25 +91,44 @@ def by_ratio(
         )
     result = np.empty((*found.shape[:-1], n))
     if ratio == 1:
-        for start, end in _blocks(n, _step(found.shape, 1)):
+        for start, end in blocks(n, _step(found.shape, 1)):
             result[..., start:end] = found.part(start, end)
         return result
-    kernel = _Kernel(up, down, _half_transition(lower_hz))
+    kernel = Kernel(up, down, half_transition(lower_hz))
     length = 2 * kernel.half_length
-    if length < min(n * (length // up + 1), _LONGEST_FILTER):
+    if kernel.is_small:
+        _multiplied(found, kernel, result)
+    elif length < min(n * (length // up + 1), _LONGEST_FILTER):
         _filtered(found, kernel, result)
     else:
         _summed(found, kernel, result)
     return result
 
 
-def reach_samples(from_hz: int, to_hz: int) -> int:
-    """Samples at ``from_hz``, on either side, that a sample at ``to_hz`` is made of."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stretch:
+    """What a part of a signal must hold to be resampled by itself, to the last bit.
+
+    Attributes
+    ----------
+    reach
+        Samples at the old rate, on either side, that a sample at the new rate is made of.
+    period
+        It begins at a multiple of so many.
+    """
+
+    reach: int
+    period: int
+
+
+def stretch_of(from_hz: int, to_hz: int) -> Stretch:
+    """What `resample` needs of a part."""
     if from_hz == to_hz:
-        return 0
+        return Stretch(reach=0, period=1)
     ratio = Fraction(to_hz, from_hz)
-    kernel = _Kernel(ratio.numerator, ratio.denominator, _half_transition(min(from_hz, to_hz)))
-    return kernel.half_length // kernel.up + 1
+    kernel = Kernel(ratio.numerator, ratio.denominator, half_transition(min(from_hz, to_hz)))
+    n_periods = _TOGETHER * kernel.periods if kernel.is_small else 1
+    return Stretch(reach=kernel.reach + 1, period=n_periods * kernel.down)
 
 
 class _Signals:
@@ -136,57 +151,28 @@ class _Signals:
         return part - self._offset if self._offset else part
 
 
-class _Kernel:
-    """The filter on the grid of both rates' common multiple.
-
-    Attributes
-    ----------
-    half_length
-        Its last sample on either side of the middle.
-    """
-
-    def __init__(self, up: int, down: int, half_transition: float) -> None:
-        self.up, self.down, self._half_transition = up, down, half_transition
-        self._slower = max(up, down)
-        # Kaiser's formula; the transition is twice the half, of half the lower rate.
-        width = 2.0 * half_transition * np.pi / self._slower
-        self.half_length = ceil((_STOP_BAND_DB - 7.95) / (2.285 * width) / 2.0)
-
-    def at(self, place: Indices) -> Floats:
-        """The filter ``place`` samples off its middle; its sum over each phase is nearly 1."""
-        within = np.clip(1.0 - (place / self.half_length) ** 2, 0.0, None)
-        taper = scipy.special.i0(_BETA * np.sqrt(within)) / scipy.special.i0(_BETA)
-        ideal = np.sinc(place / self._slower) * min(1.0, self.up / self.down)
-        return np.where(np.abs(place) <= self.half_length, ideal * taper, 0.0)
-
-    def whole(self) -> Floats:
-        """All of it, (2 half_length + 1,); the last few that are not long are kept."""
-        if self.half_length <= _LONGEST_KEPT:
-            return _kept(self.up, self.down, self._half_transition)
-        return self.made()
-
-    def made(self) -> Floats:
-        """Compute all of it, (2 half_length + 1,)."""
-        found = np.empty(2 * self.half_length + 1)
-        for start, end in _blocks(found.size, _BLOCK):
-            found[start:end] = self.at(np.arange(start, end) - self.half_length)
-        return found
+def _multiplied(samples: _Signals, kernel: Kernel, result: Floats) -> None:
+    """Fill ``result`` with products of a matrix: the weights of a period are those of all."""
+    weights, reach = kernel.weights(), kernel.reach
+    n_in, n_out = kernel.periods * kernel.down, kernel.periods * kernel.up
+    step = _TOGETHER * max(_step(samples.shape, _TOGETHER * (n_in + n_out)), 1)
+    used = np.empty((_TOGETHER, kernel.n_used))
+    for start, end in blocks(-(-result.shape[-1] // n_out), step):
+        n_periods = -(-(end - start) // _TOGETHER) * _TOGETHER
+        first, last = start * n_in - reach, (start + n_periods) * n_in + reach + 1
+        inside = min(max(first, 0), samples.shape[-1]), min(last, samples.shape[-1])
+        part = np.zeros((*samples.shape[:-1], last - first))
+        part[..., inside[0] - first : inside[1] - first] = samples.part(*inside)
+        out = result[..., start * n_out : end * n_out]
+        for place in np.ndindex(samples.shape[:-1]):
+            windows = sliding_window_view(part[place], kernel.n_used)[::n_in]
+            for k in range(0, n_periods, _TOGETHER):
+                np.copyto(used, windows[k : k + _TOGETHER])
+                wanted = out[place][k * n_out : (k + _TOGETHER) * n_out]
+                wanted[:] = (used @ weights).ravel()[: wanted.size]
 
 
-@lru_cache(maxsize=4)
-def _kept(up: int, down: int, half_transition: float) -> Floats:
-    found = _Kernel(up, down, half_transition).made()
-    found.flags.writeable = False
-    return found
-
-
-def _half_transition(lower_hz: float) -> float:
-    if lower_hz <= 2.0 * BAND_HZ[1]:
-        return _WIDEST
-    return min(max(1.0 - 2.0 * BAND_HZ[1] / lower_hz, _NARROWEST), _WIDEST)
-
-
-def _filtered(samples: _Signals, kernel: _Kernel, result: Floats) -> None:
+def _filtered(samples: _Signals, kernel: Kernel, result: Floats) -> None:
     """Fill ``result`` block by block with one filter for all."""
     up, down, half = kernel.up, kernel.down, kernel.half_length
     # In blocks of whole periods of both rates, so that the filter lies alike in all of them.
@@ -195,7 +181,7 @@ def _filtered(samples: _Signals, kernel: _Kernel, result: Floats) -> None:
     lead = -(-reach // down) * down
     taps = np.concatenate((np.zeros(-half % down), kernel.whole()))
     skipped = lead * up // down + (half + -half % down) // down
-    for block, (start, end) in enumerate(_blocks(result.shape[-1], periods * up)):
+    for block, (start, end) in enumerate(blocks(result.shape[-1], periods * up)):
         first = block * periods * down
         last = min(-(-end * down // up) + reach + 1, samples.shape[-1])
         before = min(lead, first)
@@ -207,11 +193,11 @@ def _filtered(samples: _Signals, kernel: _Kernel, result: Floats) -> None:
         result[..., start + wanted.shape[-1] : end] = 0.0
 
 
-def _summed(samples: _Signals, kernel: _Kernel, result: Floats) -> None:
+def _summed(samples: _Signals, kernel: Kernel, result: Floats) -> None:
     """Fill ``result`` with sums whose weights are computed one by one."""
     up, down, half = kernel.up, kernel.down, kernel.half_length
     n_taps = 2 * (half // up) + 3
-    for start, end in _blocks(result.shape[-1], max(_step(samples.shape, 1) // n_taps, 1)):
+    for start, end in blocks(result.shape[-1], max(_step(samples.shape, 1) // n_taps, 1)):
         place = np.arange(start, end, dtype=np.int64) * down
         nearest = place // up
         index = nearest[:, np.newaxis] + np.arange(n_taps) - n_taps // 2
@@ -240,8 +226,3 @@ def _step(shape: tuple[int, ...], per_step: int) -> int:
     """Steps of ``per_step`` values for each signal that make a block."""
     signals = int(np.prod(shape[:-1], dtype=np.int64))
     return max(_BLOCK // max(signals * per_step, 1), 1)
-
-
-def _blocks(n: int, step: int) -> Iterator[tuple[int, int]]:
-    for start in range(0, n, step):
-        yield start, min(start + step, n)
