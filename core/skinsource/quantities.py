@@ -67,6 +67,11 @@ def sample_rate_hz(limb_data: Limb) -> float:
     return limb_data.sample_rate_hz
 
 
+def band_hz(limb_data: Limb) -> tuple[float, float] | None:
+    """In which the limb was measured; None: not known."""
+    return limb_data.band_hz
+
+
 def surface_levels_db(surface: SurfaceOperator, output_levels_db: Floats) -> Floats:
     """RMS level over the back of hand and arm, (rows, columns), dB; NaN outside the outline."""
     return surface.interpolate(output_levels_db)
@@ -85,6 +90,7 @@ RULES: tuple[Callable[..., Any], ...] = (
     clip_waveforms,
     limb_map,
     sample_rate_hz,
+    band_hz,
     surface_levels_db,
     response_time_s,
     *voice_rules.RULES,

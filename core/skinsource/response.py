@@ -104,7 +104,7 @@ def _through(
     """The same through actuators, from time 0 on."""
     through = actuated_limb(limb, actuation, scaling)
     for one, place in zip(samples, places, strict=True):
-        refuse_unfollowed(actuation, drive_of(one), limb.sample_rate_hz, place)
+        refuse_unfollowed(actuation, drive_of(one), limb.sample_rate_hz, limb.band_hz, place)
     vibration = predict(through, samples, places, amplitudes, scaling)
     return vibration[..., through.lead_samples :]
 

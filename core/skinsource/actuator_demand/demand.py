@@ -9,8 +9,9 @@ from skinsource.actuator_demand.settings import ActuatorSettings
 from skinsource.actuators import Prediction, predicted
 from skinsource.actuators.prediction import duty_of
 from skinsource.arrays import Floats
-from skinsource.equalising import equalised, net_velocity
+from skinsource.equalising import Band, equalised, followed_band, net_velocity
 from skinsource.errors import InvalidInputError
+from skinsource.limb import BAND_HZ
 from skinsource.rendering.placed import Placed
 
 #: A longer drive is looked at where it is strongest, for so many seconds.
@@ -69,6 +70,7 @@ def demand_of(
     placed: Sequence[Placed],
     selected_input: int | None,
     sample_rate_hz: float,
+    band_hz: Band | None = BAND_HZ,
 ) -> Demand:
     """What the place that is looked at asks for.
 
@@ -82,6 +84,8 @@ def demand_of(
         Its place is looked at, else the first that plays.
     sample_rate_hz
         Of the drives, Hz.
+    band_hz
+        Of the limb; None: not known.
     """
     place, model = place_looked_at(placed, selected_input), settings.model
     if place is None:
@@ -89,7 +93,7 @@ def demand_of(
     if model is None:
         return Demand(place=place, refusal=_SHAPE)
     drive = drive_at(placed, place)
-    shown = strongest(drive, sample_rate_hz)
+    shown, band = strongest(drive, sample_rate_hz), followed_band(band_hz, sample_rate_hz)
     part = shown.size < drive.size
     try:
         equaliser = settings.made(model)
@@ -97,7 +101,9 @@ def demand_of(
             voltage = settings.volts * shown
         else:
             asked = settings.strength_m_per_s2 * shown
-            voltage = equalised(asked, sample_rate_hz, model, equaliser, lead_s=0.1, tail_s=0.1)
+            voltage = equalised(
+                asked, sample_rate_hz, model, equaliser, band_hz=band, lead_s=0.1, tail_s=0.1
+            )
         (found,) = predicted(
             voltage,
             int(sample_rate_hz),
@@ -106,7 +112,8 @@ def demand_of(
             least_rate_hz=-(-_LEAST_RATE_HZ // int(sample_rate_hz)) * int(sample_rate_hz),
         )
     except InvalidInputError as error:
-        left = settings.equaliser != "none" and not net_velocity(shown, sample_rate_hz).returns
+        rest = net_velocity(shown, sample_rate_hz, band[0])
+        left = settings.equaliser != "none" and not rest.returns
         words = str(error)
         refusal = f"{words[:1].upper()}{words[1:]}"
         return Demand(place=place, part=part, refusal=refusal, leaves_velocity=left)

@@ -10,6 +10,7 @@ from skinsource.actuator_demand import (
     settings_through,
 )
 from skinsource.chain import Actuation
+from skinsource.equalising import Band
 from skinsource.rendering.placed import Placed
 
 
@@ -29,10 +30,11 @@ def actuator_demand(
     placed: tuple[Placed, ...],
     selected_input: int | None,
     sample_rate_hz: float,
+    band_hz: Band | None,
     actuator_looked_at: ActuatorSettings,
 ) -> Demand:
     """What the place of the selected input asks of the actuator."""
-    return demand_of(actuator_looked_at, placed, selected_input, sample_rate_hz)
+    return demand_of(actuator_looked_at, placed, selected_input, sample_rate_hz, band_hz)
 
 
 RULES = (actuator_looked_at, actuator_demand)

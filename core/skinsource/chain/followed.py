@@ -2,14 +2,20 @@
 
 from skinsource.chain.actuation import Actuation
 from skinsource.chain.drive import Drive
-from skinsource.equalising import net_velocity
+from skinsource.equalising import Band, followed_band, net_velocity
 from skinsource.errors import InvalidInputError
 
 
 def refuse_unfollowed(
-    actuation: Actuation | None, drive: Drive, sample_rate_hz: float, place: int
+    actuation: Actuation | None,
+    drive: Drive,
+    sample_rate_hz: float,
+    band_hz: Band | None,
+    place: int,
 ) -> None:
     """Refuse a drive that the equaliser refuses: one that leaves what it moves in motion.
+
+    Rate and band are those of the limb, None where its band is not known.
 
     Raises
     ------
@@ -18,6 +24,7 @@ def refuse_unfollowed(
     """
     if actuation is None or actuation.equaliser is None:
         return
-    found = net_velocity(drive.samples, sample_rate_hz)
+    lowest_hz = followed_band(band_hz, sample_rate_hz)[0]
+    found = net_velocity(drive.samples, sample_rate_hz, lowest_hz)
     if not found.returns:
         raise InvalidInputError(f"Input at place {place}: {found.reason}")

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import lru_cache
+from math import ceil, log2
 
 import numpy as np
 import scipy
@@ -9,19 +10,19 @@ import scipy
 from skinsource.actuators import Actuator
 from skinsource.arrays import Floats
 from skinsource.chain.actuation import Actuation, ActuatorAt
-from skinsource.equalising import Equaliser
+from skinsource.equalising import Band, Equaliser, followed_band
 from skinsource.errors import InvalidInputError
 from skinsource.limb import BAND_HZ
 from skinsource.quoting import quoted
 
-# Twelve seconds at the rate of the limbs: what rings longer than that is refused anyway.
+# Twelve seconds at the rate of the published limbs: what rings longer than that is refused anyway.
 _LENGTH = 2**14
 #: Longest ringing that is kept before a drive begins and after it ends, as in exports.
 LONGEST_S = 0.5
 # Energy that is left out at each end where it ends sooner, and what may be beyond the longest.
 _LEFT_OUT, _MOST_BEYOND = 1e-10, 1e-4
-# Of half the rate: the end of the band in a limb that is sampled more slowly than the others.
-_OF_HALF = 12.0 / 13.0
+# At high rates it lasts so many times the longest ringing, at least.
+_OF_LONGEST = 4.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -31,7 +32,8 @@ class Transfer:
     Attributes
     ----------
     samples : (n,)
-        Impulse response: m/s² for each unit of the drive, with nothing above 600 Hz at full gain.
+        Impulse response: m/s² for each unit of the drive, with nothing above the band of the
+        limb at full gain.
     lead
         Samples of it that lie before time 0: an equaliser without delay swings before it starts.
     """
@@ -40,34 +42,53 @@ class Transfer:
     lead: int
 
 
-def transfers_of(actuation: Actuation, sample_rate_hz: float) -> dict[int | None, Transfer]:
+def transfers_of(
+    actuation: Actuation, sample_rate_hz: float, band_hz: Band | None = BAND_HZ
+) -> dict[int | None, Transfer]:
     """Transfers by place, None for all other places; all of one length and lead.
+
+    Parameters
+    ----------
+    actuation
+        Actuators and the equaliser before them.
+    sample_rate_hz, band_hz
+        Of the limb; None: its band is not known, see `skinsource.equalising.followed_band`.
 
     Raises
     ------
     InvalidInputError
         An actuator does not move in the band, or rings for longer than half a second.
     """
+    band = followed_band(band_hz, sample_rate_hz)
     whole = {
-        one.place: _whole(one, actuation.equaliser, sample_rate_hz) for one in actuation.actuators
+        one.place: _whole(one, actuation.equaliser, sample_rate_hz, band)
+        for one in actuation.actuators
     }
-    lead = max(_reach(row[: -_LENGTH // 2 : -1], row) for row in whole.values())
-    tail = max(_reach(row[: _LENGTH // 2], row) for row in whole.values())
+    length = _length_at(sample_rate_hz)
+    lead = max(_reach(row[: -length // 2 : -1], row) for row in whole.values())
+    tail = max(_reach(row[: length // 2], row) for row in whole.values())
     most = int(LONGEST_S * sample_rate_hz)
     lead, tail = min(lead, most), min(tail, most)
     found = {}
     for one in actuation.actuators:
         row = whole[one.place]
-        kept = np.concatenate((row[_LENGTH - lead :], row[:tail]))
+        kept = np.concatenate((row[length - lead :], row[:tail]))
         _refuse_ringing(one, kept, row)
         kept.flags.writeable = False
         found[one.place] = Transfer(kept, lead)
     return found
 
 
-def _whole(one: ActuatorAt, equaliser: Equaliser | None, sample_rate_hz: float) -> Floats:
+def _length_at(sample_rate_hz: float) -> int:
+    """Samples of what is computed before it is cut, a power of 2."""
+    return max(_LENGTH, 2 ** ceil(log2(_OF_LONGEST * LONGEST_S * sample_rate_hz)))
+
+
+def _whole(
+    one: ActuatorAt, equaliser: Equaliser | None, sample_rate_hz: float, band_hz: Band
+) -> Floats:
     try:
-        return _impulse_response(one.model, equaliser, sample_rate_hz)
+        return _impulse_response(one.model, equaliser, sample_rate_hz, band_hz)
     except InvalidInputError as error:
         where = "" if one.place is None else f"place {one.place}: "
         raise InvalidInputError(f"{where}{error}") from error
@@ -75,19 +96,19 @@ def _whole(one: ActuatorAt, equaliser: Equaliser | None, sample_rate_hz: float) 
 
 @lru_cache(maxsize=64)
 def _impulse_response(
-    model: Actuator, equaliser: Equaliser | None, sample_rate_hz: float
+    model: Actuator, equaliser: Equaliser | None, sample_rate_hz: float, band_hz: Band
 ) -> Floats:
-    """Impulse response, (_LENGTH,); what lies before time 0 stands at the end."""
-    frequency_hz = np.arange(_LENGTH // 2 + 1) * sample_rate_hz / _LENGTH
+    """Impulse response, (length,); what lies before time 0 stands at the end."""
+    length = _length_at(sample_rate_hz)
+    frequency_hz = np.arange(length // 2 + 1) * sample_rate_hz / length
     response = model.response(frequency_hz)
     if equaliser is not None:
-        response = response * equaliser.filter(model, frequency_hz)
+        response = response * equaliser.filter(model, frequency_hz, band_hz)
     # Nothing was measured on the skin above the band; a sharp end would ring for ever.
-    half_hz = 0.5 * sample_rate_hz
-    top_hz = min(BAND_HZ[1], _OF_HALF * half_hz)
+    half_hz, top_hz = 0.5 * sample_rate_hz, band_hz[1]
     beyond = np.clip((frequency_hz - top_hz) / (half_hz - top_hz), 0.0, 1.0)
     fall = 0.5 * (1.0 + np.cos(np.pi * beyond))
-    found: Floats = scipy.fft.irfft(response * fall, _LENGTH)
+    found: Floats = scipy.fft.irfft(response * fall, length)
     return found
 
 

@@ -63,9 +63,10 @@ def html_of(design: Shown, heard: Collection[int], unit: str) -> str:
     if not inputs:
         return "".join([*parts, "<p>No inputs.</p>"])
     end_s = max((clip.onset_s + clip.waveform.duration_s for clip in design.clips), default=0.0)
+    rate_hz = facts_of(design.limb).sample_rate_hz
     labels = [_place(one.location, design.limb) for one in inputs]
     shown = [index in heard for index in range(len(inputs))]
-    parts.append(tracks_svg(inputs, shown, labels, max(end_s, 0.02)))
+    parts.append(tracks_svg(inputs, shown, labels, max(end_s, 0.02), rate_hz))
     parts.append(_table(design, unit))
     return "".join(parts)
 

@@ -11,7 +11,6 @@ from skinsource.chain import drive_played, placed_chain
 from skinsource.clips import Clip
 from skinsource.effects import played
 from skinsource.errors import InvalidInputError
-from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.quoting import sentence
 
 _LABEL_PX, _LANE_PX, _LANES_PX, _AXIS_PX, _EDGE_PX = 130, 460, 36, 18, 8
@@ -38,9 +37,16 @@ class Track(Protocol):
 
 
 def tracks_svg(
-    tracks: Sequence[Track], heard: Sequence[bool], labels: Sequence[str], end_s: float
+    tracks: Sequence[Track],
+    heard: Sequence[bool],
+    labels: Sequence[str],
+    end_s: float,
+    sample_rate_hz: float,
 ) -> str:
-    """Draw a lane for each track up to ``end_s``; those that are not heard are pale."""
+    """Draw a lane for each track up to ``end_s``; those that are not heard are pale.
+
+    Tracks are drawn as the limb gets them, at its sample rate.
+    """
     width = _LABEL_PX + _LANE_PX + 2 * _EDGE_PX
     height = _LANES_PX * len(tracks) + _AXIS_PX + _EDGE_PX
     parts = [
@@ -50,19 +56,21 @@ def tracks_svg(
     ]
     for row, (one, is_heard, label) in enumerate(zip(tracks, heard, labels, strict=True)):
         colour = _COLOURS[row % len(_COLOURS)] if is_heard else _QUIET
-        parts += _lane(one, label, _LANES_PX * (row + 0.5), colour, end_s)
+        parts += _lane(one, label, _LANES_PX * (row + 0.5), colour, end_s, sample_rate_hz)
     parts += _axis(_LANES_PX * len(tracks), end_s)
     return "".join([*parts, "</svg>"])
 
 
-def _lane(one: Track, label: str, middle: float, colour: str, end_s: float) -> list[str]:
+def _lane(
+    one: Track, label: str, middle: float, colour: str, end_s: float, sample_rate_hz: float
+) -> list[str]:
     left = _LABEL_PX + _EDGE_PX
     found = [
         f'<text x="{_EDGE_PX}" y="{middle + 4:.1f}" fill="{_INK}">{escape(label)}</text>',
         f'<line x1="{left}" x2="{left + _LANE_PX}" y1="{middle}" y2="{middle}" stroke="#DDDDDD"/>',
     ]
     try:
-        first, samples = _played(one)
+        first, samples = _played(one, sample_rate_hz)
     except InvalidInputError as error:
         words = escape(sentence(str(error))[:90])
         text = f'<text x="{left}" y="{middle - 3:.1f}" fill="{_DIM}" font-size="9">{words}</text>'
@@ -70,7 +78,7 @@ def _lane(one: Track, label: str, middle: float, colour: str, end_s: float) -> l
     size = float(np.abs(samples).max(initial=0.0))
     if size == 0.0:
         return found
-    scale = _LANE_PX / (end_s * SAMPLE_RATE_HZ)
+    scale = _LANE_PX / (end_s * sample_rate_hz)
     points = " ".join(
         f"{left + x:.1f},{middle - 0.44 * _LANES_PX * y:.1f}"
         for x, y in _outline(samples / size, first * scale, scale)
@@ -79,14 +87,14 @@ def _lane(one: Track, label: str, middle: float, colour: str, end_s: float) -> l
     return [*found, line]
 
 
-def _played(one: Track) -> tuple[int, Floats]:
+def _played(one: Track, sample_rate_hz: float) -> tuple[int, Floats]:
     """First sample, and what is played from there on."""
-    first, chain = placed_chain(one.clips, one.gain_curve, SAMPLE_RATE_HZ)
+    first, chain = placed_chain(one.clips, one.gain_curve, sample_rate_hz)
     drive = drive_played(
         chain,
-        SAMPLE_RATE_HZ,
+        sample_rate_hz,
         one.location,
-        lambda part: played(part.waveform, part.effects, SAMPLE_RATE_HZ, part.shift_s),
+        lambda part: played(part.waveform, part.effects, sample_rate_hz, part.shift_s),
     )
     return first, drive.samples
 

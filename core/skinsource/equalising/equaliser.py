@@ -1,6 +1,7 @@
 """What every equaliser can do."""
 
 from abc import ABC, abstractmethod
+from functools import lru_cache
 from typing import ClassVar
 
 import numpy as np
@@ -9,13 +10,13 @@ from numpy.typing import ArrayLike
 from skinsource.actuators import Actuator
 from skinsource.arguments import finite_array
 from skinsource.arrays import Complexes, Floats
+from skinsource.equalising.band import Band
 from skinsource.errors import InvalidInputError
 from skinsource.limb import BAND_HZ
 
-# Beyond it the target falls to nothing: over an octave below, and up to 700 Hz above.
-_FALLS_TO_HZ = (12.5, 700.0)
-#: Frequencies over the band by which an actuator is judged.
-IN_BAND_HZ = np.geomspace(*BAND_HZ, 400)
+# Beyond the band the target falls to nothing: over an octave below, and up to 7/6 of its end, 700
+# Hz of the published limbs, above.
+_FALLS_BELOW, _FALLS_ABOVE = 1.0 / 2.0, 7.0 / 6.0
 _ZOOMS, _ZOOMED = 4, 41
 
 
@@ -33,7 +34,9 @@ class Equaliser(ABC):
     title: ClassVar[str]
 
     @abstractmethod
-    def filter(self, actuator: Actuator, frequency_hz: ArrayLike) -> Complexes:
+    def filter(
+        self, actuator: Actuator, frequency_hz: ArrayLike, band_hz: Band = BAND_HZ
+    ) -> Complexes:
         """Voltage for each m/s² of the drive, in V per m/s², of the shape of ``frequency_hz``.
 
         Parameters
@@ -42,6 +45,8 @@ class Equaliser(ABC):
             What it is made for.
         frequency_hz
             0 or above.
+        band_hz
+            In which it is made to follow; see `skinsource.equalising.followed_band`.
 
         Raises
         ------
@@ -50,7 +55,7 @@ class Equaliser(ABC):
         """
 
 
-def target(frequency_hz: ArrayLike) -> Floats:
+def target(frequency_hz: ArrayLike, band_hz: Band = BAND_HZ) -> Floats:
     """What is asked for, of the shape of ``frequency_hz``: 1 in the band, 0 far from it.
 
     Between, half a cosine over the logarithm of the frequency.
@@ -58,7 +63,8 @@ def target(frequency_hz: ArrayLike) -> Floats:
     size_hz = np.abs(finite_array("frequency_hz", frequency_hz, "finite frequencies in Hz"))
     with np.errstate(divide="ignore"):
         place = np.log(size_hz)
-    edges = zip(BAND_HZ, _FALLS_TO_HZ, strict=True)
+    low, high = band_hz
+    edges = ((low, low * _FALLS_BELOW), (high, high * _FALLS_ABOVE))
     beyond = [
         np.clip((place - np.log(full)) / (np.log(gone) - np.log(full)), 0.0, 1.0)
         for full, gone in edges
@@ -67,9 +73,17 @@ def target(frequency_hz: ArrayLike) -> Floats:
     return found
 
 
-def largest_gain(actuator: Actuator) -> float:
+@lru_cache(maxsize=16)
+def in_band_hz(band_hz: Band = BAND_HZ) -> Floats:
+    """Frequencies over a band by which an actuator is judged, (400,)."""
+    found = np.geomspace(*band_hz, 400)
+    found.flags.writeable = False
+    return found
+
+
+def largest_gain(actuator: Actuator, band_hz: Band = BAND_HZ) -> float:
     """Largest gain of an actuator in the band, however sharp its peak, in m/s² per V; above 0."""
-    gain, frequency_hz = gain_in_band(actuator), IN_BAND_HZ
+    gain, frequency_hz = gain_in_band(actuator, band_hz), in_band_hz(band_hz)
     for _ in range(_ZOOMS):
         # On both sides of a resonance the gain rises towards it.
         place = int(gain.argmax())
@@ -80,18 +94,29 @@ def largest_gain(actuator: Actuator) -> float:
     return float(gain.max())
 
 
-def gain_in_band(actuator: Actuator) -> Floats:
-    """Gain of an actuator at `IN_BAND_HZ`, (400,), in m/s² per V; above 0 somewhere.
+def mean_gain(actuator: Actuator, band_hz: Band = BAND_HZ) -> float:
+    """Geometric mean of the gain in the band, in m/s² per V, of where it moves at all."""
+    return mean_of(gain_in_band(actuator, band_hz))
+
+
+def mean_of(gain: Floats) -> float:
+    """Geometric mean of gains, (n,), of those above 0."""
+    # What does not move at all somewhere says nothing about the mean.
+    return float(np.exp(np.mean(np.log(gain[gain > 0.0]))))
+
+
+def gain_in_band(actuator: Actuator, band_hz: Band = BAND_HZ) -> Floats:
+    """Gain of an actuator at `in_band_hz`, (400,), in m/s² per V; above 0 somewhere.
 
     Raises
     ------
     InvalidInputError
         It does not move at all.
     """
-    gain = np.abs(actuator.response(IN_BAND_HZ))
+    gain = np.abs(actuator.response(in_band_hz(band_hz)))
     if not gain.max() > 0.0:
         raise InvalidInputError(
-            "the actuator does not move from 25 to 600 Hz, so no equaliser can make it; give it a "
-            "force factor or a coupling above 0"
+            f"the actuator does not move from {band_hz[0]:g} to {band_hz[1]:g} Hz, so no equaliser "
+            "can make it; give it a force factor or a coupling above 0"
         )
     return gain

@@ -10,8 +10,10 @@ from skinsource import fields
 from skinsource.actuators import Actuator, VoiceCoil
 from skinsource.arguments import finite_array
 from skinsource.arrays import Complexes, Floats
-from skinsource.equalising.equaliser import IN_BAND_HZ, Equaliser, gain_in_band
+from skinsource.equalising.band import Band
+from skinsource.equalising.equaliser import Equaliser, gain_in_band, in_band_hz, mean_of
 from skinsource.fields import NumberSpec
+from skinsource.limb import BAND_HZ
 
 RESONANCE = NumberSpec(
     label="Resonance",
@@ -45,7 +47,7 @@ class PolePairReplacement(Equaliser):
     """(s² + s w / Q + w²) / (s² + s w / Q' + w²): a resonance is taken out, a damped one put in.
 
     All else of the actuator stays as it is: below its resonance it still moves little.  One
-    factor makes the geometric mean of the gain from 25 to 600 Hz that of the drive.
+    factor makes the geometric mean of the gain in the band that of the drive.
 
     Attributes
     ----------
@@ -64,13 +66,13 @@ class PolePairReplacement(Equaliser):
     def __post_init__(self) -> None:
         fields.check(self)
 
-    def filter(self, actuator: Actuator, frequency_hz: ArrayLike) -> Complexes:
+    def filter(
+        self, actuator: Actuator, frequency_hz: ArrayLike, band_hz: Band = BAND_HZ
+    ) -> Complexes:
         """Voltage for each m/s² of the drive, in V per m/s²."""
         wanted_hz = finite_array("frequency_hz", frequency_hz, "frequencies in Hz")
-        gain = gain_in_band(actuator) * np.abs(self._replaced(IN_BAND_HZ))
-        # What does not move at all somewhere says nothing about the mean.
-        mean = float(np.exp(np.mean(np.log(gain[gain > 0.0]))))
-        return self._replaced(wanted_hz) / mean
+        gain = gain_in_band(actuator, band_hz) * np.abs(self._replaced(in_band_hz(band_hz)))
+        return self._replaced(wanted_hz) / mean_of(gain)
 
     def _replaced(self, frequency_hz: Floats) -> Complexes:
         ratio = frequency_hz / self.resonance_hz

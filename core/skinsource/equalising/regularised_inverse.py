@@ -12,8 +12,10 @@ from skinsource import fields
 from skinsource.actuators import Actuator
 from skinsource.arguments import finite_array
 from skinsource.arrays import Complexes, Floats
+from skinsource.equalising.band import Band
 from skinsource.equalising.equaliser import Equaliser, largest_gain, target
 from skinsource.fields import ChoiceSpec, NumberSpec
+from skinsource.limb import BAND_HZ
 
 BOOST = NumberSpec(
     label="Boost",
@@ -30,14 +32,17 @@ PHASE = ChoiceSpec(
 )
 # Grid on which the phase that belongs to a gain is found; what lies below the floor counts as it.
 _LENGTH, _RATE_HZ, _FLOOR = 2**16, 48_000.0, 1e-5
+# The grid reaches so many times as high as the band at least.
+_ABOVE_BAND = 8.0
 
 
 @dataclass(frozen=True, slots=True)
 class RegularisedInverse(Equaliser):
     """W = T H* / (|H|² + beta max|H|²), beta such that |W| is at most the boost over 1 / max|H|.
 
-    T is 1 from 25 to 600 Hz, H the response of the actuator, and max|H| its largest gain in that
-    band.  |W| max|H| is largest, 1 / (2 sqrt(beta)), where |H| is sqrt(beta) max|H|.
+    T is 1 in the band of the limb, 25 to 600 Hz of the published ones, H the response of the
+    actuator, and max|H| its largest gain in that band.  |W| max|H| is largest, 1 / (2 sqrt(beta)),
+    where |H| is sqrt(beta) max|H|.
 
     Attributes
     ----------
@@ -62,29 +67,34 @@ class RegularisedInverse(Equaliser):
     def __post_init__(self) -> None:
         fields.check(self)
 
-    def filter(self, actuator: Actuator, frequency_hz: ArrayLike) -> Complexes:
+    def filter(
+        self, actuator: Actuator, frequency_hz: ArrayLike, band_hz: Band = BAND_HZ
+    ) -> Complexes:
         """Voltage for each m/s² of the drive, in V per m/s²."""
         wanted_hz = np.abs(finite_array("frequency_hz", frequency_hz, "frequencies in Hz"))
         if self.phase == "linear":
-            return self._inverse(actuator, wanted_hz)
-        phase_hz, phase_rad = _least_phase(self, actuator)
+            return self._inverse(actuator, wanted_hz, band_hz)
+        phase_hz, phase_rad = _least_phase(self, actuator, band_hz)
         angle = np.interp(wanted_hz, phase_hz, phase_rad)
-        return np.abs(self._inverse(actuator, wanted_hz)) * np.exp(1j * angle)
+        return np.abs(self._inverse(actuator, wanted_hz, band_hz)) * np.exp(1j * angle)
 
-    def _inverse(self, actuator: Actuator, frequency_hz: Floats) -> Complexes:
-        most = largest_gain(actuator)
+    def _inverse(self, actuator: Actuator, frequency_hz: Floats, band_hz: Band) -> Complexes:
+        most = largest_gain(actuator, band_hz)
         # In parts of the largest gain, so that no square leaves the range of floats.
         response = actuator.response(frequency_hz) / most
         beta = 0.25 * 10.0 ** (-self.boost_db / 10.0)
         found = response.conj() / (np.abs(response) ** 2 + beta)
-        return target(frequency_hz) * found / most
+        return target(frequency_hz, band_hz) * found / most
 
 
 @lru_cache(maxsize=16)
-def _least_phase(equaliser: RegularisedInverse, actuator: Actuator) -> tuple[Floats, Floats]:
+def _least_phase(
+    equaliser: RegularisedInverse, actuator: Actuator, band_hz: Band
+) -> tuple[Floats, Floats]:
     """Frequencies and the phase of the least delay that goes with the gain there."""
-    frequency_hz = np.arange(_LENGTH // 2 + 1) * _RATE_HZ / _LENGTH
-    gain = np.abs(equaliser._inverse(actuator, frequency_hz))
+    rate_hz = max(_RATE_HZ, _ABOVE_BAND * band_hz[1])
+    frequency_hz = np.arange(_LENGTH // 2 + 1) * rate_hz / _LENGTH
+    gain = np.abs(equaliser._inverse(actuator, frequency_hz, band_hz))
     cepstrum = scipy.fft.irfft(np.log(np.maximum(gain, _FLOOR * gain.max())), _LENGTH)
     cepstrum[1 : _LENGTH // 2] *= 2.0
     cepstrum[_LENGTH // 2 + 1 :] = 0.0

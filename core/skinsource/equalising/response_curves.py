@@ -9,7 +9,9 @@ from skinsource.actuators import Actuator
 from skinsource.arguments import finite_array
 from skinsource.arrays import Floats
 from skinsource.decibels import decibels
-from skinsource.equalising.equaliser import Equaliser, gain_in_band
+from skinsource.equalising.band import Band
+from skinsource.equalising.equaliser import Equaliser, mean_gain
+from skinsource.limb import BAND_HZ
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -21,7 +23,7 @@ class EqualiserCurves:
     frequency_hz
         Of the points.
     before_db
-        Acceleration for each volt, re its geometric mean from 25 to 600 Hz.
+        Acceleration for each volt, re its geometric mean in the band.
     filter_db
         Voltage for each m/s² of the drive, re the voltage that the mean needs.
     after_db
@@ -34,13 +36,14 @@ class EqualiserCurves:
     after_db: Floats
 
 
-def curves(equaliser: Equaliser, actuator: Actuator, frequency_hz: ArrayLike) -> EqualiserCurves:
-    """Gains before, of, and after the filter at frequencies above 0, (n,)."""
+def curves(
+    equaliser: Equaliser, actuator: Actuator, frequency_hz: ArrayLike, band_hz: Band = BAND_HZ
+) -> EqualiserCurves:
+    """Gains before, of, and after the filter for a band, at frequencies above 0, (n,)."""
     found_hz = finite_array("frequency_hz", frequency_hz, "frequencies in Hz, (n,)")
-    gain = gain_in_band(actuator)
-    mean = float(np.exp(np.mean(np.log(gain[gain > 0.0]))))
+    mean = mean_gain(actuator, band_hz)
     response = actuator.response(found_hz)
-    passed = equaliser.filter(actuator, found_hz)
+    passed = equaliser.filter(actuator, found_hz, band_hz)
     return EqualiserCurves(
         frequency_hz=found_hz,
         before_db=decibels(np.abs(response) / mean),

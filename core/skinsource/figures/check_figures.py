@@ -8,6 +8,7 @@ import numpy as np
 
 from skinsource.arrays import Floats
 from skinsource.evaluation import evaluate
+from skinsource.figures.finer import finer
 from skinsource.figures.sheet import Drawn, Sheet, Table
 from skinsource.figures.values import field_of, frequency_of
 from skinsource.limb import BAND_HZ, PRE_TRIGGER_DELAY_S
@@ -31,6 +32,7 @@ def strengths(opened: OpenedScene) -> Drawn:
     time_s = found[0]["response_time_s"]
     factors = np.array([one.design.inputs[0].amplitude for one in opened.conditions])
     alike = np.stack([one["selected_traces"] for one in found]) / factors[:, None, None]
+    drawn_s, drawn = finer(time_s, alike)
     clips = opened.design.inputs[0].clips
     sheet, columns, header = Sheet(opened, 78.0), [time_s], ["time_s"]
     with style():
@@ -39,8 +41,8 @@ def strengths(opened: OpenedScene) -> Drawn:
                 ax = sheet.axes(22.0 + 52.0 * column, 46.0 - 34.0 * row, 46.0, 24.0)
                 middle = clip.onset_s + clip.duration_s / 2.0 + PRE_TRIGGER_DELAY_S
                 half = _CYCLES_SHOWN / (2.0 * frequency_of(clip))
-                within = np.abs(time_s - middle) <= half
-                _overlay(ax, opened, 1e3 * time_s[within], alike[:, row, within])
+                within = np.abs(drawn_s - middle) <= half
+                _overlay(ax, opened, 1e3 * drawn_s[within], drawn[:, row, within])
                 ax.set_title(f"{frequency_of(clip):g} Hz: {ax.get_title()}", fontsize=6)
                 ax.set_ylabel("" if column else f"Output {number}\nz / strength")
                 ax.set_xlabel("" if row + 1 < len(view.outputs) else "Time (ms)")
@@ -229,19 +231,19 @@ def _draw_sums(
     sheet: Sheet, outputs: Sequence[int], time_s: Floats, separate: Floats, joint: Floats
 ) -> None:
     """Some cycles in the middle of the sweep."""
-    within = (time_s > 1.0) & (time_s < 1.05)
+    chosen = np.array(outputs) - 1
+    drawn_s, (apart, together) = finer(time_s, np.stack((separate, joint))[:, chosen, 2])
+    within = (drawn_s > 1.0) & (drawn_s < 1.05)
     for k, number in enumerate(outputs):
         ax = sheet.axes(26.0, 40.0 - 28.0 * k, 66.0, 20.0)
         ax.plot(
-            1e3 * time_s[within],
-            separate[number - 1, 2, within],
+            1e3 * drawn_s[within],
+            apart[k, within],
             color=COLOURS[5],
             lw=3.0,
             label="sum of separate",
         )
-        ax.plot(
-            1e3 * time_s[within], joint[number - 1, 2, within], color=INK, lw=0.8, label="joint"
-        )
+        ax.plot(1e3 * drawn_s[within], together[k, within], color=INK, lw=0.8, label="joint")
         ax.set_ylabel(f"Output {number}\nz (m/s²)")
         if k == 0:
             ax.legend(fontsize=6, loc="lower right", bbox_to_anchor=(1.0, 0.98), ncols=2)

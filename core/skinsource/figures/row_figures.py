@@ -10,6 +10,7 @@ from skinsource.arrays import Floats
 from skinsource.choice_words import signal_words
 from skinsource.decibels import decibels
 from skinsource.evaluation import evaluate
+from skinsource.figures.finer import finer
 from skinsource.figures.sheet import WIDTH_MM, Drawn, Sheet, Table
 from skinsource.figures.values import field_of, frames, with_values
 from skinsource.limb import BAND_HZ
@@ -36,8 +37,11 @@ def pulse_traces(opened: OpenedScene) -> Drawn:
     outputs = opened.view.outputs
     time_s, field = field_of(opened.design)
     within = _within(opened, time_s)
+    drawn_s, drawn = finer(time_s, field[np.array(outputs) - 1])
+    seen = _within(opened, drawn_s)
     rows = [
-        _own_row(number, 1e3 * time_s[within], field[number - 1][:, within]) for number in outputs
+        _own_row(number, 1e3 * drawn_s[seen], one[:, seen])
+        for number, one in zip(outputs, drawn, strict=True)
     ]
     height_mm = 9.0 * len(rows)
     sheet = Sheet(opened, height_mm + _FRAMES_MM + 20.0)
@@ -98,10 +102,11 @@ def _traces(opened: OpenedScene, colours: Sequence[str], *, own_scale: bool) -> 
     time_s = found[0]["response_time_s"]
     within = _within(opened, time_s)
     curves = [one["selected_traces"][:, within] for one in found]
-    size = None if own_scale else common_size(curves)
+    drawn_s, drawn = finer(time_s, np.stack([one["selected_traces"] for one in found]))
+    drawn_s, drawn = drawn_s[_within(opened, drawn_s)], drawn[..., _within(opened, drawn_s)]
+    size = None if own_scale else common_size(list(drawn))
     rows = [
-        _labelled(number, 1e3 * time_s[within], np.stack([one[k] for one in curves]), size)
-        for k, number in enumerate(view.outputs)
+        _labelled(number, 1e3 * drawn_s, drawn[:, k], size) for k, number in enumerate(view.outputs)
     ]
     labels = [one.label for one in opened.conditions] if several else []
     sheet, ax = _rows_sheet(opened, rows, labels, colours)

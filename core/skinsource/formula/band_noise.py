@@ -11,6 +11,7 @@ RMS = 1 / 3
 LARGEST_SEED = 2**31 - 1
 _BLOCK_S = 2.0
 _HOP_S = 1.0
+# The band is part of the function, not of a limb: a formula is the same wherever it is played.
 # Tones stand 1 / block apart.  The window widens each by some hertz, so the outermost stay inside
 # 25 to 600 Hz.
 _LOWEST, _HIGHEST = 56, 1194

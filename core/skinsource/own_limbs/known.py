@@ -1,5 +1,6 @@
 """What is known of each limb, by its name: without its responses, and again only if it changed."""
 
+import os
 from functools import lru_cache
 from pathlib import Path
 
@@ -23,7 +24,7 @@ def facts_of(name: str) -> LimbFacts:
         path = own_limb_path(name)
         try:
             about = path.stat()
-            return _read(name, path, about.st_mtime_ns, about.st_size)[0]
+            return _read(name, path, _state_of(about))[0]
         except (OSError, SkinSourceError):
             pass
     return LimbFacts(name=name, title=name, sentence="", known=False)
@@ -45,7 +46,7 @@ def own_map(name: str) -> LimbMap | None:
     path = own_limb_path(name)
     try:
         about = path.stat()
-        return _read(name, path, about.st_mtime_ns, about.st_size)[1]
+        return _read(name, path, _state_of(about))[1]
     except (OSError, SkinSourceError):
         return None
 
@@ -76,8 +77,17 @@ def _band_words(band_hz: tuple[float, float] | None) -> str:
     return "" if band_hz is None else f", measured from {band_hz[0]:g} to {band_hz[1]:g} Hz"
 
 
+def _state_of(about: os.stat_result) -> tuple[int, ...]:
+    """What differs wherever a file took the place of another.
+
+    Its time alone does not: the clock of a file system ticks a few milliseconds apart, and copies
+    keep the time of what was copied.
+    """
+    return about.st_mtime_ns, about.st_ctime_ns, about.st_size, about.st_ino
+
+
 @lru_cache(maxsize=64)
-def _read(name: str, path: Path, _changed_ns: int, _size: int) -> tuple[LimbFacts, LimbMap]:
+def _read(name: str, path: Path, _state: tuple[int, ...]) -> tuple[LimbFacts, LimbMap]:
     file = LimbFile(path)
     held = file.limb
     hand = f"{'Left' if held.left else 'Right'} hand{', shown mirrored' if held.mirrored else ''}"

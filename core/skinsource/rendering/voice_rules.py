@@ -8,6 +8,7 @@ import numpy as np
 
 from skinsource.arrays import Booleans, Floats
 from skinsource.chain import Actuation, Drive, refuse_unfollowed
+from skinsource.equalising import Band
 from skinsource.job import Stop, stop_if
 from skinsource.limb import Limb
 from skinsource.rendering.drives import active_samples
@@ -62,27 +63,33 @@ def edited_drive(
     remembered: Remembered,
     edited_unit: UnitVoice | None,
     sample_rate_hz: float,
+    band_hz: Band | None,
     actuation: Actuation | None,
     stop: Stop,
 ) -> Drive | None:
     """What the edited voice plays; refused where no actuator could follow it."""
     if edited_unit is None:
         return None
-    return _followed(remembered, edited_unit, sample_rate_hz, actuation, stop)
+    drive = _drawn(remembered, edited_unit, sample_rate_hz, stop)
+    refuse_unfollowed(actuation, drive, sample_rate_hz, band_hz, edited_unit.location)
+    return drive
 
 
 def others_placed(
     remembered: Remembered,
     other_voices: tuple[Voice, ...],
     sample_rate_hz: float,
+    band_hz: Band | None,
     actuation: Actuation | None,
     stop: Stop,
 ) -> tuple[Placed, ...]:
     """The other voices with their drives."""
-    return tuple(
-        Placed(one, _followed(remembered, one.unit, sample_rate_hz, actuation, stop), one.start)
-        for one in other_voices
-    )
+    found = []
+    for one in other_voices:
+        drive = _drawn(remembered, one.unit, sample_rate_hz, stop)
+        refuse_unfollowed(actuation, drive, sample_rate_hz, band_hz, one.location)
+        found.append(Placed(one, drive, one.start))
+    return tuple(found)
 
 
 def placed(
@@ -155,18 +162,6 @@ def edited_active(
     if edited_drive is not None and played.size:
         played[: edited_drive.samples.size] = edited_drive.samples != 0.0
     return active_samples(played, driven_limb.n_taps)
-
-
-def _followed(
-    remembered: Remembered,
-    unit: UnitVoice,
-    sample_rate_hz: float,
-    actuation: Actuation | None,
-    stop: Stop,
-) -> Drive:
-    drive = _drawn(remembered, unit, sample_rate_hz, stop)
-    refuse_unfollowed(actuation, drive, sample_rate_hz, unit.location)
-    return drive
 
 
 def _drawn(remembered: Remembered, unit: UnitVoice, sample_rate_hz: float, stop: Stop) -> Drive:

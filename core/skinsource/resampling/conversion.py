@@ -4,7 +4,8 @@ The lower of the two rates decides the band.  Half of it is the middle of the tr
 12/13 of that half (600 Hz where the lower rate is 1300 Hz) all passes, above 14/13 of it (700 Hz)
 nothing does, and what lies between may fold back, but only above the pass band.  Lower rates from
 1200 to 1300 Hz get a steeper filter, so that 600 Hz still passes; at 1210 Hz it is ten times as
-long, and steeper it does not get.
+long, and steeper it does not get.  The pass band belongs to the two rates, not to a limb: whatever
+band a limb was measured in, at its own rate it lies below half of it.
 """
 
 from dataclasses import dataclass

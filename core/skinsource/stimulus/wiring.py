@@ -7,7 +7,7 @@ import numpy as np
 
 from skinsource.actuators import load, names
 from skinsource.chain import Actuation
-from skinsource.equalising import Equaliser, equalised
+from skinsource.equalising import Band, Equaliser, equalised, followed_band
 from skinsource.errors import InvalidInputError
 from skinsource.quoting import quoted
 from skinsource.rigs import Rig, RigChannel
@@ -59,12 +59,14 @@ def through_actuators(stimulus: Stimulus, actuation: Actuation, equaliser: Equal
         As `for_rig`; or a place has no actuator.
     """
     _refuse_other_drives(stimulus)
-    samples = np.array(stimulus.samples)
+    samples, band = np.array(stimulus.samples), _band_of(stimulus)
     for row in stimulus.driving:
         place = stimulus.channels[row].place
         if place is not None:
             model = actuation.at(place).model
-            samples[row] = equalised(samples[row], stimulus.sample_rate_hz, model, equaliser)
+            samples[row] = equalised(
+                samples[row], stimulus.sample_rate_hz, model, equaliser, band_hz=band
+            )
     return stimulus.with_samples(samples, samples_unit="V")
 
 
@@ -96,14 +98,24 @@ def _wired(stimulus: Stimulus, rig: Rig) -> Stimulus:
 
 def _equalised_for(stimulus: Stimulus, rig: Rig, equaliser: Equaliser) -> Stimulus:
     _refuse_other_drives(stimulus)
-    samples = np.array(stimulus.samples)
+    samples, band = np.array(stimulus.samples), _band_of(stimulus)
     for row in stimulus.driving:
         channel = channel_of(stimulus, row, rig)
         volts = equalised(
-            stimulus.samples[row], stimulus.sample_rate_hz, _actuator_of(channel), equaliser
+            stimulus.samples[row],
+            stimulus.sample_rate_hz,
+            _actuator_of(channel),
+            equaliser,
+            band_hz=band,
         )
         samples[row] = volts / _full_scale_v(channel)
     return stimulus.with_samples(samples, samples_unit=FULL_SCALE_UNIT)
+
+
+def _band_of(stimulus: Stimulus) -> Band:
+    """In which the drives are followed: what they hold of the band of the limb."""
+    lower_hz = min(stimulus.sample_rate_hz, stimulus.own_rate_hz)
+    return followed_band(stimulus.limb_band_hz, lower_hz)
 
 
 def _volts_for(stimulus: Stimulus, rig: Rig) -> Stimulus:

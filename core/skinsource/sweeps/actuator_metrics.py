@@ -13,7 +13,8 @@ from skinsource.actuators import (
 )
 from skinsource.arrays import Floats
 from skinsource.chain import Actuation, ActuatorAt
-from skinsource.equalising import equalised
+from skinsource.equalising import equalised, followed_band
+from skinsource.limb import Limb
 from skinsource.rigs.checking import strictest
 from skinsource.sweeps.prepared import Prepared
 
@@ -61,7 +62,7 @@ def actuator_metrics(one: Prepared, factor: float, limits: Limits) -> dict[str, 
         own, thermal = _known_of(at)
         allowed = strictest(limits, own)
         known = known or allowed != Limits()
-        told = _told(drive, one.limb.sample_rate_hz, at, actuation, thermal)
+        told = _told(drive, one.limb, at, actuation, thermal)
         passed |= {breach.name for breach in breaches(told, allowed)}
         for name in ACTUATOR_METRICS[:-1]:
             found[name] = float(np.maximum(found[name], getattr(told, name)))
@@ -70,12 +71,18 @@ def actuator_metrics(one: Prepared, factor: float, limits: Limits) -> dict[str, 
 
 
 def _told(
-    drive: Floats, rate_hz: float, at: ActuatorAt, actuation: Actuation, thermal: Thermal | None
+    drive: Floats, limb: Limb, at: ActuatorAt, actuation: Actuation, thermal: Thermal | None
 ) -> Prediction:
-    voltage = drive
+    voltage, rate_hz = drive, limb.sample_rate_hz
     if actuation.equaliser is not None:
         voltage = equalised(
-            drive, rate_hz, at.model, actuation.equaliser, lead_s=_RINGS_S, tail_s=_RINGS_S
+            drive,
+            rate_hz,
+            at.model,
+            actuation.equaliser,
+            band_hz=followed_band(limb.band_hz, rate_hz),
+            lead_s=_RINGS_S,
+            tail_s=_RINGS_S,
         )
     (told,) = predicted(voltage, round(rate_hz), at.model, thermal=thermal)
     return told

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from skinsource.chain import Actuation, refuse_unfollowed
 from skinsource.design import Design, Input, audible_indices
+from skinsource.equalising import Band
 from skinsource.job import Stop, stop_if
 from skinsource.limb import Limb
 from skinsource.quantities import voices
@@ -69,12 +70,16 @@ class _Known:
 
     input: Input
     rate_hz: float
+    band_hz: Band | None
     actuation: Actuation | None
     placed: Placed
 
-    def holds_for(self, one: Input, rate_hz: float, actuation: Actuation | None) -> bool:
+    def holds_for(
+        self, one: Input, rate_hz: float, band_hz: Band | None, actuation: Actuation | None
+    ) -> bool:
         """Whether it is what ``one`` plays."""
-        return self.input is one and self.rate_hz == rate_hz and self.actuation == actuation
+        followed = self.rate_hz, self.band_hz, self.actuation
+        return self.input is one and followed == (rate_hz, band_hz, actuation)
 
 
 class Preparing:
@@ -108,27 +113,29 @@ class Preparing:
             The limb is a measured one, and the dataset is not installed.
         """
         limb = self._shared.limb_of(design.limb, design.limb_digest)
-        rate_hz, n_taps = limb.sample_rate_hz, limb.n_taps
+        rate_hz, band_hz, n_taps = limb.sample_rate_hz, limb.band_hz, limb.n_taps
         limb = self._latest = self._shared.driven_limb(limb, design.actuated, design.scaling)
         known = {}
         for index in audible_indices(design.inputs):
             one = design.inputs[index]
             before = self._known.get(one.id)
-            if before is None or not before.holds_for(one, rate_hz, design.actuated):
+            if before is None or not before.holds_for(one, rate_hz, band_hz, design.actuated):
                 stop_if(stop)
-                placed = self._placed(one, rate_hz, design.actuated)
-                before = _Known(one, rate_hz, design.actuated, placed)
+                placed = self._placed(one, rate_hz, band_hz, design.actuated)
+                before = _Known(one, rate_hz, band_hz, design.actuated, placed)
             known[one.id] = before
         self._known = known
         found = tuple(one.placed for one in known.values())
         end = max([1, *(one.end for one in found)])
         return Prepared(design, limb, found, n_taps, end)
 
-    def _placed(self, one: Input, rate_hz: float, actuation: Actuation | None) -> Placed:
+    def _placed(
+        self, one: Input, rate_hz: float, band_hz: Band | None, actuation: Actuation | None
+    ) -> Placed:
         """An input that is heard, with what it plays."""
         (voice,) = voices(self._remembered, (one,), rate_hz)
         drive = self._remembered.drives.drawn(voice.unit, rate_hz)
-        refuse_unfollowed(actuation, drive, rate_hz, voice.location)
+        refuse_unfollowed(actuation, drive, rate_hz, band_hz, voice.location)
         return Placed(voice, drive, voice.start)
 
     def responses(self, one: Prepared, n_fft: int | None) -> Responses:

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
+from math import ceil, floor, log10
 
 import numpy as np
 
@@ -16,6 +17,8 @@ _STYLE = (
     "svg{display:block;margin:1em 0}.note{color:#57606a}"
 )
 _WIDTH, _HEIGHT, _LEFT, _FOOT = 620.0, 220.0, 64.0, 40.0
+# An axis has so many steps at least; what is so much of a step beyond a tick is on it.
+_LEAST_STEPS, _ROUNDING = 3.0, 1e-9
 #: Titles of the figures, their units, and what the paper reports.
 FIGURES = (
     ("Normalised mean absolute error", "", "near the noise"),
@@ -95,6 +98,21 @@ def quartiles(values: Floats) -> tuple[float, float, float, float, float]:
     return float(inside.min()), low, middle, high, float(inside.max())
 
 
+def round_ticks(low: float, high: float) -> Floats:
+    """Return round numbers at equal steps from ``low`` or just below to ``high`` or just above.
+
+    Steps are 1, 2 or 5 times a power of 10; there are three to nine of them.
+    """
+    step = 10.0 ** floor(log10((high - low) / _LEAST_STEPS))
+    step *= max(
+        factor for factor in (1.0, 2.0, 5.0) if (high - low) / (factor * step) >= _LEAST_STEPS
+    )
+    first, last = floor(low / step + _ROUNDING), ceil(high / step - _ROUNDING)
+    # Of whole numbers of steps the digits that rounding adds are taken off again.
+    digits = max(-floor(log10(step)), 0)
+    return np.round(np.arange(first, last + 1) * step, digits)
+
+
 def _table(conditions: Sequence[Condition]) -> str:
     head = "<tr><th>Design</th><th>Hz</th><th>Linear, adj. R²</th><th>Superposition, r</th>"
     head += "<th>Channels</th><th>Error</th><th>Amplitude %</th><th>r</th><th>Shift</th></tr>"
@@ -163,18 +181,19 @@ def _boxes(groups: Sequence[tuple[str, Floats]]) -> str:
     known = [values for _, values in groups if values.size]
     if not known:
         return "<p>No channel is above twice the noise.</p>"
-    everything = np.concatenate(known)
-    low, high = min(float(everything.min()), 0.0), max(float(everything.max()), 1e-9)
+    drawn = np.array([quartiles(values) for values in known])
+    ticks = round_ticks(min(float(drawn.min()), 0.0), max(float(drawn.max()), 1e-9))
+    low, high = float(ticks[0]), float(ticks[-1])
 
     def y(value: float) -> float:
         return _HEIGHT - _FOOT - (value - low) / (high - low) * (_HEIGHT - _FOOT - 10.0)
 
     step = (_WIDTH - _LEFT - 10.0) / len(groups)
     shapes = [
-        f"<text x='{_LEFT - 6}' y='{y(value) + 4:.1f}' text-anchor='end'>{value:.3g}</text>"
+        f"<text x='{_LEFT - 6}' y='{y(value) + 4:.1f}' text-anchor='end'>{value:g}</text>"
         f"<line x1='{_LEFT}' x2='{_WIDTH}' y1='{y(value):.1f}' y2='{y(value):.1f}' "
         "stroke='#e4e7eb'/>"
-        for value in np.linspace(low, high, 5)
+        for value in ticks.tolist()
     ]
     for rank, (label, values) in enumerate(groups):
         x = _LEFT + (rank + 0.5) * step
@@ -197,7 +216,22 @@ def _boxes(groups: Sequence[tuple[str, Floats]]) -> str:
     )
     return (
         f"<svg width='{_WIDTH:g}' height='{_HEIGHT:g}' font-size='12' font-family='sans-serif' "
-        f"fill='#1b1f24'>{''.join(shapes)}</svg>"
+        f"fill='#1b1f24'>{''.join(shapes)}</svg>{_beyond(known, drawn)}"
+    )
+
+
+def _beyond(known: Sequence[Floats], drawn: Floats) -> str:
+    """What is not drawn: values beyond the whiskers, which would flatten the boxes."""
+    everything = np.concatenate(known)
+    count = sum(
+        int(((values < ends[0]) | (values > ends[-1])).sum())
+        for values, ends in zip(known, drawn, strict=True)
+    )
+    if not count:
+        return ""
+    return (
+        f"<p class='note'>{count} of {everything.size} channels lie beyond the whiskers and are "
+        f"not drawn; all lie from {everything.min():.3g} to {everything.max():.3g}.</p>"
     )
 
 

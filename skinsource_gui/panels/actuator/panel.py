@@ -13,14 +13,16 @@ from skinsource import edits
 from skinsource.actuator_demand import ActuatorSettings, Demand, actuation_of, settings_through
 from skinsource.design import Design
 from skinsource.edits.selection import clip_of
+from skinsource.equalising import Band, followed_band
+from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource.waveforms import CentredTap, Tap
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.actuator.choices import ActuatorChoices
 from skinsource_gui.panels.actuator.demand_curves import (
-    FREQUENCY_AXIS,
     TIME_AXIS,
+    frequency_axis,
     response_curves,
     step_curves,
 )
@@ -49,7 +51,7 @@ class ActuatorPanel(Panel):
         self._design: Design | None = None
         self._view, self._settings = View(), ActuatorSettings()
         self._results: Mapping[str, Any] | None = None
-        self._drawn: tuple[ActuatorSettings, bool] | None = None
+        self._drawn: tuple[ActuatorSettings, bool, Band] | None = None
         self.choices = ActuatorChoices(self)
         self.choices.changed.connect(self._choose)
         self.choices.measured_wanted.connect(partial(self.action_wanted.emit, "open_response"))
@@ -126,7 +128,8 @@ class ActuatorPanel(Panel):
         settings = self._settings
         if self._design is not None:
             self.through.show_state(self._design, settings)
-        drawn = settings, self._follows
+        band = _band_of("" if self._design is None else self._design.limb)
+        drawn = settings, self._follows, band
         if drawn == self._drawn:
             return
         self._drawn = drawn
@@ -134,9 +137,9 @@ class ActuatorPanel(Panel):
         step = settings.picture == "step"
         self._step.setChecked(step)
         self.plot.toolbar.show_state(layout=settings.layout, zoomed=settings.zoom is not None)
-        axis = TIME_AXIS if step else FREQUENCY_AXIS
+        axis = TIME_AXIS if step else frequency_axis(band)
         self.plot.set_view(axis, settings.zoom, stacked=settings.layout == "stacked")
-        curves = step_curves(settings) if step else response_curves(settings)
+        curves = step_curves(settings) if step else response_curves(settings, band)
         if curves is None:
             self.plot.show_message(_NO_STEP)
         else:
@@ -178,6 +181,12 @@ class ActuatorPanel(Panel):
 
     def _show_step(self, step: bool) -> None:
         self._choose(replace(self._settings, picture="step" if step else "response", zoom=None))
+
+
+def _band_of(limb: str) -> Band:
+    """In which drives are followed on a limb."""
+    facts = facts_of(limb)
+    return followed_band(facts.band_hz, facts.sample_rate_hz)
 
 
 def _scrolled(*parts: QWidget) -> QScrollArea:

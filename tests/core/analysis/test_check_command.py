@@ -1,12 +1,14 @@
 """The command that checks designs, alone and against recorded responses."""
 
+import re
+
 import numpy as np
 import pytest
 
 import skinsource as ss
 from skinsource.commands.command_line import main
 from skinsource.design_file import save_design
-from skinsource.validation.report import quartiles
+from skinsource.validation.report import quartiles, round_ticks
 from skinsource.view import View
 
 
@@ -49,6 +51,9 @@ def test_a_recording_is_held_against_the_prediction_and_reported(design_file, tm
     r = float(said.split(", r ")[1].split()[0])
     assert r == pytest.approx(1.0 / np.sqrt(1.25), abs=0.02)
     page = report.read_text()
+    ticks = re.findall(r"text-anchor='end'>([^<]*)<", page)
+    assert len(ticks) >= 12
+    assert all(len(one.strip("-").replace(".", "").strip("0")) <= 2 for one in ticks)
     assert page.count("<svg") == 3
     assert "<td>67</td>" in page
     assert "two.skinsource" in page
@@ -71,3 +76,16 @@ def test_recordings_that_do_not_fit_are_refused_and_nothing_is_written(
 def test_whiskers_end_at_data_within_one_and_a_half_boxes():
     values = np.array([0.0, 1.0, 2.0, 3.0, 4.0, 100.0])
     assert quartiles(values) == (0.0, 1.25, 2.5, 3.75, 4.0)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "ticks"),
+    [
+        (0.0, 0.0166, [0.0, 0.005, 0.01, 0.015, 0.02]),
+        (-0.3, 1.0, [-0.4, -0.2, 0.0, 0.2, 0.4, 0.6, 0.8, 1.0]),
+        (0.0, 250.0, [0.0, 50.0, 100.0, 150.0, 200.0, 250.0]),
+        (0.0, 1e-9, [0.0, 2e-10, 4e-10, 6e-10, 8e-10, 1e-9]),
+    ],
+)
+def test_ticks_are_round_and_hold_all_values(low, high, ticks):
+    assert round_ticks(low, high).tolist() == ticks

@@ -5,6 +5,7 @@ from xml.etree import ElementTree
 import pytest
 
 import skinsource as ss
+from tests.core.own_limbs.lab_bench import installed
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -46,6 +47,12 @@ def test_each_track_has_a_curve_from_its_onset_on():
     assert second[0][0] == pytest.approx(end, abs=0.2)
     middle = [min(y for _, y in one) + max(y for _, y in one) for one in (first, second)]
     assert middle[1] > middle[0]
+
+
+def test_a_track_is_drawn_at_the_rate_of_its_limb(user_data):
+    installed()
+    (points,) = curves_of(ss.Design(limb="lab-1", inputs=(tone(7),)))
+    assert len(points) == 400
 
 
 def test_what_is_not_heard_is_pale():

@@ -1,5 +1,7 @@
 """In which band a lab measured: said or not, everything asks the limb."""
 
+from dataclasses import replace
+
 import h5py
 import numpy as np
 import pytest
@@ -107,6 +109,36 @@ def test_what_plays_is_judged_mended_drawn_and_written_in_the_band_of_the_limb(u
     refused = edits.bound_clip(low, View(), low.inputs[0].clips[0].id, 4000.0)
     assert refused.sentence == "In which band this limb was measured is not known."
     assert stimulus_of(PLAYED).band_hz == (0.0, pytest.approx(2000.0 * 12 / 13))
+
+
+@pytest.mark.parametrize(
+    ("band", "followed"),
+    [(BAND, BAND), (None, (25.0, 12 / 13 * 2000.0)), ((0.0, 50.0), (25.0, 50.0))],
+)
+def test_actuators_follow_drives_in_the_band_of_the_limb(user_data, band, followed):
+    installed(band_hz=band)
+    limb, coil = ss.load_limb("lab-1"), ss.actuators.load("example-voice-coil")
+    for equaliser in (None, ss.equalising.RegularisedInverse(40.0)):
+        through = ss.Actuation(
+            actuators=(ss.ActuatorAt(place=None, actuator="coil", model=coil),),
+            equaliser=equaliser,
+        )
+        design = replace(PLAYED, scaling="probe", actuation=through)
+        evaluated = Evaluator().evaluate(design, ("driven_limb",))["driven_limb"]
+        shown_hz = np.array([followed[0], 30.0, 100.0, 1000.0, 1500.0, 1840.0])
+        shown_hz = shown_hz[(shown_hz >= followed[0]) & (shown_hz <= followed[1])]
+        taps, plain = evaluated.response_to(1)[4, 0], limb.response_to(1)[4, 0]
+        later = np.arange(taps.size) - evaluated.lead_samples
+        gain = spectrum_at(taps, later, shown_hz) / spectrum_at(plain, np.arange(90), shown_hz)
+        # The equaliser makes the contactor do what is asked; without it the coil answers.
+        expected = np.ones(shown_hz.size) if equaliser else coil.response(shown_hz)
+        np.testing.assert_allclose(
+            np.abs(gain), np.abs(expected) * abs(gain[0] / expected[0]), rtol=0.02
+        )
+
+
+def spectrum_at(samples, later, frequency_hz):
+    return np.exp(-2j * np.pi * frequency_hz[:, None] * later / 4000.0) @ samples
 
 
 def test_levels_above_threshold_count_what_was_measured(user_data):

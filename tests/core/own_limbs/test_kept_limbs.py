@@ -1,6 +1,7 @@
 """Limbs of a lab's own, kept here: what they give, and what becomes of damaged ones."""
 
 import json
+import os
 from dataclasses import replace
 
 import numpy as np
@@ -117,6 +118,14 @@ def test_a_limb_that_is_imported_anew_is_computed_anew(lab):
     install_limb(lab, (2 * response(place) for place in range(1, N_INPUTS + 1)))
     after = evaluate(PLAYED, "output_levels_db", view=VIEW)["output_levels_db"]
     np.testing.assert_allclose(after - before, 20 * np.log10(2))
+    # Also by a file of the same size and time: clocks of file systems tick, and copies keep it.
+    path = own_limb_path("lab-1")
+    about = path.stat()
+    install_limb(lab, (4 * response(place) for place in range(1, N_INPUTS + 1)))
+    os.utime(path, ns=(about.st_atime_ns, about.st_mtime_ns))
+    assert path.stat().st_size == about.st_size
+    again = evaluate(PLAYED, "output_levels_db", view=VIEW)["output_levels_db"]
+    np.testing.assert_allclose(again - before, 20 * np.log10(4))
 
 
 def test_scripts_say_what_a_place_plays_there(lab):

@@ -10,12 +10,18 @@ import skinsource as ss
 from skinsource import edits
 from skinsource.actuator_demand import LONGEST_S, ActuatorSettings, drive_at, strongest
 from skinsource.design import Design, track
+from skinsource.limb import BAND_HZ
 from skinsource.panel_settings import settings_of
 from skinsource.quantities import new_graph, sources
 from skinsource.view import View
 from skinsource.waveforms import CentredTap, Tap, Tone
 from skinsource.work import counting
-from skinsource_gui.panels.actuator.demand_curves import FREQUENCY_HZ, response_curves, step_curves
+from skinsource_gui.panels.actuator.demand_curves import (
+    frequencies_of,
+    frequency_axis,
+    response_curves,
+    step_curves,
+)
 
 TONE = track(7, Tone(frequency_hz=100.0, duration_s=0.3), amplitude=10.0)
 TAP = track(3, Tap(), colour=1)
@@ -76,7 +82,7 @@ def test_the_figures_are_those_of_the_selected_input_through_the_equaliser(panel
 def test_the_curves_show_actuator_filter_and_both(panel):
     curves = panel.plot.plot.curves
     assert [name.short for name in curves.names] == ["Actuator", "Filter", "Equalised"]
-    place = int(np.abs(FREQUENCY_HZ - 100.0).argmin())
+    place = int(np.abs(frequencies_of(BAND_HZ) - 100.0).argmin())
     assert curves.y[0, place] + curves.y[1, place] == pytest.approx(curves.y[2, place], abs=1e-6)
     assert curves.y[2, place] == pytest.approx(0.0, abs=0.2)
     assert curves.columns == ("actuator_db", "filter_db", "equalised_db")
@@ -137,7 +143,12 @@ def test_without_an_equaliser_an_amplitude_is_volts(window, panel, qtbot):
 @pytest.mark.parametrize("actuator", [*ss.actuators.names(), *ss.actuators.shape_names()])
 def test_every_actuator_can_be_looked_at(actuator, equaliser):
     chosen = ActuatorSettings(actuator=actuator, equaliser=equaliser)
-    assert np.isfinite(response_curves(chosen).y).all()
+    for band_hz in (BAND_HZ, (5.0, 9000.0)):
+        drawn = response_curves(chosen, band_hz)
+        assert np.isfinite(drawn.y).all()
+        low, high = frequency_axis(band_hz).extent
+        assert (drawn.x[0], drawn.x[-1]) == (low, high)
+        assert low < band_hz[0] < band_hz[1] < high
     step = step_curves(chosen)
     assert (step is None) == (actuator in ss.actuators.shape_names())
 

@@ -110,6 +110,13 @@ def test_it_is_as_slow_as_its_waves_need_and_never_faster_than_wanted():
     lab = replace(PERSON, own=True, sample_rate_hz=4000.0, band_hz=None)
     assert pace_of(View(), settings, per_s, lab) == 200.0
     assert pace_of(View(), settings, per_s, replace(lab, band_hz=(20.0, 250.0))) == 20.0
+    # A film may run more slowly than the window plays.
+    for rate_hz in (6500.0, 48_000.0, 1e6):
+        quick = replace(lab, sample_rate_hz=rate_hz)
+        for frames_per_s in (50, 60):
+            pace = pace_of(View(slow_motion=200.0), settings, frames_per_s, quick)
+            # Of a length, which moves twice as fast as its axes, two frames in each period.
+            assert 2.0 <= frames_per_s * pace / rate_hz < 5.0
 
 
 def test_a_film_is_that_of_the_time_axes_and_not_endless():

@@ -30,7 +30,7 @@ def actuated_limb(limb: Limb, actuation: Actuation, scaling: Scaling) -> Limb:
             f"this scaling, {scaling}, they are none. Choose the scaling Probe acceleration, or "
             "switch it off."
         )
-    transfers = transfers_of(actuation, limb.sample_rate_hz)
+    transfers = transfers_of(actuation, limb.sample_rate_hz, limb.band_hz)
     first = next(iter(transfers.values()))
     n_taps = limb.n_taps + first.samples.size - 1
 

@@ -57,7 +57,9 @@ _AXES = made(
         "with a pattern of its own.",
         inferred=(
             "one colour scale for the three maps",
-            "in the window one axis is seen at a time",
+            "the three maps stand beside each other in the figure alone: in the window one choice "
+            "of axes, above, holds for all panels, so the map shows one axis at a time, z to begin "
+            "with",
         ),
         arrangement="design",
         panels=("hand", "skin"),

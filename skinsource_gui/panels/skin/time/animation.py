@@ -1,6 +1,8 @@
 """The skin map in time as a file: MP4, WebM or GIF."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import count as counted
 from pathlib import Path
 
 import numpy as np
@@ -35,7 +37,6 @@ from skinsource_gui.widgets.pictures.picture_options import PictureOptions
 #: Width and height of a frame unless another size is asked for, px; the most that encoders take.
 SIZE_PX = (900, 1200)
 MOST_PX = 4096
-PACES = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)
 #: Ten minutes of a film.
 MOST_FRAMES = 36_000
 
@@ -65,7 +66,8 @@ class Film:
 def pace_of(view: View, settings: SkinSettings, per_s: int, limb: LimbFacts) -> float:
     """How many times slower it is shown: as the view says, or as slowly as it can be followed.
 
-    Fewer than two instants in a period of the fastest motion would show waves that there are not.
+    Fewer than two instants in a period of the fastest motion would show waves that there are not:
+    of a limb that is sampled quickly a film runs more slowly than the window plays.
     """
     highest_hz = limb.band_hz[1] if limb.band_hz else limb.sample_rate_hz / 2.0
     # A length of a vector moves twice as fast.
@@ -73,7 +75,12 @@ def pace_of(view: View, settings: SkinSettings, per_s: int, limb: LimbFacts) -> 
     needed = 2.0 * fastest_hz[settings.quantity] / per_s
     if view.slow_motion >= needed:
         return view.slow_motion
-    return next((pace for pace in PACES if pace >= needed), PACES[-1])
+    return next(pace for pace in _paces() if pace >= needed)
+
+
+def _paces() -> Iterator[float]:
+    """Round ones, 1, 2, 5, 10, 20, 50 and so on, without end."""
+    return (digit * 10.0**power for power in counted() for digit in (1.0, 2.0, 5.0))
 
 
 def film_of(view: View, settings: SkinSettings, end_s: float, per_s: int, limb: LimbFacts) -> Film:
