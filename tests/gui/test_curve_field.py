@@ -1,12 +1,13 @@
 """Breakpoints as a small curve."""
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from skinsource.effects.breakpoints import with_point_after
+from skinsource.effects.breakpoints import curve_at, with_point_after
 from skinsource.effects.envelope import POINTS
 from skinsource_gui.widgets.fields.curve_field import CurveField
 
@@ -101,6 +102,16 @@ def test_keys_add_and_remove_as_in_the_clip_editor(field):
     assert field.value[3][0] == pytest.approx(0.35)
     QTest.keyClick(field, Qt.Key.Key_Delete)
     assert (field.value, field.points.chosen) == (START, 2)
+
+
+def test_a_point_that_is_added_bends_nothing(field):
+    field.set_value(((0.0, 0.1, "smooth"), (0.1, 1.0, "smooth"), (0.2, 0.3, "smooth")))
+    at, before = np.linspace(0.0, 0.2, 101), field.value
+    field.setFocus()
+    QTest.keyClick(field, Qt.Key.Key_Home)
+    QTest.keyClick(field, Qt.Key.Key_Insert)
+    assert len(field.value) == 4
+    assert curve_at(field.value, at) == pytest.approx(curve_at(before, at), abs=1e-9)
 
 
 def test_keys_choose_move_continue_add_and_remove(field):

@@ -9,7 +9,14 @@ from skinsource.effects.breakpoints import (
     with_segment,
     without_chosen,
 )
-from skinsource.fields import SEGMENTS, BreakpointsSpec, Segment
+from skinsource.fields import (
+    SEGMENTS,
+    Breakpoint,
+    BreakpointsSpec,
+    Segment,
+    SlopedPoint,
+    slope_of,
+)
 from skinsource_gui.widgets.fields.burst import Burst
 
 
@@ -55,7 +62,7 @@ class EditedPoints(QObject):
 
     def put(self, points: Points, chosen: int, gesture: int | None) -> None:
         """Edit: these points from now on, of which one is chosen."""
-        points = tuple((float(f"{x:.12g}"), float(f"{y:.12g}"), kind) for x, y, kind in points)
+        points = tuple(map(_rounded, points))
         self.chosen = min(max(chosen, 0), len(points) - 1)
         if points != self.value:
             self.value = points
@@ -85,3 +92,10 @@ class EditedPoints(QObject):
             step_x, step_y = far * self._spec.x.step, far * self._spec.y.step
             after = moved(points, {k}, by_x * step_x, by_y * step_y)
             self.put(after, k, self.burst.gesture())
+
+
+def _rounded(point: Breakpoint) -> Breakpoint:
+    """A point without the last digits of what was computed; a slope of its own it keeps."""
+    x, y, kind = point
+    x, y, slope = float(f"{x:.12g}"), float(f"{y:.12g}"), slope_of(point)
+    return (x, y, kind) if slope is None else SlopedPoint(x, y, kind, slope)

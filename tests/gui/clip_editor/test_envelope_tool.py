@@ -8,6 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource.effects import Envelope
+from skinsource_gui.panels.clip_editor.tools import points_box
 from skinsource_gui.widgets.fitting_label import FittingLabel
 from tests.gui.clip_editor.bench import ALT, LEFT, NONE, RIGHT, SHIFT, whole
 
@@ -87,6 +88,51 @@ def test_a_rectangle_chooses_points(tone):
     tone.drag((0.05, 0.9), (0.19, 0.1))
     assert tone.panel._shaping.tool.chosen == (1, 2)
     assert tone.steps == []
+
+
+def handles(tone):
+    found = points_box._handles(tone.canvas.content, points(tone), tone.panel._shaping.tool.chosen)
+    return {(one.along, one.up): place for one, place in found}
+
+
+def pull(tone, handle, by_s, by_value, **more):
+    content, start = tone.canvas.content, handles(tone)[handle]
+    time_s, value = content.place(start)
+    tone.drag((time_s, value), (time_s + by_s, value + by_value), **more)
+
+
+def test_the_handles_of_the_box_around_chosen_points_scale_them(tone):
+    before = Envelope(((0.0, 0.2), (0.06, 0.4), (0.08, 0.8), (0.1, 0.6), (0.17, 0.5))).points
+    tone.design = tone.design.with_clip(1, effects=(Envelope(before),))
+    tone.show()
+    assert handles(tone) == {}
+    tone.panel._shaping.tool.chosen = (1, 2, 3)
+    pull(tone, (1, 0), 0.04, 0.1)
+    assert [one[0] for one in points(tone)] == pytest.approx([0, 0.06, 0.1, 0.14, 0.17], abs=1e-3)
+    assert [one[1] for one in points(tone)] == [one[1] for one in before]
+    pull(tone, (0, 1), 0.02, -0.2)
+    assert [one[1] for one in points(tone)] == pytest.approx([0.2, 0.4, 0.6, 0.5, 0.5], abs=0.01)
+    pull(tone, (-1, -1), 0.04, 0.1)
+    assert points(tone)[1][:2] == pytest.approx((0.1, 0.5), abs=0.01)
+    assert points(tone)[2][:2] == pytest.approx((0.12, 0.6), abs=0.01)
+    assert len(set(tone.steps)) == 3
+    there = points(tone)
+    pull(tone, (1, 1), 0.05, 0.3, release=False)
+    assert points(tone) != there
+    tone.key(Qt.Key.Key_Escape)
+    assert points(tone) == there
+
+
+def test_chosen_points_of_the_same_value_are_scaled_about_zero(tone):
+    tone.design = tone.design.with_clip(1, effects=(Envelope(((0.04, 0.5), (0.1, 0.5))),))
+    tone.show()
+    tone.panel._shaping.tool.chosen = (0, 1)
+    assert (0, -1) not in handles(tone)
+    pull(tone, (0, 1), 0.0, 0.25)
+    assert [one[:2] for one in points(tone)] == [
+        (0.04, pytest.approx(0.75, abs=0.01)),
+        (0.1, pytest.approx(0.75, abs=0.01)),
+    ]
 
 
 def test_a_double_click_puts_a_point_anywhere(tone):

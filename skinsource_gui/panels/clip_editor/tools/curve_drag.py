@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import QPointF
 
 from skinsource.effects.breakpoints import Points
+from skinsource_gui.panels.clip_editor.tools.points_box import Handle
 
 
 @dataclass(slots=True)
@@ -18,6 +19,7 @@ class Drag:
     upright: bool = False
     added: bool = False
     box: QPointF | None = None
+    handle: Handle | None = None
     moved: bool = False
     # The points without the one that the press added.
     before: Points = ()

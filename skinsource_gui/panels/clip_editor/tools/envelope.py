@@ -18,6 +18,7 @@ from skinsource_gui.panels.clip_editor.content import EditorContent
 from skinsource_gui.panels.clip_editor.tools.curve_drag import Drag
 from skinsource_gui.panels.clip_editor.tools.curve_look import CurveLook
 from skinsource_gui.panels.clip_editor.tools.curve_points import paint_points, write_point
+from skinsource_gui.panels.clip_editor.tools.points_box import handle_at, paint_box, scaled_by
 from skinsource_gui.panels.clip_editor.tools.tool import Button, Held
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.gesture import new_gesture
@@ -34,7 +35,8 @@ _ENVELOPE = CurveLook(how=_HOW)
 class EnvelopeTool(QObject):
     """Click on the curve: a new point.  Drag: points, a segment up and down, a box around points.
 
-    Ctrl: finely.  Shift: up and down or along alone.  Alt and click on a segment: its next kind.
+    The handles of the box around several chosen points scale them.  Ctrl: finely.  Shift: up and
+    down or along alone.  Alt and click on a segment: its next kind.
     Right button: what can be done to the point, or a new one.
 
     Parameters
@@ -78,6 +80,10 @@ class EnvelopeTool(QObject):
                 self.chosen = (index,)
             self._drag = Drag(points, self.chosen or (index,), start, number)
             return
+        handle = handle_at(content, points, self.chosen, at)
+        if handle is not None:
+            self._drag = Drag(points, self.chosen, start, number, handle=handle)
+            return
         segment = _segment_at(content, points, at)
         if segment is None:
             self._drag = Drag(points, (), start, number, box=at)
@@ -117,6 +123,10 @@ class EnvelopeTool(QObject):
             by_s = 0.0
         elif held & Held.ShiftModifier:
             by_value = 0.0
+        if drag.handle is not None:
+            scaled = scaled_by(drag.points, drag.chosen, drag.handle, by_s, by_value)
+            self.changed.emit(scaled, drag.number)
+            return
         self.changed.emit(algebra.moved(drag.points, drag.chosen, by_s, by_value), drag.number)
 
     def release(self, content: EditorContent) -> None:
@@ -209,6 +219,8 @@ class EnvelopeTool(QObject):
         if self._drag is not None and self._drag.box is not None:
             painter.setPen(QPen(QColor(theme.accent), 1))
             painter.drawRect(QRectF(self._drag.box, self._pointer).normalized())
+        else:
+            paint_box(painter, content, points, self.chosen, theme)
         if len(self.chosen) == 1 and self.chosen[0] < len(points):
             write_point(painter, content, points[self.chosen[0]], self._look, theme)
 
