@@ -18,7 +18,7 @@ from skinsource_gui.files.work_picture import png_of
 from skinsource_gui.state.document import Document
 
 #: So soon after the first unsaved edit there is a copy: nothing else holds any of it yet.
-FIRST_S = 3.0
+FIRST_S = 1.0
 
 
 @dataclass(frozen=True, slots=True)

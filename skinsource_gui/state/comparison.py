@@ -10,6 +10,7 @@ from skinsource import edits
 from skinsource.comparing import (
     EDITED,
     Snapshot,
+    gain_words,
     loudest_db,
     matching_gain,
     nothing_to_compare,
@@ -17,7 +18,7 @@ from skinsource.comparing import (
     reference,
     shown,
 )
-from skinsource.edits import Refusal
+from skinsource.edits import Edit, Refusal
 from skinsource_gui.compared import Compared
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
@@ -33,6 +34,7 @@ from skinsource_gui.state.predicting import (
 from skinsource_gui.widgets.fields.gesture import new_gesture
 
 _LEVELS = frozenset({"output_levels_db"})
+_AS_STORED = "Edit > Match levels of snapshots, switched off, shows them as stored"
 # Number under which the results of the window are remembered.
 _PRESENT = -1
 
@@ -133,6 +135,9 @@ class Comparison(QObject):
                 gain = self._gain(number)
                 outcome = edits.show_snapshot(document.design, document.view, number, gain)
                 document.apply(outcome, self._going)
+                # The amplitudes are other ones than were stored, in files and exports too.
+                if isinstance(outcome, Edit) and gain_words(gain):
+                    self.done.emit(f"{outcome.label}: as loud as the others. {_AS_STORED}")
 
         self._then = show_matched
         self._ask()
@@ -211,13 +216,14 @@ class Comparison(QObject):
 
     def _tell(self) -> None:
         for panel in self._visible():
-            panel.show_snapshots(self._compared())
+            panel.show_snapshots(self._compared(_LEVELS | panel.needs_of_snapshots))
 
-    def _compared(self) -> tuple[Compared, ...]:
+    def _compared(self, wanted: frozenset[str]) -> tuple[Compared, ...]:
+        """Every snapshot; with values where all that is ``wanted`` is known."""
         found = []
         matched = self._document.view.levels_matched
         for one in sorted(self._together(), key=lambda one: one.number):
-            known = self._found(one, _LEVELS)
+            known = self._found(one, wanted)
             found.append(
                 Compared(
                     snapshot=one,

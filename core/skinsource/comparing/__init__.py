@@ -5,7 +5,13 @@ from typing import TYPE_CHECKING
 from skinsource.late import late_names
 
 if TYPE_CHECKING:
-    from skinsource.comparing.difference import difference_db, end_db, loudest_db, matching_gain
+    from skinsource.comparing.difference import (
+        difference_db,
+        end_db,
+        gain_words,
+        loudest_db,
+        matching_gain,
+    )
     from skinsource.comparing.limbs import (
         MOST_BESIDE,
         limbs_beside,
@@ -27,7 +33,7 @@ else:
     __getattr__, __dir__ = late_names(
         __name__,
         {
-            "difference": "difference_db end_db loudest_db matching_gain",
+            "difference": "difference_db end_db gain_words loudest_db matching_gain",
             "limbs": "MOST_BESIDE limbs_beside mean_and_spread_over same_outputs",
             "snapshot": (
                 "EDITED NUMBERS Snapshot brought_back louder nothing_to_compare other_than "
@@ -44,6 +50,7 @@ __all__ = [
     "brought_back",
     "difference_db",
     "end_db",
+    "gain_words",
     "limbs_beside",
     "louder",
     "loudest_db",

@@ -1,5 +1,7 @@
 """How levels of two designs differ, and what makes them alike."""
 
+import math
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -37,6 +39,12 @@ def matching_gain(loudest_db: float, reference_db: float) -> float:
         return 1.0
     # The same level gives 1 exactly: the reference itself is not changed.
     return float(10.0 ** ((reference_db - loudest_db) / 20.0))
+
+
+def gain_words(gain: float) -> str:
+    """What a factor is in dB, "+3.2 dB"; empty where it is none to a tenth of a dB."""
+    by_db = round(20.0 * math.log10(gain), 1) if gain > 0 else 0.0
+    return f"{by_db:+.1f} dB".replace("-", "\N{MINUS SIGN}") if by_db else ""
 
 
 def difference_db(

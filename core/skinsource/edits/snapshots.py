@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from skinsource.comparing import EDITED, NUMBERS, Snapshot, shown
+from skinsource.comparing import EDITED, NUMBERS, Snapshot, gain_words, shown
 from skinsource.design import Design
 from skinsource.edits.edit import Edit, Refusal, refused
 from skinsource.errors import InvalidInputError
@@ -66,7 +66,9 @@ def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) ->
     except InvalidInputError as error:
         return refused(error)
     name = f"snapshot {number}" if number != EDITED else "what was edited"
-    return Edit(label=f"Show {name}", design=played, view=after)
+    words = gain_words(gain)
+    changed = f", amplitudes {words}" if words else ""
+    return Edit(label=f"Show {name}{changed}", design=played, view=after)
 
 
 def forget_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:

@@ -6,8 +6,9 @@ from PySide6.QtCore import QEvent, QPoint, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QMenu, QSizePolicy, QWidget
 
+from skinsource.comparing import gain_words
 from skinsource_gui.compared import Compared
-from skinsource_gui.panels.compare.card_words import gain_words, level_words, sentence
+from skinsource_gui.panels.compare.card_words import level_words, sentence
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
 from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.key_tables.key_table import meant
@@ -142,7 +143,7 @@ class Card(QAbstractButton):
         painter.setPen(QColor(theme.text))
         painter.drawText(below, centre, fitted_level(painter, level_words(compared), area.width()))
         painter.setPen(QColor(theme.dim))
-        gain = fitted_level(painter, gain_words(compared), area.width())
+        gain = fitted_level(painter, gain_words(compared.gain), area.width())
         painter.drawText(below.translated(0, line), centre, gain)
         if self._map is not None:
             # Rings of inputs reach beyond the outline.

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from skinsource.comparing import EDITED, loudest_db
+from skinsource.comparing import EDITED, gain_words, loudest_db
 from skinsource.decibels import FLOOR_DB
 from skinsource.quoting import printable
 from skinsource_gui.compared import LEVELS_MATCHED, Compared, gain_db, limb_title
@@ -28,12 +28,6 @@ def level_words(compared: Compared) -> str:
     if level is None:
         return "–" if compared.problem else "…"
     return "silent" if level <= FLOOR_DB else minus(f"{level:z.1f} dB")
-
-
-def gain_words(compared: Compared) -> str:
-    """How much louder it is shown than it was stored, "+3.2 dB"; empty where it is as stored."""
-    change = gain_db(compared)
-    return "" if round(change, 1) == 0.0 else minus(f"{change:+z.1f} dB")
 
 
 def title(compared: Compared) -> str:
@@ -82,7 +76,7 @@ def equal_words(present: Compared, other: Compared) -> tuple[str, str]:
 def sentence(compared: Compared, *, present: bool) -> str:
     """All that a card shows, to be read aloud."""
     name = title(compared)
-    gain = gain_words(compared)
+    gain = gain_words(compared.gain)
     parts = [
         f"{name[:1].upper()}{name[1:]}",
         printable(compared.snapshot.design.title).strip(),

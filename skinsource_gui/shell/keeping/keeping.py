@@ -94,7 +94,8 @@ class Keeping(QObject):
         elif found.left:
             choices = [("Show them…", self.show)]
         if logs:
-            sentences.append("The studio crashed; a log says where.")
+            kept = "" if found.left else " No copy of unsaved work is left."
+            sentences.append(f"The studio crashed; a log says where.{kept}")
             choices.append(("Save the log…", partial(self._save_log, logs[0])))
             for log in logs:
                 note_offered(log)

@@ -46,6 +46,11 @@ def test_snapshots_are_shown_as_loud_as_each_other(window, settle):
     assert len(window.document.design.inputs) == 2
     matched = loudest_db(levels(window.document.design))
     assert matched == pytest.approx(loudest_db(levels(stored[0].design)), abs=1e-6)
+    # What it took is said, in passing and in the history: files and exports hold it as well.
+    by_db = round(matched - loudest_db(levels(stored[1].design)), 1)
+    said = f"Show snapshot 2, amplitudes \N{MINUS SIGN}{-by_db:.1f} dB"
+    assert window.document.undo_stack.undoText() == said
+    assert window.statusBar().currentMessage().startswith(f"{said}: as loud as the others")
     # To and fro changes nothing more.
     shown = window.document.design
     for _ in range(2):
@@ -159,6 +164,19 @@ def test_other_inputs_of_the_same_levels_are_equal_in_these(window, panel, settl
     difference = panel.map.difference
     assert difference.heading == "Edited and snapshot 1 are equal"
     assert difference.words.startswith("dB, the same levels by other inputs")
+
+
+def test_a_panel_that_comes_after_levels_were_predicted_waits_for_its_maps(window, settle):
+    window.do("store_snapshot_1")
+    two_places(window)
+    window.do("store_snapshot_2")
+    for _ in range(2):
+        window.do("toggle_snapshots")
+        settle()
+    window.docks["compare"].bring_forward()
+    settle()
+    shown = cards(window.panel("compare"))
+    assert all(shown[number]._map is not None for number in (1, 2))
 
 
 def test_a_hidden_panel_costs_nothing(window, settle, requests):

@@ -182,6 +182,7 @@ def test_the_log_of_a_crash_is_offered_once_and_saved(window, user_data, monkeyp
     log.write_text(f"SkinSource studio\n{ENDED.decode()}\n2026\nFatal Python error\n")
     window.keeping.offer(window.notice)
     assert "The studio crashed" in window.notice.text
+    assert window.notice.text.endswith("No copy of unsaved work is left.")
     target = tmp_path / "saved.log"
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(target), ""))
     choose(window, "Save the log…")
