@@ -85,14 +85,21 @@ def drawn_image(draw: Draw, width: int, height: int, dpi: int = PER_INCH) -> QIm
             f"A picture of {size.width()} x {size.height()} pixels does not fit into memory. "
             "Choose a smaller size or resolution, or save it as SVG or PDF."
         )
-    dots = round(dpi * _INCHES_IN_METRE)
-    image.setDotsPerMeterX(dots)
-    image.setDotsPerMeterY(dots)
+    # Letters are sized in points, by the dots of the image: with those of the file they would grow
+    # twice, and out of their places.
+    _say_dots(image, PER_INCH)
     painter = QPainter(image)
     painter.scale(size.width() / width, size.height() / height)
     draw(painter, width, height)
     painter.end()
+    _say_dots(image, dpi)
     return image
+
+
+def _say_dots(image: QImage, dpi: int) -> None:
+    dots = round(dpi * _INCHES_IN_METRE)
+    image.setDotsPerMeterX(dots)
+    image.setDotsPerMeterY(dots)
 
 
 def _svg(device: QIODevice, draw: Draw, width: int, height: int, title: str) -> None:
