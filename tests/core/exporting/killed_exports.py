@@ -1,9 +1,12 @@
-"""Exports that are killed at random times: how many leave half a file under the final name.
+"""Exports that are killed: how many leave half a file under the final name.
 
-Run as a program: ``python killed_exports.py FOLDER KILLS SEED``; it prints what it found as JSON.
+Two of three are killed just before or just after a file is moved to its final name, the others at
+random times.  Run as a program: ``python killed_exports.py FOLDER KILLS SEED``; it prints what it
+found as JSON.
 """
 
 import hashlib
+import itertools
 import json
 import os
 import signal
@@ -14,6 +17,9 @@ from pathlib import Path
 import numpy as np
 
 import skinsource as ss
+
+#: Of so many moves one is chosen: all of the first formats of an order, with their sidecars.
+MOVES = 10
 
 
 def designs() -> list[ss.Design]:
@@ -54,6 +60,23 @@ def export_without_end(folder: Path, order: list[str]) -> None:
                 ss.export_stimulus(design, path, format=name)
 
 
+def die_at_move(number: int, *, after: bool) -> None:
+    """Kill this process at its ``number``-th move, from 0: before it, or after it."""
+    move = Path.replace
+    moves = itertools.count()
+
+    def replace(self: Path, target: Path) -> Path:
+        last = next(moves) == number
+        if last and not after:
+            os.kill(os.getpid(), signal.SIGKILL)
+        moved = move(self, target)
+        if last:
+            os.kill(os.getpid(), signal.SIGKILL)
+        return moved
+
+    Path.replace = replace
+
+
 def whole_states(folder: Path) -> set[str]:
     """Digests of all whole files and sidecars."""
     found = {""}
@@ -70,21 +93,33 @@ def main(folder: Path, kills: int, seed: int) -> None:
     rng = np.random.default_rng(seed)
     broken: list[str] = []
     states: set[str] = set()
-    for _ in range(kills):
+    at_moves = 0
+    for kill in range(kills):
         order = rng.permutation(ss.export_formats()).tolist()
+        number, at_move = int(rng.integers(MOVES)), kill % 3 < 2
         child = os.fork()
         if child == 0:
+            if at_move:
+                die_at_move(number, after=kill % 3 == 1)
             export_without_end(folder, order)
-        time.sleep(rng.uniform(0.0, 0.3))
-        os.kill(child, signal.SIGKILL)
+        if not at_move:
+            time.sleep(rng.uniform(0.0, 0.3))
+            os.kill(child, signal.SIGKILL)
         os.waitpid(child, 0)
+        at_moves += at_move
         for path in targets(folder).values():
             for one in (path, path.with_name(f"{path.name}.json")):
                 states.add(state(one))
                 if state(one) not in whole:
                     broken.append(one.name)
     left = [one.name for one in folder.iterdir() if one.name.endswith(".part")]
-    told = {"kills": kills, "broken": broken, "states": len(states), "left_over": len(left)}
+    told = {
+        "kills": kills,
+        "at_moves": at_moves,
+        "broken": broken,
+        "states": len(states),
+        "left_over": len(left),
+    }
     sys.stdout.write(json.dumps(told) + "\n")
 
 

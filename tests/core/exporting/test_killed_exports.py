@@ -20,5 +20,6 @@ def test_a_killed_export_leaves_whole_files_only(tmp_path):
     )
     found = json.loads(done.stdout)
     assert found["broken"] == []
+    assert found["at_moves"] == 8
     # The children did write: more was seen than the files of one design.
     assert found["states"] > 8
