@@ -115,7 +115,7 @@ class DeviceFields(QObject):
         self._shown, self._output = shown, played.output
         options = [("", _SYSTEM)]
         options += [(_key(one.name, one.host_api), one.title) for one in played.devices]
-        _fill(self.device, options, _key(played.output.device, played.output.host_api))
+        _fill(self.device, options, _key_of(played))
         rates = sorted({*played.rates_hz, played.output.sample_rate_hz})
         words = [(str(rate), f"{rate:,} Hz".replace(",", " ")) for rate in rates]
         _fill(self.rate, words, str(played.output.sample_rate_hz))
@@ -152,6 +152,15 @@ class DeviceFields(QObject):
 
 def _key(name: str, host_api: str) -> str:
     return f"{name}{_BETWEEN}{host_api}" if name else ""
+
+
+def _key_of(played: Played) -> str:
+    """That of the chosen device; where no system of it was chosen, of the first of its name."""
+    output = played.output
+    for one in played.devices:
+        if one.name == output.device and output.host_api in ("", one.host_api):
+            return _key(one.name, one.host_api)
+    return _key(output.device, output.host_api)
 
 
 def _fill(field: ChoiceField, options: list[tuple[str, str]], chosen: str) -> None:

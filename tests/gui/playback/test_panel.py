@@ -46,6 +46,16 @@ def test_device_rate_delay_and_stand_in_are_chosen_there(sound, player, panel, q
     assert player.settings.output.sample_rate_hz == 44_100
 
 
+def test_a_device_is_shown_by_its_name_alone_and_one_that_is_gone_as_not_available(
+    sound, player, panel
+):
+    player.settings.choose(Output(device="Eight"))
+    assert panel.fields.device.shown_text == "Eight (Made up, 8 outputs)"
+    for gone in (Output(device="Nine"), Output(device="Eight", host_api="Elsewhere")):
+        player.settings.choose(gone)
+        assert "(not available)" in panel.fields.device.shown_text
+
+
 def test_each_place_has_an_output_and_two_of_them_change_places(sound, player, panel):
     first, second = panel._rows
     assert [round(row.output.value_si) for row in panel._rows] == [1, 2]
