@@ -162,7 +162,11 @@ class HandPicture:
     def _paint_side(self, painter: QPainter) -> None:
         """Which hand this is, in the free corner below the thumb."""
         bottom = self._line_area(self._lines).bottomRight() - QPointF(0.0, 1.5 * self._line_px)
-        area = QRectF(bottom - QPointF(200.0, 4 * self._line_px), bottom)
+        metrics = QFontMetricsF(painter.font())
+        # As wide as the words are, in letters of any size.
+        lines = self._drawing.side.split("\n")
+        width = 1.0 + max(metrics.horizontalAdvance(line) for line in lines)
+        area = QRectF(bottom - QPointF(width, 4 * self._line_px), bottom)
         painter.setPen(QColor(self.theme.dim))
         painter.drawText(area, _SIDE_ALIGNMENT, self._drawing.side)
 

@@ -18,7 +18,7 @@ from skinsource_gui.widgets.pictures.picture_file import Draw
 # Clips of one input, and inputs, that are told apart; more are counted.
 _MOST_CLIPS, _MOST_INPUTS = 3, 6
 # Height of its letters, as a part of the smaller side of the picture, and their limits, px.
-_PART, _SMALLEST_PX, _LARGEST_PX = 1 / 60, 8, 40
+_PART, _SMALLEST_PX, _LARGEST_PX = 1 / 45, 8, 40
 # It takes at most this part of the height: where it needs more, its letters are smaller.
 _MOST_HEIGHT = 0.16
 _FLAGS = int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap)

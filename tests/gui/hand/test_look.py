@@ -1,8 +1,8 @@
 """The hand panel, driven by real mouse and key events."""
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF
-from PySide6.QtGui import QColor, QHelpEvent, QImage, QPainter
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF
+from PySide6.QtGui import QColor, QFontMetricsF, QHelpEvent, QImage, QPainter
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from skinsource.design import track
@@ -41,6 +41,31 @@ def test_numbers_are_readable_on_every_input_colour(theme: Theme):
     for number in range(len(theme.inputs)):
         colour = theme.input_colour(number)
         assert contrast(readable_on(colour), colour) >= 4.5
+
+
+def test_which_hand_it_is_stands_whole_in_letters_of_any_size(studio):
+    rooms = []
+
+    class Noting(QPainter):
+        def drawText(self, *args):
+            if isinstance(args[0], QRectF) and "palm side" in str(args[-1]):
+                rooms.append((args[0], args[-1], QFontMetricsF(self.font())))
+            super().drawText(*args)
+
+    image = QImage(900, 700, QImage.Format.Format_RGB32)
+    picture = studio.diagram.stage._picture
+    for points in (9.0, 27.0):
+        painter = Noting(image)
+        font = painter.font()
+        font.setPointSizeF(points)
+        painter.setFont(font)
+        picture.resize(image.size(), QFontMetricsF(font))
+        picture._paint_side(painter)
+        painter.end()
+    assert len(rooms) == 2
+    for room, words, metrics in rooms:
+        assert room.width() >= max(map(metrics.horizontalAdvance, words.split("\n")))
+        assert room.left() > 0.0
 
 
 def test_the_tooltip_names_place_contact_and_inputs(studio):
