@@ -66,6 +66,8 @@ def start_card(folder: Path) -> subprocess.Popen:
     """Make a pipe the one device there is."""
     pipe, settings = folder / "pipe", folder / "asound.conf"
     os.mkfifo(pipe)
+    # Before anything is written to it, and open until the end: it is short for as long as it is.
+    fcntl.fcntl(os.open(pipe, os.O_RDWR), _SET_PIPE_SIZE, _PIPE_BYTES)
     settings.write_text(
         f'pcm.card {{ type file slave.pcm {{ type null }} file "{pipe}" format raw }}\n'
     )
@@ -81,7 +83,6 @@ def be_a_card(path: Path) -> dict[str, object]:
     with suppress(PermissionError):
         # No sound card waits for other programs.
         os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(10))
-    fcntl.fcntl(pipe, _SET_PIPE_SIZE, _PIPE_BYTES)
     while _waiting(pipe) < _STEADY:
         sleep(0.001)
     due_s, taken, missed, late, in_a_row = perf_counter(), 0, 0, 0, 0
