@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from skinsource import __version__
+from skinsource.extras import extra_line
 from skinsource_gui.late_modules import leave_for_use
 from skinsource_gui.system_libraries import has_display, install_line, missing_packages
 from skinsource_gui.unread_sources import leave_sources_unread
@@ -24,7 +25,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Open the studio; without a display, render the start design to files instead."""
     options = _parser().parse_args(arguments)
     if importlib.util.find_spec("PySide6") is None or importlib.util.find_spec("pyqtgraph") is None:
-        return _stop('the window needs its own packages: pip install "skinsource[gui]"')
+        return _stop(f"the window needs its own packages: {extra_line('gui')}")
     on_a_screen = has_display() and options.render is None
     missing = missing_packages(on_a_screen=on_a_screen)
     if missing:

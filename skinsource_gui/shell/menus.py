@@ -2,11 +2,14 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from PySide6.QtGui import QAction
+from PySide6.QtGui import QAction, QKeySequence, QShortcut
 from PySide6.QtWidgets import QMenu, QMenuBar
 
 from skinsource_gui.shell.action_spec import ActionSpec
 from skinsource_gui.shell.actions import MENUS
+
+#: Opens the first menu.
+MENU_KEY = "F10"
 
 
 def fill_menu_bar(
@@ -29,7 +32,8 @@ def fill_menu_bar(
     panels
         Actions that show and hide panels.
     """
-    menus = {title: bar.addMenu(title) for title in MENUS}
+    # A letter of its own for each: Alt and the letter open it, F10 the first.
+    menus = {title: bar.addMenu(f"&{title}") for title in MENUS}
     for spec in specs:
         menu = menus[spec.menu]
         if spec.separated:
@@ -40,3 +44,5 @@ def fill_menu_bar(
     shown = menus["View"].addMenu("Panels")
     for action in panels:
         shown.addAction(action)
+    first = QShortcut(QKeySequence(MENU_KEY), bar)
+    first.activated.connect(lambda: bar.setActiveAction(menus[MENUS[0]].menuAction()))

@@ -3,7 +3,8 @@
 from functools import lru_cache
 from textwrap import fill
 
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QPoint
+from PySide6.QtWidgets import QToolTip, QWidget
 
 # Characters in a line: about as wide as a panel.
 _LINE = 64
@@ -18,6 +19,12 @@ def show_tooltip(widget: QWidget, words: str) -> None:
     """Give a widget a tooltip; one that it has already is told to nobody."""
     if widget.toolTip() != words:
         widget.setToolTip(words)
+
+
+def show_tip_below(widget: QWidget, words: str) -> None:
+    """Show words below a widget at once, as a tooltip, while the widget is in sight."""
+    if widget.isVisible():
+        QToolTip.showText(widget.mapToGlobal(QPoint(0, widget.height())), words, widget)
 
 
 @lru_cache(maxsize=512)

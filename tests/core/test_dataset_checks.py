@@ -9,6 +9,7 @@ import pytest
 
 from skinsource.dataset.install import install
 from skinsource.errors import DatasetError, MissingExtraError, StorageError
+from skinsource.extras import extra_line
 
 
 @pytest.fixture
@@ -191,4 +192,4 @@ def test_a_path_that_does_not_exist_is_refused(download, refused):
 
 def test_without_mat_io_the_message_holds_the_line_to_type(download, refused, monkeypatch):
     monkeypatch.setitem(sys.modules, "matio", None)
-    assert 'pip install "skinsource[dataset]"' in refused(MissingExtraError)
+    assert extra_line("dataset") in refused(MissingExtraError)

@@ -7,7 +7,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
 from skinsource.errors import InvalidInputError
-from skinsource.fields import ListSpec, NumberSpec, specs_of
+from skinsource.fields import CurveSpec, ListSpec, NumberSpec, specs_of
 from skinsource.synthesis.glide_curves import curve_of
 from skinsource.waveforms import Glide, WaveletTrain, frequency_sweep
 from skinsource_gui.theme import DARK
@@ -250,3 +250,21 @@ def test_a_text_that_is_typed_moves_both_curves(cell):
     QTest.keyClicks(one.line, "; 200 80 0.5")
     assert one.curves["frequency"].curve == ((0.0, 60.0), (0.1, 60.0), (0.2, 80.0))
     assert one.curves["amplitude"].curve == ((0.0, 0.0), (0.1, 1.0), (0.2, 0.5))
+
+
+def test_times_of_points_are_shown_short_and_stay_exact_when_others_are_typed(qtbot):
+    time = NumberSpec(label="Time", unit="s", minimum=0, maximum=9)
+    gain = NumberSpec(label="Gain", minimum=0, maximum=4)
+    cell = FieldCell("gain_curve", CurveSpec(label="Gain curve", x=time, y=gain, most=9))
+    qtbot.addWidget(cell)
+    told = []
+    cell.edited.connect(lambda name, value, gesture: told.append(value))
+    cell.set_value(((0.509010598, 1.0), (0.917761532, 0.0)))
+    assert cell.field.text() == "509.01 1; 917.76 0"
+    cell.field.setPlainText("509.01 1; 917.76 2")
+    assert told == [((0.509010598, 1.0), (0.917761532, 2.0))]
+    cell.field.setPlainText("509.02 1; 917.76 2")
+    assert told[1:] == [((0.50902, 1.0), (0.917761532, 2.0))]
+    # Rounded, these would be one.
+    cell.set_value(((0.509010598, 1.0), (0.509010599, 0.0)))
+    assert cell.field.text() == "509.010598 1; 509.010599 0"

@@ -7,6 +7,7 @@ import pytest
 from PySide6.QtCore import QObject
 
 from skinsource.catalogue import available_limbs
+from skinsource.extras import extra_line
 from skinsource_gui import __main__ as start
 from skinsource_gui import system_libraries
 from skinsource_gui.late_modules import UNCALLED
@@ -91,7 +92,7 @@ def test_missing_system_libraries_end_in_the_exact_install_line(monkeypatch, cap
 def test_missing_packages_of_the_window_end_in_the_pip_line(monkeypatch, capsys):
     monkeypatch.setattr(start.importlib.util, "find_spec", lambda name: None)
     assert start.main([]) == 1
-    assert 'pip install "skinsource[gui]"' in capsys.readouterr().err
+    assert extra_line("gui") in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 from dataclasses import replace
 
 import pytest
+from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QApplication, QMenu, QTextBrowser
 
 from skinsource.view import View
@@ -11,13 +12,17 @@ from skinsource_gui.shell.docks.arrangements import ARRANGEMENTS, Place, shared
 from skinsource_gui.shell.panels import PANELS
 
 
+def words(menu):
+    return menu.title().replace("&", "")
+
+
 def entries(menu):
     return [action.text() for action in menu.actions()]
 
 
 def test_menus_hold_each_action_once_in_the_order_of_the_table(window):
     for title in MENUS:
-        menu = next(one for one in window.menuBar().findChildren(QMenu) if one.title() == title)
+        menu = next(one for one in window.menuBar().findChildren(QMenu) if words(one) == title)
         found = [one.objectName() for one in menu.actions() if one.objectName()]
         names = [spec.name for spec in ACTIONS if spec.menu == title]
         assert [name for name in found if name in names] == names
@@ -97,3 +102,18 @@ def test_another_arrangement_leaves_the_keyboard_with_the_panels(window, qtbot, 
     assert any(panel.isAncestorOf(focused) for panel in window.panels if panel.isVisible())
     if name != "analysis":
         assert window.panel("timeline").isAncestorOf(focused)
+
+
+def test_each_menu_opens_with_a_letter_of_its_own_and_the_first_with_f10(window, qtbot):
+    bar = window.menuBar()
+    keys = [QKeySequence.mnemonic(one.text()) for one in bar.actions()]
+    assert QKeySequence() not in keys
+    others = [QKeySequence(key) for spec in ACTIONS for key in spec.keys]
+    others += [QKeySequence(key) for one in ARRANGEMENTS for key in one.keys]
+    assert len(set(keys) - set(others)) == len(keys) == len(MENUS)
+    (key,) = [one for one in bar.findChildren(QShortcut) if one.key() == QKeySequence("F10")]
+    assert key.key() not in others
+    key.activated.emit()
+    menu = bar.actions()[0].menu()
+    qtbot.waitUntil(menu.isVisible)
+    menu.close()

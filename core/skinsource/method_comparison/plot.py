@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from skinsource.errors import MissingExtraError
+from skinsource.extras import extra_line
 from skinsource.files import write_bytes
 from skinsource.method_comparison.every_scene import EVERY_ENGINE, any_scene, is_ours
 from skinsource.method_comparison.method import Precision
@@ -64,8 +65,8 @@ def _package(name: str) -> ModuleType:
     except ImportError as error:
         raise MissingExtraError(
             f"the plot needs the package matplotlib, which cannot be imported "
-            f"({printable(error)}). Install it with: "
-            'pip install "skinsource[bench]"; the table and the report were written.'
+            f"({printable(error)}). Install it with: {extra_line('bench')}; "
+            "the table and the report were written."
         ) from error
 
 

@@ -26,7 +26,7 @@ def rows(found: Sensation, outputs: tuple[int, ...], limb: str = "") -> list[lis
     return [
         [
             f"{output}  {output_words(output, limb).short_name}",
-            *(_text(one) for one in _numbers(found, output)),
+            *_texts(found, output),
         ]
         for output in outputs
     ]
@@ -48,6 +48,14 @@ def _numbers(found: Sensation, output: int) -> list[float]:
     k = output - 1
     numbers = [float(found.level_db[k]), *(float(one[k]) for one in found.by_channel.values())]
     return numbers if found.strength is None else [*numbers, float(found.strength[k])]
+
+
+def _texts(found: Sensation, output: int) -> list[str]:
+    texts = [_text(one) for one in _numbers(found, output)]
+    # What is not felt at all has no strength either.
+    if found.strength is not None and found.level_db[output - 1] <= SILENT_DB:
+        texts[-1] = _text(SILENT_DB)
+    return texts
 
 
 def _text(value: float) -> str:

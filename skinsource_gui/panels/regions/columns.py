@@ -62,7 +62,10 @@ def columns_of_people(people: Sequence[Compared]) -> list[Column]:
     # A mean of those that happen to be known already would change by itself.
     computing = any(one.values is None and not one.problem for one in people)
     if len(known) > 1 and not computing:
-        pairs = [mean_and_spread(levels) for levels in np.array(known).T]
+        by_region = np.array(known).T
+        pairs = [mean_and_spread(levels) for levels in by_region]
+        # Silence is no level that others could lie about.
+        felt = [bool(np.all(levels > FLOOR_DB)) for levels in by_region]
         what = f"over {len(known)} people, dB"
         found.append(
             Column(title="Mean", hint=f"Mean {what}", numbers=tuple(mean for mean, _ in pairs))
@@ -72,7 +75,10 @@ def columns_of_people(people: Sequence[Compared]) -> list[Column]:
                 title="± dB",
                 head="±\ndB",
                 hint=f"Standard deviation {what}",
-                numbers=tuple(spread for _, spread in pairs),
+                numbers=tuple(
+                    spread if heard else float("nan")
+                    for (_, spread), heard in zip(pairs, felt, strict=True)
+                ),
             )
         )
     return found

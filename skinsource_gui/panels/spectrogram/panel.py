@@ -37,7 +37,7 @@ class SpectrogramPanel(FigurePanel):
         super().__init__(self.picture, parent)
         self._view, self._settings = View(), SpectrogramSettings()
         self._results: Mapping[str, Any] | None = None
-        self.output = ChoiceField(ChoiceSpec(label="Output", options=()))
+        self.output = ChoiceField(ChoiceSpec(label="Output", options=()), empty="Select outputs")
         self.output.setObjectName("spectrogram_output")
         self.window_length = ChoiceField(WINDOW)
         self.window_length.setObjectName("spectrogram_window")

@@ -14,15 +14,18 @@ class ChoiceField(DropDown):
     """A drop-down list of the options of ``spec``.
 
     A value that is not among the options is shown as not available, until another is chosen.
+    ``empty`` is said while there is none.
     """
 
     #: The chosen option; number of the gesture that quick further choices share.
     chosen = Signal(str, object)
 
-    def __init__(self, spec: ChoiceSpec, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, spec: ChoiceSpec, parent: QWidget | None = None, *, empty: str = "Nothing yet"
+    ) -> None:
         super().__init__(parent)
         self._burst = Burst(self)
-        self._strange = ""
+        self._strange, self._empty = "", empty
         self.offer(spec)
         self.setAccessibleName(spec.label)
         self.setToolTip(tooltip(spec.label, spec.hint))
@@ -61,7 +64,7 @@ class ChoiceField(DropDown):
         if self.currentIndex() >= 0:
             return self.currentText()
         # Without any choice there is nothing that could be missing.
-        return f"{printable(self._strange)} (not available)" if self._strange else "Nothing yet"
+        return f"{printable(self._strange)} (not available)" if self._strange else self._empty
 
     def choose(self, option: str) -> None:
         """Choose an option, as a user does."""

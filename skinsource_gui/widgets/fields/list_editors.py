@@ -12,6 +12,7 @@ from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.live_text import LiveText
 from skinsource_gui.widgets.fields.sweep_dialog import SweepDialog
 from skinsource_gui.widgets.fields.typed_numbers import (
+    as_known,
     column_words,
     numbers_text,
     points_text,
@@ -136,7 +137,7 @@ class CurveText(Listed):
         super().__init__(spec, parent, f"{spec.hint}. Each point: {names}; semicolons between")
 
     def _read(self, text: str) -> tuple[tuple[float, ...], ...]:
-        return read_points(text, self._pairs)
+        return as_known(read_points(text, self._pairs), self._value)
 
     def _text(self, value: tuple[Any, ...]) -> str:
         return points_text(value, self._pairs)

@@ -1,6 +1,6 @@
 """A number with its unit, that can be typed, dragged, turned and stepped."""
 
-from PySide6.QtCore import QEvent, QPoint, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QColor,
     QFocusEvent,
@@ -14,7 +14,7 @@ from PySide6.QtGui import (
     QResizeEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QLineEdit, QToolTip, QWidget
+from PySide6.QtWidgets import QLineEdit, QWidget
 
 from skinsource.fields import NumberSpec
 from skinsource_gui.theme import LIGHT, Theme, tabular
@@ -29,6 +29,7 @@ from skinsource_gui.widgets.fields.round_numbers import clamped
 from skinsource_gui.widgets.fields.shown_number import ShownNumber
 from skinsource_gui.widgets.fields.unit_beside import UnitBeside
 from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
+from skinsource_gui.widgets.tooltips import show_tip_below
 
 #: Fields that stand below each other leave the same room for units, so that digits align.
 WIDEST_UNIT = "m/s²"
@@ -41,7 +42,8 @@ class NumberField(QLineEdit):
     """Shows a value in its display unit.
 
     A double click or a digit begins typing; Enter commits, Esc restores.  What is not allowed
-    is outlined in red, with the reason, and never becomes the value.  A drag, the wheel and the
+    is outlined in red, with the reason, and never becomes the value; left by Tab or a click, the
+    reason is said all the same and the value is back.  A drag, the wheel and the
     arrow keys go to the next round numbers, as `NumberGestures` has it.  The wheel acts only while
     the field has the focus, so that scrolling a panel changes nothing.
 
@@ -116,6 +118,8 @@ class NumberField(QLineEdit):
         """Show another value, and tell nobody.  A text that is being typed stays."""
         if value_si != self.value_si:
             self.gestures.start_anew()
+            if not self.editing:
+                self._typing.end()
             self._show(float(value_si))
 
     def show_theme(self, theme: Theme) -> None:
@@ -128,9 +132,9 @@ class NumberField(QLineEdit):
         self._typing.begin(self._number, text)
 
     def cancel_editing(self) -> None:
-        """Forget what was typed, and let go of a drag."""
+        """Forget what was typed and what was wrong with it, and let go of a drag."""
         self.gestures.release()
-        if self.editing:
+        if self.editing or self.problem:
             self._typing.end()
             self._show(self.value_si)
 
@@ -222,10 +226,16 @@ class NumberField(QLineEdit):
         super().focusOutEvent(event)
         if not self.editing or event.reason() in _TEMPORARY_LOSSES:
             return
-        if self._number.parsed(self.text()) is None:
-            self.cancel_editing()
-        else:
-            self.commit()
+        if self.commit():
+            return
+        # The value is back; what was wrong stays said until there is another one.
+        self._typing.leave()
+        self._show(self.value_si)
+        if not self._problem_beside:
+            problem = self.problem
+            self._typing.end()
+            # The widget that has the focus next takes tooltips away.
+            QTimer.singleShot(0, self, lambda: show_tip_below(self, problem))
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -242,12 +252,13 @@ class NumberField(QLineEdit):
         has_own_unit = self.editing and any(c.isalpha() or c in "°×²" for c in self.text())
         if not has_own_unit:
             self._unit.paint(painter, self._number.symbol, self._theme)
-        if self.problem:
+        if self.problem and self.editing:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.setPen(QPen(QColor(self._theme.error), 2))
             painter.drawRoundedRect(QRectF(self.rect()).adjusted(1, 1, -1, -1), 4, 4)
 
     def _edit(self, value_si: float, gesture: int | None) -> None:
+        self._typing.end()
         self._show(value_si)
         self.edited.emit(value_si, gesture)
 
@@ -269,4 +280,4 @@ class NumberField(QLineEdit):
             return
         self.setToolTip(problem or self._number.help())
         if problem:
-            QToolTip.showText(self.mapToGlobal(QPoint(0, self.height())), problem, self)
+            show_tip_below(self, problem)

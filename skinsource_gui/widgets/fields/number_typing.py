@@ -57,6 +57,7 @@ class NumberTyping(QObject):
 
     def begin(self, number: ShownNumber, text: str | None) -> None:
         """Open the line; ``text`` replaces the number, which is selected otherwise."""
+        self._say("")
         self._number = number
         self._line.setReadOnly(False)
         self._line.setCursor(Qt.CursorShape.IBeamCursor)
@@ -66,9 +67,13 @@ class NumberTyping(QObject):
 
     def end(self) -> None:
         """Close the line; what it shows then is up to its owner."""
+        self.leave()
+        self._say("")
+
+    def leave(self) -> None:
+        """Close the line; why what was typed is not allowed stays told."""
         self._line.setReadOnly(True)
         self._line.setCursor(Qt.CursorShape.SizeHorCursor)
-        self._say("")
 
     def result(self, number: ShownNumber) -> float | None:
         """Value of what is typed; None, with the reason told, if it is not allowed."""

@@ -12,7 +12,12 @@ from skinsource.synthesis.glide_curves import Column, Curve, bends_of, curve_of,
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.curve_field import CurveField
 from skinsource_gui.widgets.fields.list_editors import Listed
-from skinsource_gui.widgets.fields.typed_numbers import column_words, points_text, read_points
+from skinsource_gui.widgets.fields.typed_numbers import (
+    as_known,
+    column_words,
+    points_text,
+    read_points,
+)
 from skinsource_gui.widgets.fields.units import value_text
 
 _COLUMNS: tuple[Column, ...] = ("frequency", "amplitude")
@@ -89,7 +94,7 @@ class PointsEditor(Listed):
             self.edited.emit(points, gesture)
 
     def _read(self, text: str) -> tuple[tuple[float, ...], ...]:
-        return read_points(text, self._spec)
+        return as_known(read_points(text, self._spec), self._value)
 
     def _text(self, value: tuple[Any, ...]) -> str:
         return points_text(value, self._spec)

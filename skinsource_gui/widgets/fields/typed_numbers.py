@@ -9,6 +9,8 @@ from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.fields.units import display_unit, parse_number
 
 _DIGITS = 12
+# Times of points are shown to so many digits behind the point, milliseconds.
+_TIME_DECIMALS = 2
 
 
 def number_of(spec: ListSpec) -> NumberSpec:
@@ -41,7 +43,16 @@ def read_numbers(text: str, spec: ListSpec) -> tuple[float, ...]:
 
 
 def points_text(points: tuple[tuple[float, ...], ...], spec: PointsSpec) -> str:
-    """Points in their display units, between semicolons: ``"0 60 0; 100 60 1"``."""
+    """Points in their display units, between semicolons: ``"0 60 0; 100 60 1"``.
+
+    Times are rounded to 0.01 ms, unless two of them would be the same then; `as_known` takes that
+    back.
+    """
+    if spec.columns[0].unit == "s":
+        times_s = [point[0] for point in points]
+        rounded = [_rounded(one) for one in times_s]
+        if len(set(rounded)) == len(set(times_s)):
+            points = tuple((time, *point[1:]) for time, point in zip(rounded, points, strict=True))
     return "; ".join(
         " ".join(_shown(value, one) for value, one in zip(point, spec.columns, strict=True))
         for point in points
@@ -82,6 +93,14 @@ def read_points(text: str, spec: PointsSpec) -> tuple[tuple[float, ...], ...]:
     return tuple(points)
 
 
+def as_known(
+    points: tuple[tuple[float, ...], ...], known: tuple[tuple[float, ...], ...]
+) -> tuple[tuple[float, ...], ...]:
+    """Points that were typed, with the exact times of those that were shown rounded."""
+    exact = {_rounded(point[0]): point[0] for point in known}
+    return tuple((exact.get(point[0], point[0]), *point[1:]) for point in points)
+
+
 def column_words(spec: NumberSpec) -> str:
     """What a number of a point is, and its unit: ``"time in ms"``."""
     symbol = display_unit(spec.unit).symbol
@@ -93,6 +112,11 @@ def _parts(text: str) -> list[str]:
         if separator in text:
             return [part for part in text.split(separator) if part.strip()]
     return text.split()
+
+
+def _rounded(time_s: float) -> float:
+    # As it is read back from the text.
+    return float(f"{round(1e3 * time_s, _TIME_DECIMALS):.{_DIGITS}g}e-3")
 
 
 def _shown(value_si: float, spec: NumberSpec) -> str:

@@ -17,9 +17,11 @@ EDITED_DIGITS = 12
 #: From this length on times are said in seconds.
 LONG_S = 1.0
 
-_NUMBER = re.compile(r"([+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d{1,2})?)\s*(.*)", re.DOTALL)
+_NUMBER = re.compile(r"([+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)", re.DOTALL)
 # A bound that was shown in a rounded form can be typed.
 _BOUND_TOLERANCE = 1e-12
+# No number of ours has an exponent beyond; to write one out as a fraction takes for ever.
+_LARGEST_EXPONENT = 400
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -196,10 +198,10 @@ def parse_number(text: str, spec: NumberSpec, beside_si: float = 0.0) -> float:
         instead = f"Units: {known}." if known else "Type the number alone."
         raise InvalidInputError(f"{spec.label}: “{match[2]}” is not one of its units. {instead}")
     try:
-        value = _at_bound(float(Fraction(match[1].replace(",", ".")) * factor), spec)
+        value = _at_bound(_read(match[1].replace(",", "."), factor), spec)
     except (OverflowError, ValueError):  # beyond all floats; more digits than Python reads
         raise InvalidInputError(f"{spec.label}: the number is too long. {allowed}") from None
-    if not spec.minimum <= value <= spec.maximum:
+    if math.isinf(value) or not spec.minimum <= value <= spec.maximum:
         side = "low" if value < spec.minimum else "high"
         found = minus(with_unit(match[1], unit) if not match[2] else typed)
         raise InvalidInputError(f"{spec.label}: {found} is too {side}. {allowed}")
@@ -212,6 +214,14 @@ def _factor(name: str, unit: DisplayUnit) -> Fraction | None:
     spellings = {"": unit.si, unit.symbol.casefold(): unit.si}
     spellings |= {spelling.casefold(): si for spelling, si in unit.spellings}
     return spellings.get(name.strip().casefold())
+
+
+def _read(number: str, factor: Fraction) -> float:
+    digits, _, exponent = number.lower().partition("e")
+    if abs(int(exponent or 0)) <= _LARGEST_EXPONENT:
+        return float(Fraction(number) * factor)
+    mantissa = float(digits)
+    return math.copysign(math.inf, mantissa) if mantissa and "-" not in exponent else 0.0
 
 
 def _at_bound(value: float, spec: NumberSpec) -> float:

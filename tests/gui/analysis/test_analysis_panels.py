@@ -232,3 +232,9 @@ def test_the_wave_says_speed_and_attenuation_along_the_selection(show, window, s
     window.document.look(replace(document.view, outputs=(20,)))
     settle()
     assert "two or more outputs" in panel.figure.message
+
+
+def test_with_no_output_selected_the_spectrogram_says_what_to_do(show, window):
+    panel = show("spectrogram")
+    window.document.look(replace(window.document.view, outputs=()))
+    assert panel.output.shown_text == "Select outputs"

@@ -2,14 +2,17 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from PySide6.QtGui import QGuiApplication
 
+from skinsource.analysis_rules.perception_rules import Sensation
 from skinsource.edits import Edit
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.perception import LIMITS
 from skinsource.perception.settings import PerceptionSettings
 from skinsource_gui.panels.perception.contact import contact_list, contact_table, contact_words
+from skinsource_gui.panels.perception.rows import rows
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.state.engine import FIRST_SLOT
 
@@ -113,3 +116,13 @@ def test_of_many_contacts_the_largest_is_said_and_all_are_listed():
     assert "place 1: 0.5 m\u2060/\u2060s², place 2: 0.5" in contact_words(few)
     assert contact_list(few) == ""
     assert contact_table(None) == contact_table(()) == contact_words(()) == ""
+
+
+def test_what_is_not_felt_has_no_strength():
+    levels = {"P": np.array([-200.0, 12.0]), "NP I": np.array([-200.0, 3.0])}
+    found = Sensation(
+        level_db=np.array([-200.0, 12.0]), by_channel=levels, strength=np.array([0.0, 1.5])
+    )
+    silent, felt = rows(found, (1, 2))
+    assert silent[1:] == ["–"] * 4
+    assert felt[1:] == ["12.0", "12.0", "3.0", "1.5"]

@@ -6,9 +6,14 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QGuiApplication
 
+from skinsource.comparing import Snapshot
 from skinsource.comparing.regions import region_levels_db
+from skinsource.decibels import decibels
+from skinsource.design import Design
 from skinsource.edits import Edit
 from skinsource.evaluation import evaluate
+from skinsource_gui.compared import Compared
+from skinsource_gui.panels.regions.columns import columns_of_people
 from skinsource_gui.state.engine import Slot
 
 
@@ -98,3 +103,15 @@ def test_matched_levels_of_snapshots_are_said_above_the_table_and_in_what_is_cop
     window.do("match_levels")
     qtbot.waitUntil(lambda: seen("1, synthetic", "2, synthetic"), timeout=12_000)
     assert "levels matched" not in panel.about.text
+
+
+def test_silence_has_no_spread():
+    def person(k, rms):
+        snapshot = Snapshot(number=k, design=Design(limb=f"synthetic-{k}"))
+        return Compared(snapshot=snapshot, values={"output_levels_db": decibels(rms)})
+
+    quiet, loud = np.zeros(72), np.ones(72)
+    *_, mean, spread = columns_of_people([person(1, quiet), person(2, quiet)])
+    assert set(mean.texts()) == set(spread.texts()) == {"–"}
+    *_, mean, spread = columns_of_people([person(1, loud), person(2, loud)])
+    assert set(mean.texts()) == set(spread.texts()) == {"0.0"}

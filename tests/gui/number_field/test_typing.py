@@ -6,6 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from skinsource.errors import InvalidInputError
+from skinsource.fields import NumberSpec
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.fields.shown_number import ShownNumber
@@ -17,6 +18,8 @@ from tests.gui.number_field.bench import (
     PHASE,
     SEED,
 )
+
+ANYTHING = NumberSpec(label="Offset", minimum=-math.inf, maximum=math.inf)
 
 
 @pytest.mark.parametrize(
@@ -64,6 +67,10 @@ def test_other_units_are_understood(text, spec, value):
         ("20 ms", FREQUENCY, "“ms” is not one of its units. Units: Hz, kHz."),
         ("1.5", SEED, "is not a whole number. Allowed: whole numbers 0 to 2147483647."),
         ("1e99", FREQUENCY, "too high"),
+        ("1e999", DURATION, "Duration: 1e999 ms is too high. Allowed: 1 ms to 600 s."),
+        ("-1e999 s", DURATION, "is too low"),
+        ("1e999999999", ANYTHING, "1e999999999 is too high. Allowed: any number."),
+        ("1e-999999999", DURATION, "is too low"),
     ],
 )
 def test_what_is_not_allowed_is_refused_with_what_is(text, spec, words):
@@ -136,6 +143,42 @@ def test_what_is_not_allowed_is_not_committed_and_says_why(bench, qtbot):
     one.other.setFocus()
     qtbot.waitUntil(lambda: not one.field.editing)
     assert (one.field.text(), one.field.problem, one.edits) == ("100", "", [])
+
+
+@pytest.mark.parametrize("text", ["1e999", "-5", ""])
+def test_leaving_with_what_is_not_allowed_says_why_as_return_does(bench, qtbot, text):
+    one = bench(FREQUENCY, 100.0)
+    one.field.setFocus()
+    one.field.begin_editing(text)
+    QTest.keyClick(one.field, Qt.Key.Key_Tab)
+    assert (one.field.text(), one.edits, one.field.editing) == ("100", [], False)
+    qtbot.waitUntil(lambda: "Allowed: 1 to 649 Hz." in QToolTip.text())
+    assert one.field.toolTip() == ShownNumber(spec=FREQUENCY, value_si=100.0).help()
+    QToolTip.hideText()
+
+
+def test_why_it_was_not_allowed_stands_below_the_field_until_there_is_another_value(qtbot):
+    def left_wrong(leave):
+        cell.field.setFocus()
+        cell.field.begin_editing("-5")
+        cell.field.clearFocus()
+        assert cell.note == "Frequency: −5 Hz is too low. Allowed: 1 to 649 Hz."
+        assert not cell.field.editing
+        assert cell.field.value_si == value_si
+        leave()
+        assert cell.note == ""
+
+    cell = FieldCell("frequency_hz", FREQUENCY)
+    qtbot.addWidget(cell)
+    cell.show()
+    cell.activateWindow()
+    qtbot.waitUntil(cell.isActiveWindow)
+    value_si = cell.field.value_si
+    left_wrong(cell.field.begin_editing)
+    left_wrong(cell.forget_typing)
+    left_wrong(lambda: cell.set_value(120.0))
+    value_si = 120.0
+    left_wrong(lambda: QTest.keyClick(cell.field, Qt.Key.Key_Up))
 
 
 def test_the_reason_goes_as_soon_as_the_text_is_allowed(bench):

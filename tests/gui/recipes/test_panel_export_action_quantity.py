@@ -125,7 +125,7 @@ for arrangement in ARRANGEMENTS:
         "over": over(dock, [*bars, *window.docks.values()]),
         "words": panel.words.text(),
     }
-menus = {one.title(): [entry.text() for entry in one.actions()]
+menus = {one.title().replace("&", ""): [entry.text() for entry in one.actions()]
          for one in window.findChildren(QMenu)}
 facts["menus"] = {title: menus[title] for title in ("File", "Edit", "Panels")}
 

@@ -8,6 +8,7 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
+from skinsource_gui.panels.timeline.gain.gain_item import has_hint
 from skinsource_gui.panels.timeline.settings import show_gain_curves, shown_gain_curves
 from tests.gui.timeline.lanes_bench import LEFT, LanesBench
 
@@ -249,3 +250,13 @@ def test_a_lane_gives_higher_gains_room_only_once_the_button_is_up(lanes):
     assert strip(lanes).top == 2.0
     QTest.mouseRelease(lanes.lanes.viewport(), LEFT)
     assert strip(lanes).top > 3.0
+
+
+def test_how_a_curve_begins_is_said_of_a_selected_track_without_one(lanes):
+    lanes._look(replace(show_gain_curves(lanes.view, (1, 2)), selected_inputs=(2,)))
+    with_curve(lanes)
+    assert [has_hint(one) for one in lanes.content.strips] == [False, True]
+    lanes._look(replace(lanes.view, selected_inputs=(1,)))
+    assert [has_hint(one) for one in lanes.content.strips] == [True, False]
+    with_curve(lanes, (0.1, 1.0))
+    assert [has_hint(one) for one in lanes.content.strips] == [False, False]

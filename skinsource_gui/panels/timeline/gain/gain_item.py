@@ -12,6 +12,13 @@ from skinsource_gui.theme import LIGHT, Theme
 
 _DOT_PX, _CHOSEN_PX = 3.5, 5.0
 _HALO_ALPHA, _HINT_ALPHA = 190, 110
+#: How a curve begins.
+HINT = "Gain: double click on the line adds a point"
+
+
+def has_hint(strip: GainStrip) -> bool:
+    """Whether it is said how a curve begins: of a selected track that has none."""
+    return strip.shown and strip.lane.selected and not strip.points
 
 
 class GainItem(pyqtgraph.GraphicsObject):
@@ -99,12 +106,14 @@ class GainItem(pyqtgraph.GraphicsObject):
             painter.setPen(QPen(QColor(theme.text), 1.5))
             painter.setBrush(QColor(theme.accent if k == chosen else theme.base))
             painter.drawEllipse(strip.at(x, y), radius, radius)
-        words = "Gain: double click on the line adds a point" if not strip.points else "Gain"
-        if chosen is not None:
-            words = gain_words(*strip.points[chosen][:2])
+        words = "Gain" if chosen is None else gain_words(*strip.points[chosen][:2])
         metrics = QFontMetricsF(self._font)
+        height, top = metrics.height() + 1, room.top() + 2
+        if has_hint(strip):
+            # Below, as names of clips stand above.
+            words, top = HINT, room.bottom() - height - 2
         width = metrics.horizontalAdvance(words) + 8
-        label = QRectF(room.right() - width - 4, room.top() + 2, width, metrics.height() + 1)
+        label = QRectF(room.right() - width - 4, top, width, height)
         ground = QColor(theme.base)
         ground.setAlpha(_HALO_ALPHA)
         painter.fillRect(label, ground)
