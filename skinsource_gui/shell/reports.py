@@ -64,6 +64,12 @@ class Reports(QObject):
         else:
             self._status_bar.showMessage(words, PASSING_MS)
 
+    def explain(self, words: str) -> None:
+        """Show what is no fault and may be long, whole: the status bar would cut it."""
+        self._status_bar.clearMessage()
+        self._said_of = self._document.design
+        self._notice.say(words, "info", passes=True)
+
     def show_impossible(self, reason: str) -> None:
         """Say why there are no results."""
         self._impossible = reason

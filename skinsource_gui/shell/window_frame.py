@@ -35,8 +35,10 @@ class WindowFrame(QObject):
     def _show_title(self) -> None:
         path, design = self._document.path, self._document.design
         self._said = design.title
-        # A scene has a title and no file.
-        name = path.stem if path else printable(design.title).strip() or "Untitled"
+        # A scene has a title, or a name among others, and no file.
+        name = printable(design.title or self._document.scene).strip() or "Untitled"
+        if path:
+            name = path.stem
         # Qt puts its mark of unsaved work at one that stands alone.
         name = name.replace("[*]", "[*][*]")
         missing = missing_limb(design.limb, design.limb_digest)

@@ -47,6 +47,8 @@ class Document(QObject):
         self._path: Path | None = None
         #: The file that the history begins with; None: it began with a new design.
         self.opened: Path | None = None
+        #: What it is called among the scenes it was opened from; "": it is none of them.
+        self.scene = ""
         self._saved_view = self._view
         self._was_modified = self._lost = self._read_only = self._on_the_way = False
         # Whether something else than what was saved has been made since, and not taken back.
@@ -130,7 +132,7 @@ class Document(QObject):
         """
         self.undo_stack.clear()
         self._read_only = read_only
-        self._saved, self._path, self.opened = design, path, path
+        self._saved, self._path, self.opened, self.scene = design, path, path, ""
         self._design, self._view = design, _existing(view, design)
         self._saved_view = self._view
         self._made = False

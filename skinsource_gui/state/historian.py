@@ -4,6 +4,7 @@ from functools import partial
 
 from PySide6.QtCore import QObject
 
+from skinsource.quoting import printable
 from skinsource_gui.history import MOST_STEPS, History, Step
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
@@ -36,7 +37,9 @@ class Historian(QObject):
         document, stack = self._document, self._document.undo_stack
         done = (stack.command(k) for k in range(stack.count()))
         steps = tuple(Step(one.text(), one.at_s) for one in done if isinstance(one, Swap))
-        start = f"Opened {document.opened.name}" if document.opened else "New design"
+        start = f"Scene: {printable(document.scene)}" if document.scene else "New design"
+        if document.opened:
+            start = f"Opened {document.opened.name}"
         clean = stack.cleanIndex()
         return History(
             start=_FORGOTTEN if len(steps) >= MOST_STEPS else start,

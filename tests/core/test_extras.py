@@ -5,7 +5,8 @@ import sys
 import pytest
 
 from skinsource import extras
-from skinsource.errors import MissingExtraError
+from skinsource.errors import MissingExtraError, NothingToPlayOnError
+from skinsource.playing.portaudio import sound_library
 
 
 @pytest.mark.parametrize("editable", [True, False])
@@ -26,3 +27,10 @@ def test_the_line_fits_how_the_studio_is_installed(monkeypatch, tmp_path, editab
 def test_a_python_in_a_folder_with_a_space_is_quoted(monkeypatch):
     monkeypatch.setattr(sys, "executable", "/my python/python")
     assert extras.extra_line("gui").startswith('"/my python/python" -m pip install ')
+
+
+def test_without_sound_what_to_type_comes_first(monkeypatch):
+    monkeypatch.setitem(sys.modules, "sounddevice", None)
+    with pytest.raises(NothingToPlayOnError) as error:
+        sound_library()
+    assert str(error.value).startswith(f"To play, type: {extras.extra_line('audio')} and ")

@@ -3,7 +3,7 @@
 from types import ModuleType
 
 from skinsource.errors import MissingExtraError, NothingToPlayOnError
-from skinsource.extras import package_of_extra
+from skinsource.extras import extra_line, package_of_extra
 from skinsource.quoting import printable
 
 _LIBRARY = (
@@ -24,6 +24,9 @@ def sound_library() -> ModuleType:
     try:
         return package_of_extra("sounddevice", "audio")
     except MissingExtraError as error:
-        raise NothingToPlayOnError(f"To play, {error}") from error
+        raise NothingToPlayOnError(
+            f"To play, type: {extra_line('audio')} and start the studio again "
+            f"({printable(error.__cause__)})."
+        ) from error
     except OSError as error:
         raise NothingToPlayOnError(f"{_LIBRARY} ({printable(error)})") from error

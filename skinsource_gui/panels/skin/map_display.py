@@ -12,6 +12,7 @@ from skinsource_gui.panels.skin.map_readout import selection_readout
 from skinsource_gui.panels.skin.note_line import NoteLine
 from skinsource_gui.panels.skin.readout_lines import ReadoutLines
 from skinsource_gui.panels.skin.skin_map import SkinMap
+from skinsource_gui.panels.skin.still_values import in_short
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.lateness import Lateness
 
@@ -52,7 +53,7 @@ class MapDisplay(QObject):
         self.colour_bar.strip.show_quantity(self.content.quantity, self.content.colours)
         self._show_marks()
         self.show_map()
-        self.note.show_text(self.content.note)
+        self.note.show_text(self.content.note, in_short(self.content.note))
         self._show_readout(self.map.readout())
 
     def show_map(self) -> None:

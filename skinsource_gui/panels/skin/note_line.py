@@ -19,7 +19,7 @@ class NoteLine(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._text = ""
+        self._text = self._short = ""
         self._theme = LIGHT
         self.setAccessibleName("Note on the map")
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
@@ -29,10 +29,16 @@ class NoteLine(QWidget):
         """The text, uncut."""
         return self._text
 
-    def show_text(self, text: str) -> None:
-        """Show other text; hide where it is empty."""
-        if text != self._text:
-            self._text = text
+    @property
+    def shown(self) -> str:
+        """What of it there is room for: the text, or the short one."""
+        whole = self.fontMetrics().horizontalAdvance(self._text) <= self._room_px
+        return self._text if whole else self._short or self._text
+
+    def show_text(self, text: str, short: str = "") -> None:
+        """Show other text, or the short one where it has no room; hide where it is empty."""
+        if (text, short) != (self._text, self._short):
+            self._text, self._short = text, short
             self.setAccessibleDescription(text)
             self.setToolTip(tooltip(text) if text else "")
             self.setVisible(bool(text))
@@ -55,12 +61,10 @@ class NoteLine(QWidget):
         painter.setPen(QColor(self._theme.warning))
         metrics = self.fontMetrics()
         if self._n_lines() > 1:
-            # Two lines hold a little less than twice one: words are not broken.
-            room = round(self.width() * (_MOST_LINES - _LOST_AT_ENDS))
-            words = metrics.elidedText(self._text, Qt.TextElideMode.ElideRight, room)
+            words = metrics.elidedText(self.shown, Qt.TextElideMode.ElideRight, self._room_px)
             painter.drawText(self.rect(), _WRAPPED, words)
         else:
-            words = metrics.elidedText(self._text, Qt.TextElideMode.ElideRight, self.width())
+            words = metrics.elidedText(self.shown, Qt.TextElideMode.ElideRight, self.width())
             painter.drawText(self.rect(), Qt.AlignmentFlag.AlignLeft, words)
         painter.end()
 
@@ -69,6 +73,11 @@ class NoteLine(QWidget):
         if event.oldSize().width() != event.size().width():
             self.updateGeometry()
 
+    @property
+    def _room_px(self) -> int:
+        # Two lines hold a little less than twice one: words are not broken.
+        return round(self.width() * (_MOST_LINES - _LOST_AT_ENDS))
+
     def _n_lines(self) -> int:
-        wide = self.fontMetrics().horizontalAdvance(self._text) > self.width() > 0
+        wide = self.fontMetrics().horizontalAdvance(self.shown) > self.width() > 0
         return _MOST_LINES if wide else 1

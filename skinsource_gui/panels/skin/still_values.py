@@ -9,6 +9,8 @@ from skinsource.decibels import FLOOR_DB
 from skinsource.perception import LIMITS
 from skinsource_gui.panels.skin.map_quantity import LEVELS, SENSATION
 
+#: Of `LIMITS`, where there is little room.
+LIMITS_IN_SHORT = "Thresholds of glabrous skin: compare designs on one limb only."
 SILENT = "Silent: nothing is driven"
 #: By quantity: that of outputs, and that over the skin.
 _NAMES = {
@@ -43,3 +45,8 @@ def changes_of(quantity: str, results: Mapping[str, Any], *, interpolated: bool)
 def limits_and(note: str, quantity: str) -> str:
     """What is to be said below the map: what thresholds are not good for, before all else."""
     return f"{LIMITS} {note}".strip() if quantity == SENSATION else note
+
+
+def in_short(note: str) -> str:
+    """The note where there is little room for it."""
+    return note.replace(LIMITS, LIMITS_IN_SHORT)

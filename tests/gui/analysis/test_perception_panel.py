@@ -78,6 +78,13 @@ def test_the_map_shows_levels_above_threshold_with_their_limits(window, settle, 
     assert skin._display.content.values is not level
     assert (skin._display.content.field_values is None) == (style == "sensors")
     assert skin.note.text().startswith("Thresholds are of glabrous skin")
+    skin.note.resize(4000, 20)
+    assert skin.note.shown == skin.note.text()
+    skin.note.resize(300, 40)
+    assert skin.note.shown.startswith(
+        "Thresholds of glabrous skin: compare designs on one limb only."
+    )
+    assert "people differ" in skin.note.toolTip()
     assert "threshold" in skin._display.content.quantity.titles[0]
     skin.picture(300, 500)
     relative = replace(document.design, scaling="upstream")

@@ -15,7 +15,7 @@ def test_slow_motion_runs_in_silence_and_complains_of_nothing(sound, studio, pla
     assert now.stream is None
     assert not sound.streams
     assert player.settings.missing == ""
-    assert not studio.statusBar().currentMessage().startswith("In silence")
+    assert not studio.notice.text.startswith("In silence")
     assert now.seen_s == pytest.approx(0.5 + RESPONSE_S)
 
 

@@ -3,8 +3,11 @@
 import pytest
 from PySide6.QtWidgets import QApplication, QMessageBox
 
+from skinsource.design_file import save_design
 from skinsource.scenes import all_scenes
+from skinsource.view import View
 from skinsource_gui.shell.presenting.notes_window import NotesWindow
+from skinsource_gui.state.historian import Historian
 
 
 def title(window):
@@ -103,3 +106,15 @@ def test_notes_follow_the_scenes(studio):
     studio.do("previous_scene")
     assert notes.next.text() == "Next: 3 both"
     notes.close()
+
+
+def test_a_design_without_a_title_is_called_as_its_file_when_it_is_paged_to(studio, folder, design):
+    save_design(folder / "4 twenty.skinsource", design, View())
+    studio.do("present")
+    for _ in range(2):
+        studio.do("next_scene")
+    studio.do("present")
+    assert studio.windowTitle().startswith("4 twenty")
+    assert studio.document.findChild(Historian).history().start == "Scene: 4 twenty"
+    studio.files.new()
+    assert studio.document.findChild(Historian).history().start == "New design"
