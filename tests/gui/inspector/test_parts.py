@@ -1,7 +1,6 @@
 """The parts of layers, in the inspector."""
 
 from dataclasses import replace
-from functools import partial
 from itertools import pairwise
 
 import pytest
@@ -126,21 +125,27 @@ def test_keys_move_and_remove_parts_and_the_focus_goes_along(bench):
 
 def test_a_part_is_dragged_to_another_place(bench, qtbot):
     title, target = bench.rows[0].title, bench.rows[2].title
-    # On a busy machine the window is laid out after it is shown.
-    first, second, third = (row.title for row in bench.rows)
-    tops = partial(map, lambda one: one.mapToGlobal(QPoint()).y(), (first, second, third))
-    qtbot.waitUntil(lambda: all(b - a >= title.height() for a, b in pairwise(tops())))
-    qtbot.waitUntil(lambda: bench.panel.rect().contains(target.mapTo(bench.panel, QPoint(20, 20))))
-    end = title.mapFromGlobal(target.mapToGlobal(QPoint(20, target.height() - 2)))
+    titles = [row.title for row in bench.rows]
+
+    def laid_out():
+        # On a busy machine the window is laid out after it is shown, and not all at once.
+        tops = [one.mapToGlobal(QPoint()).y() for one in titles]
+        apart = all(b - a >= title.fontMetrics().height() for a, b in pairwise(tops))
+        return apart and bench.panel.rect().contains(target.mapTo(bench.panel, QPoint(20, 20)))
+
+    qtbot.waitUntil(laid_out)
     # To the title itself: over other windows, a pointer that is moved is theirs.
     start, left = title.rect().center(), Qt.MouseButton.LeftButton
-    for kind, at, button, held in (
-        (QEvent.Type.MouseButtonPress, start, left, left),
-        (QEvent.Type.MouseMove, end, Qt.MouseButton.NoButton, left),
-        (QEvent.Type.MouseButtonRelease, end, left, Qt.MouseButton.NoButton),
+    for kind, button, held in (
+        (QEvent.Type.MouseButtonPress, left, left),
+        (QEvent.Type.MouseMove, Qt.MouseButton.NoButton, left),
+        (QEvent.Type.MouseButtonRelease, left, Qt.MouseButton.NoButton),
     ):
-        there = QPointF(title.mapToGlobal(at))
-        event = QMouseEvent(kind, QPointF(at), there, button, held, Qt.KeyboardModifier.NoModifier)
+        # The keyboard goes where is pressed, and the list may be moved for that.
+        end = target.mapToGlobal(QPoint(20, target.height() - 2))
+        there = title.mapToGlobal(start) if kind == QEvent.Type.MouseButtonPress else end
+        at = QPointF(title.mapFromGlobal(there))
+        event = QMouseEvent(kind, at, QPointF(there), button, held, Qt.KeyboardModifier.NoModifier)
         QApplication.sendEvent(title, event)
     assert bench.parts == (B, C, A)
 
