@@ -1,5 +1,6 @@
 """Table, front, report and plot of the benchmark."""
 
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -7,6 +8,7 @@ from dataclasses import replace
 import pytest
 
 from skinsource.errors import FileFormatError, MissingExtraError
+from skinsource.extras import extra_line
 from skinsource.method_comparison import plot
 from skinsource.method_comparison.engines import ENGINES, engine_of
 from skinsource.method_comparison.every_scene import EVERY_ENGINE
@@ -239,7 +241,7 @@ def test_without_matplotlib_the_line_to_type_is_told(monkeypatch, tmp_path):
         raise ImportError(f"No module named {name!r}")
 
     monkeypatch.setattr(plot.importlib, "import_module", absent)
-    with pytest.raises(MissingExtraError, match=r'pip install "skinsource\[bench\]"'):
+    with pytest.raises(MissingExtraError, match=re.escape(extra_line("bench"))):
         plot.write_plots([ROW], tmp_path / "p")
     assert list(tmp_path.iterdir()) == []
 

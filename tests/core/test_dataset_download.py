@@ -3,6 +3,7 @@
 import hashlib
 import http.server
 import os
+import re
 import socket
 import sys
 import threading
@@ -15,6 +16,7 @@ from skinsource.dataset import download, published, upkeep
 from skinsource.dataset.fetch import fetch
 from skinsource.dataset.store import is_installed, load_measured_limb
 from skinsource.errors import DownloadError, MissingExtraError, Stopped, StorageError
+from skinsource.extras import extra_line
 from tests.core.misbehaving_server import RESPONSES, Handler, Served
 
 for _package in ("pooch", "requests", "matio"):
@@ -237,7 +239,7 @@ def test_a_missing_package_is_found_out_before_anything_is_downloaded(
     served, files, monkeypatch, package
 ):
     monkeypatch.setitem(sys.modules, package, None)
-    with pytest.raises(MissingExtraError, match=r'pip install "skinsource\[dataset\]"'):
+    with pytest.raises(MissingExtraError, match=re.escape(extra_line("dataset"))):
         fetch(files=files)
     assert served.asked == []
 

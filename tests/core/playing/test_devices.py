@@ -1,6 +1,7 @@
 """Devices of a made-up sound library, which answers as sounddevice does."""
 
 import importlib
+import re
 import subprocess
 import sys
 from types import SimpleNamespace
@@ -8,6 +9,7 @@ from types import SimpleNamespace
 import pytest
 
 from skinsource.errors import NothingToPlayOnError, PlaybackError, SkinSourceError
+from skinsource.extras import extra_line
 from skinsource.playing import Deck, Output, devices, portaudio, stream
 
 CARDS = (("Built-in", 0, 2, 44100.0), ("Microphone", 0, 0, 44100.0), ("Eight", 1, 8, 48000.0))
@@ -129,7 +131,7 @@ def test_what_a_device_refuses_is_said_in_plain_words(library, refusal, words):
 
 def test_without_the_extra_the_line_to_type_is_said(monkeypatch):
     monkeypatch.setitem(sys.modules, "sounddevice", None)
-    with pytest.raises(NothingToPlayOnError, match=r'pip install "skinsource\[audio\]"'):
+    with pytest.raises(NothingToPlayOnError, match=re.escape(extra_line("audio"))):
         portaudio.sound_library()
 
 

@@ -1,5 +1,6 @@
 """Drawings with matplotlib: what they show is what was computed, and no window is needed."""
 
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -10,6 +11,7 @@ import pytest
 
 import skinsource as ss
 from skinsource.errors import InvalidInputError, MissingExtraError
+from skinsource.extras import extra_line
 from skinsource.plot.levels import common_range
 
 DESIGN = ss.Design(
@@ -184,7 +186,7 @@ def test_without_matplotlib_the_extra_is_named(monkeypatch):
     loaded = [one for one in sys.modules if one.partition(".")[0] == "matplotlib"]
     for name in {"matplotlib", *loaded}:
         monkeypatch.setitem(sys.modules, name, None)
-    with pytest.raises(MissingExtraError, match=r'pip install "skinsource\[plot\]"'):
+    with pytest.raises(MissingExtraError, match=re.escape(extra_line("plot"))):
         ss.plot.map(DESIGN)
 
 
