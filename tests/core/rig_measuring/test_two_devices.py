@@ -90,7 +90,7 @@ def test_each_device_is_named_that_refuses_or_is_gone(cards, monkeypatch):
     with pytest.raises(PlaybackError, match="Hears does not take 2 inputs"):
         measured()
     cards.refusal = ()
-    monkeypatch.setattr(duplex, "_GONE_AFTER_S", 0.3)
+    monkeypatch.setattr(duplex, "_GONE_AFTER_S", 1.0)
     cards.pulled_after = 40
     with pytest.raises(PlaybackError, match="Plays stopped answering"):
         measured()
