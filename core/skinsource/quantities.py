@@ -15,7 +15,7 @@ from skinsource.arrays import Floats
 from skinsource.design import Design, Input, audible_indices
 from skinsource.graph import Graph
 from skinsource.job import Stop
-from skinsource.limb import Limb, LimbMap
+from skinsource.limb import Band, Limb, LimbMap
 from skinsource.own_limbs import facts_of
 from skinsource.rendering import level_rules, trace_rules, vibration_rules, voice_rules
 from skinsource.rendering.in_time import block_of
@@ -67,7 +67,7 @@ def sample_rate_hz(limb_data: Limb) -> float:
     return limb_data.sample_rate_hz
 
 
-def band_hz(limb_data: Limb) -> tuple[float, float] | None:
+def band_hz(limb_data: Limb) -> Band | None:
     """In which the limb was measured; None: not known."""
     return limb_data.band_hz
 

@@ -20,7 +20,7 @@ from skinsource.arguments import (
 )
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
-from skinsource.limb import BAND_HZ, SAMPLE_RATE_HZ
+from skinsource.limb import BAND_HZ, SAMPLE_RATE_HZ, Band
 from skinsource.quoting import quoted
 from skinsource.sampling import shift_of, turns
 
@@ -197,7 +197,7 @@ def white_noise(
     duration_s: float = 0.1,
     seed: int = 0,
     *,
-    band_hz: tuple[float, float] = BAND_HZ,
+    band_hz: Band = BAND_HZ,
     window_name: WindowName = "none",
     sample_rate_hz: float = SAMPLE_RATE_HZ,
     shift_s: float = 0.0,

@@ -12,7 +12,7 @@ from skinsource.arguments import LARGEST_SAMPLE, finite_array, one_of, positive_
 from skinsource.arrays import Complexes, Floats
 from skinsource.errors import InvalidInputError
 from skinsource.job import Stop, never, stop_if
-from skinsource.limb import BAND_HZ, SAMPLE_RATE_HZ
+from skinsource.limb import BAND_HZ, SAMPLE_RATE_HZ, Band
 from skinsource.loudest_window import HOLD_WINDOW_S, SPANS, Span, loudest_energy, window_samples
 from skinsource.quoting import quoted
 from skinsource.sampling import turns
@@ -143,9 +143,7 @@ def one_sided_magnitude(
     return frequency_hz, magnitude
 
 
-def share_outside_band(
-    samples: ArrayLike, sample_rate_hz: float, band: tuple[float, float] = BAND_HZ
-) -> float:
+def share_outside_band(samples: ArrayLike, sample_rate_hz: float, band: Band = BAND_HZ) -> float:
     """Share of the energy of a signal outside a band, from 0 to 1; 0 of silence.
 
     Of the spectrum of the samples at all frequencies, not only at multiples of 1 / duration: its

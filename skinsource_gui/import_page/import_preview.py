@@ -5,6 +5,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
+from skinsource.limb import Band
 from skinsource.recordings import Taken
 from skinsource.samples import Samples
 from skinsource.spectra import share_outside_band
@@ -56,7 +57,7 @@ class ImportPreview(QWidget):
         self._spectrum.show_theme(theme)
         self._notes.setStyleSheet(f"color: {theme.dim};")
 
-    def show_taken(self, taken: Taken, band_hz: tuple[float, float] | None) -> None:
+    def show_taken(self, taken: Taken, band_hz: Band | None) -> None:
         """Show what will be imported, and the band in which the limb was measured."""
         samples = taken.samples
         peak = float(np.abs(samples.values).max())
@@ -85,7 +86,7 @@ class ImportPreview(QWidget):
         self._waveform.set_pale(pale)
 
 
-def _outside(samples: Samples, band_hz: tuple[float, float]) -> str:
+def _outside(samples: Samples, band_hz: Band) -> str:
     share = _percent(share_outside_band(samples.values, samples.sample_rate_hz, band_hz))
     low_hz, high_hz = band_hz
     return f"{share} of the energy lies outside the measured band, {low_hz:g} to {high_hz:g} Hz"

@@ -36,6 +36,7 @@ def axis_of(found: ChannelMeasurement) -> XAxis:
         column="frequency_hz",
         extent=(points[0][0], points[-1][0]),
         log=True,
+        # An actuator belongs to no limb: shown is where most know how skin answers.
         band=BAND_HZ,
     )
 

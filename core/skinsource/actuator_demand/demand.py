@@ -9,9 +9,9 @@ from skinsource.actuator_demand.settings import ActuatorSettings
 from skinsource.actuators import Prediction, predicted
 from skinsource.actuators.prediction import duty_of
 from skinsource.arrays import Floats
-from skinsource.equalising import Band, equalised, followed_band, net_velocity
+from skinsource.equalising import equalised, followed_band, net_velocity
 from skinsource.errors import InvalidInputError
-from skinsource.limb import BAND_HZ
+from skinsource.limb import BAND_HZ, Band
 from skinsource.rendering.placed import Placed
 
 #: A longer drive is looked at where it is strongest, for so many seconds.

@@ -12,9 +12,9 @@ from skinsource.actuators.motion import ActuatorMotion
 from skinsource.arguments import finite_array, whole_number
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
+from skinsource.limb import LARGEST_VELOCITY_M_PER_S
 from skinsource.loudest_window import loudest_energy
 from skinsource.resampling import MAX_RATE_HZ, resample
-from skinsource.validity.judging import LARGEST_VELOCITY_M_PER_S
 
 #: Motion is computed at this rate at least.
 LEAST_RATE_HZ = 48_000

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from skinsource.arguments import finite_array, positive_number
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
-from skinsource.limb import BAND_HZ
+from skinsource.limb import BAND_HZ, Band
 
 #: Over so many hertz power is averaged before it is held against the noise.
 AVERAGED_HZ = 25.0
@@ -43,7 +43,7 @@ class Transfer:
     noise: Floats
     coherence: Floats
     usable_hz: Floats
-    band_hz: tuple[float, float] | None = BAND_HZ
+    band_hz: Band | None = BAND_HZ
 
 
 def transfer_function(
@@ -52,7 +52,7 @@ def transfer_function(
     noise: ArrayLike,
     gain: ArrayLike | None = None,
     *,
-    band_hz: tuple[float, float] | None = BAND_HZ,
+    band_hz: Band | None = BAND_HZ,
 ) -> Transfer:
     """Return the transfer functions that responses are the inverse transforms of.
 
@@ -107,9 +107,7 @@ def transfer_function(
     )
 
 
-def _widest(
-    frequency_hz: Floats, coherence: Floats, band_hz: tuple[float, float]
-) -> tuple[float, float]:
+def _widest(frequency_hz: Floats, coherence: Floats, band_hz: Band) -> tuple[float, float]:
     """Ends of the longest run of usable bins inside a band."""
     inside = (frequency_hz >= band_hz[0]) & (frequency_hz <= band_hz[1])
     usable = np.concatenate([[False], inside & (coherence >= LEAST_COHERENCE), [False]])

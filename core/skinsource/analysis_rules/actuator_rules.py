@@ -10,7 +10,7 @@ from skinsource.actuator_demand import (
     settings_through,
 )
 from skinsource.chain import Actuation
-from skinsource.equalising import Band
+from skinsource.limb import Band
 from skinsource.rendering.placed import Placed
 
 

@@ -10,7 +10,7 @@ import scipy
 from skinsource.arrays import Floats
 from skinsource.chain import Actuation, Drive
 from skinsource.job import Stop
-from skinsource.limb import PUBLISHED, Limb
+from skinsource.limb import PUBLISHED, Band, Limb
 from skinsource.loudest_window import window_samples
 from skinsource.perception import CHANNELS, sensation_magnitude, site_offsets_db, threshold_rms
 from skinsource.perception.hand_arm import weighted_rms
@@ -56,7 +56,7 @@ class Sensation:
     level_db: Floats
     strength: Floats | None = None
     problem: str = ""
-    band_hz: tuple[float, float] | None = None
+    band_hz: Band | None = None
 
 
 def sensation(
@@ -136,7 +136,7 @@ def _weights(
     frequency_hz: Floats,
     channel: str,
     settings: PerceptionSettings,
-    band_hz: tuple[float, float],
+    band_hz: Band,
 ) -> Floats:
     """One over the threshold within the band, else 0: what is slower was not measured."""
     low, high = band_hz

@@ -2,8 +2,9 @@
 
 from skinsource.chain.actuation import Actuation
 from skinsource.chain.drive import Drive
-from skinsource.equalising import Band, followed_band, net_velocity
+from skinsource.equalising import followed_band, net_velocity
 from skinsource.errors import InvalidInputError
+from skinsource.limb import Band
 
 
 def refuse_unfollowed(

@@ -10,9 +10,9 @@ import scipy
 from skinsource.actuators import Actuator
 from skinsource.arrays import Floats
 from skinsource.chain.actuation import Actuation, ActuatorAt
-from skinsource.equalising import Band, Equaliser, followed_band
+from skinsource.equalising import Equaliser, followed_band
 from skinsource.errors import InvalidInputError
-from skinsource.limb import BAND_HZ
+from skinsource.limb import BAND_HZ, Band
 from skinsource.quoting import quoted
 
 # Twelve seconds at the rate of the published limbs: what rings longer than that is refused anyway.

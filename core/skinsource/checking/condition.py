@@ -30,7 +30,8 @@ from skinsource.view import View
 _LEVELS = (0.25, 0.5, 1.0, 2.0)
 # A recording may start this much earlier or later than the prediction.
 _MOST_SHIFT_S = 0.2
-# More would take gigabytes: all channels are held, at several levels.
+# More, 20 000 samples of a published limb, would take gigabytes: all channels are held, at several
+# levels.
 _MOST_VALUES = 20_000 * N_OUTPUTS * N_AXES
 
 

@@ -8,7 +8,7 @@ import scipy
 from skinsource.arguments import finite_array, positive_number
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
-from skinsource.limb import BAND_HZ
+from skinsource.limb import BAND_HZ, Band
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -27,9 +27,7 @@ class Bounded:
     removed: float
 
 
-def bounded_to_band(
-    samples: Floats, sample_rate_hz: float, band_hz: tuple[float, float] = BAND_HZ
-) -> Bounded:
+def bounded_to_band(samples: Floats, sample_rate_hz: float, band_hz: Band = BAND_HZ) -> Bounded:
     """Take away what lies outside a band, without moving anything in time.
 
     Frequencies are those of the signal as it repeats after its own length: nothing is added

@@ -53,6 +53,7 @@ class BandLimit(KeepsTime):
 
     title: ClassVar[str] = "Band limit"
 
+    # Part of the recipe, whatever the limb: so a file means that says no others.
     low_hz: float = fields.number(BAND_HZ[0], LOW)
     high_hz: float = fields.number(BAND_HZ[1], HIGH)
     on: bool = fields.switch(True, ON)

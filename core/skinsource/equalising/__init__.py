@@ -16,7 +16,7 @@ from skinsource.late import late_names
 
 if TYPE_CHECKING:
     from skinsource.equalising.applying import equalised
-    from skinsource.equalising.band import Band, followed_band
+    from skinsource.equalising.band import followed_band
     from skinsource.equalising.equaliser import Equaliser
     from skinsource.equalising.every_kind import EQUALISERS
     from skinsource.equalising.pole_pair import PolePairReplacement, resonance_of
@@ -30,7 +30,7 @@ else:
             "applying": "equalised",
             "response_curves": "EqualiserCurves curves",
             "equaliser": "Equaliser",
-            "band": "Band followed_band",
+            "band": "followed_band",
             "velocity_of_drive": "NetVelocity net_velocity",
             "every_kind": "EQUALISERS",
             "pole_pair": "PolePairReplacement resonance_of",
@@ -40,7 +40,6 @@ else:
 
 __all__ = [
     "EQUALISERS",
-    "Band",
     "Equaliser",
     "EqualiserCurves",
     "NetVelocity",

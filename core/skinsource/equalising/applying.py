@@ -7,16 +7,15 @@ from numpy.typing import ArrayLike
 from skinsource.actuators import Actuator
 from skinsource.arguments import finite_array, positive_number, real_number
 from skinsource.arrays import Floats
-from skinsource.equalising.band import Band, followed_band
+from skinsource.equalising.band import followed_band
 from skinsource.equalising.equaliser import Equaliser
 from skinsource.equalising.velocity_of_drive import net_velocity
 from skinsource.errors import InvalidInputError
-from skinsource.limb import BAND_HZ
+from skinsource.limb import BAND_HZ, Band
+from skinsource.resampling import PASSED_SHARE
 
 # What a filter rings for before and after, at most.
 _RINGING_S = 0.5
-# A rate is so many times the end of the band, at least: 1300 Hz for 600 Hz.
-_RATE_OF_BAND = 13.0 / 6.0
 
 
 def equalised(
@@ -82,7 +81,8 @@ def equalised(
 
 
 def _refuse_slower(rate_hz: float, band_hz: Band) -> None:
-    least_hz = _RATE_OF_BAND * band_hz[1]
+    # 1300 Hz for 600 Hz.
+    least_hz = 2.0 / PASSED_SHARE * band_hz[1]
     if rate_hz < least_hz * (1.0 - 1e-9):
         raise InvalidInputError(
             f"sample_rate_hz is {rate_hz:g}, expected at least {least_hz:g} Hz for a band that "

@@ -2,12 +2,11 @@
 
 import numpy as np
 
-from skinsource.limb import BAND_HZ
+from skinsource.limb import BAND_HZ, Band
+from skinsource.resampling import PASSED_SHARE
 
-#: Lowest and highest frequency, Hz.
-Band = tuple[float, float]
-# So much of half the rate can be followed; where it begins if that is not said.
-_OF_HALF, _LOWEST_HZ = 12.0 / 13.0, BAND_HZ[0]
+# Where it begins if nobody says that.
+_LOWEST_HZ = BAND_HZ[0]
 
 
 def followed_band(band_hz: Band | None, sample_rate_hz: float) -> Band:
@@ -17,5 +16,5 @@ def followed_band(band_hz: Band | None, sample_rate_hz: float) -> Band:
     to there.  What begins at 0 is followed from 25 Hz on, or over its upper octave if that is less.
     """
     low, high = (0.0, np.inf) if band_hz is None else band_hz
-    high = min(high, _OF_HALF * 0.5 * sample_rate_hz)
+    high = min(high, PASSED_SHARE * 0.5 * sample_rate_hz)
     return (low, high) if 0.0 < low < high else (min(_LOWEST_HZ, high / 2.0), high)

@@ -10,9 +10,8 @@ from numpy.typing import ArrayLike
 from skinsource.actuators import Actuator
 from skinsource.arguments import finite_array
 from skinsource.arrays import Complexes, Floats
-from skinsource.equalising.band import Band
 from skinsource.errors import InvalidInputError
-from skinsource.limb import BAND_HZ
+from skinsource.limb import BAND_HZ, Band
 
 # Beyond the band the target falls to nothing: over an octave below, and up to 7/6 of its end, 700
 # Hz of the published limbs, above.

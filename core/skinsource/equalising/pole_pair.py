@@ -10,10 +10,9 @@ from skinsource import fields
 from skinsource.actuators import Actuator, VoiceCoil
 from skinsource.arguments import finite_array
 from skinsource.arrays import Complexes, Floats
-from skinsource.equalising.band import Band
 from skinsource.equalising.equaliser import Equaliser, gain_in_band, in_band_hz, mean_of
 from skinsource.fields import NumberSpec
-from skinsource.limb import BAND_HZ
+from skinsource.limb import BAND_HZ, Band
 
 RESONANCE = NumberSpec(
     label="Resonance",

@@ -12,10 +12,9 @@ from skinsource import fields
 from skinsource.actuators import Actuator
 from skinsource.arguments import finite_array
 from skinsource.arrays import Complexes, Floats
-from skinsource.equalising.band import Band
 from skinsource.equalising.equaliser import Equaliser, largest_gain, target
 from skinsource.fields import ChoiceSpec, NumberSpec
-from skinsource.limb import BAND_HZ
+from skinsource.limb import BAND_HZ, Band
 
 BOOST = NumberSpec(
     label="Boost",

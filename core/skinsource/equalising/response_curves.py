@@ -9,9 +9,8 @@ from skinsource.actuators import Actuator
 from skinsource.arguments import finite_array
 from skinsource.arrays import Floats
 from skinsource.decibels import decibels
-from skinsource.equalising.band import Band
 from skinsource.equalising.equaliser import Equaliser, mean_gain
-from skinsource.limb import BAND_HZ
+from skinsource.limb import BAND_HZ, Band
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

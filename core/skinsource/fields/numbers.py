@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.fields.spec import Address, Band, Misfit, Spec, Tree
-from skinsource.limb import BAND_HZ
+from skinsource.fields.spec import Address, Misfit, Spec, Tree
+from skinsource.limb import BAND_HZ, Band
 
 #: As the minimum of what has to be above 0 and has no other bound.
 SMALLEST = 5e-324
@@ -45,9 +45,9 @@ class NumberSpec(Spec):
     logarithmic: bool = False
     whole: bool = False
     below_half_rate: bool = False
-    felt_hz: Band = None
+    felt_hz: Band | None = None
 
-    def at_rate(self, sample_rate_hz: float, band_hz: Band = BAND_HZ) -> "NumberSpec":
+    def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "NumberSpec":
         """What is allowed on a limb of this rate: whole hertz below half of it, where that counts.
 
         What is felt is known in the band of the limb.
@@ -227,7 +227,7 @@ class PointsSpec(Spec):
             raise Misfit(expected)
         return points
 
-    def at_rate(self, sample_rate_hz: float, band_hz: Band = BAND_HZ) -> "PointsSpec":
+    def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "PointsSpec":
         """What is allowed on a limb of this rate, column by column."""
         columns = tuple(one.at_rate(sample_rate_hz, band_hz) for one in self.columns)
         return replace(self, columns=columns)

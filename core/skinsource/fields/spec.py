@@ -10,13 +10,10 @@ from dataclasses import dataclass
 from typing import Any, TypeVar
 
 from skinsource.errors import FileFormatError, InvalidInputError
-from skinsource.limb import BAND_HZ
+from skinsource.limb import BAND_HZ, Band
 from skinsource.quoting import quoted
 
 Tree = Any
-
-#: Lowest and highest frequency that a limb was measured at; None: nobody says.
-Band = tuple[float, float] | None
 
 #: Recipes within recipes; whoever nests deeper has made a mistake, or means harm.
 MAX_DEPTH = 32
@@ -73,7 +70,7 @@ class Spec(ABC):
         del at
         return tree
 
-    def at_rate(self, sample_rate_hz: float, band_hz: Band = BAND_HZ) -> "Spec":
+    def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "Spec":
         """What is allowed on a limb of this sample rate, known in its band: for most, the same."""
         del sample_rate_hz, band_hz
         return self

@@ -6,8 +6,8 @@ from typing import Any
 
 from skinsource.errors import InvalidInputError
 from skinsource.fields.recipes import decode, encode, nesting
-from skinsource.fields.spec import MAX_DEPTH, Address, Band, Misfit, Spec, Tree
-from skinsource.limb import BAND_HZ
+from skinsource.fields.spec import MAX_DEPTH, Address, Misfit, Spec, Tree
+from skinsource.limb import BAND_HZ, Band
 from skinsource.samples import MAX_SAMPLES, Samples
 
 
@@ -83,7 +83,7 @@ class ListSpec(Spec):
         # What is as it was keeps its identity.
         return value if all(a is b for a, b in zip(parts, value, strict=True)) else parts
 
-    def at_rate(self, sample_rate_hz: float, band_hz: Band = BAND_HZ) -> "ListSpec":
+    def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "ListSpec":
         """What is allowed on a limb of this rate, part by part."""
         return replace(self, of=self.of.at_rate(sample_rate_hz, band_hz))
 
@@ -123,7 +123,7 @@ class RecipeSpec(Spec):
 
     kinds: Callable[[], tuple[type, ...]]
     rate_hz: float | None = None
-    band_hz: Band = BAND_HZ
+    band_hz: Band | None = BAND_HZ
 
     def checked(self, value: Any) -> Any:
         """Return ``value`` itself."""
@@ -133,7 +133,7 @@ class RecipeSpec(Spec):
             raise Misfit(f"recipes within recipes at most {MAX_DEPTH} deep")
         return value
 
-    def at_rate(self, sample_rate_hz: float, band_hz: Band = BAND_HZ) -> "RecipeSpec":
+    def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "RecipeSpec":
         """The same, for a limb of this rate: what its fields allow follows from that."""
         return replace(self, rate_hz=sample_rate_hz, band_hz=band_hz)
 

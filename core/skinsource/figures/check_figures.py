@@ -7,13 +7,17 @@ from typing import Any
 import numpy as np
 
 from skinsource.arrays import Floats
+from skinsource.errors import InvalidInputError
 from skinsource.evaluation import evaluate
 from skinsource.figures.finer import finer
 from skinsource.figures.sheet import Drawn, Sheet, Table
-from skinsource.figures.values import field_of, frequency_of
-from skinsource.limb import BAND_HZ, PRE_TRIGGER_DELAY_S
+from skinsource.figures.values import field_of, frequency_of, normal_of
+from skinsource.limb import Band
+from skinsource.own_limbs import facts_of
 from skinsource.plot.paper import COLOURS, INK, style
+from skinsource.quoting import quoted
 from skinsource.scenes import OpenedScene
+from skinsource.waveforms import Chirp
 
 _BAND_HZ = 2.0
 _SHOWN_BANDS_HZ = (50.0, 100.0, 200.0, 400.0)
@@ -34,12 +38,13 @@ def strengths(opened: OpenedScene) -> Drawn:
     alike = np.stack([one["selected_traces"] for one in found]) / factors[:, None, None]
     drawn_s, drawn = finer(time_s, alike)
     clips = opened.design.inputs[0].clips
+    delay_s = facts_of(opened.design.limb).pre_trigger_delay_s
     sheet, columns, header = Sheet(opened, 78.0), [time_s], ["time_s"]
     with style():
         for row, number in enumerate(view.outputs):
             for column, clip in enumerate(clips):
                 ax = sheet.axes(22.0 + 52.0 * column, 46.0 - 34.0 * row, 46.0, 24.0)
-                middle = clip.onset_s + clip.duration_s / 2.0 + PRE_TRIGGER_DELAY_S
+                middle = clip.onset_s + clip.duration_s / 2.0 + delay_s
                 half = _CYCLES_SHOWN / (2.0 * frequency_of(clip))
                 within = np.abs(drawn_s - middle) <= half
                 _overlay(ax, opened, 1e3 * drawn_s[within], drawn[:, row, within])
@@ -88,16 +93,41 @@ class Fits:
     adjusted_r2: Floats
 
 
-def lines_of(opened: OpenedScene, axis: int = 2) -> Fits:
+def swept_hz(opened: OpenedScene) -> Band:
+    """From where to where the sweep of a scene goes, as far as its limb was measured there.
+
+    Raises
+    ------
+    InvalidInputError
+        The limb was measured nowhere there.
+    """
+    (clip,) = opened.design.inputs[0].clips
+    if not isinstance(clip.waveform, Chirp):
+        raise TypeError(f"{clip.waveform} is no sweep")
+    limb, swept = opened.design.limb, (clip.waveform.start_hz, clip.waveform.end_hz)
+    known = facts_of(limb).band_hz or (0.0, np.inf)
+    low_hz, high_hz = max(known[0], min(swept)), min(known[1], max(swept))
+    if high_hz - low_hz < _BAND_HZ:
+        raise InvalidInputError(
+            f"the sweep of this scene goes from {min(swept):g} to {max(swept):g} Hz, and the limb "
+            f"{quoted(limb)} was measured from {known[0]:g} to {known[1]:g} Hz, expected "
+            f"{_BAND_HZ:g} Hz or more in common. Choose another limb."
+        )
+    return low_hz, high_hz
+
+
+def lines_of(opened: OpenedScene) -> Fits:
     """Fit a line for each output and band, by least squares over the levels of the scene."""
+    swept = swept_hz(opened)
     played, felt, frequency_hz = [], [], np.zeros(0)
     for one in opened.conditions:
         found = evaluate(one.design, "input_waveforms", "sample_rate_hz")
         (waveform,) = found["input_waveforms"]
         _, field = field_of(one.design)
         drive = waveform * one.design.inputs[0].amplitude
-        frequency_hz, of_drive = banded(drive[None], field.shape[-1], found["sample_rate_hz"])
-        _, of_field = banded(field[:, axis], field.shape[-1], found["sample_rate_hz"])
+        n_fft, rate_hz = field.shape[-1], found["sample_rate_hz"]
+        frequency_hz, of_drive = banded(drive[None], n_fft, rate_hz, swept)
+        _, of_field = banded(normal_of(one.design, field), n_fft, rate_hz, swept)
         played.append(of_drive[0])
         felt.append(of_field)
     x, y = np.stack(played), np.stack(felt)
@@ -116,11 +146,13 @@ def lines_of(opened: OpenedScene, axis: int = 2) -> Fits:
     )
 
 
-def banded(signals: Floats, n_fft: int, sample_rate_hz: float) -> tuple[Floats, Floats]:
+def banded(
+    signals: Floats, n_fft: int, sample_rate_hz: float, band_hz: Band
+) -> tuple[Floats, Floats]:
     """Middles of bands of 2 Hz, and the RMS of the spectrum in each, (n_signals, n_bands)."""
     spectrum = np.abs(np.fft.rfft(signals, n_fft)) / n_fft
     frequency = np.arange(spectrum.shape[-1]) * sample_rate_hz / n_fft
-    edges = np.arange(BAND_HZ[0], BAND_HZ[1] + 1e-9, _BAND_HZ)
+    edges = np.arange(band_hz[0], band_hz[1] + 1e-9, _BAND_HZ)
     first = np.searchsorted(frequency, edges)
     energy = np.add.reduceat(spectrum**2, first, axis=-1)[:, :-1]
     return (edges[:-1] + edges[1:]) / 2.0, np.sqrt(energy / np.diff(first))
@@ -171,7 +203,7 @@ def straightness(opened: OpenedScene) -> Drawn:
             ("median of all outputs", np.median(fits.adjusted_r2, axis=0), COLOURS[0], 0.8),
         ):
             ax.plot(fits.frequency_hz, values, color=colour, lw=width, label=words)
-        ax.set_xlim(*BAND_HZ)
+        ax.set_xlim(*swept_hz(opened))
         ax.set_ylim(min(0.99, 1.0 - 1.2 * short), 1.001)
         ax.set_xlabel("Frequency (Hz)")
         ax.set_ylabel("Adjusted R²")
@@ -192,10 +224,11 @@ def superposition(opened: OpenedScene) -> Drawn:
     r = correlation(separate.reshape(-1, joint.shape[-1]), joint.reshape(-1, joint.shape[-1]))
     worst = r.reshape(joint.shape[:2]).min(axis=1)
     outputs, header = opened.view.outputs, ["time_s"]
+    normal = normal_of(opened.design, separate), normal_of(opened.design, joint)
     columns = [time_s]
     sheet = Sheet(opened, 70.0)
     with style():
-        _draw_sums(sheet, outputs, time_s, separate, joint)
+        _draw_sums(sheet, outputs, time_s, *normal)
         ax = sheet.axes(112.0, 12.0, 62.0, 46.0)
         numbers = np.arange(1, worst.size + 1)
         ax.semilogy(numbers, np.maximum(1.0 - worst, _SMALLEST), "o", ms=2.5, color=COLOURS[0])
@@ -207,7 +240,7 @@ def superposition(opened: OpenedScene) -> Drawn:
         ax.set_title("0 is drawn at the foot", fontsize=6)
     for number in outputs:
         header += [f"output_{number}_z_separate_m_per_s2", f"output_{number}_z_joint_m_per_s2"]
-        columns += [separate[number - 1, 2], joint[number - 1, 2]]
+        columns += [one[number - 1] for one in normal]
     numbers_and_r = np.column_stack((numbers.astype(float), worst))
     return Drawn(
         sheet=sheet,
@@ -230,9 +263,9 @@ def correlation(one: Floats, other: Floats) -> Floats:
 def _draw_sums(
     sheet: Sheet, outputs: Sequence[int], time_s: Floats, separate: Floats, joint: Floats
 ) -> None:
-    """Some cycles in the middle of the sweep."""
+    """Some cycles in the middle of the sweep, along the axis normal to the skin."""
     chosen = np.array(outputs) - 1
-    drawn_s, (apart, together) = finer(time_s, np.stack((separate, joint))[:, chosen, 2])
+    drawn_s, (apart, together) = finer(time_s, np.stack((separate, joint))[:, chosen])
     within = (drawn_s > 1.0) & (drawn_s < 1.05)
     for k, number in enumerate(outputs):
         ax = sheet.axes(26.0, 40.0 - 28.0 * k, 66.0, 20.0)

@@ -7,12 +7,11 @@ import numpy as np
 
 from skinsource.arrays import Floats
 from skinsource.figures.sheet import WIDTH_MM, Drawn, Sheet, Table
-from skinsource.figures.values import relative
+from skinsource.figures.values import axes_of_sensors, relative
 from skinsource.map_range import MAP_RANGE_DB
 from skinsource.plot.levels import Levels, Range, common_range, levels_of
 from skinsource.plot.maps import Bar, draw_map
 from skinsource.plot.paper import style
-from skinsource.projection import AXES
 from skinsource.scenes import OpenedScene
 
 _HEIGHT_MM, _BAR_ROOM_MM = 92.0, 20.0
@@ -36,7 +35,7 @@ def maps_each_relative(opened: OpenedScene) -> Drawn:
 
 def maps_of_axes(opened: OpenedScene) -> Drawn:
     """A map for each axis, all re the loudest output on any axis."""
-    single = [axis for axis in AXES if len(axis) == 1]
+    single = axes_of_sensors(opened.design)
     levels = [levels_of(opened.design, None, replace(opened.view, axes=axis)) for axis in single]
     titles = [f"{axis} axis" for axis in single]
     words = "dB re the loudest output on any axis"

@@ -6,16 +6,17 @@ import numpy as np
 
 from skinsource.evaluation import evaluate
 from skinsource.figures.sheet import WIDTH_MM, Drawn, Sheet, Table
-from skinsource.figures.values import field_of, frequency_of, with_values
+from skinsource.figures.values import field_of, frequency_of, normal_of, with_values
+from skinsource.own_limbs import facts_of
 from skinsource.plot.maps import Bar, draw_map
 from skinsource.plot.paper import INK, style
 from skinsource.plot.strips import WindowedLevels, draw_extent, draw_strip, windowed_levels
 from skinsource.scenes import OpenedScene
 
-_N_FRAMES, _FIRST_FRAME_S = 5, 0.1
+# The first frame, so long after a wave can arrive: at 100 ms of the published limbs.
+_N_FRAMES, _FIRST_FRAME_S = 5, 0.048
 # On a linear scale the finger alone would have colours: those end where the hand has its crests.
 _SHARE_OF_PEAK = 0.1
-_Z = 2
 
 
 def tone_frames(opened: OpenedScene) -> Drawn:
@@ -23,10 +24,12 @@ def tone_frames(opened: OpenedScene) -> Drawn:
     (clip,) = opened.design.clips
     time_s, field = field_of(opened.design)
     rate_hz = 1.0 / (time_s[1] - time_s[0])
-    quarters = _FIRST_FRAME_S + np.arange(_N_FRAMES) / (4.0 * frequency_of(clip))
+    first_s = facts_of(opened.design.limb).pre_trigger_delay_s + _FIRST_FRAME_S
+    quarters = first_s + np.arange(_N_FRAMES) / (4.0 * frequency_of(clip))
     instants = np.rint((quarters - time_s[0]) * rate_hz).astype(int)
-    normal = field[:, _Z][:, instants].T
-    limit = _SHARE_OF_PEAK * float(np.abs(field[:, _Z]).max())
+    along_z = normal_of(opened.design, field)
+    normal = along_z[:, instants].T
+    limit = _SHARE_OF_PEAK * float(np.abs(along_z).max())
     sheet = Sheet(opened, 84.0)
     with style():
         image: Any = None

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from math import floor
 from typing import Any
 
 import numpy as np
@@ -12,29 +13,27 @@ from skinsource.decibels import decibels
 from skinsource.evaluation import evaluate
 from skinsource.figures.finer import finer
 from skinsource.figures.sheet import WIDTH_MM, Drawn, Sheet, Table
-from skinsource.figures.values import field_of, frames, with_values
-from skinsource.limb import BAND_HZ
+from skinsource.figures.values import axes_of_sensors, field_of, frames, with_values
+from skinsource.own_limbs import facts_of
 from skinsource.plot.levels import common_range
 from skinsource.plot.maps import draw_map
 from skinsource.plot.paper import COLOURS, style
 from skinsource.plot.rows import Row, common_size, draw_rows, say_scale
 from skinsource.plot.signals import averaged
-from skinsource.projection import Axes
 from skinsource.scenes import OpenedScene
 
 _ROW_MM, _AXIS_MM = 11.0, 12.0
 _LEFT_MM, _RIGHT_MM = 34.0, 8.0
 _FRAMES_MM = 54.0
-_AXES: tuple[Axes, ...] = ("x", "y", "z")
 _RED_BLUE_BLACK = (COLOURS[1], COLOURS[0], COLOURS[2])
-# The instants at which the paper shows a pulse: 52.0, 52.75, 53.5, 54.25 and 55.0 ms.
-_INSTANTS = [67, 68, 69, 70, 71]
+# How long after the pulse the paper shows it: at 52.0, 52.75, 53.5, 54.25 and 55.0 ms.
+_INSTANTS_S = (0.0, 0.00075, 0.0015, 0.00225, 0.003)
 _MEAN_OF_BINS = 10
 
 
 def pulse_traces(opened: OpenedScene) -> Drawn:
     """Three axes of each output, each output relative to its peak, and maps of the first 3 ms."""
-    outputs = opened.view.outputs
+    outputs, axes = opened.view.outputs, axes_of_sensors(opened.design)
     time_s, field = field_of(opened.design)
     within = _within(opened, time_s)
     drawn_s, drawn = finer(time_s, field[np.array(outputs) - 1])
@@ -45,32 +44,40 @@ def pulse_traces(opened: OpenedScene) -> Drawn:
     ]
     height_mm = 9.0 * len(rows)
     sheet = Sheet(opened, height_mm + _FRAMES_MM + 20.0)
-    magnitudes = frames(opened.design, _INSTANTS)
+    instants = _instants(opened)
+    magnitudes = frames(opened.design, instants)
     levels = [with_values(opened.design, decibels(one)) for one in magnitudes]
     with style():
         width_mm = WIDTH_MM - _LEFT_MM - _RIGHT_MM
         ax = sheet.axes(_LEFT_MM, _FRAMES_MM + 14.0, width_mm, height_mm)
-        draw_rows(ax, rows, labels=_AXES)
+        draw_rows(ax, rows, labels=axes)
         ax.set_xlabel("Time (ms)")
         say_scale(ax, "each row relative to its peak")
         colours = common_range(*(one.values for one in levels))
         image = None
-        places = sheet.row_of_axes(len(_INSTANTS), 12.0, 1.0, 146.0, _FRAMES_MM - 6.0)
-        for place, one, instant in zip(places, levels, _INSTANTS, strict=True):
+        places = sheet.row_of_axes(len(instants), 12.0, 1.0, 146.0, _FRAMES_MM - 6.0)
+        for place, one, instant in zip(places, levels, instants, strict=True):
             title = f"{1e3 * time_s[instant]:.1f} ms"
             image = draw_map(place, one, colours, title=title, bar="none", part="hand")
         sheet.colour_bar(image, 160.0, 4.0, _FRAMES_MM - 14.0, "magnitude, dB re 1 m/s²")
-    header = ["time_s", *(f"output_{n}_{axis}_m_per_s2" for n in outputs for axis in _AXES)]
+    header = ["time_s", *(f"output_{n}_{axis}_m_per_s2" for n in outputs for axis in axes)]
     shown = np.concatenate([field[number - 1] for number in outputs])[:, within]
-    instants = [f"{1e3 * time_s[one]:.3f}_ms_magnitude_m_per_s2" for one in _INSTANTS]
+    shown_at = [f"{1e3 * time_s[one]:.3f}_ms_magnitude_m_per_s2" for one in instants]
     numbers = np.arange(1.0, magnitudes.shape[1] + 1.0)
     return Drawn(
         sheet=sheet,
         tables={
             "": Table(header=header, rows=np.vstack((time_s[within], shown)).T),
-            "-frames": Table(header=["output", *instants], rows=np.vstack((numbers, magnitudes)).T),
+            "-frames": Table(header=["output", *shown_at], rows=np.vstack((numbers, magnitudes)).T),
         },
     )
+
+
+def _instants(opened: OpenedScene) -> list[int]:
+    """Samples at which the pulse is shown, as late as the responses of the limb are."""
+    facts = facts_of(opened.design.limb)
+    rate_hz, delay_s = facts.sample_rate_hz, facts.pre_trigger_delay_s
+    return [floor((delay_s + one) * rate_hz) for one in _INSTANTS_S]
 
 
 def axis_spectra(opened: OpenedScene) -> Drawn:
@@ -122,24 +129,25 @@ def _traces(opened: OpenedScene, colours: Sequence[str], *, own_scale: bool) -> 
 
 
 def _spectra(opened: OpenedScene, mean_of_bins: int) -> Drawn:
-    outputs = opened.view.outputs
+    outputs, axes = opened.view.outputs, axes_of_sensors(opened.design)
     by_axis, frequency_hz = [], np.zeros(0)
-    for axis in _AXES:
+    for axis in axes:
         view = replace(opened.view, axes=axis)
         spectra = evaluate(opened.design, "selected_spectra", view=view)["selected_spectra"]
         frequency_hz, magnitude = spectra
         by_axis.append(averaged(magnitude, mean_of_bins))
-    within = (frequency_hz >= BAND_HZ[0]) & (frequency_hz <= BAND_HZ[1])
+    low_hz, high_hz = facts_of(opened.design.limb).band_hz or (0.0, np.inf)
+    within = (frequency_hz >= low_hz) & (frequency_hz <= high_hz)
     of_outputs = np.stack(by_axis, axis=1)[..., within]
     rows = [
         _own_row(number, frequency_hz[within], one)
         for number, one in zip(outputs, of_outputs, strict=True)
     ]
-    sheet, ax = _rows_sheet(opened, rows, _AXES, COLOURS, from_zero=True)
+    sheet, ax = _rows_sheet(opened, rows, axes, COLOURS, from_zero=True)
     with style():
         ax.set_xlabel("Frequency (Hz)")
         say_scale(ax, "magnitude; each row relative to its largest")
-    header = ["frequency_hz", *(f"output_{n}_{axis}_m_per_s2" for n in outputs for axis in _AXES)]
+    header = ["frequency_hz", *(f"output_{n}_{axis}_m_per_s2" for n in outputs for axis in axes)]
     columns = of_outputs.reshape(-1, of_outputs.shape[-1])
     table = Table(header=header, rows=np.vstack((frequency_hz[within], columns)).T)
     return Drawn(sheet=sheet, tables={"": table})

@@ -8,6 +8,8 @@ from skinsource.arrays import Floats
 from skinsource.clips import Clip
 from skinsource.design import Design
 from skinsource.evaluation import evaluate
+from skinsource.limb import AXES, Axes, axis_numbers
+from skinsource.own_limbs import facts_of
 from skinsource.plot.levels import Levels, levels_of
 from skinsource.projection import magnitude
 from skinsource.view import View
@@ -15,11 +17,23 @@ from skinsource.waveforms import Tone
 
 
 def field_of(design: Design) -> tuple[Floats, Floats]:
-    """Times, (n_times,), in s, and acceleration, (n_outputs, 3, n_times), in m/s²."""
+    """Times, (n_times,), in s, and acceleration, (n_outputs, n_axes, n_times), in m/s²."""
     limb = evaluate(design, "limb_data")["limb_data"]
     view = View(axes="xyz", outputs=tuple(range(1, limb.n_outputs + 1)))
     found = evaluate(design, "response_time_s", "axis_traces", view=view)
     return found["response_time_s"], found["axis_traces"]
+
+
+def axes_of_sensors(design: Design) -> tuple[Axes, ...]:
+    """Those along which the limb of a design was measured, one by one."""
+    measured = facts_of(design.limb).axes
+    return tuple(axis for axis in AXES if len(axis) == 1 and axis in measured)
+
+
+def normal_of(design: Design, field: Floats) -> Floats:
+    """Of the field of a design, what is normal to the skin, z, (n_outputs, n_times)."""
+    (normal,) = axis_numbers("z", facts_of(design.limb).axes)
+    return field[:, normal]
 
 
 def frequency_of(clip: Clip) -> float:

@@ -1,6 +1,7 @@
 """One upper limb: its impulse responses, its map, and how large all of it is."""
 
 from skinsource.limb.axes import ALL_AXES, AXES, Axes, axes_of, axis_numbers, words
+from skinsource.limb.band import Band
 from skinsource.limb.facts import LIVE_INPUTS, LIVE_OUTPUTS, PUBLISHED, LimbFacts
 from skinsource.limb.limb import Limb
 from skinsource.limb.limb_map import LimbMap
@@ -18,12 +19,14 @@ from skinsource.limb.published import (
     SAMPLE_RATE_HZ,
     VOLAR_OUTPUTS,
 )
+from skinsource.limb.skin import LARGEST_VELOCITY_M_PER_S
 
 __all__ = [
     "ALL_AXES",
     "AXES",
     "BAND_HZ",
     "HAND_LENGTHS_MM",
+    "LARGEST_VELOCITY_M_PER_S",
     "LIMB_NAMES",
     "LIVE_INPUTS",
     "LIVE_OUTPUTS",
@@ -37,6 +40,7 @@ __all__ = [
     "SAMPLE_RATE_HZ",
     "VOLAR_OUTPUTS",
     "Axes",
+    "Band",
     "Limb",
     "LimbFacts",
     "LimbMap",

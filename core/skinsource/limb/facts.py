@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from skinsource.limb.axes import Axes
+from skinsource.limb.band import Band
 from skinsource.limb.published import (
     BAND_HZ,
     HAND_LENGTHS_MM,
@@ -52,7 +53,7 @@ class LimbFacts:
     axes: Axes = "xyz"
     sample_rate_hz: float = SAMPLE_RATE_HZ
     pre_trigger_delay_s: float = PRE_TRIGGER_DELAY_S
-    band_hz: tuple[float, float] | None = BAND_HZ
+    band_hz: Band | None = BAND_HZ
     hand_length_mm: float = 0.0
     synthetic: bool = False
     own: bool = False

@@ -8,6 +8,7 @@ import numpy as np
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
 from skinsource.limb.axes import AXES, Axes
+from skinsource.limb.band import Band
 from skinsource.limb.limb_map import LimbMap
 from skinsource.limb.places import check_input_location
 from skinsource.limb.published import (
@@ -70,7 +71,7 @@ class Limb:
         sample_rate_hz: float = SAMPLE_RATE_HZ,
         axes: Axes = "xyz",
         pre_trigger_delay_s: float = PRE_TRIGGER_DELAY_S,
-        band_hz: tuple[float, float] | None = BAND_HZ,
+        band_hz: Band | None = BAND_HZ,
         per_unit_drive: bool = False,
         note: str = "",
         shape: tuple[int, int, int, int] = (N_INPUTS, N_OUTPUTS, N_AXES, N_TAPS),

@@ -3,10 +3,12 @@
 What computes asks the limb it is given, never these.
 """
 
+from skinsource.limb.band import Band
+
 N_INPUTS, N_OUTPUTS, N_AXES, N_TAPS = 20, 72, 3, 522
 SAMPLE_RATE_HZ = 1300.0
 #: The band in which the responses were measured.
-BAND_HZ = (25.0, 600.0)
+BAND_HZ: Band = (25.0, 600.0)
 #: Time between the trigger and the pulse in the measured responses.
 PRE_TRIGGER_DELAY_S = 0.052
 #: Outputs on the palmar side: they have no place on the dorsal map.

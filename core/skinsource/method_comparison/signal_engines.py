@@ -12,13 +12,12 @@ from skinsource.arrays import Floats
 from skinsource.method_comparison.method import Method, Setting, Unfit
 from skinsource.method_comparison.signal_scenes import N_STEPS, STEP_RATE_HZ, SignalScene, burst
 from skinsource.resampling import resample
+from skinsource.resampling.kernel import half_transition
 
 #: Gives the signal, (n_rows, n_times); all that can be prepared is done.
 Run = Callable[[], Floats]
 #: More multiples of the exact peak than that are no approximation of it.
 _DIVERGED = 1e3
-# Half the transition of this program's filter, as a share of half the lower rate.
-_TRANSITION = 1.0 / 13.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -152,7 +151,7 @@ def _polyphase(scene: SignalScene, setting: str) -> Run:
     if setting == "default":
         return lambda: scipy.signal.resample_poly(samples, up, down)[None]
     # A Kaiser filter of so many dB whose transition is that of this program: 600 to 700 Hz.
-    width = 2.0 * _TRANSITION / max(up, down)
+    width = 2.0 * half_transition(min(scene.rates_hz)) / max(up, down)
     n_taps, beta = scipy.signal.kaiserord(float(setting.split()[0]), width)
     taps: Any = scipy.signal.firwin(n_taps | 1, 1.0 / max(up, down), window=("kaiser", beta))
     return lambda: scipy.signal.resample_poly(samples, up, down, window=taps)[None]

@@ -8,7 +8,7 @@ import numpy as np
 from skinsource.arguments import one_of, real_array, real_number, whole_number
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
-from skinsource.limb import AXES, Axes, LimbMap
+from skinsource.limb import AXES, Axes, Band, LimbMap
 from skinsource.quoting import quoted
 
 MOST_INPUTS, MOST_OUTPUTS, MOST_TAPS = 256, 512, 2**20
@@ -67,7 +67,7 @@ class OwnLimb:
     axes: Axes
     sample_rate_hz: float
     pre_trigger_delay_s: float = 0.0
-    band_hz: tuple[float, float] | None = None
+    band_hz: Band | None = None
     per_unit_drive: bool = True
     synthetic: bool = False
     hand_length_mm: float
@@ -183,7 +183,7 @@ def _line(what: str, text: object, longest: int) -> str:
     return text.strip()
 
 
-def _band(band_hz: object, sample_rate_hz: float) -> tuple[float, float] | None:
+def _band(band_hz: object, sample_rate_hz: float) -> Band | None:
     if band_hz is None:
         return None
     found = real_array("band_hz", band_hz, "two frequencies")  # type: ignore[arg-type]

@@ -5,7 +5,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from skinsource.errors import InvalidInputError, SkinSourceError
-from skinsource.limb import PUBLISHED, Axes, LimbFacts, LimbMap, axes_of, words
+from skinsource.limb import PUBLISHED, Axes, Band, LimbFacts, LimbMap, axes_of, words
 from skinsource.own_limbs.content import is_free_name
 from skinsource.own_limbs.limb_file import LimbFile
 from skinsource.own_limbs.store import own_limb_path
@@ -73,7 +73,7 @@ def missing_limb(name: str, digest: str) -> str:
     return ""
 
 
-def _band_words(band_hz: tuple[float, float] | None) -> str:
+def _band_words(band_hz: Band | None) -> str:
     return "" if band_hz is None else f", measured from {band_hz[0]:g} to {band_hz[1]:g} Hz"
 
 

@@ -8,9 +8,8 @@ import numpy as np
 
 from skinsource.arrays import Booleans, Floats
 from skinsource.chain import Actuation, Drive, refuse_unfollowed
-from skinsource.equalising import Band
 from skinsource.job import Stop, stop_if
-from skinsource.limb import Limb
+from skinsource.limb import Band, Limb
 from skinsource.rendering.drives import active_samples
 from skinsource.rendering.placed import Placed
 from skinsource.rendering.remembered import Remembered

@@ -14,6 +14,8 @@ _STOP_BAND_DB = 140.0
 _BETA = 0.1102 * (_STOP_BAND_DB - 8.7)
 # Half the transition, as a share of half the lower rate.
 _WIDEST, _NARROWEST = 1.0 / 13.0, 1.0 / 130.0
+#: So much of half the lower rate passes, whatever the two rates are.
+PASSED_SHARE = 1.0 - _WIDEST
 # Of a filter that is kept for the next time: to compute it takes longer than to use it.
 _LONGEST_KEPT = 2**18
 # Values of a matrix of weights; larger ones cost more than they save.
@@ -102,7 +104,10 @@ def _kept_weights(up: int, down: int, half_transition: float) -> Floats:
 
 
 def half_transition(lower_hz: float) -> float:
-    """Half the transition, as a share of half the lower rate."""
+    """Half the transition, as a share of half the lower rate.
+
+    Part of the function, whatever the limb: of 1200 to 1300 Hz, too, 600 Hz shall pass.
+    """
     if lower_hz <= 2.0 * BAND_HZ[1]:
         return _WIDEST
     return min(max(1.0 - 2.0 * BAND_HZ[1] / lower_hz, _NARROWEST), _WIDEST)

@@ -111,13 +111,11 @@ class Duplex:
             for stream in self._streams:
                 self._asks_inputs = stream is not self._streams[-1]
                 stream.start()
-            while not self._finished.wait(_LOOK_S):
+            while self._goes_on and not self._gone:
+                sleep(_LOOK_S)
                 told(self.n_recorded)
                 if stop():
                     raise Stopped("Stopped; nothing was measured.")
-                if self._gone:
-                    break
-            self._hear_the_end()
         except self._library.PortAudioError as error:
             raise PlaybackError(self._refusal(error)) from error
         finally:
@@ -176,6 +174,13 @@ class Duplex:
         self._streams.append(stream)
 
     @property
+    def _goes_on(self) -> bool:
+        """Whether something plays, or, with two streams, what played last is on its way in."""
+        if not self._finished.is_set():
+            return True
+        return self._missing and self._deck.ending is not None and self._deck.ending.reason == "end"
+
+    @property
     def _missing(self) -> bool:
         """Whether less was recorded than is wanted."""
         return self.n_recorded < self.recorded.shape[1]
@@ -190,13 +195,6 @@ class Duplex:
             return ""
         card = self._card
         return card.inputs.name if last == self._heard_s else card.device.name
-
-    def _hear_the_end(self) -> None:
-        """What was played last is on its way in yet, where each way has its own stream."""
-        ending = self._deck.ending
-        if ending is not None and ending.reason == "end":
-            while self._missing and not self._gone:
-                sleep(_LOOK_S)
 
     def _fall_silent(self) -> None:
         if self._streams[-1].active:

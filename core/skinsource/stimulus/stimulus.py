@@ -6,7 +6,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from skinsource.arrays import Floats
-from skinsource.limb import BAND_HZ
+from skinsource.limb import BAND_HZ, Band
+from skinsource.resampling import PASSED_SHARE
 from skinsource.scaling.response_scaling import Scaling
 from skinsource.stimulus.channel import Channel
 
@@ -49,7 +50,7 @@ class Stimulus:
     start_s: float = 0.0
     own_rate_hz: float
     samples_unit: str = ""
-    limb_band_hz: tuple[float, float] | None = BAND_HZ
+    limb_band_hz: Band | None = BAND_HZ
 
     def __post_init__(self) -> None:
         if self.samples.ndim != 2 or len(self.channels) != self.samples.shape[0]:
@@ -77,11 +78,11 @@ class Stimulus:
         return self.samples_unit or UNITS[self.scaling]
 
     @property
-    def band_hz(self) -> tuple[float, float]:
+    def band_hz(self) -> Band:
         """Lowest and highest frequency at which what is written is what was predicted."""
         lower_hz = min(self.sample_rate_hz, self.own_rate_hz)
         low_hz, high_hz = self.limb_band_hz or (0.0, np.inf)
-        return low_hz, min(high_hz, lower_hz / 2.0 * 12.0 / 13.0)
+        return low_hz, min(high_hz, PASSED_SHARE * 0.5 * lower_hz)
 
     @property
     def driving(self) -> tuple[int, ...]:

@@ -7,8 +7,9 @@ import numpy as np
 
 from skinsource.actuators import load, names
 from skinsource.chain import Actuation
-from skinsource.equalising import Band, Equaliser, equalised, followed_band
+from skinsource.equalising import Equaliser, equalised, followed_band
 from skinsource.errors import InvalidInputError
+from skinsource.limb import Band
 from skinsource.quoting import quoted
 from skinsource.rigs import Rig, RigChannel
 from skinsource.sampling import band_limited_delay

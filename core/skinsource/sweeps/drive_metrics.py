@@ -6,6 +6,7 @@ import numpy as np
 
 from skinsource.arrays import Floats
 from skinsource.chain import Drive
+from skinsource.limb import Band
 from skinsource.rendering.placed import Placed
 from skinsource.spectra import share_outside_band
 from skinsource.sweeps.prepared import Prepared
@@ -60,7 +61,7 @@ class DriveMetrics:
             "share_outside_band": outside / energy if energy > 0.0 else np.nan,
         }
 
-    def _of_drive(self, one: Placed, rate_hz: float, band_hz: tuple[float, float] | None) -> _Known:
+    def _of_drive(self, one: Placed, rate_hz: float, band_hz: Band | None) -> _Known:
         known = self._known.get(one.voice.id)
         if known is None or known.drive is not one.drive:
             samples = one.drive.samples

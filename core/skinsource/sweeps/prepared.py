@@ -4,9 +4,8 @@ from dataclasses import dataclass
 
 from skinsource.chain import Actuation, refuse_unfollowed
 from skinsource.design import Design, Input, audible_indices
-from skinsource.equalising import Band
 from skinsource.job import Stop, stop_if
-from skinsource.limb import Limb
+from skinsource.limb import Band, Limb
 from skinsource.quantities import voices
 from skinsource.rendering.placed import Placed
 from skinsource.rendering.remembered import Remembered

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 from skinsource.arguments import finite_array, positive_number
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
-from skinsource.limb import BAND_HZ
+from skinsource.limb import BAND_HZ, Band
 from skinsource.validation.agreement import pearson
 
 #: Width of the bins in which outputs are held against inputs (SkinSource, 2024, Section V).
@@ -18,7 +18,7 @@ def linear_fit(
     levels: ArrayLike,
     responses: ArrayLike,
     sample_rate_hz: float,
-    band_hz: tuple[float, float] | None = BAND_HZ,
+    band_hz: Band | None = BAND_HZ,
 ) -> tuple[Floats, Floats]:
     """Return how well output is in proportion to input, by frequency.
 

@@ -2,7 +2,6 @@
 
 from skinsource.validity.finding import Finding, Findings
 from skinsource.validity.judging import (
-    LARGEST_VELOCITY_M_PER_S,
     SPATIAL_LIMIT_HZ,
     found_in_drives,
     found_in_outputs,
@@ -11,7 +10,6 @@ from skinsource.validity.judging import (
 )
 
 __all__ = [
-    "LARGEST_VELOCITY_M_PER_S",
     "SPATIAL_LIMIT_HZ",
     "Finding",
     "Findings",

@@ -10,20 +10,20 @@ from numpy.typing import ArrayLike
 from skinsource.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.arguments import finite_array, positive_number
 from skinsource.arrays import Floats
-from skinsource.limb import BAND_HZ
+from skinsource.limb import BAND_HZ, LARGEST_VELOCITY_M_PER_S, Band
 from skinsource.scaling.response_scaling import Scaling
 from skinsource.spectra import share_outside_band
 from skinsource.validity.finding import Finding, Findings
 
-#: Up to here the skin was found to answer in proportion: third harmonics show at twice of it.
-LARGEST_VELOCITY_M_PER_S = 0.04
 #: Above it wavelengths are too short for the spacing of the outputs.
 SPATIAL_LIMIT_HZ = 300.0
 #: So much of the energy may lie where it should not.
 MOST_SHARE = 0.05
 _MM_PER_M = 1e3
-# Below it a velocity is not told: accelerations were not measured there.
-_SLOWEST_HZ = BAND_HZ[0]
+# What is slower than the band is faded out over an octave, which rings for so many periods.
+_RINGS_PERIODS = 10.0
+# Even where a band begins lower still: a velocity from there on would need minutes of room.
+_LEAST_HZ = 1.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,11 +35,13 @@ class _Drive:
     energy: float
 
 
-def probe_velocity(acceleration: ArrayLike, sample_rate_hz: float) -> float:
+def probe_velocity(
+    acceleration: ArrayLike, sample_rate_hz: float, lowest_hz: float = BAND_HZ[0]
+) -> float:
     """Return the largest velocity of a probe, m/s, from its acceleration.
 
     By division of the spectrum; what is slower than the measured band is faded out over the octave
-    below it (a raised cosine from 12.5 to 25 Hz), because it would drift.
+    below it (a raised cosine, from 12.5 to 25 Hz of the published limbs), because it would drift.
 
     Parameters
     ----------
@@ -47,15 +49,17 @@ def probe_velocity(acceleration: ArrayLike, sample_rate_hz: float) -> float:
         m/s², silent before and after.
     sample_rate_hz
         Its rate.
+    lowest_hz
+        Where the measured band begins.
     """
     data = finite_array("acceleration", acceleration, "(n_times,)")
     rate = positive_number("sample_rate_hz", sample_rate_hz)
     if data.ndim != 1 or not data.any():
         return 0.0
-    # Room for what the fade rings over: a fifth of a second at either end.
-    n_fft = scipy.fft.next_fast_len(data.size + round(0.4 * rate), real=True)
+    room = round(_RINGS_PERIODS / lowest_hz * rate)
+    n_fft = scipy.fft.next_fast_len(data.size + room, real=True)
     frequency_hz = np.arange(n_fft // 2 + 1) * (rate / n_fft)
-    part = np.clip(2.0 * frequency_hz / _SLOWEST_HZ - 1.0, 0.0, 1.0)
+    part = np.clip(2.0 * frequency_hz / lowest_hz - 1.0, 0.0, 1.0)
     weight = 0.5 - 0.5 * np.cos(np.pi * part)
     divisor = np.where(weight > 0.0, 2.0 * np.pi * frequency_hz, 1.0)
     spectrum = scipy.fft.rfft(data, n_fft) * (weight / (1j * divisor))
@@ -68,7 +72,7 @@ def found_in_drives(
     scaling: Scaling,
     *,
     probe: bool = True,
-    band_hz: tuple[float, float] | None = BAND_HZ,
+    band_hz: Band | None = BAND_HZ,
 ) -> Findings:
     """Return what is found in what is played: band, drive, and spacing.
 
@@ -91,7 +95,7 @@ def found_in_drives(
     ]
     return (
         _band(played, sample_rate_hz, band_hz),
-        _velocity(played, sample_rate_hz, scaling, probe=probe),
+        _velocity(played, sample_rate_hz, scaling, _lowest_hz(band_hz), probe=probe),
         _spacing(played, sample_rate_hz),
     )
 
@@ -188,7 +192,7 @@ def listed(outputs: Sequence[int]) -> str:
     return parts[0] if len(parts) == 1 else f"{', '.join(parts[:-1])} and {parts[-1]}"
 
 
-def _share(played: Sequence[_Drive], rate: float, band: tuple[float, float]) -> float:
+def _share(played: Sequence[_Drive], rate: float, band: Band) -> float:
     """Share of the energy of all drives outside a band; 0 in silence."""
     energy = sum(one.energy for one in played)
     if energy == 0.0:
@@ -197,7 +201,7 @@ def _share(played: Sequence[_Drive], rate: float, band: tuple[float, float]) -> 
     return outside / energy
 
 
-def _band(played: Sequence[_Drive], rate: float, band_hz: tuple[float, float] | None) -> Finding:
+def _band(played: Sequence[_Drive], rate: float, band_hz: Band | None) -> Finding:
     if band_hz is None:
         sentence = (
             "In which band this limb was measured is not known, so neither is whether what plays "
@@ -216,7 +220,15 @@ def _band(played: Sequence[_Drive], rate: float, band_hz: tuple[float, float] | 
     )
 
 
-def _velocity(played: Sequence[_Drive], rate: float, scaling: Scaling, *, probe: bool) -> Finding:
+def _lowest_hz(band_hz: Band | None) -> float:
+    """Below it no velocity is told: accelerations were not measured there, or nobody says."""
+    low_hz = 0.0 if band_hz is None else band_hz[0]
+    return max(low_hz, _LEAST_HZ) if low_hz > 0.0 else BAND_HZ[0]
+
+
+def _velocity(
+    played: Sequence[_Drive], rate: float, scaling: Scaling, lowest_hz: float, *, probe: bool
+) -> Finding:
     limit = f"{LARGEST_VELOCITY_M_PER_S * _MM_PER_M:g} mm/s"
     if scaling != "probe":
         return Finding(
@@ -231,13 +243,13 @@ def _velocity(played: Sequence[_Drive], rate: float, scaling: Scaling, *, probe:
     if not probe:
         sentence = "Drives go through actuators here: the actuator panel tells how fast these move."
         return Finding(name="drive", state="unknown", sentence=sentence)
-    fastest = max((probe_velocity(one.samples, rate) for one in played), default=0.0)
+    fastest = max((probe_velocity(one.samples, rate, lowest_hz) for one in played), default=0.0)
     left = fastest > LARGEST_VELOCITY_M_PER_S
     return Finding(
         name="drive",
         state="left" if left else "kept",
         sentence=(
-            f"The probe moves at up to {fastest * _MM_PER_M:.3g} mm/s, from {_SLOWEST_HZ:g} Hz on; "
+            f"The probe moves at up to {fastest * _MM_PER_M:.3g} mm/s, from {lowest_hz:g} Hz on; "
             + (
                 f"above {limit} the skin no longer answers in proportion."
                 if left

@@ -53,6 +53,7 @@ class Chirp:
 
     title: ClassVar[str] = "Chirp"
 
+    # Part of the recipe, whatever the limb: so a file means that says no others.
     start_hz: float = fields.number(BAND_HZ[0], START)
     end_hz: float = fields.number(BAND_HZ[1], END)
     duration_s: float = fields.number(1.0, DURATION)

@@ -19,7 +19,7 @@ TEXT = TextSpec(
     hint="Of t in s, such as sin(2*pi*100*t) * hann(). Functions: "
     + ", ".join(function.usage for function in formula.FUNCTIONS.values()),
 )
-# So much is tried when it is made; the rest when it is played.
+# So much is tried when it is made, at one rate for all limbs; the rest when it is played.
 _TRIED_S = 10.0
 
 

@@ -23,6 +23,7 @@ class Impulse:
 
     title: ClassVar[str] = "Impulse"
 
+    # As it is drawn; it plays one sample of whatever limb.
     duration_s: ClassVar[float] = 1 / SAMPLE_RATE_HZ
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:

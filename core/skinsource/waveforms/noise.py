@@ -57,6 +57,7 @@ class Noise:
 
     seed: int = fields.number(0, SEED)
     duration_s: float = fields.number(0.2, DURATION)
+    # Part of the recipe, whatever the limb: so a file means that says no others.
     low_hz: float = fields.number(BAND_HZ[0], LOW)
     high_hz: float = fields.number(BAND_HZ[1], HIGH)
     window: WindowName = fields.choice("tukey", WINDOW)

@@ -9,7 +9,8 @@ from skinsource.actuator_demand import ActuatorSettings
 from skinsource.actuators import Actuator, ResponseShape
 from skinsource.arrays import Floats
 from skinsource.decibels import decibels
-from skinsource.equalising import Band, curves
+from skinsource.equalising import curves
+from skinsource.limb import Band
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import CurveName, Curves
 

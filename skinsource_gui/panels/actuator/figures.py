@@ -5,7 +5,7 @@ from math import isnan
 
 from skinsource.actuator_demand import ActuatorSettings
 from skinsource.actuators import Prediction, breaches
-from skinsource.validity.judging import LARGEST_VELOCITY_M_PER_S
+from skinsource.limb import LARGEST_VELOCITY_M_PER_S
 from skinsource_gui.widgets.fields.units import value_text
 
 _DIGITS = 3

@@ -13,7 +13,8 @@ from skinsource import edits
 from skinsource.actuator_demand import ActuatorSettings, Demand, actuation_of, settings_through
 from skinsource.design import Design
 from skinsource.edits.selection import clip_of
-from skinsource.equalising import Band, followed_band
+from skinsource.equalising import followed_band
+from skinsource.limb import Band
 from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View

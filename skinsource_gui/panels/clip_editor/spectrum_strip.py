@@ -7,6 +7,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
+from skinsource.limb import Band
 from skinsource.spectra import share_outside_band
 from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
 from skinsource_gui.widgets.kept_picture import KeptPicture
@@ -52,7 +53,7 @@ class SpectrumStrip(QWidget):
         self._outside = 0.0
         self._samples: Floats | None = None
         self._rate_hz = 0.0
-        self._band_hz: tuple[float, float] | None = None
+        self._band_hz: Band | None = None
 
     @property
     def outside(self) -> float:
@@ -63,7 +64,7 @@ class SpectrumStrip(QWidget):
         return QSize(200, 106)
 
     def show_samples(
-        self, samples: Floats | None, sample_rate_hz: float, band_hz: tuple[float, float] | None
+        self, samples: Floats | None, sample_rate_hz: float, band_hz: Band | None
     ) -> None:
         """Show the spectrum of ``samples``, (n_times,), and the share of energy out of band.
 

@@ -11,7 +11,7 @@ from skinsource.design import AMPLITUDE, GAIN_CURVE, Input
 from skinsource.edits.kinds import kind_name, kind_spec
 from skinsource.edits.selection import clip_of, clips_of
 from skinsource.fields import ChoiceSpec, NumberSpec, specs_of
-from skinsource.limb import LimbFacts
+from skinsource.limb import Band, LimbFacts
 from skinsource.locations import input_words
 from skinsource.own_limbs import facts_of
 from skinsource.view import View
@@ -121,7 +121,7 @@ class InputFields(QObject):
         """Take over the rate of the limb, which says what frequencies can be played."""
         self._take(sample_rate_hz, self._played_at[1])
 
-    def _take(self, sample_rate_hz: float, band_hz: tuple[float, float] | None) -> None:
+    def _take(self, sample_rate_hz: float, band_hz: Band | None) -> None:
         if self._played_at == (sample_rate_hz, band_hz):
             return
         self._played_at = sample_rate_hz, band_hz

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.decibels import decibels
 from skinsource.design import Design
-from skinsource.limb import BAND_HZ
+from skinsource.limb import BAND_HZ, Band
 from skinsource.loudest_window import HOLD_WINDOW_S
 from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of, with_settings
@@ -158,9 +158,7 @@ class SpectraPanel(SignalPanel):
 
 
 @cache
-def _axes(
-    sample_rate_hz: float, *, band: tuple[float, float] | None = BAND_HZ
-) -> tuple[XAxis, XAxis]:
+def _axes(sample_rate_hz: float, *, band: Band | None = BAND_HZ) -> tuple[XAxis, XAxis]:
     """The linear and the logarithmic axis of a limb of this rate and band; None: not known."""
     highest_hz = sample_rate_hz / 2
     linear = replace(_LINEAR_AXIS, extent=(0.0, highest_hz))

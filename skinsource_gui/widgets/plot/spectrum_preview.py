@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
-from skinsource.limb import SAMPLE_RATE_HZ
+from skinsource.limb import SAMPLE_RATE_HZ, Band
 from skinsource_gui.theme import LIGHT, Theme, tabular
 
 LOWEST_HZ, FLOOR_DB = 10.0, -80.0
@@ -28,7 +28,7 @@ class SpectrumPreview(QWidget):
         self._theme = LIGHT
         self._lines: tuple[Floats, Floats] | None = None
         self._highest_hz = SAMPLE_RATE_HZ / 2.0
-        self._band_hz: tuple[float, float] | None = None
+        self._band_hz: Band | None = None
         self.setObjectName("spectrum_preview")
         self.setAccessibleName("Spectrum")
         self.setFont(tabular(self.font()))
@@ -38,7 +38,7 @@ class SpectrumPreview(QWidget):
         self,
         samples: Floats | None,
         sample_rate_hz: float = SAMPLE_RATE_HZ,
-        band_hz: tuple[float, float] | None = None,
+        band_hz: Band | None = None,
     ) -> None:
         """Draw the spectrum of ``samples``, (n_times,), and the band; nothing without any."""
         self._band_hz = band_hz

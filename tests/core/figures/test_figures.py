@@ -11,6 +11,7 @@ from skinsource.commands.command_line import main
 from skinsource.errors import InvalidInputError, StorageError
 from skinsource.figures import FIGURES, write_figures
 from skinsource.figures.check_figures import banded, correlation, lines_of
+from skinsource.limb import BAND_HZ
 
 
 def table(path):
@@ -88,7 +89,7 @@ def test_a_band_holds_the_rms_of_its_bins():
     rate_hz, n = 1300.0, 2600
     time_s = np.arange(n) / rate_hz
     tone = np.sin(2 * np.pi * 100.0 * time_s)
-    frequency, magnitude = banded(tone[None], n, rate_hz)
+    frequency, magnitude = banded(tone[None], n, rate_hz, BAND_HZ)
     # Bins lie at 0, 0.5, 1, … Hz; the band from 99 to 101 Hz holds four of them, one of them 1/2.
     assert frequency[np.argmax(magnitude[0])] == pytest.approx(100.0)
     assert magnitude[0].max() == pytest.approx(np.sqrt(0.5**2 / 4))

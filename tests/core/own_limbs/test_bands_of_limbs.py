@@ -36,9 +36,9 @@ PLAYED = Design(
 FLAT = ((20.0, 0.1), (2000.0, 0.1))
 
 
-def lamp(design):
+def lamp(design, name="band"):
     found = Evaluator().evaluate(design, ("validity",))["validity"]
-    return next(one for one in found if one.name == "band")
+    return next(one for one in found if one.name == name)
 
 
 def sensation_of(design, table=FLAT) -> Sensation:
@@ -109,6 +109,18 @@ def test_what_plays_is_judged_mended_drawn_and_written_in_the_band_of_the_limb(u
     refused = edits.bound_clip(low, View(), low.inputs[0].clips[0].id, 4000.0)
     assert refused.sentence == "In which band this limb was measured is not known."
     assert stimulus_of(PLAYED).band_hz == (0.0, pytest.approx(2000.0 * 12 / 13))
+
+
+def test_a_velocity_is_told_from_where_the_limb_was_measured(user_data):
+    # 3 m/s² at 10 Hz are 48 mm/s.
+    slow = Tone(frequency_hz=10.0, duration_s=1.0)
+    design = Design(limb="lab-1", inputs=(track(1, slow, amplitude=3.0),), scaling="probe")
+    for band, lowest_hz in (((5.0, 1500.0), 5), (None, 25), ((0.0, 1500.0), 25), ((0.1, 9.0), 1)):
+        installed(band_hz=band)
+        found = lamp(design, "drive")
+        assert f"from {lowest_hz} Hz on" in found.sentence
+        assert (found.state == "left") == (lowest_hz < 10), band
+    assert found.factor == pytest.approx(0.04 / (3.0 / (2.0 * np.pi * 10.0)), rel=0.1)
 
 
 @pytest.mark.parametrize(

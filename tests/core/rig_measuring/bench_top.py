@@ -10,6 +10,7 @@ import scipy
 from scipy.signal import fftconvolve
 
 import skinsource as ss
+from skinsource.rig_measuring import MeasuringSetup
 from tests.core.playing.made_up_sound import CallbackStop, PortAudioError
 
 RATE_HZ = 8_000
@@ -17,6 +18,15 @@ COIL = ss.actuators.load("example-voice-coil")
 #: What the rig and the sensor are said to be.
 VOLTS, SENSITIVITY, INPUT_VOLTS = 3.0, 0.01, 2.0
 DELAY_S = 0.0312345
+SETUP = MeasuringSetup(
+    sensitivity_v_per_m_per_s2=SENSITIVITY,
+    input_full_scale_v=INPUT_VOLTS,
+    level_db=-20.0,
+    sweep_s=1.5,
+    repeats=3,
+)
+#: Where what was measured is compared.
+HZ = np.geomspace(25.0, 800.0, 60)
 #: What is played in a block is answered from the next one on.
 BLOCK_S = 0.01
 _TAPS = 8192
@@ -31,6 +41,11 @@ def ears(path, *, delay_s=DELAY_S, n_taps=_TAPS):
 def sensed(model, volts=VOLTS):
     """From a sample that is played to the sample that the sensor makes of it."""
     return lambda hz: model.response(hz) * volts * SENSITIVITY / INPUT_VOLTS
+
+
+def apart(found):
+    """Largest relative distance from the formula of the actuator, delay and sign included."""
+    return float(np.abs(found.response.response(HZ) / COIL.response(HZ) - 1.0).max())
 
 
 class Duplex:

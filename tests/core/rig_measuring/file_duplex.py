@@ -6,6 +6,7 @@ was found as JSON.
 
 import json
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,13 +15,13 @@ import scipy
 from skinsource.playing import Output
 from skinsource.playing.gain import factor_of
 from skinsource.playing.mix import fade_samples
-from skinsource.rig_measuring import MeasuringSetup, measure, one_channel
+from skinsource.rig_measuring import measure, one_channel
 from skinsource.rig_measuring.duplex import Duplex
 from skinsource.rigs import Rig, RigChannel
 
 sys.path.insert(0, str(Path(__file__).parents[3]))
 from tests.core.playing.file_card import configure_duplex
-from tests.core.rig_measuring.bench_top import COIL, INPUT_VOLTS, SENSITIVITY, VOLTS
+from tests.core.rig_measuring.bench_top import COIL, SETUP, VOLTS, apart, sensed
 
 RATE_HZ, DELAY_S = 48_000, 0.0123
 
@@ -29,9 +30,8 @@ def answered(played: np.ndarray) -> np.ndarray:
     """Samples of the sensor, (n_times,), to samples that are played."""
     n = scipy.fft.next_fast_len(2 * played.size, real=True)
     hz = np.fft.rfftfreq(n, 1.0 / RATE_HZ)
-    path = COIL.response(hz) * VOLTS * SENSITIVITY / INPUT_VOLTS
     late = np.exp(-2j * np.pi * hz * DELAY_S)
-    return scipy.fft.irfft(scipy.fft.rfft(played, n) * path * late, n)[: played.size]
+    return scipy.fft.irfft(scipy.fft.rfft(played, n) * sensed(COIL)(hz) * late, n)[: played.size]
 
 
 def main(folder: Path) -> dict:
@@ -55,17 +55,9 @@ def main(folder: Path) -> dict:
 
     one_channel.Duplex = Prepared
     rig = Rig(channels=(RigChannel(place=7, device="card", full_scale_v=VOLTS),))
-    setup = MeasuringSetup(
-        sensitivity_v_per_m_per_s2=SENSITIVITY,
-        input_full_scale_v=INPUT_VOLTS,
-        level_db=-20.0,
-        sweep_s=1.5,
-        repeats=2,
-    )
+    setup = replace(SETUP, repeats=2)
     found = measure(rig, 7, setup, output=Output(sample_rate_hz=RATE_HZ))
-    hz = np.geomspace(25.0, 800.0, 60)
-    off = np.abs(found.response.response(hz) / COIL.response(hz) - 1.0).max()
-    return {"off": float(off), "delay_s": found.delay_s, "points": len(found.response.points)}
+    return {"off": apart(found), "delay_s": found.delay_s, "points": len(found.response.points)}
 
 
 if __name__ == "__main__":

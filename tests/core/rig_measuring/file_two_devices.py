@@ -10,6 +10,7 @@ import os
 import select
 import sys
 import threading
+from dataclasses import replace
 from pathlib import Path
 from time import sleep
 
@@ -17,17 +18,17 @@ import numpy as np
 from scipy.signal import fftconvolve
 
 from skinsource.playing import Output
-from skinsource.rig_measuring import MeasuringSetup, measure
+from skinsource.rig_measuring import measure
 from skinsource.rigs import Rig, RigChannel
 
 sys.path.insert(0, str(Path(__file__).parents[3]))
 from tests.core.playing.file_card import ALSA_SETTINGS
 from tests.core.rig_measuring.bench_top import (
     COIL,
-    INPUT_VOLTS,
     RATE_HZ,
-    SENSITIVITY,
+    SETUP,
     VOLTS,
+    apart,
     ears,
     sensed,
 )
@@ -113,18 +114,9 @@ def main(folder: Path) -> dict:
     Room(folder)
     configure(folder)
     rig = Rig(channels=(RigChannel(place=7, device="speaker", full_scale_v=VOLTS),))
-    setup = MeasuringSetup(
-        sensitivity_v_per_m_per_s2=SENSITIVITY,
-        input_full_scale_v=INPUT_VOLTS,
-        input_device="sensor",
-        level_db=-20.0,
-        sweep_s=1.5,
-        repeats=2,
-    )
+    setup = replace(SETUP, input_device="sensor", repeats=2)
     found = measure(rig, 7, setup, output=Output(sample_rate_hz=RATE_HZ))
-    hz = np.geomspace(25.0, 800.0, 60)
-    off = np.abs(found.response.response(hz) / COIL.response(hz) - 1.0).max()
-    return {"off": float(off), "clock_ppm": found.clock_ppm, "lines": found.lines}
+    return {"off": apart(found), "clock_ppm": found.clock_ppm, "lines": found.lines}
 
 
 if __name__ == "__main__":

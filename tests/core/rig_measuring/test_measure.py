@@ -11,15 +11,17 @@ from skinsource.actuators import Limits
 from skinsource.commands.command_line import main
 from skinsource.errors import InvalidInputError, PlaybackError, Stopped
 from skinsource.playing import Output
-from skinsource.rig_measuring import MeasuringSetup, kept, measure
+from skinsource.rig_measuring import kept, measure
 from skinsource.rigs import Rig, RigChannel
 from tests.core.rig_measuring.bench_top import (
     BLOCK_S,
     COIL,
     DELAY_S,
+    HZ,
     INPUT_VOLTS,
     RATE_HZ,
     SENSITIVITY,
+    SETUP,
     VOLTS,
     Card,
     ears,
@@ -29,15 +31,7 @@ from tests.core.rig_measuring.bench_top import (
 
 CHANNEL = RigChannel(place=7, output=3, full_scale_v=1.5, amplifier_gain=2.0)
 RIG = Rig(title="Bench", channels=(RigChannel(place=2), CHANNEL))
-SETUP = MeasuringSetup(
-    sensitivity_v_per_m_per_s2=SENSITIVITY,
-    input_full_scale_v=INPUT_VOLTS,
-    level_db=-20.0,
-    sweep_s=1.5,
-    repeats=3,
-)
 PLAYED = Output(sample_rate_hz=RATE_HZ)
-HZ = np.geomspace(25.0, 800.0, 60)
 
 
 def measured(rig=RIG, place=7, setup=SETUP, **more):

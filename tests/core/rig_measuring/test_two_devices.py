@@ -9,15 +9,15 @@ from skinsource.errors import InvalidInputError, PlaybackError, Stopped
 from skinsource.measuring.clock_ratio import clock_ratio
 from skinsource.measuring.exponential_sweep import exponential_sweep
 from skinsource.playing import Output
-from skinsource.rig_measuring import MeasuringSetup, duplex, measure
+from skinsource.rig_measuring import duplex, measure
 from skinsource.rigs import Rig, RigChannel
 from tests.core.rig_measuring.bench_top import (
     COIL,
     DELAY_S,
-    INPUT_VOLTS,
     RATE_HZ,
-    SENSITIVITY,
+    SETUP,
     VOLTS,
+    apart,
     ears,
     sensed,
     use,
@@ -25,23 +25,10 @@ from tests.core.rig_measuring.bench_top import (
 from tests.core.rig_measuring.two_cards import BEGUN_LATER, TwoCards, by_another_clock
 
 RIG = Rig(channels=(RigChannel(place=7, output=3, full_scale_v=VOLTS),))
-SETUP = MeasuringSetup(
-    sensitivity_v_per_m_per_s2=SENSITIVITY,
-    input_full_scale_v=INPUT_VOLTS,
-    level_db=-20.0,
-    sweep_s=1.5,
-    repeats=3,
-)
-HZ = np.geomspace(25.0, 800.0, 60)
 
 
 def measured(setup=SETUP, **more):
     return measure(RIG, 7, setup, output=Output(sample_rate_hz=RATE_HZ), **more)
-
-
-def apart(found):
-    """Largest relative distance from the formula of the actuator, delay and sign included."""
-    return np.abs(found.response.response(HZ) / COIL.response(HZ) - 1.0).max()
 
 
 @pytest.fixture
@@ -107,6 +94,13 @@ def test_lost_samples_are_told_and_a_stop_is_silent(cards):
     cards.loses_at = 150
     with pytest.raises(PlaybackError, match="lost 1 times"):
         measured()
+
+
+def test_a_stop_is_heard_too_while_what_was_played_last_is_on_its_way_in(cards):
+    cards.deaf_after = 200
+    with pytest.raises(Stopped):
+        measured(stop=lambda: cards.began and not cards.streams[-1].active)
+    assert all(one.closed.is_set() for one in cards.streams)
 
 
 def test_a_sensor_that_hears_nothing_is_told(cards):

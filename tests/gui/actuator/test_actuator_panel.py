@@ -4,17 +4,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtWidgets import QFileDialog
 
 import skinsource as ss
 from skinsource import edits
 from skinsource.actuator_demand import LONGEST_S, ActuatorSettings, drive_at, strongest
-from skinsource.design import Design, track
+from skinsource.design import track
 from skinsource.limb import BAND_HZ
-from skinsource.panel_settings import settings_of
 from skinsource.quantities import new_graph, sources
 from skinsource.view import View
-from skinsource.waveforms import CentredTap, Tap, Tone
+from skinsource.waveforms import CentredTap, Tap
 from skinsource.work import counting
 from skinsource_gui.panels.actuator.demand_curves import (
     frequencies_of,
@@ -22,13 +20,18 @@ from skinsource_gui.panels.actuator.demand_curves import (
     response_curves,
     step_curves,
 )
+from tests.gui.actuator.bench import (
+    TONE,
+    brought_forward,
+    choose,
+    design_of,
+    figures,
+    number,
+    settings,
+    settle,
+)
 
-TONE = track(7, Tone(frequency_hz=100.0, duration_s=0.3), amplitude=10.0)
 TAP = track(3, Tap(), colour=1)
-
-
-def design_of(*inputs):
-    return Design(limb="synthetic-1", scaling="probe", inputs=inputs)
 
 
 @pytest.fixture
@@ -39,31 +42,7 @@ def window(make_window):
 
 @pytest.fixture
 def panel(window, qtbot):
-    window.docks["actuator"].bring_forward()
-    qtbot.waitUntil(lambda: window.panel("actuator").isVisible())
-    settle(window, qtbot)
-    return window.panel("actuator")
-
-
-def settle(window, qtbot):
-    window.catch_up()
-    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
-
-
-def figures(panel):
-    return {one.label: one for one in panel.figures.table.figures}
-
-
-def number(panel, label):
-    return float(figures(panel)[label].value.split()[0])
-
-
-def settings(window):
-    return settings_of(window.document.view, "actuator", ActuatorSettings)
-
-
-def choose(panel, name, value):
-    panel.choices.cell(name).edited.emit(name, value, None)
+    return brought_forward(window, qtbot)
 
 
 def test_the_figures_are_those_of_the_selected_input_through_the_equaliser(panel):
@@ -248,10 +227,7 @@ def test_inputs_at_one_place_add_up(window, panel):
 
 
 def test_without_anything_that_plays_it_says_what_to_do(make_window, qtbot):
-    window = make_window(design_of())
-    window.docks["actuator"].bring_forward()
-    settle(window, qtbot)
-    panel = window.panel("actuator")
+    panel = brought_forward(make_window(design_of()), qtbot)
     assert "add an input" in panel.figures.refusal.text()
     assert panel.figures.table.figures == ()
 
@@ -264,45 +240,3 @@ def test_a_track_that_lost_its_clips_asks_nothing_of_the_actuator(window, panel,
     assert len(window.document.design.inputs) == 2
     assert before != 0.0
     assert number(panel, "Peak acceleration") == 0.0
-
-
-def test_a_response_that_was_measured_is_looked_at_and_predicted_through(
-    make_window, qtbot, tmp_path, monkeypatch
-):
-    window = make_window(design_of(TONE))
-    window.docks["actuator"].bring_forward()
-    panel = window.panel("actuator")
-    qtbot.waitUntil(panel.isVisible)
-    settle(window, qtbot)
-    coil = ss.actuators.load("example-voice-coil")
-    hz = np.geomspace(10.0, 2000.0, 150)
-    response = coil.response(hz)
-    rows = [f"{f:.6f},{abs(h):.9g},{np.angle(h):.9g}" for f, h in zip(hz, response, strict=True)]
-    path = tmp_path / "lab coil.csv"
-    path.write_text("\n".join(["frequency_hz,gain,phase_rad", *rows]) + "\n", encoding="utf-8")
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
-    before = number(panel, "Peak voltage")
-    panel.through.box.click()
-    settle(window, qtbot)
-    panel.choices.open.click()
-    qtbot.waitUntil(lambda: settings(window).actuator == "measured", timeout=30_000)
-    settle(window, qtbot)
-    # The same coil, by what was measured of it; what is predicted goes with what is shown.
-    assert number(panel, "Peak voltage") == pytest.approx(before, rel=0.05)
-    assert "Peak current" not in figures(panel)
-    assert "uncalibrated" not in panel.figures.heading.text()
-    assert "150 points that were measured, from 10 to 2000 Hz" in panel.choices.about.text()
-    assert window.document.design.actuated.actuators[0].actuator == "lab coil"
-    assert panel.choices.cell("actuator").field.currentText() == "lab coil (measured)"
-    choose(panel, "actuator", "example-voice-coil")
-    settle(window, qtbot)
-    assert window.document.design.actuated.actuators[0].model == coil
-    # It can be chosen again.
-    choose(panel, "actuator", "measured")
-    settle(window, qtbot)
-    assert settings(window).profile.title == "lab coil"
-    path.write_text("a,b\n1,2\n", encoding="utf-8")
-    with qtbot.waitSignal(window.playback.rigs.failed, timeout=30_000) as told:
-        panel.choices.open.click()
-    assert "lab coil.csv" in told.args[0]
-    assert ActuatorSettings(actuator="measured", measured=((1.0,), "x")).profile.title

@@ -1,25 +1,30 @@
-"""A response that is opened is shown whole, and ends what was said of the file before."""
+"""A response that is opened is shown whole, predicted through, and ends what was said before."""
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from PySide6.QtWidgets import QFileDialog
 
+import skinsource as ss
 from skinsource.actuator_demand import ActuatorSettings
-from skinsource.design import Design, track
-from skinsource.panel_settings import settings_of, with_settings
+from skinsource.panel_settings import with_settings
 from skinsource.view import View
-from skinsource.waveforms import Tone
+from tests.gui.actuator.bench import (
+    TONE,
+    brought_forward,
+    choose,
+    design_of,
+    figures,
+    number,
+    settings,
+    settle,
+)
 
 
 @pytest.fixture
 def window(make_window):
-    tone = track(7, Tone(frequency_hz=100.0, duration_s=0.1))
-    return make_window(Design(limb="synthetic-1", inputs=(tone,)), View(selected_inputs=(1,)))
-
-
-def settings(window):
-    return settings_of(window.document.view, "actuator", ActuatorSettings)
+    return make_window(design_of(TONE), View(selected_inputs=(1,)))
 
 
 def zoom(window):
@@ -31,11 +36,9 @@ def zoom(window):
 def test_another_actuator_is_shown_whole_and_a_good_file_ends_the_complaint(
     window, qtbot, tmp_path, monkeypatch
 ):
-    window.docks["actuator"].bring_forward()
-    panel = window.panel("actuator")
-    qtbot.waitUntil(panel.isVisible)
+    panel = brought_forward(window, qtbot)
     zoom(window)
-    panel.choices.cell("actuator").edited.emit("actuator", "example-voice-coil", None)
+    choose(panel, "actuator", "example-voice-coil")
     assert settings(window).actuator == "example-voice-coil"
     assert settings(window).zoom is None
     zoom(window)
@@ -52,3 +55,41 @@ def test_another_actuator_is_shown_whole_and_a_good_file_ends_the_complaint(
     assert window.notice.text == ""
     assert window.statusBar().currentMessage() == "Opened good.csv."
     assert settings(window).zoom is None
+
+
+def test_a_response_that_was_measured_is_looked_at_and_predicted_through(
+    window, qtbot, tmp_path, monkeypatch
+):
+    panel = brought_forward(window, qtbot)
+    coil = ss.actuators.load("example-voice-coil")
+    hz = np.geomspace(10.0, 2000.0, 150)
+    response = coil.response(hz)
+    rows = [f"{f:.6f},{abs(h):.9g},{np.angle(h):.9g}" for f, h in zip(hz, response, strict=True)]
+    path = tmp_path / "lab coil.csv"
+    path.write_text("\n".join(["frequency_hz,gain,phase_rad", *rows]) + "\n", encoding="utf-8")
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+    before = number(panel, "Peak voltage")
+    panel.through.box.click()
+    settle(window, qtbot)
+    panel.choices.open.click()
+    qtbot.waitUntil(lambda: settings(window).actuator == "measured", timeout=30_000)
+    settle(window, qtbot)
+    # The same coil, by what was measured of it; what is predicted goes with what is shown.
+    assert number(panel, "Peak voltage") == pytest.approx(before, rel=0.05)
+    assert "Peak current" not in figures(panel)
+    assert "uncalibrated" not in panel.figures.heading.text()
+    assert "150 points that were measured, from 10 to 2000 Hz" in panel.choices.about.text()
+    assert window.document.design.actuated.actuators[0].actuator == "lab coil"
+    assert panel.choices.cell("actuator").field.currentText() == "lab coil (measured)"
+    choose(panel, "actuator", "example-voice-coil")
+    settle(window, qtbot)
+    assert window.document.design.actuated.actuators[0].model == coil
+    # It can be chosen again.
+    choose(panel, "actuator", "measured")
+    settle(window, qtbot)
+    assert settings(window).profile.title == "lab coil"
+    path.write_text("a,b\n1,2\n", encoding="utf-8")
+    with qtbot.waitSignal(window.playback.rigs.failed, timeout=30_000) as told:
+        panel.choices.open.click()
+    assert "lab coil.csv" in told.args[0]
+    assert ActuatorSettings(actuator="measured", measured=((1.0,), "x")).profile.title

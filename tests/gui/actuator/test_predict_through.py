@@ -8,6 +8,7 @@ from skinsource.actuator_demand import actuation_of
 from skinsource.design import Design, track
 from skinsource.view import View
 from skinsource.waveforms import CentredTap, Tap, Tone
+from tests.gui.actuator.bench import brought_forward, choose, settle
 
 TONE = track(7, Tone(frequency_hz=40.0, duration_s=0.3), amplitude=2.0)
 TAP = track(3, Tap(), colour=1)
@@ -21,19 +22,7 @@ def window(make_window):
 
 @pytest.fixture
 def panel(window, qtbot):
-    window.docks["actuator"].bring_forward()
-    qtbot.waitUntil(lambda: window.panel("actuator").isVisible())
-    settle(window, qtbot)
-    return window.panel("actuator")
-
-
-def settle(window, qtbot):
-    window.catch_up()
-    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
-
-
-def choose(panel, name, value, gesture=None):
-    panel.choices.cell(name).edited.emit(name, value, gesture)
+    return brought_forward(window, qtbot)
 
 
 def levels(window):
