@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QProgressBar,
-    QPushButton,
     QVBoxLayout,
     QWidget,
 )
@@ -26,6 +25,7 @@ from skinsource_gui.dataset_page.title import TITLE
 from skinsource_gui.state.installed_limbs import INSTALLATIONS, InstalledLimbs
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
 from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.widgets.page_button import page_button
 
 _ABOUT = """
 <h3>The measured limbs</h3>
@@ -71,10 +71,10 @@ class DatasetPage(QDialog):
         self._bar.setObjectName("dataset_progress")
         self._bar.setAccessibleName("Progress of the installation")
         self._bar.setTextVisible(False)
-        self._install = self._button("install_from_folder", "Install from folder…")
-        self._fetch = self._button("download", "Download…")
-        self._cancel = self._button("cancel_installing", "Cancel")
-        self._close = self._button("close_page", "Close")
+        self._install = page_button("install_from_folder", "Install from folder…")
+        self._fetch = page_button("download", "Download…")
+        self._cancel = page_button("cancel_installing", "Cancel")
+        self._close = page_button("close_page", "Close")
         self._lay_out(about)
         self._install.clicked.connect(self._ask_and_install)
         self._fetch.clicked.connect(self._download)
@@ -87,12 +87,6 @@ class DatasetPage(QDialog):
         runner.failed.connect(self._note_failed)
         self._show_installed()
         self._show_state()
-
-    def _button(self, name: str, words: str) -> QPushButton:
-        button = QPushButton(words)
-        button.setObjectName(name)
-        button.setAutoDefault(False)
-        return button
 
     def _lay_out(self, about: QLabel) -> None:
         buttons = QHBoxLayout()

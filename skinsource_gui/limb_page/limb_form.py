@@ -28,8 +28,17 @@ _AXES = ChoiceSpec(
     options=tuple((word.name, word.title) for word in AXES),
     hint="Along which each output measures, in the order of the file; z is normal to the skin",
 )
+_HIGHEST_RATE_HZ = 768_000.0
+
+
+def _end_of_band(label: str, hint: str) -> NumberSpec:
+    return NumberSpec(
+        label=label, unit="Hz", minimum=0.0, maximum=_HIGHEST_RATE_HZ / 2.0, hint=hint
+    )
+
+
 _NUMBERS = {
-    "sample_rate_hz": NumberSpec(label="Rate", unit="Hz", minimum=100.0, maximum=768_000.0),
+    "sample_rate_hz": NumberSpec(label="Rate", unit="Hz", minimum=100.0, maximum=_HIGHEST_RATE_HZ),
     "hand_length_mm": NumberSpec(
         label="Hand length",
         unit="m",
@@ -44,19 +53,9 @@ _NUMBERS = {
         maximum=10.0,
         hint="How late the responses are",
     ),
-    "lowest_hz": NumberSpec(
-        label="Holds from",
-        unit="Hz",
-        minimum=0.0,
-        maximum=384_000.0,
-        hint="Lowest frequency at which the responses hold",
-    ),
-    "highest_hz": NumberSpec(
-        label="Holds up to",
-        unit="Hz",
-        minimum=0.0,
-        maximum=384_000.0,
-        hint="Highest frequency at which the responses hold; 0: not known",
+    "lowest_hz": _end_of_band("Holds from", "Lowest frequency at which the responses hold"),
+    "highest_hz": _end_of_band(
+        "Holds up to", "Highest frequency at which the responses hold; 0: not known"
     ),
 }
 _BAND = ("lowest_hz", "highest_hz")

@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from skinsource.actuators import Limits, names, profile, shape_names
 from skinsource.errors import InvalidInputError
@@ -14,6 +14,7 @@ from skinsource.rigs import RigChannel
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
+from skinsource_gui.widgets.page_button import page_button
 
 _LIMIT = "limit "
 _OWN = (
@@ -51,18 +52,18 @@ class ChannelFields(QObject):
         self.measured = QLabel()
         self.measured.setObjectName("rig_measured")
         self.measured.setWordWrap(True)
-        self.from_file = _button(
+        self.from_file = page_button(
             "rig_from_file",
             "Response from a file…",
             "A table with frequency_hz, gain and phase, or sound with the voltage of a sweep and "
             "what the accelerometer said",
         )
-        self.measure = _button(
+        self.measure = page_button(
             "rig_measure",
             "Measure…",
             "Play a sweep on this output, and record an accelerometer on an input of the device",
         )
-        self.forget = _button("rig_forget", "Forget the response", "As if it was not measured")
+        self.forget = page_button("rig_forget", "Forget the response", "As if it was not measured")
         self.widget = self._laid_out()
 
     def cell(self, name: str) -> FieldCell:
@@ -155,11 +156,3 @@ def _value(channel: RigChannel, name: str) -> Any:
 
 def _shown(value: Any) -> Any:
     return 0.0 if value is None else value
-
-
-def _button(name: str, words: str, hint: str) -> QPushButton:
-    found = QPushButton(words)
-    found.setObjectName(name)
-    found.setToolTip(hint)
-    found.setAutoDefault(False)
-    return found

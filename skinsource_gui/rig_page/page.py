@@ -38,6 +38,7 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing.sound_settings import SoundSettings
 from skinsource_gui.state.playing.sound_thread import SoundThread
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.page_button import page_button
 from skinsource_gui.widgets.rig_field import RESPONSE_FILES
 
 _KINDS = f"Rigs (*{SUFFIX});;All files (*)"
@@ -260,10 +261,7 @@ class RigPage(QDialog):
 def _row(*buttons: tuple[str, str]) -> QHBoxLayout:
     found = QHBoxLayout()
     for name, words in buttons:
-        button = QPushButton(words)
-        button.setObjectName(f"rig_{name}")
-        button.setAutoDefault(False)
-        found.addWidget(button)
+        found.addWidget(page_button(f"rig_{name}", words))
     return found
 
 

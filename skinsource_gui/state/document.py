@@ -7,12 +7,12 @@ from time import time
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
-from skinsource.comparing import brought_back
 from skinsource.design import Design
 from skinsource.edits import Edit, Refusal, kept_selection
 from skinsource.own_limbs import missing_limb
 from skinsource.view import View
 from skinsource_gui.history import MOST_STEPS
+from skinsource_gui.state.step_end import StepEnd
 
 # Gestures count from 1, and -1 tells Qt that a step joins no other.
 _NO_GESTURE = -1
@@ -104,7 +104,7 @@ class Document(QObject):
                 self.refused.emit(f"This design is read-only. {missing}")
                 return
         view = kept_selection(outcome.view, self._design, outcome.design)
-        before, after = _Step(self._design, self._view), _Step(outcome.design, view)
+        before, after = StepEnd(self._design, self._view), StepEnd(outcome.design, view)
         if before.is_same(after):
             self.look(view)
         else:
@@ -124,15 +124,22 @@ class Document(QObject):
         self.settled.emit()
 
     def start_over(
-        self, design: Design, view: View, path: Path | None, *, read_only: bool = False
+        self,
+        design: Design,
+        view: View,
+        path: Path | None,
+        *,
+        read_only: bool = False,
+        scene: str = "",
     ) -> None:
         """Take over another design, with an empty history.
 
-        A file that is ``read_only`` is another studio's: this one may not replace it.
+        A file that is ``read_only`` is another studio's: this one may not replace it.  ``scene`` is
+        what the design is called among the scenes it was opened from.
         """
         self.undo_stack.clear()
         self._read_only = read_only
-        self._saved, self._path, self.opened, self.scene = design, path, path, ""
+        self._saved, self._path, self.opened, self.scene = design, path, path, scene
         self._design, self._view = design, _existing(view, design)
         self._saved_view = self._view
         self._made = False
@@ -190,50 +197,11 @@ class Document(QObject):
             self.title_changed.emit()
 
 
-class _Step:
-    """A design and a view, of which the history keeps the selections."""
-
-    def __init__(self, design: Design, view: View):
-        self.design, self.view = design, view
-
-    def is_same(self, other: "_Step") -> bool:
-        """Whether the history need not tell them apart: going on to ``other`` loses nothing."""
-        mine, theirs = self.view, other.view
-        same = mine.outputs == theirs.outputs and self.design == other.design
-        if not same:
-            return False
-        # How loud one was shown last is nothing that could be lost.
-        kept = {one.number: one.design for one in theirs.snapshots}
-        return all(kept.get(one.number) == one.design for one in mine.snapshots)
-
-    def is_before(self, other: "_Step") -> bool:
-        """Whether ``other`` goes on from this one, with the same inputs and clips selected."""
-        return (
-            self.design is other.design
-            and self.view.selected_inputs == other.view.selected_inputs
-            and self.view.selected_clips == other.view.selected_clips
-        )
-
-    def seen_as(self, view: View, other: "_Step") -> View:
-        """Return ``view`` with the inputs, clips and outputs that were selected then.
-
-        It has the snapshots as they were then where they differ from those of the ``other`` end of
-        the step, and all others as they are now.
-        """
-        return replace(
-            view,
-            outputs=self.view.outputs,
-            selected_inputs=self.view.selected_inputs,
-            selected_clips=self.view.selected_clips,
-            snapshots=brought_back(self.view.snapshots, other.view.snapshots, view.snapshots),
-        )
-
-
 class Swap(QUndoCommand):
     """The only undo command there is: put that design in place of this one."""
 
     def __init__(
-        self, document: Document, label: str, before: _Step, after: _Step, gesture: int | None
+        self, document: Document, label: str, before: StepEnd, after: StepEnd, gesture: int | None
     ):
         super().__init__(label)
         self._document = document
@@ -245,9 +213,9 @@ class Swap(QUndoCommand):
     def redo(self) -> None:
         step = self._after
         # The first time, all of the view is new.
-        again = self._done_before
-        view = step.seen_as(self._document.view, self._before) if again else step.view
+        view = step.view
         if self._done_before:
+            view = step.seen_as(self._document.view, self._before)
             self._document.jumped.emit()
         self._done_before = True
         self._document.show_step(step.design, view)

@@ -26,8 +26,8 @@ class PanZoom(QObject):
     """Keeps what part of a drawing is seen; used by whatever draws one.
 
     The wheel zooms at the pointer, with Shift it pans, and so does a drag with the middle button;
-    one that began to scroll what is around the widget goes on with that, and
-    one that turns out of the whole drawing begins it.
+    one that began to scroll what is around the widget goes on with that, and one that turns out of
+    the whole drawing begins it.
     The drawing is never smaller than its whole fit, nor out of sight.
 
     Parameters

@@ -1,3 +1,5 @@
+from itertools import product
+
 import pytest
 from PySide6.QtCore import QMargins, QPoint, QRect, QSize
 from PySide6.QtGui import QFontMetrics, QTextDocument
@@ -10,6 +12,8 @@ from skinsource_gui.shell.screen_fit import ScreenFit, fitted
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.start_design import start_design
 from skinsource_gui.status.limb_note import LimbNote
+from skinsource_gui.widgets.fields.level_text import minus
+from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.plot.legend.legend_strip import LegendStrip
 
 FRAMES = [QMargins(1, 24, 1, 5), QMargins(8, 31, 8, 8), QMargins(0, 37, 0, 0)]
@@ -201,3 +205,26 @@ def test_a_bar_too_narrow_for_all_of_it_shows_where_the_rest_is(window, settle):
     settle()
     assert last.isVisible()
     assert not more.isVisible()
+
+
+def test_each_number_of_the_bar_is_shown_whole_in_letters_of_any_size(window, preferences, qtbot):
+    fields = window.findChild(QToolBar, "setup").findChildren(NumberField)
+
+    def in_sight():
+        return all(one.visibleRegion().boundingRect() == one.rect() for one in fields)
+
+    assert fields
+    for arrangement in ("design", "presentation"):
+        window.do(f"arrange_{arrangement}")
+        for scale, width in product((1.0, 1.5, 2.0, 3.0), (800, 1366)):
+            preferences.text_scale = scale
+            window.appearance.apply()
+            window.resize(width, 600)
+            qtbot.waitUntil(in_sight, timeout=5000)
+            for field in fields:
+                low, high = field.spec.minimum, field.spec.maximum
+                for value in (low, low + 0.01, -0.01, high - 0.01, high):
+                    field.edited.emit(value, None)
+                    whole = minus(f"{value:.2f}".rstrip("0").rstrip("."))
+                    assert field.text() == whole, (arrangement, scale, width)
+    window.do("reset_text")

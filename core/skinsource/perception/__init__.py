@@ -12,6 +12,7 @@ from skinsource.late import late_names
 if TYPE_CHECKING:
     from skinsource.perception.sensation import (
         LIMITS,
+        LIMITS_IN_SHORT,
         sensation_levels_db,
         sensation_magnitude,
         site_offsets_db,
@@ -21,7 +22,9 @@ else:
     __getattr__, __dir__ = late_names(
         __name__,
         {
-            "sensation": "LIMITS sensation_levels_db sensation_magnitude site_offsets_db",
+            "sensation": (
+                "LIMITS LIMITS_IN_SHORT sensation_levels_db sensation_magnitude site_offsets_db"
+            ),
             "thresholds": "CHANNELS Channel threshold_rms",
         },
     )
@@ -29,6 +32,7 @@ else:
 __all__ = [
     "CHANNELS",
     "LIMITS",
+    "LIMITS_IN_SHORT",
     "Channel",
     "sensation_levels_db",
     "sensation_magnitude",

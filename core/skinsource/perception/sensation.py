@@ -18,6 +18,8 @@ LIMITS = (
     "temperature and force are not modelled; people differ by 6 to 10 dB. Compare designs on one "
     "limb only."
 )
+#: The same where there is little room.
+LIMITS_IN_SHORT = "Thresholds of glabrous skin: compare designs on one limb only."
 #: How much less sensitive hairy skin of hand and digits is, and that of the arm; 5 to 15 and 10 to
 #: 20 dB are reported.
 HAIRY_HAND_DB, ARM_DB = 10.0, 15.0

@@ -126,10 +126,8 @@ class RegionsPanel(Panel):
         self.about.show_theme(theme)
 
     def _show_columns(self) -> None:
-        stored, people = (
-            columns_of(self._snapshots, matched=self._matched),
-            columns_of_people(self._on_limbs),
-        )
+        stored = columns_of(self._snapshots, matched=self._matched)
+        people = columns_of_people(self._on_limbs)
         self.columns = [*stored, *people]
         self.stored.show_columns(stored)
         self.table.show_columns(people)

@@ -20,7 +20,7 @@ class CellPlace:
     whole
         All of it.
     heading, value
-        One or two lines of words, and one.
+        Some lines of words, and one.
     map
         Room for the map.
     scale

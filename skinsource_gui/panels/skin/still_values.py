@@ -6,11 +6,9 @@ from typing import Any
 import numpy as np
 
 from skinsource.decibels import FLOOR_DB
-from skinsource.perception import LIMITS
+from skinsource.perception import LIMITS, LIMITS_IN_SHORT
 from skinsource_gui.panels.skin.map_quantity import LEVELS, SENSATION
 
-#: Of `LIMITS`, where there is little room.
-LIMITS_IN_SHORT = "Thresholds of glabrous skin: compare designs on one limb only."
 SILENT = "Silent: nothing is driven"
 #: By quantity: that of outputs, and that over the skin.
 _NAMES = {

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.decibels import decibels
 from skinsource.design import Design
-from skinsource.limb import BAND_HZ, Band
+from skinsource.limb import Band
 from skinsource.loudest_window import HOLD_WINDOW_S
 from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of, with_settings
@@ -21,13 +21,6 @@ from skinsource_gui.widgets.plot.curves import Curves, output_names
 from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_later
 
 _LOWEST_HZ = 10.0
-_LINEAR_AXIS = XAxis(
-    titles=("Frequency (Hz)",),
-    unit="Hz",
-    column="frequency_hz",
-    extent=(0.0, facts_of("").sample_rate_hz / 2),
-    band=None,
-)
 # What the height of a curve means, longest first.
 _SCALINGS = {
     "record": ("amplitude over the whole record", "over the whole record", "whole record"),
@@ -55,7 +48,8 @@ class SpectraPanel(SignalPanel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("spectra-plot", "Spectra of the selected outputs", parent)
         self._view, self._settings = View(), SpectraSettings()
-        self._axis, self._log_axis = _axes(facts_of("").sample_rate_hz)
+        limb = facts_of("")
+        self._axis, self._log_axis = _axes(limb.sample_rate_hz, limb.band_hz)
         self._results: Mapping[str, Any] | None = None
         self._log_frequency = self._plot.toolbar.add_switch(
             "log-frequency",
@@ -99,7 +93,7 @@ class SpectraPanel(SignalPanel):
     def show_results(self, results: Mapping[str, Any]) -> None:
         if results["outputs"]:
             self._results = dict(results)
-            axes = _axes(results["sample_rate_hz"], band=facts_of(results["limb"]).band_hz)
+            axes = _axes(results["sample_rate_hz"], facts_of(results["limb"]).band_hz)
             if axes != (self._axis, self._log_axis):
                 self._axis, self._log_axis = axes
                 self._show_axis()
@@ -158,16 +152,18 @@ class SpectraPanel(SignalPanel):
 
 
 @cache
-def _axes(sample_rate_hz: float, *, band: Band | None = BAND_HZ) -> tuple[XAxis, XAxis]:
+def _axes(sample_rate_hz: float, band: Band | None) -> tuple[XAxis, XAxis]:
     """The linear and the logarithmic axis of a limb of this rate and band; None: not known."""
     highest_hz = sample_rate_hz / 2
-    linear = replace(_LINEAR_AXIS, extent=(0.0, highest_hz))
+    titles: tuple[str, ...] = ("Frequency (Hz)",)
     if band is not None:
         words = f"{band[0]:g} to {band[1]:g} Hz"
         titles = (
             f"Frequency (Hz) · measured band {words}, shaded outside",
             f"Frequency (Hz) · band {words}",
-            "Frequency (Hz)",
+            *titles,
         )
-        linear = replace(linear, titles=titles, band=band)
+    linear = XAxis(
+        titles=titles, unit="Hz", column="frequency_hz", extent=(0.0, highest_hz), band=band
+    )
     return linear, replace(linear, extent=(_LOWEST_HZ, highest_hz), log=True)

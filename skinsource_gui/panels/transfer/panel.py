@@ -21,9 +21,9 @@ from skinsource_gui.widgets.empty_words import add_words
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 
 _UNITS = {"probe": "1 (m/s²)/(m/s²)"}
+_OTHER_UNIT = "1 m/s² per sample of 1"
 # More outputs than these are said as ranges.
 _MOST_NUMBERS = 12
-_OTHER_UNIT = "1 m/s² per sample of 1"
 
 
 class TransferPanel(FigurePanel):

@@ -1,12 +1,14 @@
 """Play, repeat and gain, in the bar above the panels."""
 
-from PySide6.QtCore import QEvent, QSize, Signal
+from PySide6.QtCore import QSize, Signal
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from skinsource.fields import NumberSpec
 from skinsource.playing import HIGHEST_DB, LOWEST_DB, START_DB
 from skinsource_gui.played import Played
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.state.playing.gain_setting import DECIMALS
+from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.level_meter import LevelMeter
 from skinsource_gui.widgets.tooltips import tooltip
@@ -21,7 +23,8 @@ GAIN = NumberSpec(
     hint="How loud it is played: at 0 dB an amplitude of 1 is full scale of the device. Starts "
     f"at {START_DB:g} dB, and where a sample would pass full scale playing stops",
 )
-_METER_PX, _GAIN_PX = 3, 72
+_WIDEST = minus(f"{LOWEST_DB:.{DECIMALS}f}")
+_METER_PX = 3
 _PLAY = "Play or stop (Space)", "Without a device the playhead runs in silence."
 _REPEAT = (
     "Repeat (Ctrl+L)",
@@ -46,11 +49,8 @@ class Transport(QWidget):
         self.repeat = self._button("repeat_button", _REPEAT)
         self.repeat.setCheckable(True)
         self.repeat.clicked.connect(self.repeat_wanted)
-        self.gain = NumberField(GAIN, widest_unit="dB")
+        self.gain = NumberField(GAIN, widest_unit=GAIN.unit, widest_number=_WIDEST)
         self.gain.setObjectName("gain_field")
-        self.gain.setAccessibleName(GAIN.label)
-        self.gain.setToolTip(tooltip(GAIN.label, GAIN.hint))
-        self._fit()
         self.gain.set_value(START_DB)
         self.gain.edited.connect(self._want_gain)
         self.meter = LevelMeter()
@@ -87,16 +87,6 @@ class Transport(QWidget):
         self.gain.show_theme(theme)
         self.meter.show_theme(theme)
         self._show_icons()
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self._fit()
-
-    def _fit(self) -> None:
-        # With larger words the number would not be seen.
-        words = self.gain.fontMetrics().horizontalAdvance("−20.0 dB")
-        self.gain.setFixedWidth(max(_GAIN_PX, words + 2 * UNIT_PX))
 
     def _show_icons(self) -> None:
         playing = self._played.playing

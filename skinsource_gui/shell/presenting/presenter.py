@@ -213,10 +213,8 @@ class Presenter(QObject):
             self.failed.emit(str(error))
             return
         self._at, self._opening = number, True
-        self._document.start_over(shown.design, shown.view, None)
+        self._document.start_over(shown.design, shown.view, None, scene=step.title)
         self._files.leave_file()
-        self._document.scene = step.title
-        self._document.title_changed.emit()
         self._opening, self._is_scene = False, self.presenting
         for name in shown.panels:
             if name in self._docks:

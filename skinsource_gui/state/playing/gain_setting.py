@@ -4,6 +4,8 @@ from PySide6.QtCore import QObject, Signal
 
 from skinsource.playing import HIGHEST_DB, LOWEST_DB, START_DB
 
+#: Digits behind the point: nobody hears, or reads, more.
+DECIMALS = 2
 _STEP_DB = 1.0
 
 
@@ -24,8 +26,8 @@ class GainSetting(QObject):
         self.gain_db = START_DB
 
     def put(self, gain_db: float) -> None:
-        """Choose a gain; the nearest that can be."""
-        wanted_db = min(max(gain_db, LOWEST_DB), HIGHEST_DB)
+        """Choose a gain; the nearest that can be, in hundredths of a dB."""
+        wanted_db = round(min(max(gain_db, LOWEST_DB), HIGHEST_DB), DECIMALS)
         if wanted_db != self.gain_db:
             self.gain_db = wanted_db
             self.changed.emit(wanted_db)

@@ -15,7 +15,7 @@ _BESIDE_PX = 4
 
 
 class DropDown(QComboBox):
-    """A list that drops down, with an arrow that says so, as wide as its longest entry.
+    """A list that drops down, with an arrow that says so; the list is as wide as its longest entry.
 
     The wheel acts only while it has the focus, so that scrolling a panel changes nothing.
     """

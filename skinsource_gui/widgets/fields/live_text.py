@@ -1,27 +1,23 @@
 """A text that means something, followed while it is typed."""
 
-from PySide6.QtCore import QEvent, QMimeData, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QMimeData, QSize, Qt, Signal
 from PySide6.QtGui import (
-    QColor,
     QFocusEvent,
     QFont,
     QFontDatabase,
     QKeyEvent,
     QKeySequence,
-    QPainter,
     QPaintEvent,
-    QPen,
     QResizeEvent,
-    QTextCharFormat,
-    QTextCursor,
 )
-from PySide6.QtWidgets import QPlainTextEdit, QSizePolicy, QTextEdit, QWidget
+from PySide6.QtWidgets import QPlainTextEdit, QSizePolicy, QWidget
 
 from skinsource.errors import InvalidInputError
 from skinsource.fields import TextSpec
 from skinsource.formula import column_of
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.burst import Burst
+from skinsource_gui.widgets.fields.text_mark import TextMark
 from skinsource_gui.widgets.tooltips import tooltip
 
 _MOST_LINES = 6
@@ -44,10 +40,9 @@ class LiveText(QPlainTextEdit):
 
     def __init__(self, spec: TextSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._spec, self._theme = spec, LIGHT
+        self._spec = spec
         self._value, self._told = "", ""
-        self._column: int | None = None
-        self._burst = Burst(self)
+        self._burst, self._mark = Burst(self), TextMark(self)
         self.problem = ""
         self.setAccessibleName(spec.label)
         self.setToolTip(tooltip(spec.label, spec.hint))
@@ -81,7 +76,7 @@ class LiveText(QPlainTextEdit):
 
     def refuse(self, reason: str) -> None:
         """Mark the place that a reason names; what is typed stays."""
-        self._mark(column_of(reason))
+        self._mark.put(column_of(reason))
 
     def cancel(self) -> None:
         """Bring the value back."""
@@ -90,8 +85,7 @@ class LiveText(QPlainTextEdit):
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
-        self._theme = theme
-        self._mark(self._column)
+        self._mark.show_theme(theme)
 
     def sizeHint(self) -> QSize:
         lines = min(max(self._lines(), 1), _MOST_LINES)
@@ -134,12 +128,7 @@ class LiveText(QPlainTextEdit):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        if self._column is not None:
-            painter = QPainter(self.viewport())
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            painter.setPen(QPen(QColor(self._theme.error), 2))
-            inside = QRectF(self.viewport().rect()).adjusted(1, 1, -1, -1)
-            painter.drawRoundedRect(inside, 4, 4)
+        self._mark.paint_frame()
 
     def _read(self) -> None:
         self._fit()
@@ -152,7 +141,7 @@ class LiveText(QPlainTextEdit):
             self._spec.checked(text)
         except InvalidInputError as error:
             problem, column = str(error), getattr(error, "column", None)
-        self._mark(column)
+        self._mark.put(column)
         self._say(problem)
         if not problem and text != self._value:
             self.edited.emit(text, self._burst.gesture())
@@ -161,33 +150,13 @@ class LiveText(QPlainTextEdit):
         self._burst.end()
         self._told = self._value
         self.setPlainText(self._value)
-        self._mark(None)
+        self._mark.put(None)
         self._say("")
 
     def _say(self, problem: str) -> None:
         if problem != self.problem:
             self.problem = problem
             self.problem_changed.emit(problem)
-
-    def _mark(self, column: int | None) -> None:
-        self._column = column
-        marks = []
-        if column is not None and self.text():
-            mark = QTextEdit.ExtraSelection()
-            # At the end there is nothing to underline but the last letter.
-            start = min(column, len(self.text())) - 1
-            mark.cursor = QTextCursor(self.document())
-            mark.cursor.setPosition(start)
-            mark.cursor.setPosition(start + 1, QTextCursor.MoveMode.KeepAnchor)
-            style = QTextCharFormat()
-            style.setForeground(QColor(self._theme.error))
-            style.setUnderlineColor(QColor(self._theme.error))
-            style.setUnderlineStyle(QTextCharFormat.UnderlineStyle.SingleUnderline)
-            style.setFontWeight(QFont.Weight.Bold)
-            mark.format = style
-            marks.append(mark)
-        self.setExtraSelections(marks)
-        self.viewport().update()
 
     def _lines(self) -> int:
         return int(self.document().documentLayout().documentSize().height())

@@ -33,6 +33,8 @@ from skinsource_gui.widgets.tooltips import show_tip_below
 
 #: Fields that stand below each other leave the same room for units, so that digits align.
 WIDEST_UNIT = "m/s²"
+# Of letters, and of what the style leaves around them.
+_OTHER_SIZES = (QEvent.Type.FontChange, QEvent.Type.StyleChange)
 _TEMPORARY_LOSSES = frozenset(
     {Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason}
 )
@@ -55,6 +57,9 @@ class NumberField(QLineEdit):
         Unit for which there is room, so that digits align with those of other fields.
     problem_beside
         Whether its owner shows problems beside the field; else they are in its tooltip.
+    widest_number
+        Number for which it is just wide enough, in letters of any size; "": it takes what room it
+        gets, and shows fewer digits where that is little.
     """
 
     #: The new value in SI units; number of its gesture, or None for a step of its own.
@@ -69,11 +74,12 @@ class NumberField(QLineEdit):
         *,
         widest_unit: str = WIDEST_UNIT,
         problem_beside: bool = False,
+        widest_number: str = "",
     ) -> None:
         super().__init__(parent)
         self._number = ShownNumber(spec=spec, value_si=clamped(0.0, spec))
         self._unit = UnitBeside(self, widest_unit)
-        self._problem_beside = problem_beside
+        self._problem_beside, self._widest_number = problem_beside, widest_number
         self._theme = LIGHT
         self._typing = NumberTyping(self)
         self.gestures = NumberGestures(self)
@@ -239,7 +245,7 @@ class NumberField(QLineEdit):
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
+        if event.type() in _OTHER_SIZES:
             self._take_spec()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -270,6 +276,8 @@ class NumberField(QLineEdit):
 
     def _take_spec(self) -> None:
         self._unit.make_room(self._number.symbol)
+        if self._widest_number:
+            self.setFixedWidth(self._unit.width_px(self._widest_number))
         self.setAccessibleName(self.spec.label)
         self.setToolTip(self._number.help())
         self._show(self.value_si)

@@ -31,6 +31,11 @@ class UnitBeside:
         margins = self._line.textMargins()
         return _inside(self._line).width() - margins.right() - 2 * _TEXT_EDGE_PX
 
+    def width_px(self, number: str) -> int:
+        """Width of a line that has just room for a number."""
+        around = self._line.width() - self.room_px
+        return around + self._line.fontMetrics().horizontalAdvance(number)
+
     def make_room(self, symbol: str) -> None:
         """Keep room for a unit, or for the widest one."""
         widths = map(self._line.fontMetrics().horizontalAdvance, (symbol, self._widest))

@@ -20,7 +20,7 @@ from skinsource.method_comparison.table import read_table
 from skinsource.rendering.check import TraceError
 from skinsource_gui.accuracy_page import accuracy_figures, bench_job
 from skinsource_gui.accuracy_page.picture_view import PictureView
-from tests.gui.accuracy_page.bench import find, measure, press, words
+from tests.gui.accuracy_page.bench import find, hang, measure, press, words
 
 
 def test_the_page_leaves_the_window_free_and_fits_a_small_screen(window, page):
@@ -98,6 +98,17 @@ def test_a_run_shows_table_plot_and_verdict(page, qtbot):
     shown = plot.grab().toImage()
     assert shown.pixelColor(shown.width() // 2, shown.height() // 2).name() == "#ff0000"
     assert plot.verticalScrollBar().maximum() > 0
+
+
+def test_what_was_measured_is_gone_once_another_benchmark_begins(page, child, qtbot):
+    measure(page, qtbot)
+    assert find(page, QPushButton, "save_report").isEnabled()
+    hang(page, child, qtbot)
+    assert find(page, QTableView, "bench_table").model().rowCount() == 0
+    assert find(page, PictureView, "bench_plot").words.startswith("Nothing is measured yet.")
+    assert not find(page, QPushButton, "save_report").isEnabled()
+    press(page, "cancel_measuring")
+    qtbot.waitUntil(lambda: not page.run.running, timeout=20_000)
 
 
 def test_the_table_is_sorted_by_number_when_a_heading_is_clicked(page, qtbot):

@@ -44,8 +44,7 @@ def scaled_by(
 
     Where all have the same value they are scaled about 0.
     """
-    there = [points[k] for k in chosen if k < len(points)]
-    times, values = [one[0] for one in there], [one[1] for one in there]
+    times, values = _places(points, chosen)
     from_s, factor_s = _about(min(times), max(times), handle.along, by_s)
     low, high = min(values), max(values)
     from_value, factor = _about(0.0 if low == high else low, high, handle.up, by_value)
@@ -82,11 +81,17 @@ def _about(low: float, high: float, side: int, by: float) -> tuple[float, float]
     return stays, max(1.0 + side * by / (high - low), 0.0)
 
 
-def _box(content: EditorContent, points: Points, chosen: tuple[int, ...]) -> QRectF | None:
+def _places(points: Points, chosen: tuple[int, ...]) -> tuple[list[float], list[float]]:
+    """Times and values of the chosen points."""
     there = [points[k] for k in chosen if k < len(points)]
-    if len(there) < 2:
+    return [one[0] for one in there], [one[1] for one in there]
+
+
+def _box(content: EditorContent, points: Points, chosen: tuple[int, ...]) -> QRectF | None:
+    times, values = _places(points, chosen)
+    if len(times) < 2:
         return None
-    places = [content.at(*point[:2]) for point in there]
+    places = list(map(content.at, times, values))
     x, y = [one.x() for one in places], [one.y() for one in places]
     tight = QRectF(QPointF(min(x), min(y)), QPointF(max(x), max(y)))
     box = tight.adjusted(-_BESIDE_PX, -_BESIDE_PX, _BESIDE_PX, _BESIDE_PX)
@@ -100,8 +105,7 @@ def _handles(
     box = _box(content, points, chosen)
     if box is None or box.isEmpty():
         return []
-    times = {points[k][0] for k in chosen if k < len(points)}
-    values = {points[k][1] for k in chosen if k < len(points)}
+    times, values = map(set, _places(points, chosen))
     found = []
     for along, up in _SIDES:
         # Points of the same time cannot be drawn apart, those of the same value upwards alone.
