@@ -106,7 +106,8 @@ def evaluate(design: Design, *quantities: str, view: View | None = None) -> dict
         ``"output_rms"`` (72,), m/s²; ``"selected_traces"`` (n_selected, n_times), m/s²;
         ``"selected_spectra"``: frequencies (n_bins,), Hz, and magnitudes (n_selected, n_bins);
         ``"response_time_s"`` (n_times,); ``"input_waveforms"``, one array per input, muted ones
-        too, from its first clip on, before amplitude; ``"surface_levels_db"`` (rows, columns).
+        too, from its first clip on, before amplitude; ``"surface_levels_db"`` (rows, columns);
+        ``"axis_levels_db"``, of each axis of the limb (72,), dB re 1 m/s².
     view
         Axes, method, span and selected outputs; ``View()`` where none is given.
 

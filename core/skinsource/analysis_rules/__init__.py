@@ -6,6 +6,7 @@ from skinsource.actuator_demand import ActuatorSettings
 from skinsource.analysis.settings import SpectrogramSettings
 from skinsource.analysis_rules import (
     actuator_rules,
+    axis_rules,
     noise_rules,
     output_rules,
     perception_rules,
@@ -16,7 +17,15 @@ from skinsource.panel_settings import settings_of
 from skinsource.perception.settings import PerceptionSettings
 from skinsource.view import View
 
-_MODULES = (noise_rules, output_rules, wave_rules, validity_rules, perception_rules, actuator_rules)
+_MODULES = (
+    noise_rules,
+    output_rules,
+    axis_rules,
+    wave_rules,
+    validity_rules,
+    perception_rules,
+    actuator_rules,
+)
 RULES = tuple(rule for module in _MODULES for rule in module.RULES)
 
 

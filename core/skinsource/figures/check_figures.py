@@ -9,13 +9,13 @@ import numpy as np
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
 from skinsource.evaluation import evaluate
-from skinsource.figures.finer import finer
 from skinsource.figures.sheet import Drawn, Sheet, Table
 from skinsource.figures.values import field_of, frequency_of, normal_of
 from skinsource.limb import Band
 from skinsource.own_limbs import facts_of
 from skinsource.plot.paper import COLOURS, INK, style
 from skinsource.quoting import quoted
+from skinsource.resampling import finer
 from skinsource.scenes import OpenedScene
 from skinsource.waveforms import Chirp
 

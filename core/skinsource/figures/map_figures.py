@@ -37,7 +37,7 @@ def maps_of_axes(opened: OpenedScene) -> Drawn:
     """A map for each axis, all re the loudest output on any axis."""
     single = axes_of_sensors(opened.design)
     levels = [levels_of(opened.design, None, replace(opened.view, axes=axis)) for axis in single]
-    titles = [f"{axis} axis" for axis in single]
+    titles = [f"Along {axis}" for axis in single]
     words = "dB re the loudest output on any axis"
     return maps_figure(opened, relative(levels, together=True), titles, _RELATIVE, words)
 

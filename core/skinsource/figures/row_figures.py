@@ -11,7 +11,6 @@ from skinsource.arrays import Floats
 from skinsource.choice_words import signal_words
 from skinsource.decibels import decibels
 from skinsource.evaluation import evaluate
-from skinsource.figures.finer import finer
 from skinsource.figures.sheet import WIDTH_MM, Drawn, Sheet, Table
 from skinsource.figures.values import axes_of_sensors, field_of, frames, with_values
 from skinsource.own_limbs import facts_of
@@ -20,6 +19,7 @@ from skinsource.plot.maps import draw_map
 from skinsource.plot.paper import COLOURS, style
 from skinsource.plot.rows import Row, common_size, draw_rows, say_scale
 from skinsource.plot.signals import averaged
+from skinsource.resampling import finer
 from skinsource.scenes import OpenedScene
 
 _ROW_MM, _AXIS_MM = 11.0, 12.0

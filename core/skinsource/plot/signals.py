@@ -1,6 +1,6 @@
 """Traces and spectra of outputs."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -15,9 +15,13 @@ from skinsource.own_limbs import facts_of
 from skinsource.plot.paper import DIM, SYNTHETIC, axes_of, style
 from skinsource.plot.rows import Row, common_size, draw_rows, say_scale
 from skinsource.quoting import quoted
+from skinsource.resampling import finer
 from skinsource.view import View
 
 _WIDTH_MM, _ROW_MM, _AROUND_MM = 130.0, 13.0, 26.0
+_NEEDS = "response_time_s", "axis_traces", "selected_projection"
+# Of more samples a page shows no single wave.
+_MOST_JOINED = 20_000
 
 
 def traces(
@@ -31,6 +35,8 @@ def traces(
     ax: Any = None,
 ) -> Any:
     """Draw what outputs do over time, a row for each.
+
+    Up to 20 000 samples are joined by the band-limited wave through them, not by straight lines.
 
     Parameters
     ----------
@@ -61,19 +67,10 @@ def traces(
         matplotlib is not installed.
     """
     designs, looked = _designs(shown, labels), _looked(view, outputs)
-    found = [evaluate(one, "response_time_s", "selected_traces", view=looked) for one in designs]
-    longest = max(found, key=lambda one: one["response_time_s"].size)["response_time_s"]
-    low, high = looked.time_range_s or (float(longest[0]), float(longest[-1]))
-    within = (longest >= low) & (longest <= high)
-    if not within.any():
-        raise InvalidInputError(
-            f"view.time_range_s is {quoted(looked.time_range_s)}, but the response lies between "
-            f"{longest[0]:g} and {longest[-1]:g} s"
-        )
-    curves = [_filled(one["selected_traces"], longest.size)[:, within] for one in found]
-    rows = _rows(1e3 * longest[within], curves, looked.outputs, normalised)
-    own_mm = _ROW_MM * len(rows) + _AROUND_MM
-    on, alone = axes_of(ax, _WIDTH_MM, own_mm)
+    found = [evaluate(one, *_NEEDS, view=looked) for one in designs]
+    time_s, curves = _waves(found, looked.time_range_s)
+    rows = _rows(1e3 * time_s, curves, looked.outputs, normalised)
+    on, alone = axes_of(ax, _WIDTH_MM, _ROW_MM * len(rows) + _AROUND_MM)
     with style():
         draw_rows(on, rows, labels=labels, title=title)
         on.set_xlabel(_time_words(looked))
@@ -162,7 +159,35 @@ def _looked(view: View | None, outputs: Sequence[int] | None) -> View:
 
 def _filled(traces: Floats, n_times: int) -> Floats:
     """Shorter responses are silent at the end."""
-    return np.pad(traces, ((0, 0), (0, n_times - traces.shape[-1])))
+    return np.pad(traces, ((0, 0), (0, 0), (0, n_times - traces.shape[-1])))
+
+
+def _waves(
+    found: Sequence[Mapping[str, Any]], range_s: tuple[float, float] | None
+) -> tuple[Floats, list[Floats]]:
+    """Instants in a range, all unless given, and projected signals of designs at them.
+
+    The wave runs along the axes: a magnitude is its length.
+    """
+    time_s = max(found, key=lambda one: one["response_time_s"].size)["response_time_s"]
+    low, high = range_s or (float(time_s[0]), float(time_s[-1]))
+    within = np.flatnonzero((time_s >= low) & (time_s <= high))
+    if not within.size:
+        raise InvalidInputError(
+            f"view.time_range_s is {quoted(range_s)}, but the response lies between "
+            f"{time_s[0]:g} and {time_s[-1]:g} s"
+        )
+    first, end = int(within[0]), int(within[-1]) + 1
+    joined = end - first <= _MOST_JOINED
+    instants, curves = time_s[first:end], []
+    for one in found:
+        axes = _filled(one["axis_traces"], time_s.size)
+        if joined:
+            instants, axes = finer(time_s, axes, first, end)
+        else:
+            axes = axes[..., first:end]
+        curves.append(one["selected_projection"].signals(axes))
+    return instants, curves
 
 
 def _rows(

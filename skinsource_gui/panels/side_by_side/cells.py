@@ -8,19 +8,9 @@ import numpy as np
 
 from skinsource.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.arrays import Floats
-from skinsource.choice_words import AXES, limb_word, word_of
-from skinsource.comparing import (
-    EDITED,
-    difference_db,
-    end_db,
-    mean_and_spread_over,
-    same_outputs,
-)
-from skinsource.limb import PUBLISHED, Axes
+from skinsource.comparing import difference_db, end_db, mean_and_spread_over, same_outputs
 from skinsource.map_range import map_range_db
-from skinsource.own_limbs import axes_on
-from skinsource.quoting import printable
-from skinsource_gui.compared import ELSEWHERE, Compared, gain_db, limb_title
+from skinsource_gui.compared import ELSEWHERE, Compared, gain_db
 from skinsource_gui.panels.side_by_side.content import Cell
 from skinsource_gui.widgets.map.colour_maps import DIVERGING
 from skinsource_gui.widgets.map.scale_row import Scale
@@ -155,58 +145,6 @@ class Cells:
             values["surface_levels_db"] = values["surface_levels_db"] + gain_db(one)
         self._maps[kept] = maps = self._before.pop(kept, None) or SmallMaps()
         return replace(maps.map_of(values), noisy=noisy)
-
-
-def limb_names(compared: Sequence[Compared], axes: str) -> list[Names]:
-    """What the limbs are called; those measured along other axes than ``axes`` say so."""
-    found: list[Names] = []
-    for one in compared:
-        title = limb_word(_limb(one)).title
-        other = f" ({word_of(AXES, one.axes).title})" if one.axes not in ("", axes) else ""
-        published = _limb(one) in PUBLISHED
-        short = title.partition(" (")[0] if published else title
-        number = title.split()[1] if published else _limb(one)
-        found.append((f"{title}{other}", short, number))
-    return found
-
-
-def snapshot_names(
-    compared: Sequence[Compared], axes: Axes, *, with_limbs: bool = False
-) -> list[Names]:
-    """What the snapshots are called; those measured along other axes than ``axes`` say so.
-
-    ``with_limbs``: where they are on several limbs, they say on which.
-    """
-    found: list[Names] = []
-    titles = [printable(one.snapshot.design.title).strip() for one in compared]
-    own_parts = _own_parts([each for each in titles if each])
-    several = with_limbs and len({_limb(one) for one in compared}) > 1
-    for one, title in zip(compared, titles, strict=True):
-        along = axes_on(_limb(one), axes)
-        other = f" ({word_of(AXES, along).title})" if along != axes else ""
-        on_limb = f" on {limb_title(_limb(one))}" if several else ""
-        other += on_limb
-        edited = one.snapshot.number == EDITED
-        called = one.name if edited else f"Snapshot {one.name}"
-        parts = dict.fromkeys((title, own_parts.get(title, title)))
-        longest = tuple(f"{called} · {part}{other}" for part in parts if part and not edited)
-        if len(longest) > 1:
-            longest = (*longest, f"{one.name} · {own_parts[title]}{other}")
-        short = () if edited and not other else (f"{one.name}{on_limb}",)
-        found.append((*longest, f"{called}{other}", *short))
-    return found
-
-
-def _own_parts(titles: Sequence[str]) -> dict[str, str]:
-    """What each title says that the others do not: ``"Fig. 2B · 50 Hz"`` is ``"50 Hz"``.
-
-    Of titles whose parts, between middle dots, begin alike.
-    """
-    parts = [one.split(" · ") for one in titles]
-    alike = 0
-    while parts and all(len(one) > alike + 1 and one[alike] == parts[0][alike] for one in parts):
-        alike += 1
-    return {one: " · ".join(each[alike:]) for one, each in zip(titles, parts, strict=True)}
 
 
 def _of_all(called: Sequence[Names], n_compared: int) -> Names:

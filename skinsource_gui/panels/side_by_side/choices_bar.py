@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 from skinsource.design import Design
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
+from skinsource_gui.panels.side_by_side.kinds import KINDS
 from skinsource_gui.panels.side_by_side.limbs_menu import LimbsButton
 from skinsource_gui.panels.side_by_side.settings import OF, SHOWN, SideBySideSettings
 from skinsource_gui.theme import UNIT_PX
@@ -23,7 +24,7 @@ class ChoicesBar(QWidget):
     settings
         Those of the present view.
     of, shown, limbs, file
-        Its parts; of the last two that which belongs to what is compared.
+        Its parts; of all but the first those that are about what is compared.
     """
 
     #: The new `View`.
@@ -60,10 +61,10 @@ class ChoicesBar(QWidget):
         self.settings = settings = settings_of(view, self._panel_name, SideBySideSettings)
         self.of.set_value(settings.of)
         self.shown.set_value(settings.shown)
-        of_limbs = settings.of == "limbs"
-        self.limbs.setVisible(of_limbs)
-        self.file.setVisible(not of_limbs)
-        if of_limbs:
+        fields = KINDS[settings.of].fields
+        for name, part in (("shown", self.shown), ("limbs", self.limbs), ("file", self.file)):
+            part.setVisible(name in fields)
+        if "limbs" in fields:
             usual = not settings.limbs.strip()
             self.limbs.show_chosen(settings.chosen(design.limb), usual=usual)
 

@@ -1,8 +1,8 @@
-"""Maps of several limbs, or of snapshots, side by side: one scale, one pointer, one selection."""
+"""Maps of limbs, of snapshots or of axes side by side: one scale, one pointer, one selection."""
 
 from collections.abc import Mapping, Sequence
 from functools import partial
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter
@@ -13,33 +13,28 @@ from skinsource.design import Design
 from skinsource.view import View
 from skinsource_gui.compared import Compared
 from skinsource_gui.panel import Panel
-from skinsource_gui.panels.side_by_side.cells import Cells, limb_names, snapshot_names
+from skinsource_gui.panels.side_by_side.cells import Cells
 from skinsource_gui.panels.side_by_side.choices_bar import ChoicesBar
 from skinsource_gui.panels.side_by_side.content import Cell, Content
 from skinsource_gui.panels.side_by_side.headings import places_for
+from skinsource_gui.panels.side_by_side.kinds import KINDS
 from skinsource_gui.panels.side_by_side.painter import paint_content
 from skinsource_gui.panels.side_by_side.table import tab_separated
 from skinsource_gui.panels.side_by_side.view import MapsView
-from skinsource_gui.panels.side_by_side.words import about, hindrance, reference_of
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
 from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 from skinsource_gui.widgets.lateness import Lateness
 
-_NEEDS = frozenset(
-    {
-        "limb_map",
-        "limb_data",
-        "output_levels_db",
-        "above_noise_db",
-        "surface",
-        "surface_levels_db",
-    }
-)
-
 
 class SideBySidePanel(Panel):
-    """Levels, differences, or mean and spread, of two to four limbs or of snapshots."""
+    """Levels, differences, or mean and spread, of two to four limbs, of snapshots or of axes.
+
+    Attributes
+    ----------
+    kind
+        Which of them.
+    """
 
     title: ClassVar[str] = "Side by side"
     name: ClassVar[str] = "side_by_side"
@@ -50,8 +45,12 @@ class SideBySidePanel(Panel):
         self._design: Design | None = None
         self._view = View()
         self._compared: Sequence[Compared] = ()
+        # Of the design in the window: results, whether they are older than it, why there are none.
+        self._results: Mapping[str, Any] = {}
+        self._stale, self._problem = False, ""
         self._cells = Cells()
         self.bar = ChoicesBar(self.name, self)
+        self.kind = KINDS[self.bar.settings.of]
         self.bar.view_changed.connect(self.view_changed)
         self.bar.file_wanted.connect(partial(self.action_wanted.emit, "take_snapshot"))
         self.maps = MapsView(self)
@@ -75,29 +74,46 @@ class SideBySidePanel(Panel):
 
     @property
     def needs(self) -> frozenset[str]:
-        """The design in the window is one of the sides: it is predicted once, for all panels."""
-        return _NEEDS
+        return self.kind.needs
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
-        return _NEEDS if self.bar.settings.of == "snapshots" else frozenset()
+        return self.kind.needs_of_snapshots
 
     @property
     def needs_on_limbs(self) -> Mapping[str, frozenset[str]]:
-        if self.bar.settings.of != "limbs" or self._design is None:
+        if self._design is None:
             return {}
-        return dict.fromkeys(self.bar.settings.chosen(self._design.limb), _NEEDS)
+        return self.kind.needs_on_limbs(self.bar.settings, self._design.limb)
 
     def sizeHint(self) -> QSize:
         return QSize(560, 520)
 
     def show_state(self, design: Design, view: View) -> None:
-        before = self.bar.settings.of
         self._design, self._view = design, view
         self.bar.show_state(design, view)
-        if self.bar.settings.of != before:
+        before, self.kind = self.kind, KINDS[self.bar.settings.of]
+        if self.kind is not before:
             # Whoever is asked now tells what is known.
             self._compared = ()
+        if self.kind.own:
+            self._show_own()
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        self._results, self._problem = results, ""
+        if self.kind.own:
+            self._compared = ()
+            self._show_own()
+
+    def show_stale(self, stale: bool) -> None:
+        self._stale = stale
+        if self.kind.own:
+            self._lateness.set_stale(stale)
+
+    def show_problem(self, reason: str) -> None:
+        self._problem = reason
+        if self.kind.own:
+            self._show_own()
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
         self._compared = compared
@@ -130,34 +146,29 @@ class SideBySidePanel(Panel):
         places = places_for(room, content, painter.font())
         paint_content(painter, content, places, theme)
 
+    def _show_own(self) -> None:
+        """Draw what is known of the design in the window."""
+        if self._design is not None and not self._compared and self.needs <= self._results.keys():
+            self._compared = self.kind.sides(self._design, self._results)
+        self._show()
+
     def _show(self) -> None:
         """Draw what is known of the designs."""
-        message = hindrance(self._compared, self._view, self.bar.settings)
+        kind, compared, design, view = self.kind, self._compared, self._design, self._view
+        problem = self._problem if kind.own else ""
+        message = problem or kind.hindrance(compared, view)
+        cells: tuple[Cell, ...] = ()
+        if compared and design is not None and not message:
+            cells = kind.drawn(self._cells, compared, design, view, self.bar.settings)
         content = Content(
-            cells=() if message else self._made(),
-            outputs=self._view.outputs,
+            cells=cells,
+            outputs=view.outputs,
             message=message,
-            about=about(self._view, self.bar.settings),
+            about=kind.about(view),
         )
-        self._lateness.set_stale(content.late)
+        self._lateness.set_stale(self._stale if kind.own else content.late)
         self.copy.setEnabled(any(cell.small is not None for cell in content.cells))
         self.maps.show_content(content)
-
-    def _made(self) -> tuple[Cell, ...]:
-        compared, settings = self._compared, self.bar.settings
-        if not compared or self._design is None:
-            return ()
-        reference = reference_of(compared, self._design, self._view, settings)
-        difference = settings.shown == "difference"
-        if settings.of == "limbs":
-            names = limb_names(compared, self._view.axes)
-        else:
-            names = snapshot_names(compared, self._view.axes, with_limbs=difference)
-        if difference:
-            return self._cells.of_differences(compared, names, reference)
-        if settings.shown == "mean":
-            return self._cells.of_spread(compared, names, reference)
-        return self._cells.of_levels(compared, names)
 
     def _read(self, output: int | None) -> None:
         # Maps that move under the pointer cannot be pointed at.

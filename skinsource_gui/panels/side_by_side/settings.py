@@ -8,8 +8,9 @@ from skinsource.fields import ChoiceSpec, TextSpec
 
 OF = ChoiceSpec(
     label="Of",
-    options=(("limbs", "Limbs"), ("snapshots", "Snapshots")),
-    hint="The present design on several limbs, or snapshots: of this design, and designs of files",
+    options=(("limbs", "Limbs"), ("snapshots", "Snapshots"), ("axes", "Axes")),
+    hint="The present design on several limbs; snapshots: of this design, and designs of files; or "
+    "the present design along each axis of the sensors",
 )
 SHOWN = ChoiceSpec(
     label="Shown",
@@ -33,9 +34,9 @@ class SideBySideSettings:
     Attributes
     ----------
     of
-        ``"limbs"`` or ``"snapshots"``.
+        ``"limbs"``, ``"snapshots"`` or ``"axes"``.
     shown
-        ``"levels"``, ``"difference"`` or ``"mean"``.
+        ``"levels"``, ``"difference"`` or ``"mean"``; of axes always the levels.
     limbs
         Names of the chosen limbs with spaces between; empty: those that belong beside the one of
         the design, see `skinsource.comparing.limbs_beside`.

@@ -13,6 +13,7 @@ import skinsource as ss
 from skinsource.errors import InvalidInputError, MissingExtraError
 from skinsource.extras import extra_line
 from skinsource.plot.levels import common_range
+from skinsource.resampling import FINER
 
 DESIGN = ss.Design(
     limb="synthetic-1",
@@ -73,14 +74,34 @@ def test_traces_are_the_projected_acceleration_over_time():
     found = ss.evaluate(DESIGN, "selected_traces", "response_time_s", view=view)
     time_s, traces = found["response_time_s"], found["selected_traces"]
     within = (time_s >= 0.05) & (time_s <= 0.1)
-    size = np.abs(traces[:, within]).max()
     lines = [one for one in figure.axes[0].lines if one.get_xdata().__len__() > 2]
-    for rank, line in enumerate(lines):
-        np.testing.assert_allclose(line.get_xdata(), 1e3 * time_s[within])
-        base = figure.axes[0].get_yticks()[rank]
-        np.testing.assert_allclose(line.get_ydata() - base, traces[rank, within] / size, atol=1e-12)
+    bases = figure.axes[0].get_yticks()
+    heights = np.stack([line.get_ydata() for line in lines]) - bases[:, None]
+    # The highest point of all fills its row, a little above the highest sample.
+    assert np.abs(heights).max() == pytest.approx(1.0)
+    size = np.abs(traces[:, within]).max() / np.abs(heights[:, ::FINER]).max()
+    assert size >= np.abs(traces[:, within]).max()
+    np.testing.assert_allclose(heights[:, ::FINER], traces[:, within] / size, atol=1e-9)
+    for line in lines:
+        np.testing.assert_allclose(line.get_xdata()[::FINER], 1e3 * time_s[within])
     labels = [one.get_text() for one in figure.axes[0].get_yticklabels()]
     assert labels == ["Output 19", "Output 30"]
+
+
+def test_between_samples_a_magnitude_is_the_length_of_the_wave_and_never_negative():
+    def lines(axes, method):
+        view = ss.View(axes=axes, method=method, outputs=(30,), time_range_s=(0.05, 0.1))
+        figure = ss.plot.traces(DESIGN, view=view)
+        [line] = [one for one in figure.axes[0].lines if one.get_xdata().__len__() > 2]
+        words = [one.get_text() for one in figure.axes[0].texts]
+        size = float(next(one for one in words if "a row is" in one).split()[-3])
+        return line.get_ydata() * size, size
+
+    squares = [lines(axis, "mag")[0] ** 2 for axis in "xyz"]
+    length, size = lines("xyz", "mag")
+    # The scale is said with three digits.
+    np.testing.assert_allclose(length, np.sqrt(np.sum(squares, axis=0)), atol=0.01 * size)
+    assert length.min() >= 0.0
 
 
 def test_normalised_rows_each_fill_their_height():

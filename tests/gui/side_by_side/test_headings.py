@@ -7,9 +7,9 @@ from PySide6.QtGui import QFontMetricsF, QImage, QPainter
 from skinsource.comparing import Snapshot
 from skinsource.design import Design
 from skinsource_gui.compared import Compared
-from skinsource_gui.panels.side_by_side.cells import snapshot_names
 from skinsource_gui.panels.side_by_side.content import Cell, Content
 from skinsource_gui.panels.side_by_side.headings import bold, paint_heading, places_for
+from skinsource_gui.panels.side_by_side.of_snapshots import snapshot_names
 from skinsource_gui.widgets.map.scale_ticks import tick_text
 
 ROOM = QRectF(0, 0, 320, 400)

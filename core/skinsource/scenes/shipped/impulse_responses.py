@@ -1,7 +1,15 @@
 """Fig. 1: what the skin does after a single pulse."""
 
 from skinsource.scenes.paper_scene import Scene
-from skinsource.scenes.shipped.making import BESIDE, MOVING, MadeScene, at, made, played
+from skinsource.scenes.shipped.making import (
+    AXES_BESIDE,
+    BESIDE,
+    MOVING,
+    MadeScene,
+    at,
+    made,
+    played,
+)
 from skinsource.waveforms import Impulse
 
 _ALONG_DIGIT_III = (20, 24, 26, 27, 48, 49, 72)
@@ -55,18 +63,14 @@ _AXES = made(
         title="One pulse, three axes",
         sentence="A pulse along digit III moves the skin on all three axes of the sensors, each "
         "with a pattern of its own.",
-        inferred=(
-            "one colour scale for the three maps",
-            "the three maps stand beside each other in the figure alone: in the window one choice "
-            "of axes, above, holds for all panels, so the map shows one axis at a time, z to begin "
-            "with",
-        ),
+        inferred=("one colour scale for the three maps",),
         arrangement="design",
-        panels=("hand", "skin"),
+        panels=("skin", "side_by_side"),
     ),
     played(3, *at([3], _PULSE), scaling="relative"),
     turned="amplitude",
     axes="z",
+    panels=AXES_BESIDE,
 )
 
 _PLACES = made(

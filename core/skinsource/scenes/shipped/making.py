@@ -18,6 +18,8 @@ CONTROLS = "frequency_and_amplitude"
 MOVING = {"skin": {"quantity": "z"}}
 #: Maps of all designs of a scene at once: of scenes that compare people, places or frequencies.
 BESIDE = {"side_by_side": {"of": "snapshots"}}
+#: Maps of the design along each axis at once.
+AXES_BESIDE = {"side_by_side": {"of": "axes"}}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

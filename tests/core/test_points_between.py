@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from skinsource.figures.finer import FINER, finer
+from skinsource.resampling import FINER, finer
 
 
 @pytest.mark.parametrize("frequency_hz", [50.0, 300.0, 590.0])
@@ -21,6 +21,18 @@ def test_points_between_samples_lie_on_the_wave(frequency_hz):
     if frequency_hz == 300.0:
         # Peaks between samples are seen.
         assert np.abs(np.interp(drawn_s, time_s, wave(time_s)) - wave(drawn_s)).max() > 0.2
+
+
+@pytest.mark.parametrize(("first", "end"), [(0, 9), (3, 120), (400, 432), (890, 900), (899, 900)])
+def test_a_stretch_has_the_points_that_it_has_in_the_whole(first, end):
+    time_s = 0.3 + np.arange(900) / 1300.0
+    signals = np.random.default_rng(1).standard_normal((2, 900))
+    whole_s, whole = finer(time_s, signals)
+    part_s, part = finer(time_s, signals, first, end)
+    seen = slice(first * FINER, (end - 1) * FINER + 1)
+    np.testing.assert_allclose(part_s, whole_s[seen], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(part, whole[:, seen], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(part[:, ::FINER], signals[:, first:end], rtol=0, atol=1e-12)
 
 
 def test_a_single_sample_stays_alone():

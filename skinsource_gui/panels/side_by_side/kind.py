@@ -1,0 +1,97 @@
+"""What can stand side by side: where it comes from, and what is said of it."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any, ClassVar
+
+import numpy as np
+
+from skinsource.choice_words import signal_words, span_words
+from skinsource.decibels import FLOOR_DB
+from skinsource.design import Design
+from skinsource.view import View
+from skinsource_gui.compared import Compared
+from skinsource_gui.panels.side_by_side.cells import Cells, Names
+from skinsource_gui.panels.side_by_side.content import Cell
+from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
+
+SILENT = "Silent: nothing is driven"
+#: What a map of levels takes.
+LEVELS = frozenset(
+    {
+        "limb_map",
+        "limb_data",
+        "output_levels_db",
+        "above_noise_db",
+        "surface",
+        "surface_levels_db",
+    }
+)
+
+
+class Kind:
+    """One thing that is chosen under "Of"; it remembers nothing.
+
+    Attributes
+    ----------
+    fields
+        Which parts of the bar above the maps are about it, beside the choice itself.
+    needs, needs_of_snapshots
+        As of a panel.
+    own
+        Whether the sides come from the results of the design in the window.
+    """
+
+    fields: ClassVar[frozenset[str]] = frozenset()
+    needs: ClassVar[frozenset[str]] = LEVELS
+    needs_of_snapshots: ClassVar[frozenset[str]] = frozenset()
+    own: ClassVar[bool] = False
+
+    def needs_on_limbs(
+        self, settings: SideBySideSettings, limb: str
+    ) -> Mapping[str, frozenset[str]]:
+        """As of a panel, while the design is on ``limb``."""
+        del settings, limb
+        return {}
+
+    def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
+        """The sides, from results of the design in the window, which hold what it ``needs``."""
+        del design, results
+        return ()
+
+    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
+        """What the sides are called, each in ever fewer words."""
+        raise NotImplementedError
+
+    def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
+        """Which of them is the one in the window; the first where none is."""
+        del compared, design, view
+        return 0
+
+    def hindrance(self, compared: Sequence[Compared], view: View) -> str:
+        """Why nothing can be compared, in a sentence; empty where something can."""
+        del view
+        known = [one.values["output_levels_db"] for one in compared if one.values is not None]
+        silent = bool(known) and all(float(np.max(levels)) <= FLOOR_DB for levels in known)
+        return SILENT if silent else ""
+
+    def about(self, view: View) -> str:
+        """What the levels are."""
+        return f"RMS of {signal_words(view.axes, view.method)} · {span_words(view.span)}"
+
+    def drawn(
+        self,
+        cells: Cells,
+        compared: Sequence[Compared],
+        design: Design,
+        view: View,
+        settings: SideBySideSettings,
+    ) -> tuple[Cell, ...]:
+        """The maps of the sides, made by ``cells``."""
+        shown = settings.shown if "shown" in self.fields else "levels"
+        names = self.names(compared, view, difference=shown == "difference")
+        if shown == "levels":
+            return cells.of_levels(compared, names)
+        reference = self.reference(compared, design, view)
+        if shown == "difference":
+            return cells.of_differences(compared, names, reference)
+        return cells.of_spread(compared, names, reference)

@@ -1,0 +1,98 @@
+"""Levels along each axis are those that the map shows when that axis alone is chosen."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from skinsource.design import Design, track
+from skinsource.evaluation import evaluate
+from skinsource.quantities import new_graph, sources
+from skinsource.spectra import rms
+from skinsource.view import View
+from skinsource.waveforms import Noise, Tap, Tone
+from tests.core.own_limbs.lab_bench import installed
+
+PLAYED = Design(
+    limb="synthetic-2",
+    scaling="relative",
+    inputs=(
+        track(8, Tone(frequency_hz=150.0, duration_s=0.2)),
+        track(3, Noise(seed=2), amplitude=-0.5, onset_s=0.05),
+        track(8, Tap(), amplitude=2.0, onset_s=0.1),
+    ),
+)
+PAIRS = (
+    ("axis_levels_db", "output_levels_db"),
+    ("axis_surface_levels_db", "surface_levels_db"),
+    ("axis_above_noise_db", "above_noise_db"),
+)
+
+
+def told(design, view, of_axes):
+    return evaluate(design, *(pair[not of_axes] for pair in PAIRS), view=view)
+
+
+def same_for_each_axis(design, view, axes):
+    found = told(design, view, True)
+    assert len(found["axis_levels_db"]) == len(axes)
+    for k, axis in enumerate(axes):
+        alone = told(design, replace(view, axes=axis), False)
+        for of_axes, name in PAIRS:
+            if alone[name] is None:
+                assert found[of_axes][k] is None
+            else:
+                np.testing.assert_allclose(found[of_axes][k], alone[name], rtol=0, atol=1e-9)
+    return found
+
+
+@pytest.mark.parametrize(
+    ("design", "view"),
+    [
+        (PLAYED, View(axes="xyz", method="pca")),
+        (PLAYED, View(axes="y", method="mag", span="loudest")),
+        (PLAYED.with_clip(2, onset_s=12.0), View(axes="xz", method="soc")),
+        (replace(PLAYED, scaling="probe"), View(axes="xyz", method="mag", span="loudest")),
+    ],
+    ids=["record", "loudest", "long", "probe"],
+)
+def test_they_are_those_of_the_axis_chosen_alone(design, view):
+    same_for_each_axis(design, view, "xyz")
+
+
+def test_they_are_the_rms_of_the_traces():
+    view = View(axes="xyz", outputs=tuple(range(1, 73)))
+    found = evaluate(PLAYED, "axis_levels_db", "axis_traces", view=view)
+    expected = 20 * np.log10(rms(found["axis_traces"]).T)
+    np.testing.assert_allclose(found["axis_levels_db"], expected, rtol=0, atol=1e-9)
+
+
+def test_a_limb_of_a_lab_has_the_axes_it_was_measured_along_and_their_noise(user_data):
+    installed(pre_trigger_delay_s=0.005)
+    on_lab = Design(limb="lab-1", inputs=(track(3, Tap()), track(6, Tone(frequency_hz=300.0))))
+    found = same_for_each_axis(on_lab, View(axes="xyz", method="mag"), "xz")
+    along_x, along_z = found["axis_above_noise_db"]
+    assert not np.allclose(along_x, along_z)
+
+
+def test_one_axis_alone_has_one_map_and_silence_is_silent(user_data):
+    installed(axes="z")
+    on_lab = Design(limb="lab-1", inputs=(track(3, Tap()),))
+    same_for_each_axis(on_lab, View(axes="z"), "z")
+    nothing = Design(limb="synthetic-1", inputs=())
+    found = same_for_each_axis(nothing, View(), "xyz")
+    assert all((levels <= -200.0).all() for levels in found["axis_levels_db"])
+
+
+def test_beside_the_map_they_take_no_transform():
+    graph, given = new_graph(), sources(PLAYED, View(axes="xyz", method="mag"))
+    graph.evaluate({"surface_levels_db"}, given)
+    before = graph.runs.copy()
+    graph.evaluate({"surface_levels_db", "axis_surface_levels_db"}, given)
+    assert graph.work.forward_transforms == graph.work.inverse_transforms == 0
+    assert (graph.runs - before).keys() == {
+        "single_axes",
+        "axis_record_rms",
+        "axis_levels_db",
+        "axis_surface_levels_db",
+    }
