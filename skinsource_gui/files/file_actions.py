@@ -6,7 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
-from skinsource.design import Design
+from skinsource.catalogue import default_limb
 from skinsource.design_file import SUFFIX, open_design, save_design
 from skinsource.errors import SkinSourceError
 from skinsource.files import is_there, named
@@ -17,6 +17,7 @@ from skinsource_gui.files.recent_files import RecentFiles
 from skinsource_gui.files.snapshot_files import SnapshotFiles
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.state.start_design import start_design
 
 _FILTER = f"SkinSource designs (*{SUFFIX})"
 _Answer = QMessageBox.StandardButton
@@ -33,6 +34,8 @@ class FileActions(QObject):
     done = Signal(str)
     #: A file was opened; the bytes are the window's arrangement that it holds.
     opened = Signal(bytes)
+    #: What is open is new, as at a start.
+    started_over = Signal()
     recent_changed = Signal()
     #: What follows might end the studio: unsaved work is to be kept now.
     risk_ahead = Signal()
@@ -61,11 +64,11 @@ class FileActions(QObject):
         window.installEventFilter(self)
 
     def new(self) -> None:
-        """Start over with an empty design on the same limb."""
+        """Start over with design, limb and view of a start; the person's panels come back."""
         if self.may_lose_changes():
-            limb = self._document.design.limb
-            self._document.start_over(Design(limb=limb), View(), None)
+            self._document.start_over(start_design(default_limb()), View(), None)
             self.leave_file()
+            self.started_over.emit()
             self.done.emit("Started a new design")
 
     def leave_file(self) -> None:

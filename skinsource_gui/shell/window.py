@@ -154,7 +154,7 @@ class MainWindow(QMainWindow):
         self.pictures = PanelPictures(self, *own)
         self.exports = ExportActions(*saving, self.runner, self.pictures.picture_of, self)
         self.stimuli = StimulusActions(*saving, self.runner, lambda: self.theme, self)
-        show = self.arrangements.show
+        show = self.layout_of_docks.choose_for_scene
         self.scenes = SceneActions(*saving, self.limbs, show, self.docks, lambda: self.theme, self)
         self.comparison = Comparison(self.document, self.engine, self.panels)
         kept = self.document, self.engine, self.runner, self.files, self.layout_of_docks
@@ -224,6 +224,9 @@ class MainWindow(QMainWindow):
         self.appearance.changed.connect(self._show_theme)
         self.arrangements.text_scaled.connect(self.appearance.fit_room)
         self.setup_bar.edited.connect(document.apply)
+        # What a scene arranged goes before panels are shown that a file names.
+        for left in (self.files.started_over, self.files.opened):
+            left.connect(self.layout_of_docks.leave_scene)
         self.files.opened.connect(self.layout_of_docks.show_panels)
         self.scenes.opened.connect(self.presenter.note_scene)
         saving = self.files, self.scenes, self.library, self.presenter

@@ -29,6 +29,10 @@ class Purpose(IntEnum):
     EXPORT = 3
 
 
+#: What is asked about what is shown, and asked again about what is shown after that.
+_ABOUT_WHAT_IS_SHOWN = (Purpose.CHECK, Purpose.JUDGE)
+
+
 @dataclass(frozen=True, slots=True)
 class Slot:
     """One of several designs that are looked at side by side; each has a graph of its own."""
@@ -79,7 +83,8 @@ class Engine(QObject):
 
     A running evaluation is allowed to finish, so that a long drag shows a steady stream of results
     instead of none until the mouse stops; only one that has taken long already is abandoned for a
-    newer one of its place, or put back for one that goes before it.
+    newer one of its place, or put back for one that goes before it.  To check or judge what is no
+    longer shown is of no use, and would be computed in place of what is: such a request is dropped.
 
     Parameters
     ----------
@@ -106,6 +111,8 @@ class Engine(QObject):
         self._running: Request | None = None
         self._newest: Request | None = None
         self._waiting: dict[tuple[Slot, Purpose], Request] = {}
+        # What each slot was asked last to show.
+        self._to_show: dict[Slot, Request] = {}
         # Of evaluations that have ended and are not told yet; None: abandoned.
         self._ended: deque[Outcome | None] = deque()
         self._lock, self._awaited = Lock(), False
@@ -130,6 +137,8 @@ class Engine(QObject):
         if self._closing.is_set():
             return
         self._newest = request
+        if request.purpose is Purpose.SHOW:
+            self._to_show[request.slot] = request
         if self._running is None:
             self._start(request)
             return
@@ -143,6 +152,7 @@ class Engine(QObject):
         """Forget what was computed for ``slot``, and what waits for it."""
         for place in [place for place in self._waiting if place[0] == slot]:
             del self._waiting[place]
+        self._to_show.pop(slot, None)
         if not self._closing.is_set():
             self._worker.submit(self._graphs.pop, slot, None)
 
@@ -211,6 +221,9 @@ class Engine(QObject):
         if outcome is None and ended is not None:
             # Abandoned: it goes on later, unless a newer one has its place.
             self._waiting.setdefault(ended.place, ended)
+        self._waiting = {
+            place: one for place, one in self._waiting.items() if not self._is_outdated(one)
+        }
         if self._waiting:
             first = min(self._waiting, key=lambda place: place[1])
             self._start(self._waiting.pop(first))
@@ -218,3 +231,8 @@ class Engine(QObject):
             self.finished.emit(outcome)
         if not self.busy:
             self.rested.emit()
+
+    def _is_outdated(self, request: Request) -> bool:
+        shown = self._to_show.get(request.slot)
+        about = request.purpose in _ABOUT_WHAT_IS_SHOWN
+        return about and shown is not None and shown.given != request.given

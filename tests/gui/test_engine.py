@@ -152,7 +152,7 @@ def test_closing_ends_a_long_evaluation_that_asks(slow, slow_engine):
     assert not slow.given_up.is_set()
 
 
-SECOND_SLOT = Slot("B")
+SECOND_SLOT, THIRD_SLOT = Slot("B"), Slot("C")
 
 
 def test_each_slot_and_purpose_has_a_place_to_wait_and_showing_goes_first(
@@ -166,7 +166,7 @@ def test_each_slot_and_purpose_has_a_place_to_wait_and_showing_goes_first(
     ask(2, Purpose.CHECK, FIRST_SLOT)
     ask(3, Purpose.SHOW, FIRST_SLOT)
     ask(4, Purpose.SHOW, SECOND_SLOT)
-    ask(5, Purpose.CHECK, FIRST_SLOT)
+    ask(5, Purpose.CHECK, THIRD_SLOT)
     ask(6, Purpose.SHOW, FIRST_SLOT)
     gate.set()
     qtbot.waitUntil(lambda: not engine.busy)
@@ -200,19 +200,45 @@ def test_each_slot_has_a_graph_of_its_own_until_it_is_released(qtbot, qapp):
     engine.close()
 
 
-@pytest.mark.parametrize("purpose", [Purpose.CHECK, Purpose.EXPORT])
-def test_what_is_put_off_for_something_to_show_is_done_afterwards(
-    qtbot, slow, slow_engine, purpose
+@pytest.mark.parametrize(
+    ("purpose", "shown", "is_done"),
+    [(Purpose.EXPORT, 2, True), (Purpose.CHECK, 2, False), (Purpose.CHECK, 1, True)],
+)
+def test_what_is_put_off_is_done_afterwards_unless_what_it_would_check_is_shown_no_more(
+    qtbot, slow, purpose, shown, is_done
 ):
-    outcomes = []
-    slow_engine.finished.connect(outcomes.append)
-    slow_engine.request(Request(frozenset({"slow"}), {"x": 1}, purpose=purpose))
+    def quick(x):
+        return x
+
+    engine, outcomes = Engine(lambda: Graph(slow.rule(), quick)), []
+    engine.finished.connect(outcomes.append)
+    engine.request(Request(frozenset({"slow"}), {"x": 1}, purpose=purpose))
     assert slow.started.wait(5)
-    slow_engine.request(request(2, "slow"))
+    engine.request(request(shown, "quick"))
     qtbot.waitUntil(lambda: bool(outcomes), timeout=10_000)
     slow.given_up.set()
-    qtbot.waitUntil(lambda: not slow_engine.busy, timeout=10_000)
-    assert [outcome.request.purpose for outcome in outcomes] == [Purpose.SHOW, purpose]
+    qtbot.waitUntil(lambda: not engine.busy, timeout=10_000)
+    engine.close()
+    done = [Purpose.SHOW, purpose] if is_done else [Purpose.SHOW]
+    assert [outcome.request.purpose for outcome in outcomes] == done
+
+
+@pytest.mark.parametrize("purpose", [Purpose.CHECK, Purpose.JUDGE])
+def test_nothing_is_computed_to_check_what_another_edit_has_replaced(
+    qtbot, engine, gate, seen, purpose
+):
+    gate.set()
+    engine.request(request(1))
+    qtbot.waitUntil(lambda: not engine.busy)
+    gate.clear()
+    engine.request(request(2))
+    # Edits had paused; the next one came before this, and is not shown yet.
+    engine.request(Request(frozenset({"answer"}), {"x": 1}, purpose=purpose))
+    gate.set()
+    qtbot.waitUntil(lambda: not engine.busy)
+    engine.request(request(2))
+    qtbot.waitUntil(lambda: not engine.busy)
+    assert seen == [1, 2]
 
 
 def test_what_is_shown_is_not_put_off_for_a_check(qtbot, slow, slow_engine):

@@ -115,8 +115,7 @@ class HandPanel(Panel):
         self._edit(edits.move_inputs, self._together(index, alone=True), site, gesture=gesture)
 
     def _remove(self) -> None:
-        if self._view.selected_inputs:
-            self._edit(edits.remove_inputs, self._view.selected_inputs)
+        self._edit(edits.remove_inputs, self._view.selected_inputs)
 
     def _together(self, index: int, *, alone: bool = False) -> tuple[int, ...]:
         """Ids of all selected inputs if this is one of them; else of this one, if it exists."""

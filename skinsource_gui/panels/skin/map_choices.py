@@ -7,10 +7,16 @@ from PySide6.QtCore import QObject, Signal
 
 from skinsource import edits
 from skinsource.design import Design
+from skinsource.edits import Refusal
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.panels.skin.map_quantity import LEVELS, SENSATION, STILL
 from skinsource_gui.panels.skin.settings import SkinSettings
+
+#: Told where what is to be removed was selected last, and is none.
+NO_OUTPUTS = Refusal(
+    sentence="Outputs cannot be removed; click an input, a dashed ring on the map, to remove it."
+)
 
 
 class MapChoices(QObject):
@@ -48,10 +54,16 @@ class MapChoices(QObject):
         if self._design is not None:
             self.edited.emit(edits.select_outputs(self._design, self._view, outputs), None)
 
-    def choose_input(self, input_id: int) -> None:
-        """Select an input."""
+    def choose_inputs(self, ids: tuple[int, ...]) -> None:
+        """Select inputs."""
         if self._design is not None:
-            self.edited.emit(edits.select_inputs(self._design, self._view, (input_id,)), None)
+            self.edited.emit(edits.select_inputs(self._design, self._view, ids), None)
+
+    def remove_inputs(self, outputs_meant: bool) -> None:
+        """Remove those that are selected; where none is, or outputs are meant, say so."""
+        if self._design is not None:
+            removed = edits.remove_inputs(self._design, self._view, self._view.selected_inputs)
+            self.edited.emit(NO_OUTPUTS if outputs_meant else removed, None)
 
     @property
     def chosen_range(self) -> tuple[float, float] | None:

@@ -16,7 +16,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QToolTip, QWidget
 
-from skinsource_gui.panels.skin.inputs.pointing import InputPointer, input_at
+from skinsource_gui.panels.skin.inputs.pointing import InputPointer, input_at, selected_inputs
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_layout import (
     HAND,
@@ -57,9 +57,11 @@ class SkinMap(QWidget):
     outputs_chosen = Signal(object)
     #: What is under the pointer or the keyboard's cursor, in words; empty for nothing.
     readout_changed = Signal(str)
-    #: Id of the input that is pointed at, or None; of the one that shall be selected.
+    #: Id of the input that is pointed at, or None; those of the inputs to select, a tuple.
     input_pointed_at = Signal(object)
-    input_chosen = Signal(int)
+    inputs_chosen = Signal(object)
+    #: Delete was pressed; whether what was selected last are outputs.
+    removal_wanted = Signal(bool)
     #: Where on the screen a menu is wanted.
     menu_requested = Signal(QPoint)
 
@@ -71,10 +73,12 @@ class SkinMap(QWidget):
         self._layout: MapLayout | None = None
         self._pointer = InputPointer(self)
         self._pointer.pointed_at.connect(self.input_pointed_at)
+        # What was selected here last, "input" or "outputs": keys are about that.
+        self._last = ""
         self.pan_zoom = PanZoom(self)
         self.pan_zoom.changed.connect(self._lay_out)
         self.picker = OutputPicker(self)
-        self.picker.chosen.connect(self.outputs_chosen)
+        self.picker.chosen.connect(self._choose_outputs)
         self.picker.moved.connect(self._follow_cursor)
         self.setMinimumSize(150, 180)
         # All of it is painted: nothing behind needs to be.
@@ -83,7 +87,8 @@ class SkinMap(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName("Map of the skin, back of hand and arm")
         self.setAccessibleDescription(
-            "Arrow keys move to the next output, Space selects it, Shift and Space adds it."
+            "Arrow keys move to the next output, Space selects it, Shift and Space adds it. "
+            "Delete removes the selected inputs."
         )
 
     def show_content(self, content: MapContent) -> None:
@@ -91,6 +96,8 @@ class SkinMap(QWidget):
         if content.same_as(self.content):
             return
         other_limb = content.limb_map is not self.content.limb_map
+        if selected_inputs(content) != selected_inputs(self.content) and self._last == "outputs":
+            self._last = ""
         self.content, self.picker.selected = content, content.outputs
         if other_limb:
             limb_map = content.limb_map
@@ -188,8 +195,9 @@ class SkinMap(QWidget):
             points, mouse = self._layout.points, self.picker.mouse
             meant_input = input_at(self.content, self._layout, event.position())
             on_output = output_at(points, event.position()) is not None
+            self._last = "outputs" if on_output else self._last
             if meant_input is not None and mouse.band is None and not on_output:
-                self.input_chosen.emit(meant_input)
+                self._choose_inputs((meant_input,))
                 mouse.give_up()
             self.picker.release(event, points)
             self.update()
@@ -222,12 +230,26 @@ class SkinMap(QWidget):
             self.pan_zoom.show(WHOLE)
         elif wanted == "hand":
             self.pan_zoom.show(HAND)
+        elif wanted == "remove":
+            self.removal_wanted.emit(self._last == "outputs")
+        elif wanted == "select_none" and self._last == "input" and selected_inputs(self.content):
+            if not self.picker.mouse.give_up():
+                self._choose_inputs(())
+            self.update()
         elif self.pan_zoom.step(wanted) or self.picker.press_key(
             event, layout.points, layout.unplaced, middle
         ):
             self.update()
         else:
             super().keyPressEvent(event)
+
+    def _choose_inputs(self, ids: tuple[int, ...]) -> None:
+        self._last = "input"
+        self.inputs_chosen.emit(ids)
+
+    def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
+        self._last = "outputs"
+        self.outputs_chosen.emit(outputs)
 
     def _follow_cursor(self) -> None:
         if self.picker.keys.cursor_output is not None:

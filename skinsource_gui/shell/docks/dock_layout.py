@@ -45,6 +45,11 @@ class DockLayout(QObject):
         self._present: ArrangementSpec | None = None
         # By arrangement, what the user made of it.
         self._own: dict[str, bytes] = {}
+        # What the user had before a scene took up its arrangement: its name, and where the docks
+        # stood if they were moved; None: no scene has.
+        self._before_scene: tuple[str, bytes] | None = None
+        # Place of the window, arrangement and docks before they were presented; None: they are not.
+        self._held: tuple[QByteArray, str, bytes] | None = None
         # How the docks stand where nobody has moved them; None: they may have been.
         self._untouched: Standing | None = None
         # Qt shares the room a moment after it was told how.
@@ -56,10 +61,8 @@ class DockLayout(QObject):
 
         Nothing that the user made of an arrangement is lost by its key.
         """
-        before = self._present
-        touched = not self._is_untouched()
-        if before is not None and touched:
-            self._own[before.name] = self.content()
+        before, touched = self._present, bool(self._kept())
+        self._before_scene = None
         own = self._own.get(name, b"")
         again = before is not None and before.name == name
         self._arrangements.show(name)
@@ -69,6 +72,35 @@ class DockLayout(QObject):
         if own and self._present is not None:
             words = _AS_AT_FIRST if again and touched else _AS_LEFT
             self.done.emit(words.format(key=self._present.keys[0]))
+
+    def choose_for_scene(self, name: str) -> None:
+        """Take up the arrangement of a scene, as at first; `leave_scene` takes it back."""
+        kept = self._kept()
+        if self._before_scene is None and self._present is not None:
+            held = self._held
+            self._before_scene = (self._present.name, kept) if held is None else held[1:]
+        self._arrangements.show(name)
+
+    def leave_scene(self) -> None:
+        """Put the docks where the user had them before a scene took up its arrangement.
+
+        While they are presented they stay as people further off can read them.
+        """
+        if self._before_scene is None or self._held is not None:
+            return
+        self._kept()
+        (name, content), self._before_scene = self._before_scene, None
+        self._arrangements.show(name)
+        self.put(content)
+        self._arrangements.keyboard.settle()
+
+    def hold(self) -> None:
+        """Remember how all is now for the next session; what comes is for an audience."""
+        self._held = self._window.saveGeometry(), self._preferences.arrangement, self.content()
+
+    def release(self) -> None:
+        """Remember again what comes."""
+        self._held = None
 
     def content(self) -> bytes:
         """What `put` and `show_panels` take back."""
@@ -125,8 +157,12 @@ class DockLayout(QObject):
 
     def close(self) -> None:
         """Remember this session for the next one; the window closes."""
-        self._preferences.geometry = self._window.saveGeometry()
-        self._preferences.layout = self._window.saveState()
+        now = self._window.saveGeometry(), self._preferences.arrangement, self.content()
+        # The next session begins without an audience, and without a scene.
+        geometry, arrangement, content = self._held or now
+        arrangement, content = self._before_scene or (arrangement, content)
+        self._preferences.geometry, self._preferences.arrangement = geometry, arrangement
+        self._preferences.layout = QByteArray(content)
         self._preferences.screen = screen_words(self._window.screen())
         self._preferences.own_arrangements = self._own
         self._preferences.flush()
@@ -134,6 +170,13 @@ class DockLayout(QObject):
             # A panel in a window of its own does not close with this one on every desktop.
             if dock.isFloating():
                 dock.hide()
+
+    def _kept(self) -> bytes:
+        """Keep what the user made of the present arrangement; empty where nothing was moved."""
+        if self._present is None or self._is_untouched():
+            return b""
+        content = self._own[self._present.name] = self.content()
+        return content
 
     def _note_arrangement(self, spec: ArrangementSpec) -> None:
         self._preferences.arrangement = spec.name

@@ -2,10 +2,11 @@
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import QChildEvent, QEvent, QObject, Qt, Signal
+from PySide6.QtCore import QChildEvent, QEvent, QObject, QPoint, Qt, Signal
 from PySide6.QtWidgets import QApplication, QMainWindow, QTabBar, QTabWidget
 
 from skinsource_gui.shell.docks.dock import Dock
+from skinsource_gui.shell.docks.tab_lists import TabLists, tab_menu
 from skinsource_gui.shell.focus_order import focus_into
 
 _NOTHING = "No panel shares its place with another one; View > Panels brings more"
@@ -28,6 +29,8 @@ class DockTabs(QObject):
     def __init__(self, window: QMainWindow, docks: Mapping[str, Dock]) -> None:
         super().__init__(window)
         self._window, self._docks = window, docks
+        self._lists = TabLists(self)
+        self._lists.wanted.connect(self._open_list)
         window.setTabPosition(Qt.DockWidgetArea.AllDockWidgetAreas, QTabWidget.TabPosition.North)
         window.installEventFilter(self)
         for dock in docks.values():
@@ -42,12 +45,19 @@ class DockTabs(QObject):
         """Bring the tab before the one in front to the front, where the keyboard is."""
         self._go(-1)
 
+    def show_list(self) -> None:
+        """List the panels in one place, where the keyboard is, to bring one to the front."""
+        bar = self._bar_in_use()
+        if bar is not None:
+            self._open_list(bar, bar.rect().bottomLeft())
+
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         # Qt makes a bar when it needs one, and says nothing else of it.
         if isinstance(event, QChildEvent) and event.type() == QEvent.Type.ChildPolished:
             bar = event.child()
             if isinstance(bar, QTabBar):
                 _prepare(bar)
+                self._lists.add_to(bar)
         return False
 
     def _tell(self) -> None:
@@ -59,19 +69,28 @@ class DockTabs(QObject):
                 dock.panel.show_in_sight(names)
 
     def _go(self, step: int) -> None:
-        docks = [dock for dock in self._docks.values() if not dock.isHidden()]
+        bar = self._bar_in_use()
+        if bar is not None:
+            self._bring(bar.tabText((bar.currentIndex() + step) % bar.count()))
+
+    def _open_list(self, bar: QTabBar, at: QPoint) -> None:
+        tab_menu(bar, self._bring, self._window).popup(bar.mapToGlobal(at))
+
+    def _bring(self, title: str) -> None:
+        dock = next(one for one in self._docks.values() if one.windowTitle() == title)
+        dock.bring_forward()
+        focus_into(dock.panel, Qt.FocusReason.ShortcutFocusReason)
+
+    def _bar_in_use(self) -> QTabBar | None:
+        """The bar where the keyboard is; else the first there is, if any."""
+        docks = [dock for dock in self._docks.values() if dock.in_sight]
         focused = QApplication.focusWidget()
-        # Where the keyboard is; else the first place that holds several.
         docks.sort(key=lambda dock: focused is None or not dock.isAncestorOf(focused))
         for dock in docks:
-            bar = self._bar_of(dock) if dock.in_sight else None
-            if bar is not None:
-                title = bar.tabText((bar.currentIndex() + step) % bar.count())
-                other = next(one for one in docks if one.windowTitle() == title)
-                other.bring_forward()
-                focus_into(other.panel, Qt.FocusReason.ShortcutFocusReason)
-                return
+            if (bar := self._bar_of(dock)) is not None:
+                return bar
         self.done.emit(_NOTHING)
+        return None
 
     def _bar_of(self, dock: Dock) -> QTabBar | None:
         """The bar in which a dock is in front of others."""
@@ -85,7 +104,7 @@ class DockTabs(QObject):
 
 def _prepare(bar: QTabBar) -> None:
     bar.setAccessibleName("Panels in one place")
-    bar.setToolTip("Panels in one place; Ctrl+Tab shows the next")
+    bar.setToolTip("Panels in one place; Ctrl+Tab shows the next, the right button lists them")
     # The keyboard has a key for it; a stop without a panel would only be in the way of Tab.
     bar.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     bar.setDrawBase(False)

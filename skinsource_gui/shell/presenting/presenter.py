@@ -92,6 +92,7 @@ class Presenter(QObject):
         window = self._window
         self.presenting = True
         self._is_scene = self._at >= 0 and not self._document.modified
+        self._layout.hold()
         self._before, self._arranged = window.saveState(), self._preferences.arrangement
         self._size, self._focused = window.size(), window.focusWidget()
         self._arrangements.show(_ARRANGEMENT)
@@ -109,6 +110,7 @@ class Presenter(QObject):
         """Bring the bars back, the panels where they stood, and the map."""
         window = self._window
         self.presenting = self._is_scene = False
+        self._layout.release()
         for action in self._actions().values():
             window.removeAction(action)
         for key in self._keys:

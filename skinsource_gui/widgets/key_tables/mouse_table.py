@@ -144,6 +144,10 @@ MOUSE: dict[str, tuple[str, tuple[MouseHint, ...]]] = {
             ),
         ),
     ),
+    "tabs": (
+        "Mouse on tabs of panels",
+        _hints(("list", "Right button on the tabs", "list the panels in one place")),
+    ),
     "heads": (
         "Mouse on the heads of tracks",
         _hints(("order", "Drag a row of the list", "reorder the inputs")),

@@ -29,6 +29,6 @@ def test_hand_and_map_point_at_the_same_input(make_window, design):
     [x, y] = layout.frame.to_screen(content.limb_map.input_positions[[6]])[0]
     QTest.mouseMove(skin.map, QPointF(float(x), float(y)).toPoint())
     assert hand.diagram.state.target == 7
-    skin.map.input_chosen.emit(second)
+    skin.map.inputs_chosen.emit((second,))
     assert window.document.view.selected_inputs == (second,)
     assert first in window.document.design.ids

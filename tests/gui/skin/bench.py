@@ -7,6 +7,7 @@ from PySide6.QtGui import QColor, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from skinsource.edits import Edit
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.panels.skin.settings import SkinSettings
@@ -30,9 +31,15 @@ class Window:
     def __init__(self, panel, results):
         self.panel, self.results = panel, results
         self.design, self.view = start_design("synthetic-1"), View()
-        self.views = []
+        self.views, self.outcomes = [], []
         panel.view_changed.connect(self.take)
-        panel.edited.connect(lambda edit, _: self.take(edit.view))
+        panel.edited.connect(self.do)
+
+    def do(self, outcome, _gesture):
+        self.outcomes.append(outcome)
+        if isinstance(outcome, Edit):
+            self.design = outcome.design
+            self.take(outcome.view)
 
     def take(self, view):
         self.views.append(view)

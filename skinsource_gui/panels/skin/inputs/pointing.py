@@ -30,3 +30,8 @@ def input_at(content: MapContent, layout: MapLayout | None, at: QPointF) -> int 
         return None
     found = mark_at(content.inputs, content.limb_map, layout, at)
     return None if found is None else found.id
+
+
+def selected_inputs(content: MapContent) -> tuple[int, ...]:
+    """Ids of the inputs that are selected."""
+    return tuple(one.id for one in content.inputs if one.selected)

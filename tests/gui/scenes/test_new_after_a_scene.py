@@ -1,0 +1,101 @@
+"""File > New after a scene: what a start shows, in the panels as the person had them."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtWidgets import QApplication
+
+from skinsource.catalogue import default_limb
+from skinsource.design_file import save_design
+from skinsource.panel_settings import with_settings
+from skinsource.view import View
+from skinsource_gui.panels.skin.settings import SkinSettings
+from skinsource_gui.state.start_design import start_design
+
+#: On limb 4, in the arrangement for analysis.
+SCENE = "1C"
+
+
+def in_sight(window):
+    QApplication.processEvents()
+    QApplication.processEvents()
+    return {panel.name for panel in window.panels if panel.isVisible()}
+
+
+@pytest.fixture
+def own(window):
+    """What is in sight where the person has moved something."""
+    window.docks["spectra"].hide()
+    window.docks["history"].bring_forward()
+    return in_sight(window)
+
+
+def test_new_shows_design_and_view_of_a_start_in_ones_own_panels(window, own):
+    window.scenes.open(SCENE)
+    document = window.document
+    assert document.design.limb.endswith("-4")
+    locked = SkinSettings(map_range_db=(-30.0, 0.0))
+    document.look(replace(with_settings(document.view, "skin", locked), delay_removed=True))
+    assert in_sight(window) != own
+    window.do("new_design")
+    assert document.design == start_design(default_limb())
+    assert document.view == View()
+    assert in_sight(window) == own
+    # Once it is left there is nothing to go back to.
+    window.docks["compare"].bring_forward()
+    now = in_sight(window)
+    window.do("new_design")
+    assert in_sight(window) == now
+
+
+def test_of_several_scenes_it_is_the_panels_before_the_first_that_come_back(window, own, tmp_path):
+    window.scenes.open(SCENE)
+    window.scenes.open("2B")
+    # A file says which panels it shows, where the person has them.
+    path = tmp_path / "own.skinsource"
+    save_design(path, window.document.design, View())
+    window.files.open(path)
+    assert in_sight(window) == own
+
+
+def test_panels_that_the_person_arranged_after_a_scene_stay(window, own):
+    window.scenes.open(SCENE)
+    window.do("arrange_drawing")
+    drawing = in_sight(window)
+    window.do("new_design")
+    assert in_sight(window) == drawing
+    window.do("arrange_design")
+    assert in_sight(window) == own
+
+
+@pytest.mark.parametrize("moved", [False, True])
+def test_the_next_session_begins_in_the_panels_before_the_scene(
+    window, preferences, make_window, monkeypatch, moved
+):
+    if moved:
+        window.docks["spectra"].hide()
+    before = in_sight(window)
+    window.scenes.open(SCENE)
+    QApplication.processEvents()
+    window.close()
+    assert preferences.arrangement == "design"
+    # Others take up an arrangement at first.
+    monkeypatch.setattr(type(window), "do", lambda *_: None)
+    assert in_sight(make_window()) == before
+
+
+def test_the_next_session_begins_in_the_panels_before_they_were_presented(
+    window, own, preferences, make_window, monkeypatch
+):
+    window.do("present")
+    # What is new is presented too.
+    window.scenes.open(SCENE)
+    presented = in_sight(window)
+    window.do("new_design")
+    assert in_sight(window) == presented
+    window.close()
+    assert preferences.arrangement == "design"
+    monkeypatch.setattr(type(window), "do", lambda *_: None)
+    again = make_window()
+    assert in_sight(again) == own
+    assert not again.isFullScreen()
