@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.choice_words import limb_word
 from skinsource.comparing import EDITED, Snapshot
 
 #: What is said where designs are shown as loud as each other.
@@ -51,8 +50,3 @@ class Compared:
 def gain_db(compared: Compared) -> float:
     """How much louder than it was stored it is shown, dB."""
     return float(20.0 * np.log10(compared.gain))
-
-
-def limb_title(limb: str) -> str:
-    """What a limb is called where there is little room."""
-    return limb_word(limb).title.partition(" (")[0]

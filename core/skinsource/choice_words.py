@@ -175,6 +175,16 @@ def limb_word(name: str) -> Word:
     return Word(name=name, title=facts.title, sentence=facts.sentence)
 
 
+def short_limb_title(name: str) -> str:
+    """What a limb is called where there is little room: without the length of a published one.
+
+    >>> short_limb_title("synthetic-1")
+    'Synthetic 1'
+    """
+    title = limb_word(name).title
+    return title.partition(" (")[0] if name in PUBLISHED else title
+
+
 def signal_words(axes: str, method: str) -> str:
     """How accelerations become one signal: ``"x, y, z, principal axis"``; one axis has no method.
 

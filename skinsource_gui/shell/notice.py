@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QCursor, QPixmap
+from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import (
     QApplication,
     QHBoxLayout,
@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.click_guard import ClickGuard
 
 #: How long good news stay, which nobody need close; bad ones stay until they are dealt with.
 PASSING_MS = 5000
@@ -23,8 +24,6 @@ PASSING_MS = 5000
 _LEAST_MS, _LETTER_MS = 4000, 60
 #: A click so soon belongs to what the notice is about, and takes nothing away.
 _FRESH_MS = 700
-# After so many intervals of a double click even a pointer that rests means what lies there.
-_MOST_TIMES_GUARDED = 6
 #: What can be done about it: words of the button, and what it does.
 Choice = tuple[str, Callable[[], object]]
 _LAID_OUT = (QEvent.Type.Resize, QEvent.Type.LayoutRequest)
@@ -76,14 +75,7 @@ class Notice(QObject):
         self._passing, self._watches = QTimer(self), False
         self._passing.setSingleShot(True)
         self._passing.timeout.connect(self.be_quiet)
-        # Takes the second click of who clicks twice.
-        self._guard = QWidget(window)
-        self._guard.setObjectName("notice_guard")
-        self._guarding = QTimer(self._guard)
-        self._guarding.setSingleShot(True)
-        self._guarding.timeout.connect(self._guard_on_rest)
-        self._guarded_at, self._times_guarded = QPoint(), 0
-        self._guard.hide()
+        self._guard = ClickGuard(window)
         self.be_quiet()
         window.installEventFilter(self)
 
@@ -169,30 +161,10 @@ class Notice(QObject):
             self._choices.append(button)
 
     def _choose(self, act: Callable[[], object] | None = None, _checked: bool = False) -> None:
-        self._guard.setGeometry(self.buttons.geometry())
-        self._guard.show()
-        self._guard.raise_()
-        self._guard_on()
-        # Room that goes away is laid out anew later, and that may take most of the time.
-        QTimer.singleShot(0, self._guard, self._guard_on)
+        self._guard.cover(self.buttons.geometry())
         self.be_quiet()
         if act:
             act()
-
-    def _guard_on(self) -> None:
-        self._guarded_at, self._times_guarded = QCursor.pos(), 0
-        self._guarding.start(QApplication.doubleClickInterval())
-
-    def _guard_on_rest(self) -> None:
-        """Who has not moved the pointer since does not mean what lies there now."""
-        self._times_guarded += 1
-        at = QCursor.pos()
-        within = self._guard.rect().contains(self._guard.mapFromGlobal(at))
-        rests = within and at == self._guarded_at
-        if rests and self._times_guarded < _MOST_TIMES_GUARDED:
-            self._guarding.start()
-        else:
-            self._guard.hide()
 
     def _place(self) -> None:
         whole, height = self._window.width(), self._window.height()

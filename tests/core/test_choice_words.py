@@ -1,6 +1,7 @@
 """The same words for the same things, in the window, on the command line and in files."""
 
 import doctest
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -25,6 +26,13 @@ def table():
 
 def test_the_page_of_words_shows_them_as_they_are():
     assert table() in PAGE.read_text("utf-8")
+
+
+def test_where_there_is_little_room_only_a_published_limb_is_called_less(monkeypatch):
+    assert choice_words.short_limb_title("synthetic-1") == "Synthetic 1"
+    own = replace(choice_words.facts_of("synthetic-1"), title="Foot (left)")
+    monkeypatch.setattr(choice_words, "facts_of", lambda name: own)
+    assert choice_words.short_limb_title("foot") == "Foot (left)"
 
 
 @pytest.mark.parametrize(

@@ -94,8 +94,8 @@ def test_a_second_click_where_a_button_has_gone_reaches_nothing_else(
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
     settle()
     guard = window.childAt(middle)
-    assert guard.objectName() == "notice_guard"
-    window.notice._guarding.start(1)
+    assert guard.objectName() == "click_guard"
+    window.notice._guard.interval.start(1)
     qtbot.waitUntil(guard.isHidden)
     assert window.childAt(middle) is not guard
 
@@ -107,8 +107,8 @@ def test_the_time_for_a_second_click_begins_when_the_window_is_laid_out_anew(
     settle()
     QTest.mouseClick(window.findChild(QPushButton, "notice_choice"), Qt.MouseButton.LeftButton)
     left_ms = 59_000
-    window.notice._guarding.start(left_ms)
-    qtbot.waitUntil(lambda: window.notice._guarding.remainingTime() > left_ms, timeout=2000)
+    window.notice._guard.interval.start(left_ms)
+    qtbot.waitUntil(lambda: window.notice._guard.interval.remainingTime() > left_ms, timeout=2000)
 
 
 def test_a_notice_follows_the_window(window, settle):
@@ -198,9 +198,9 @@ def test_a_click_where_a_button_was_reaches_nothing_until_the_pointer_has_moved(
     button = window.findChild(QPushButton, "notice_choice")
     QCursor.setPos(button.mapToGlobal(button.rect().center()))
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
-    guard = window.findChild(QWidget, "notice_guard")
+    guard = window.findChild(QWidget, "click_guard")
     rounds = []
-    window.notice._guarding.timeout.connect(lambda: rounds.append(guard.isVisible()))
+    window.notice._guard.interval.timeout.connect(lambda: rounds.append(guard.isVisible()))
     qtbot.waitUntil(lambda: len(rounds) >= 2, timeout=2000)
     assert rounds[:2] == [True, True]
     QCursor.setPos(QCursor.pos() + QPoint(3, 0))

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QSizePolicy, QToolButto
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fitting_label import FittingLabel
 from skinsource_gui.widgets.key_tables.key_table import key_text
+from skinsource_gui.widgets.tooltips import show_tooltip
 
 _PLACE = "clip_editor"
 _TOOLS = (
@@ -71,22 +72,24 @@ class EditorToolbar(QWidget):
         """Words about the clip, and how to begin; whether there is one to edit."""
         whole = f"{words} · {hint}" if hint else words
         self._words.show_phrases((whole, hint or words, words))
-        self._words.setToolTip(whole)
+        show_tooltip(self._words, whole)
         for button in (*self._tools.values(), self._fit):
             button.setEnabled(enabled)
         self._bound.setEnabled(enabled and self._band_known)
 
     def show_band(self, band_hz: tuple[float, float] | None) -> None:
-        """In which band the limb was measured; None: not known, and nothing can be bound to it."""
+        """In which band the limb was measured; None: not known, and nothing can be bound to it.
+
+        It counts from the next words on.
+        """
         words = "In which band this limb was measured is not known"
         if band_hz is not None:
             words = (
                 f"Take away what lies outside {band_hz[0]:g} to {band_hz[1]:g} Hz, where nothing "
                 "was measured; the waveform becomes samples"
             )
-        self._bound.setToolTip(words)
+        show_tooltip(self._bound, words)
         self._band_known = band_hz is not None
-        self._bound.setEnabled(self._band_known)
 
     def offer_glide(self, offered: bool) -> None:
         """Whether the clip plays a glide, whose curves can be shaped."""

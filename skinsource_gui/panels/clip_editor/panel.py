@@ -174,8 +174,8 @@ class ClipEditorPanel(Panel):
         self._canvas.show_clip(clip, raw, played, self._rate_hz)
         band_hz = facts_of(self._design.limb).band_hz
         self._spectrum.show_samples(played, self._rate_hz, band_hz)
-        self._say(clip)
         self._toolbar.show_band(band_hz)
+        self._say(clip)
 
     def _say(self, clip: Clip) -> None:
         said_of, design, words = self._said

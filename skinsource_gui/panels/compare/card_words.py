@@ -2,10 +2,11 @@
 
 from collections.abc import Sequence
 
+from skinsource.choice_words import short_limb_title
 from skinsource.comparing import EDITED, gain_words, loudest_db
 from skinsource.decibels import FLOOR_DB
 from skinsource.quoting import printable
-from skinsource_gui.compared import LEVELS_MATCHED, Compared, gain_db, limb_title
+from skinsource_gui.compared import LEVELS_MATCHED, Compared, gain_db
 from skinsource_gui.widgets.fields.level_text import minus
 
 #: Levels that differ by less are shown as the same.
@@ -58,7 +59,7 @@ def difference_words(present: Compared, other: Compared, *, matched: bool) -> tu
     mine, theirs = (one.snapshot.design.limb for one in (present, other))
     if mine == theirs:
         return heading, words
-    return heading, f"{words}, {limb_title(mine)} minus {limb_title(theirs)}"
+    return heading, f"{words}, {short_limb_title(mine)} minus {short_limb_title(theirs)}"
 
 
 def equal_words(present: Compared, other: Compared) -> tuple[str, str]:

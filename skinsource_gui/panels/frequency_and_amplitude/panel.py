@@ -67,8 +67,8 @@ class FrequencyAndAmplitudePanel(Panel):
         self._words.setWordWrap(True)
         self._control = ChoiceField(CONTROL, self)
         self._control.setObjectName("control_field")
-        self._control_part = _Labelled()
-        self._control_part.hold(QLabel(CONTROL.label), self._control)
+        self._control_label, self._control_part = QLabel(CONTROL.label), _Labelled()
+        self._control_part.hold(self._control_label, self._control)
         self._control.chosen.connect(self._choose_control)
         self._amplitude = FieldCell("amplitude", AMPLITUDE)
         self._onset = FieldCell(_ONSET, ONSET_S)
@@ -124,7 +124,8 @@ class FrequencyAndAmplitudePanel(Panel):
 
     def show_theme(self, theme: Theme) -> None:
         self._theme = theme
-        self._words.setStyleSheet(f"color: {theme.dim};")
+        for words in (self._words, self._control_label):
+            words.setStyleSheet(f"color: {theme.dim};")
         for cell in (self._amplitude, self._onset, self._frequency):
             if cell is not None:
                 cell.show_theme(theme)

@@ -64,17 +64,17 @@ class Cells:
         self._begin()
         base = compared[reference]
         limb = _limb(base)
-        alike = [one for one in compared if same_outputs(limb, _limb(one))]
         pairs = zip(compared, names, strict=True)
-        called = [words for one, words in pairs if one in alike and one.values is not None]
-        known = [one for one in alike if one.values is not None]
+        alike = [(one, words) for one, words in pairs if same_outputs(limb, _limb(one))]
+        known = [one for one, _ in alike if one.values is not None]
         # A mean of those that happen to be known already would change by itself.
-        computing = any(one.values is None and not one.problem for one in alike)
+        computing = any(one.values is None and not one.problem for one, _ in alike)
         if base.values is None or computing or len(known) < 2:
             few = "A mean takes two at least that have outputs at the same places."
-            problem = next((one.problem for one in alike if one.problem), few)
+            problem = next((one.problem for one, _ in alike if one.problem), few)
             return (Cell(headings=("",), limb=limb, words="" if computing else problem),)
         mean, spread = mean_and_spread_over([_levels_db(one) for one in known])
+        called = [words for one, words in alike if one.values is not None]
         what = _of_all(called, len(compared))
         late = any(one.late for one in known)
         noisy = _noisy(*known)

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import ClassVar
 
-from skinsource.choice_words import AXES, limb_word, word_of
+from skinsource.choice_words import AXES, limb_word, short_limb_title, word_of
 from skinsource.design import Design
 from skinsource.limb import PUBLISHED
 from skinsource.view import View
@@ -32,10 +32,8 @@ class OfLimbs(Kind):
             limb = one.snapshot.design.limb
             title = limb_word(limb).title
             other = f" ({word_of(AXES, one.axes).title})" if one.axes not in ("", view.axes) else ""
-            published = limb in PUBLISHED
-            short = title.partition(" (")[0] if published else title
-            number = title.split()[1] if published else limb
-            found.append((f"{title}{other}", short, number))
+            number = title.split()[1] if limb in PUBLISHED else limb
+            found.append((f"{title}{other}", short_limb_title(limb), number))
         return found
 
     def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:

@@ -3,14 +3,14 @@
 from collections.abc import Sequence
 from typing import ClassVar
 
-from skinsource.choice_words import AXES, word_of
+from skinsource.choice_words import AXES, short_limb_title, word_of
 from skinsource.comparing import EDITED, nothing_to_compare, shown
 from skinsource.design import Design
 from skinsource.limb import Axes
 from skinsource.own_limbs import axes_on
 from skinsource.quoting import printable
 from skinsource.view import View
-from skinsource_gui.compared import LEVELS_MATCHED, Compared, limb_title
+from skinsource_gui.compared import LEVELS_MATCHED, Compared
 from skinsource_gui.panels.side_by_side.cells import Names
 from skinsource_gui.panels.side_by_side.kind import LEVELS, Kind
 
@@ -54,7 +54,7 @@ def snapshot_names(
     for one, title in zip(compared, titles, strict=True):
         along = axes_on(one.snapshot.design.limb, axes)
         other = f" ({word_of(AXES, along).title})" if along != axes else ""
-        on_limb = f" on {limb_title(one.snapshot.design.limb)}" if several else ""
+        on_limb = f" on {short_limb_title(one.snapshot.design.limb)}" if several else ""
         other += on_limb
         edited = one.snapshot.number == EDITED
         called = one.name if edited else f"Snapshot {one.name}"

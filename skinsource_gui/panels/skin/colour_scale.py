@@ -5,7 +5,7 @@ from math import floor, log10
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QImage, QPainter, QPen
+from PySide6.QtGui import QColor, QFontMetrics, QImage, QPainter, QPen
 
 from skinsource_gui.panels.skin.level_range import Range, tick_levels
 from skinsource_gui.panels.skin.map_quantity import MapQuantity
@@ -70,19 +70,25 @@ def paint_colour_scale(
     _paint_title(painter, ramp, ramp.right() + 0.9 * line + widest, theme, quantity)
 
 
+def fitting_title(quantity: MapQuantity, metrics: QFontMetrics, room_px: int) -> str:
+    """The longest title that has room; of the shortest as much as has, with three dots."""
+    titles = quantity.titles
+    fitting = (title for title in titles if metrics.horizontalAdvance(title) <= room_px)
+    shortest = metrics.elidedText(titles[-1], Qt.TextElideMode.ElideRight, room_px)
+    return next(fitting, shortest)
+
+
 def _paint_title(
     painter: QPainter, ramp: QRectF, left: float, theme: Theme, quantity: MapQuantity
 ) -> None:
-    metrics = painter.fontMetrics()
-    titles = quantity.titles
-    fitting = (title for title in titles if metrics.horizontalAdvance(title) <= ramp.height())
     line = painter.fontMetrics().height()
     painter.save()
     painter.setPen(QColor(theme.dim))
     painter.translate(left + line / 2, ramp.center().y())
     painter.rotate(-90)
+    words = fitting_title(quantity, painter.fontMetrics(), int(ramp.height()))
     along = QRectF(-ramp.height() / 2, -line / 2, ramp.height(), line)
-    painter.drawText(along, Qt.AlignmentFlag.AlignCenter, next(fitting, titles[-1]))
+    painter.drawText(along, Qt.AlignmentFlag.AlignCenter, words)
     painter.restore()
 
 

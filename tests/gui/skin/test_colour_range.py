@@ -1,10 +1,13 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QFontMetrics
 from PySide6.QtTest import QTest
 
 from skinsource.map_range import map_range_db
+from skinsource_gui.panels.skin.colour_scale import fitting_title
 from skinsource_gui.panels.skin.level_range import tick_levels
+from skinsource_gui.panels.skin.map_quantity import MapQuantity
 from tests.gui.skin.bench import (
     CONTROL,
     LEFT,
@@ -157,3 +160,13 @@ def test_ticks_are_round_and_apart():
         0,
     ]
     assert tick_levels(-1.0, 0.0, room_px=200.0, spacing_px=24.0) == [-1.0, -0.5, 0.0]
+
+
+def test_a_title_that_has_no_room_is_shortened_and_never_cut(qapp):
+    metrics = QFontMetrics(qapp.font())
+    for quantity in (MapQuantity(), MapQuantity(name="z"), MapQuantity(name="sensation")):
+        for room_px in range(30, 700, 10):
+            title = fitting_title(quantity, metrics, room_px)
+            assert metrics.horizontalAdvance(title) <= room_px
+            assert title in quantity.titles or title.endswith("…")
+        assert title == quantity.titles[0]
