@@ -7,6 +7,7 @@ from skinsource_gui.widgets.plot.axis_spec import value_unit
 from skinsource_gui.widgets.plot.curves import Curves, output_names
 from skinsource_gui.widgets.plot.decimation import (
     MOST_IN_COLUMN,
+    KeptColumns,
     in_rows,
     visible_points,
     without_notches,
@@ -152,6 +153,21 @@ def test_every_column_has_its_stroke_even_where_samples_lie_on_its_edge(columns,
     assert (few.y.min(), few.y.max()) == (samples.min(), samples.max())
 
 
+def test_columns_of_an_axis_are_found_once_for_all_that_is_drawn_over_it():
+    kept, random = KeptColumns(), np.random.default_rng(4)
+    x = np.arange(5000) / 1300
+    asked = [(x, (0.0, 3.0), 300), (x.copy(), (0.0, 3.0), 300)]
+    others = [(x, (0.1, 3.0), 300), (x, (0.1, 3.0), 301), (x + 1e-9, (0.1, 3.0), 301)]
+    others += [(x[:4000], (0.1, 3.0), 301), (x, (0.0, 0.1), 300), *asked[:1]]
+    for found, of in enumerate((*asked, *others)):
+        y = random.uniform(-1, 1, (2, of[0].size))
+        points, expected = kept.of(*of).points(y), visible_points(of[0], y, *of[1:])
+        assert np.array_equal(points.x, expected.x)
+        assert np.array_equal(points.y, expected.y)
+        assert points.strokes == expected.strokes
+        assert kept.made == max(found, 1)
+
+
 def test_values_never_reach_beyond_their_row():
     for edge in (0.0, 0.05):
         scale = ValueScale(values=(-1.0, 1.0), edge=edge)
@@ -214,6 +230,12 @@ def test_what_stands_alone_stays_as_narrow_as_it_is():
     # Nothing is taken away.
     assert (filled.reshape(-1, 2).max(axis=-1) >= strokes.reshape(-1, 2).max(axis=-1)).all()
     assert (filled.reshape(-1, 2).min(axis=-1) <= strokes.reshape(-1, 2).min(axis=-1)).all()
+
+
+def test_what_begins_or_ends_a_signal_is_no_notch():
+    tall = np.array([-0.9, 1.0])
+    strokes = np.concatenate((0.4 * tall, 0.7 * tall, *(9 * [tall]), 0.6 * tall))[np.newaxis]
+    assert np.array_equal(without_notches(strokes), strokes)
 
 
 def test_closer_round_numbers_are_taken_before_the_ends_of_an_axis():

@@ -12,8 +12,13 @@ Channel = tuple[int, int]
 
 
 def rows_of(spectrum: Complexes, channels: list[Channel]) -> Complexes:
-    """Some channels of (n_outputs, 3 axes, n_bins), one in a row."""
+    """Some channels of (n_outputs, 3 axes, n_bins), one in a row; a copy."""
     return np.array([spectrum[output - 1, axis] for output, axis in channels])
+
+
+def driven(rows: Complexes, drive: Complexes) -> Complexes:
+    """Rows times the spectrum of a drive, (n_bins,), in their place: one pass of memory less."""
+    return np.multiply(rows, drive, out=rows)
 
 
 class ChannelsOnDemand:
@@ -63,7 +68,8 @@ class ChannelsOnDemand:
         missing = self._traces.missing(outputs, axes)
         if missing:
             samples = inverse(self._spectra(missing), self._n_fft)[:, : self._active.size]
-            self._traces.add(missing, np.where(self._active, samples, 0.0))
+            np.copyto(samples, 0.0, where=~self._active)
+            self._traces.add(missing, samples)
         return self._traces.of(outputs, axes)
 
     def trace_spectra(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Complexes:

@@ -11,7 +11,7 @@ import numpy as np
 
 from skinsource.arrays import Complexes, Floats
 from skinsource.rendering.budgets import EXACT_SPECTRA_BYTES
-from skinsource.rendering.channels import Channel
+from skinsource.rendering.channels import Channel, driven
 from skinsource.rendering.memory import Memory
 from skinsource.rendering.transforms import forward
 
@@ -39,7 +39,7 @@ class ExactSpectra:
 
         def spectra(channels: list[Channel]) -> Complexes:
             drive = forward(samples, n_times)
-            return self._responses(taps, name, n_times, channels) * drive
+            return driven(self._responses(taps, name, n_times, channels), drive)
 
         return spectra
 

@@ -40,4 +40,7 @@ class Projection:
         """Spectra of the projected signals; there are none for the length of the vector."""
         if self.directions is None:
             raise ValueError("the length of a vector has no spectrum of its own")
-        return np.einsum("oa,oaf->of", self.directions, spectra)
+        # As pairs of numbers: with both of one type it takes a quarter of the time.
+        parts = np.ascontiguousarray(spectra).view(np.float64)
+        projected: Floats = np.einsum("oa,oaf->of", self.directions, parts)
+        return projected.view(np.complex128)

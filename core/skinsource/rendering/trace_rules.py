@@ -47,8 +47,10 @@ def selected_without_main_axis(
     response_samples: int,
 ) -> tuple[int, ...]:
     """Selected outputs that are projected on a main axis they do not have."""
-    without = without_main_axis(moments, axis_numbers, method, response_samples)
-    return tuple(output for output in shown_outputs if without[output - 1])
+    rows = [output - 1 for output in shown_outputs]
+    of_selected = Moments(moments.second[rows], moments.first[rows])
+    without = without_main_axis(of_selected, axis_numbers, method, response_samples).tolist()
+    return tuple(output for output, found in zip(shown_outputs, without, strict=True) if found)
 
 
 def selected_traces(axis_traces: Floats, selected_projection: Projection) -> Floats:
@@ -81,8 +83,7 @@ def selected_spectra(
     elif selected_projection.directions is None:
         transforms = forward(selected_traces, vibration.n_times)
     else:
-        of_axes = vibration.transforms(shown_outputs, selected_projection.axis_numbers)
-        transforms = selected_projection.spectra(of_axes)
+        transforms = vibration.projected_transforms(shown_outputs, selected_projection)
     return one_sided_magnitude(transforms, vibration.n_times, sample_rate_hz)
 
 

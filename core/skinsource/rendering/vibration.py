@@ -1,5 +1,6 @@
 """The vibration by all voices, for the outputs that are looked at."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,6 +9,7 @@ from skinsource.arrays import Complexes, Floats
 from skinsource.job import Stop, never, stop_if
 from skinsource.rendering.channels import ChannelsOnDemand
 from skinsource.rendering.drives import delayed
+from skinsource.rendering.projecting import Projection
 from skinsource.rendering.streaming import StreamedVibration
 from skinsource.rendering.transforms import forward
 
@@ -52,14 +54,16 @@ class Vibration:
         """Acceleration of some outputs, (n_outputs, n_axes, n_times), in m/s²."""
         if self.streamed is not None:
             return self.streamed.traces(outputs, axes, stop)
-        if self.others is not None:
-            total = self.others.traces(outputs, axes).copy()
-        else:
-            total = np.zeros((len(outputs), len(axes), self.n_times))
-        if self.edited is not None and self.weight != 0.0:
-            unit = self.edited.traces(outputs, axes)
-            started = self.n_times - self.delay_samples
-            total[..., self.delay_samples :] += self.weight * unit[..., :started]
+        others = None if self.others is None else self.others.traces(outputs, axes)
+        if self.edited is None or self.weight == 0.0:
+            shape = len(outputs), len(axes), self.n_times
+            return np.zeros(shape) if others is None else others.copy()
+        unit, start = self.edited.traces(outputs, axes), self.delay_samples
+        total = np.empty(unit.shape)
+        total[..., :start] = 0.0
+        np.multiply(unit[..., : self.n_times - start], self.weight, out=total[..., start:])
+        if others is not None:
+            total += others
         return total
 
     def transforms(
@@ -68,11 +72,31 @@ class Vibration:
         """Their transforms over exactly n_times samples, (n_outputs, n_axes, n_times // 2 + 1)."""
         if self.streamed is not None:
             return one_by_one(self.streamed.traces(outputs, axes, stop), stop)
-        if self.others is not None:
-            total = self.others.trace_spectra(outputs, axes).copy()
-        else:
-            total = np.zeros((len(outputs), len(axes), self.n_times // 2 + 1), np.complex128)
+        return self._summed_spectra(outputs, axes, lambda spectra: spectra)
+
+    def projected_transforms(self, outputs: tuple[int, ...], projection: Projection) -> Complexes:
+        """The same of projected signals, (n_outputs, n_times // 2 + 1), which is no magnitude.
+
+        Projected before they are summed: a third of the numbers.  Not of what is streamed.
+        """
+        return self._summed_spectra(outputs, projection.axis_numbers, projection.spectra)
+
+    def _summed_spectra(
+        self,
+        outputs: tuple[int, ...],
+        axes: tuple[int, ...],
+        seen: Callable[[Complexes], Complexes],
+    ) -> Complexes:
+        """Sum of what is ``seen``, which is linear, of the vibrations by all voices."""
+        total: Complexes | None = None
         if self.edited is not None and self.weight != 0.0:
-            unit = self.edited.trace_spectra(outputs, axes)
-            total += self.weight * delayed(unit, self.delay_samples, self.n_times)
+            unit = seen(self.edited.trace_spectra(outputs, axes))
+            total = self.weight * delayed(unit, self.delay_samples, self.n_times)
+        if self.others is not None:
+            others = seen(self.others.trace_spectra(outputs, axes))
+            # Never the other way round: what others cause is remembered.
+            total = others if total is None else np.add(total, others, out=total)
+        if total is None:
+            shape = len(outputs), len(axes), self.n_times // 2 + 1
+            total = seen(np.zeros(shape, np.complex128))
         return total

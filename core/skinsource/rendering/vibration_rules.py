@@ -9,7 +9,7 @@ from skinsource.arrays import Booleans, Complexes
 from skinsource.chain import Drive
 from skinsource.job import Stop
 from skinsource.limb import Limb
-from skinsource.rendering.channels import ChannelsOnDemand, rows_of
+from skinsource.rendering.channels import ChannelsOnDemand, driven, rows_of
 from skinsource.rendering.drives import delayed
 from skinsource.rendering.gains import Sounding
 from skinsource.rendering.placed import Placed
@@ -147,7 +147,7 @@ def edited_channels(
     name = ref(responses.limb), edited_unit.location, responses.scaling == "probe"
     exact = responses.remembered.exact_spectra
     return ChannelsOnDemand(
-        lambda channels: rows_of(values, channels) * edited_spectrum,
+        lambda channels: driven(rows_of(values, channels), edited_spectrum),
         edited_response.n_fft,
         edited_active,
         exact.of(edited_drive.samples, taps, name, edited_active.size),

@@ -1,5 +1,7 @@
 """How a clip looks."""
 
+from math import ceil, floor
+
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
@@ -7,6 +9,7 @@ from skinsource.arrays import Floats
 from skinsource_gui.panels.timeline.clip_pictures import ClipPictures
 from skinsource_gui.panels.timeline.lane import Box
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.kept_picture import KeptPicture
 
 _ROUNDING_PX = 3.0
 _WORDS_FROM_PX = 40.0
@@ -63,8 +66,7 @@ def paint_clip(
         _write(painter, words_of(box), shown, theme, pale=pale)
     _paint_frame(painter, box.rect, shown, theme, colour, selected=selected)
     if shown_elsewhere and not selected:
-        painter.setPen(QPen(QColor(theme.accent), 2, Qt.PenStyle.DotLine))
-        painter.drawRoundedRect(box.rect.adjusted(1, 1, -1, -1), _ROUNDING_PX, _ROUNDING_PX)
+        mark_clip(painter, box.rect, shown, pictures.mark, QColor(theme.accent))
     if handles:
         _paint_handles(painter, box, QColor(theme.text))
 
@@ -148,6 +150,32 @@ def _paint_frame(
     right = min(rect.right(), shown.right() + 2)
     frame = QRectF(left, rect.top(), right - left, rect.height())
     painter.drawRoundedRect(frame.adjusted(0.5, 0.5, -0.5, -0.5), _ROUNDING_PX, _ROUNDING_PX)
+
+
+def mark_clip(
+    painter: QPainter, rect: QRectF, shown: QRectF, mark: KeptPicture, colour: QColor
+) -> None:
+    """Frame a clip with dots, which take Qt longer than the clip: painted once for each size."""
+    # Where pixels of the screen begin, so that the picture is what would be painted here.
+    on_screen = painter.deviceTransform()
+    first = on_screen.map(QPointF(shown.left() - 1, rect.top() - 1))
+    from_screen, _ = on_screen.inverted()
+    corner = from_screen.map(QPointF(floor(first.x()), floor(first.y())))
+    end = shown.bottomRight() - corner + QPointF(1, 1)
+    frame = rect.adjusted(1, 1, -1, -1).translated(-corner)
+
+    def paint_dots(painter: QPainter) -> None:
+        painter.setPen(QPen(colour, 2, Qt.PenStyle.DotLine))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawRoundedRect(frame, _ROUNDING_PX, _ROUNDING_PX)
+
+    painter.translate(corner)
+    room = QRectF(0, 0, ceil(end.x()), ceil(end.y()))
+    # The same place among the pixels, but for rounding.
+    edges = frame.left(), frame.top(), frame.right(), frame.bottom()
+    place = tuple(round(edge, 4) for edge in edges)
+    mark.paint(painter, room, (colour.rgba(), place), paint_dots)
+    painter.translate(-corner)
 
 
 def _paint_fades(painter: QPainter, box: Box, colour: QColor) -> None:

@@ -9,7 +9,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap
 
 from skinsource.arrays import Floats
-from skinsource_gui.widgets.plot.decimation import visible_points
+from skinsource_gui.widgets.kept_picture import KeptPicture
+from skinsource_gui.widgets.plot.decimation import KeptColumns
 
 _BUDGET_BYTES = 48 * 2**20
 _BYTES_PER_PIXEL = 4
@@ -31,13 +32,22 @@ class _Key:
 
 
 class ClipPictures:
-    """Curves of clips, painted once for each size and colour; the oldest go first."""
+    """Curves of clips, painted once for each size and colour; the oldest go first.
+
+    Attributes
+    ----------
+    mark
+        The frame of the one clip that is shown elsewhere.
+    columns
+        Where the samples of the clip that was painted last fall.
+    """
 
     def __init__(self, budget_bytes: int = _BUDGET_BYTES) -> None:
         self._kept: OrderedDict[_Key, tuple[Floats, QPixmap]] = OrderedDict()
         self._budget, self._bytes = budget_bytes, 0
         #: How many pictures were painted: an edit that changes no clip paints none.
         self.painted = 0
+        self.mark, self.columns = KeptPicture(), KeptColumns()
 
     def picture(
         self,
@@ -68,7 +78,7 @@ class ClipPictures:
         if found is not None and found[0] is samples:
             self._kept.move_to_end(key)
             return found[1]
-        made = _painted(samples, width, height, colour, reach, part, ratio)
+        made = _painted(samples, width, height, colour, reach, part, ratio, self.columns)
         self.painted += 1
         self._keep(key, samples, made)
         return made
@@ -99,6 +109,7 @@ def _painted(
     reach: float,
     part: tuple[float, float],
     ratio: float,
+    columns: KeptColumns,
 ) -> QPixmap:
     picture = QPixmap(max(round(width * ratio), 1), max(round(height * ratio), 1))
     picture.setDevicePixelRatio(ratio)
@@ -107,7 +118,8 @@ def _painted(
         return picture
     painter = QPainter(picture)
     share = np.arange(samples.size) / samples.size
-    points = visible_points(share, samples[np.newaxis], part, max(round(width * ratio), 1))
+    across = max(round(width * ratio), 1)
+    points = columns.of(share, part, across).points(samples[np.newaxis])
     heights = points.y[0]
     block = points.strokes and np.mean(np.abs(heights[1::2] - heights[::2])) > _BLOCK
     painter.setRenderHint(QPainter.RenderHint.Antialiasing, not block)

@@ -13,7 +13,7 @@ from skinsource.arrays import Floats
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.kept_picture import KeptPicture
-from skinsource_gui.widgets.plot.decimation import visible_points
+from skinsource_gui.widgets.plot.decimation import KeptColumns
 from skinsource_gui.widgets.tooltips import show_tooltip
 
 _AXIS_PX = 18
@@ -49,7 +49,7 @@ class WaveformPreview(QWidget):
         self._colour = QColor(LIGHT.text)
         self._flipped = False
         self._pale = False
-        self._axis = KeptPicture()
+        self._axis, self._columns = KeptPicture(), KeptColumns()
         self.setObjectName("waveform_preview")
         self.setAccessibleName("Waveform")
         self.setFont(tabular(self.font()))
@@ -152,12 +152,8 @@ class WaveformPreview(QWidget):
         middle, reach = plot.center().y(), sign * plot.height() / 2 / self._height
         shown_px = plot.width() * drawn.size / self._sample_rate_hz / self._span_s(drawn)
         columns = max(int(shown_px * self.devicePixelRatioF()), 1)
-        points = visible_points(
-            np.arange(drawn.size) / drawn.size,
-            drawn[np.newaxis],
-            (0.0, 1.0),
-            columns,
-        )
+        share = np.arange(drawn.size) / drawn.size
+        points = self._columns.of(share, (0.0, 1.0), columns).points(drawn[np.newaxis])
         places, samples = points.x, points.y[0]
         if points.strokes:
             block = bool(np.mean(np.abs(samples[1::2] - samples[::2])) > _BLOCK)

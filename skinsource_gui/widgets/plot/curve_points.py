@@ -7,7 +7,7 @@ from PySide6.QtCore import QRectF
 
 from skinsource.arrays import Floats
 from skinsource_gui.widgets.plot.curves import Curves
-from skinsource_gui.widgets.plot.decimation import in_rows, visible_points, without_notches
+from skinsource_gui.widgets.plot.decimation import KeptColumns, in_rows, without_notches
 from skinsource_gui.widgets.plot.value_scale import ValueScale
 from skinsource_gui.widgets.plot.x_window import XWindow
 
@@ -35,7 +35,12 @@ class CurvePoints:
 
 
 def curve_points(
-    curves: Curves, window: XWindow, scale: ValueScale, rows: list[QRectF], ratio: float
+    curves: Curves,
+    window: XWindow,
+    scale: ValueScale,
+    rows: list[QRectF],
+    ratio: float,
+    columns: KeptColumns,
 ) -> tuple[CurvePoints, ...]:
     """What is drawn of each curve: in the one row there is, or in one each.
 
@@ -47,11 +52,13 @@ def curve_points(
         Where the row of each curve that is drawn is, px.
     ratio
         Device pixels in a pixel.
+    columns
+        Those of the plot.
     """
     x, y = window.axis.positions(curves.x), curves.y[: len(rows)]
     if window.axis.log:
         x, y = x[curves.x > 0], y[:, curves.x > 0]
-    points = visible_points(x, y, window.shown, int(rows[0].width() * ratio))
+    points = columns.of(x, window.shown, int(rows[0].width() * ratio)).points(y)
     heights = scale.heights(points.y)
     blocks = np.zeros(len(rows), dtype=bool)
     if points.strokes:

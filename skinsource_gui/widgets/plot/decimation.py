@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from skinsource.arrays import Floats
 from skinsource_gui.widgets.plot.ranges import Range
@@ -35,18 +36,46 @@ class Points:
     strokes: bool = False
 
 
-def visible_points(x: Floats, y: Floats, shown: Range, width_px: int) -> Points:
-    """The visible part, and one point more at each side so that lines run to the edge.
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Columns:
+    """Where the samples of an axis fall among columns of pixels; the same for all curves over it.
 
-    With more than `MOST_IN_COLUMN` samples for each column of pixels, it is the smallest and the
-    largest of each column.
+    Attributes
+    ----------
+    part
+        Which samples are looked at.
+    places : (n,)
+        Where the points are, one for each sample, or two for each column that holds any.
+    starts
+        The first sample of each such column, counted in the part; None where each is drawn.
+    """
+
+    part: slice
+    places: Floats
+    starts: NDArray[np.intp] | None = None
+
+    def points(self, y: Floats) -> Points:
+        """What is drawn of curves, (n_curves, n_points), over the axis."""
+        y = y[:, self.part]
+        if self.starts is None:
+            return Points(x=self.places, y=y)
+        low = np.minimum.reduceat(y, self.starts, axis=1)
+        high = np.maximum.reduceat(y, self.starts, axis=1)
+        # Up one column and down the next: the way from stroke to stroke is short, and so is
+        # painting.
+        ends = np.empty((*low.shape, 2))
+        ends[:, ::2, 0], ends[:, ::2, 1] = low[:, ::2], high[:, ::2]
+        ends[:, 1::2, 0], ends[:, 1::2, 1] = high[:, 1::2], low[:, 1::2]
+        return Points(x=self.places, y=ends.reshape(len(y), -1), strokes=True)
+
+
+def columns_of(x: Floats, shown: Range, width_px: int) -> Columns:
+    """Columns of the visible part, and one sample more at each side so that lines run to the edge.
 
     Parameters
     ----------
     x : (n_points,)
         Rising.
-    y : (n_curves, n_points)
-        Curves over ``x``.
     shown
         Visible part of ``x``.
     width_px
@@ -54,26 +83,55 @@ def visible_points(x: Floats, y: Floats, shown: Range, width_px: int) -> Points:
     """
     first = max(int(np.searchsorted(x, shown[0])) - 1, 0)
     last = min(int(np.searchsorted(x, shown[1], side="right")) + 1, x.size)
-    x, y = x[first:last], y[:, first:last]
+    part, x = slice(first, last), x[first:last]
     if x.size <= max(MOST_IN_COLUMN * width_px, 2):
-        return Points(x=x, y=y)
+        return Columns(part=part, places=x)
     low, column = shown[0], (shown[1] - shown[0]) / max(width_px, 1)
     edges = low + column * np.arange(max(width_px, 1) + 1)
     starts = np.searchsorted(x, edges)
     starts = np.concatenate(([0], np.minimum(starts, x.size - 1)))
     starts = starts[np.diff(starts, prepend=-1) > 0]
-    ends = np.stack(
-        [np.minimum.reduceat(y, starts, axis=1), np.maximum.reduceat(y, starts, axis=1)], axis=-1
-    )
-    # Up one column and down the next: the way from stroke to stroke is short, and so is painting.
-    ends[:, 1::2] = ends[:, 1::2, ::-1]
     # A stroke in the middle of its column is sharp; a sample that is alone stays where it is.
     alone = np.diff(starts, append=x.size) == 1
     # (Where a sample lies on an edge, a division could round it into the column before.)
     columns = np.searchsorted(edges, x[starts], side="right") - 1
     middles = low + column * (columns + 0.5)
     places = np.repeat(np.where(alone, x[starts], middles), 2)
-    return Points(x=places, y=ends.reshape(len(y), -1), strokes=True)
+    return Columns(part=part, places=places, starts=starts)
+
+
+class KeptColumns:
+    """The columns that were asked for last: an edit that keeps the axis finds them as they were.
+
+    Attributes
+    ----------
+    made
+        How often they were found anew.
+    """
+
+    def __init__(self) -> None:
+        self.made = 0
+        self._axis: Floats = np.zeros(0)
+        self._seen: tuple[Range, int] | None = None
+        self._columns: Columns | None = None
+
+    def of(self, x: Floats, shown: Range, width_px: int) -> Columns:
+        """What `columns_of` finds."""
+        same = self._seen == (shown, width_px) and np.array_equal(x, self._axis)
+        if self._columns is None or not same:
+            self._axis, self._seen = x, (shown, width_px)
+            self._columns = columns_of(x, shown, width_px)
+            self.made += 1
+        return self._columns
+
+
+def visible_points(x: Floats, y: Floats, shown: Range, width_px: int) -> Points:
+    """The visible part of curves ``y``, (n_curves, n_points), over ``x``, as `columns_of` finds it.
+
+    With more than `MOST_IN_COLUMN` samples for each column of pixels, it is the smallest and the
+    largest of each column.
+    """
+    return columns_of(x, shown, width_px).points(y)
 
 
 def in_rows(y_px: Floats, ratio: float) -> Floats:
@@ -97,17 +155,24 @@ def without_notches(strokes: Floats) -> Floats:
         Both ends of the stroke of each column, in either order.
     """
     pairs = strokes.reshape(len(strokes), -1, 2)
-    low, high = pairs.min(axis=-1), pairs.max(axis=-1)
-    closed_low, closed_high = -_closed(-low), _closed(high)
-    notch = high - low >= _GAP * (closed_high - closed_low)
-    low, high = np.where(notch, closed_low, low), np.where(notch, closed_high, high)
-    rising = pairs[..., 0] <= pairs[..., 1]
-    ends = np.stack([np.where(rising, low, high), np.where(rising, high, low)], axis=-1)
+    first, second = pairs[..., 0], pairs[..., 1]
+    edges = np.concatenate((-np.minimum(first, second), np.maximum(first, second)))
+    closed = _closed(edges)
+    # Heights of strokes, whose lower ends are upside down.
+    n_curves = len(strokes)
+    closed_heights = closed[n_curves:] + closed[:n_curves]
+    notch = edges[n_curves:] + edges[:n_curves] >= _GAP * closed_heights
+    np.copyto(edges, closed, where=np.concatenate((notch, notch)))
+    low, high = -edges[:n_curves], edges[n_curves:]
+    rising = first <= second
+    ends = np.empty_like(pairs)
+    ends[..., 0], ends[..., 1] = np.where(rising, low, high), np.where(rising, high, low)
     return ends.reshape(strokes.shape)
 
 
-def _closed(edge: Floats) -> Floats:
-    """The upper edge with valleys of up to two columns filled, (n_curves, n_columns)."""
-    wide = np.pad(edge, ((0, 0), (2, 2)), mode="edge")
+def _closed(edges: Floats) -> Floats:
+    """Upper edges with valleys of up to two columns filled, (n_edges, n_columns)."""
+    wide = np.empty((len(edges), edges.shape[-1] + 4))
+    wide[:, 2:-2], wide[:, :2], wide[:, -2:] = edges, edges[:, :1], edges[:, -1:]
     raised = np.maximum(np.maximum(wide[:, :-2], wide[:, 1:-1]), wide[:, 2:])
     return np.minimum(np.minimum(raised[:, :-2], raised[:, 1:-1]), raised[:, 2:])

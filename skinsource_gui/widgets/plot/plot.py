@@ -18,6 +18,7 @@ from skinsource_gui.widgets.plot.canvas import Canvas
 from skinsource_gui.widgets.plot.crosshair import Crosshair
 from skinsource_gui.widgets.plot.curve_points import curve_points
 from skinsource_gui.widgets.plot.curves import Curves
+from skinsource_gui.widgets.plot.decimation import KeptColumns
 from skinsource_gui.widgets.plot.navigation import Navigation
 from skinsource_gui.widgets.plot.playhead import Playhead
 from skinsource_gui.widgets.plot.plot_layout import Content, PlotLayout, Words, laid_out
@@ -52,6 +53,8 @@ class Plot(Canvas):
         What is said around the curves, and how it is written.
     places
         Where everything is, px.
+    columns
+        Where samples fall among columns of pixels.
     crosshair
         What is read.
     navigation
@@ -85,6 +88,7 @@ class Plot(Canvas):
         self.stacked = False
         self.words = Words()
         self._held = HeldRange()
+        self.columns = KeptColumns()
         self._content: tuple[Content, XWindow] | None = None
         self.crosshair = Crosshair(self, self)
         self.crosshair.moved.connect(self.reading_changed)
@@ -228,7 +232,7 @@ class Plot(Canvas):
         rows = [places.row(rank if self.stacked else 0) for rank in range(n_drawn)]
         ratio = self.devicePixelRatioF()
         self.stack.show_points(
-            curve_points(self.curves, self.x_window, self.value_scale, rows, ratio)
+            curve_points(self.curves, self.x_window, self.value_scale, rows, ratio, self.columns)
         )
         if other_rows:  # only now has each row its curves
             self._colour()

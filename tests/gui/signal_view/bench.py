@@ -56,7 +56,7 @@ def heights_px(signals, curve):
     row = next(row for row in signals.plot.stack.rows if curve in row.curves)
     return [
         signals.plot.mapFromScene(row.view.mapViewToScene(QPointF(x, y))).y()
-        for x, y in zip(curve.xData, curve.yData, strict=True)
+        for x, y in zip(curve.points.x, curve.points.y, strict=True)
     ]
 
 

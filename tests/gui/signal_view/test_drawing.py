@@ -21,11 +21,11 @@ def test_each_curve_is_one_line_in_its_place(signals):
     view = signals.plot.stack.rows[0].view
     for curve in drawn(signals):
         assert curve.isVisible()
-        assert curve.opts["antialias"]
-        assert curve.xData.size == 651
-        assert 0 <= curve.yData.min() < curve.yData.max() <= 1
+        assert curve.points.smooth
+        assert curve.points.x.size == 651
+        assert 0 <= curve.points.y.min() < curve.points.y.max() <= 1
         # From one edge to the other.
-        assert [curve.xData[0], curve.xData[-1]] == pytest.approx(view.viewRange()[0])
+        assert [curve.points.x[0], curve.points.x[-1]] == pytest.approx(view.viewRange()[0])
     signals.show_curves(waves(2), synthetic=False)
     assert len(drawn(signals)) == 2
     assert [curve.isVisible() for curve in signals.plot.stack.rows[0].curves] == [True, True, False]
@@ -39,7 +39,7 @@ def test_a_curve_is_drawn_at_the_heights_of_its_values(signals):
     curve = drawn(signals)[0]
     for k in (0, 7, 400):
         part = (curves.y[0, k] - low) / (high - low)
-        at = view.mapViewToScene(QPointF(curve.xData[k], curve.yData[k]))
+        at = view.mapViewToScene(QPointF(curve.points.x[k], curve.points.y[k]))
         assert abs(at.y() - (area.bottom() - part * area.height())) < 1e-9
         assert abs(at.x() - (area.left() + k / 650 * area.width())) < 1e-9
 
@@ -116,7 +116,7 @@ def test_only_blocks_of_strokes_go_without_smooth_edges(signals):
     x = np.arange(20_000) / 1300
     y = np.array([np.sin(2 * np.pi * 100 * x), 1e-3 * x])
     signals.show_curves(Curves(x=x, y=y, names=waves(2).names), synthetic=False)
-    assert [bool(curve.opts["antialias"]) for curve in drawn(signals)] == [False, True]
+    assert [curve.points.smooth for curve in drawn(signals)] == [False, True]
 
 
 def test_a_block_of_strokes_has_no_gaps(signals):
@@ -159,7 +159,7 @@ def test_curves_keep_their_colours_when_each_gets_a_row_of_its_own(signals):
     signals.show_curves(waves(5), synthetic=False)
     for stacked in (True, False, True):
         signals.set_view(TIME, None, stacked=stacked)
-        colours = [curve.opts["pen"].color() for curve in drawn(signals)]
+        colours = [curve.pen.color() for curve in drawn(signals)]
         assert colours == [LIGHT.output_colour(rank) for rank in range(5)]
 
 

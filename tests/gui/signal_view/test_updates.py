@@ -4,7 +4,7 @@ import numpy as np
 
 from skinsource_gui.theme import DARK, LIGHT
 from skinsource_gui.widgets.plot.curves import Curves
-from tests.gui.signal_view.bench import said_above, waves
+from tests.gui.signal_view.bench import TIME, said_above, waves
 
 
 def test_ranges_do_not_change_while_data_change_a_little(signals):
@@ -13,6 +13,17 @@ def test_ranges_do_not_change_while_data_change_a_little(signals):
     for amplitude in (0.31, 0.25, 0.2, 0.31):
         signals.show_curves(waves(2, amplitude=amplitude), synthetic=False)
         assert signals.plot.places is before
+
+
+def test_an_edit_that_keeps_times_and_zoom_finds_no_columns_anew(signals):
+    signals.show_curves(waves(2, n_points=6000), synthetic=False)
+    found = signals.plot.columns.made
+    for amplitude in (0.1, 0.2, 5.0):
+        signals.show_curves(waves(3, n_points=6000, amplitude=amplitude), synthetic=False)
+    assert signals.plot.columns.made == found
+    signals.set_view(TIME, (0.1, 4.0), stacked=False)
+    signals.show_curves(waves(2, n_points=6001), synthetic=False)
+    assert signals.plot.columns.made == found + 2
 
 
 def test_values_that_are_not_finite_empty_the_picture(signals):

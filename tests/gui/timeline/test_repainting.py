@@ -1,9 +1,12 @@
 """What an edit has painted anew: the lanes that look different, and nothing else."""
 
 from dataclasses import replace
+from functools import partial
 
+import numpy as np
 import pytest
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QImage, QPainter, QPen
 from PySide6.QtWidgets import QApplication
 
 from skinsource.clips import Clip
@@ -11,8 +14,10 @@ from skinsource.design import Design, Input
 from skinsource.effects import Fade
 from skinsource.waveforms import Tap, Tone
 from skinsource_gui.panels.timeline.clip_lengths import ClipLengths
+from skinsource_gui.panels.timeline.clip_painter import mark_clip
 from skinsource_gui.panels.timeline.gestures.gesture import Shown
 from skinsource_gui.theme import DARK
+from skinsource_gui.widgets.kept_picture import KeptPicture
 from tests.gui.timeline.bench import results_of
 from tests.gui.timeline.lanes_bench import LanesBench
 
@@ -162,3 +167,71 @@ def test_only_clips_that_changed_are_asked_for_their_length(bench):
     assert second.durations_s[4] == first.durations_s[4]
     assert second.whole_s == pytest.approx((0.0, 0.9 + 0.7 + 0.4))
     assert second.of(second.design) is second
+
+
+class CountedPicture(KeptPicture):
+    """Counts how often something is painted anew."""
+
+    def __init__(self):
+        super().__init__()
+        self.times = 0
+
+    def paint(self, painter, room, depends_on, paint_anew, ground=None):
+        def counted(on_image):
+            self.times += 1
+            paint_anew(on_image)
+
+        super().paint(painter, room, depends_on, counted, ground)
+
+
+def test_dots_around_the_clip_that_the_inspector_shows_are_painted_once_for_its_size(bench):
+    dots = bench.lanes.item.pictures.mark = CountedPicture()
+    bench.view = replace(bench.view, selected_inputs=(bench.design.inputs[1].id,))
+    bench.show(bench.design)
+    settled(bench)
+    assert dots.times == 1
+    changed(bench, 1, waveform=Tone(150.0, 0.0, 0.2))
+    assert settled(bench) == 1
+    assert dots.times == 1
+    changed(bench, 1, waveform=Tone(150.0, 0.0, 0.3))
+    settled(bench)
+    assert dots.times == 2
+
+
+@pytest.mark.parametrize("ratio", [1.0, 1.5, 2.0])
+def test_dots_are_where_they_would_be_painted_anew(qapp, ratio):
+    def drawn(paint):
+        image = QImage(int(200 * ratio), int(60 * ratio), QImage.Format.Format_RGB32)
+        image.setDevicePixelRatio(ratio)
+        image.fill(Qt.GlobalColor.white)
+        painter = QPainter(image)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        paint(painter)
+        painter.end()
+        return image
+
+    def dots(rect):
+        def paint(painter):
+            painter.setPen(QPen(QColor(DARK.accent), 2, Qt.PenStyle.DotLine))
+            painter.drawRoundedRect(rect.adjusted(1, 1, -1, -1), 3, 3)
+
+        return paint
+
+    kept = CountedPicture()
+    # The second lies elsewhere among the same pixels; of the last, both ends are out of sight.
+    for rect, times in (
+        (QRectF(12.3, 7.0, 90.6, 31.0), 1),
+        (QRectF(32.3, 9.0, 90.6, 31.0), 1),
+        (QRectF(-300.2, 5.5, 700.0, 40.0), 2),
+    ):
+        shown = rect.intersected(QRectF(-2, 0, 204, 60))
+        marked = partial(mark_clip, rect=rect, shown=shown, mark=kept, colour=QColor(DARK.accent))
+        # Through a picture, colours may be rounded once more.
+        assert most_apart(drawn(marked), drawn(dots(rect))) <= 1
+        assert kept.times == times
+
+
+def most_apart(one, other):
+    """Largest difference of two pictures in any colour of any pixel."""
+    pixels = [np.array(each.constBits(), np.int16) for each in (one, other)]
+    return np.abs(pixels[0] - pixels[1]).max()
