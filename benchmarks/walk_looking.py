@@ -20,12 +20,12 @@ of_spectra = partial(settings_of, panel="spectra", kind=SpectraSettings)
 def select_outputs(you: Driver, _: Path) -> None:
     """Click, shift, rubber band, keyboard, volar ones."""
     document, skin = you.window.document, you.window.panel("skin").map
-    you.click(skin, skin.place_of(35).toPoint())
-    you.click(skin, skin.place_of(61).toPoint(), SHIFT)
+    you.click(skin, skin.stage.place_of(35).toPoint())
+    you.click(skin, skin.stage.place_of(61).toPoint(), SHIFT)
     you.expect(document.view.outputs == (35, 61), "click selects, shift-click adds a volar one")
-    you.hover(skin, skin.place_of(61).toPoint())
+    you.hover(skin, skin.stage.place_of(61).toPoint())
     you.picture("35 and 61 by click")
-    corner = skin.place_of(29).toPoint()
+    corner = skin.stage.place_of(29).toPoint()
     you.drag(skin, corner + QPoint(-30, -30), corner + QPoint(40, 60))
     you.picture("by rubber band")
     you.key(KEY.Key_Down, times=2)

@@ -62,7 +62,7 @@ class PanelPictures:
         else:
             draw = partial(self._draw_one, panel)
             size = None if name != IN_USE else (2 * panel.width(), 2 * panel.height())
-        seen = panel.map.seen if isinstance(panel, SkinPanel) else None
+        seen = panel.map.stage.seen if isinstance(panel, SkinPanel) else None
         return WholePicture(draw=with_caption(draw, caption), size_px=size, seen=seen)
 
     def _in_use(self) -> Panel:

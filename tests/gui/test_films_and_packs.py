@@ -18,7 +18,7 @@ def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_this_machine(
     def wait():
         qtbot.waitUntil(lambda: not window.runner.busy, timeout=20_000)
 
-    window.panel("skin").map.pan_zoom.show("hand")
+    window.panel("skin").map.stage.pan_zoom.show("hand")
     write_with("animation", lambda *_, options, seen, **more: given.append((options, seen.fit)))
     wanted = PictureOptions(width_px=640, height_px=480, colours="dark")
 

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QLineF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from skinsource_gui.panels.skin.map_layout import MapLayout
+from skinsource_gui.panels.skin.stage.map_layout import MapLayout
 from skinsource_gui.theme import Theme
 
 _LENGTHS_MM = (100, 50, 20, 10, 5, 2, 1)

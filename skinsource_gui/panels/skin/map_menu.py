@@ -7,9 +7,9 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QActionGroup, QGuiApplication, QImage
 from PySide6.QtWidgets import QMenu
 
-from skinsource_gui.panels.skin.map_layout import HAND
 from skinsource_gui.panels.skin.settings import COLOURS
 from skinsource_gui.panels.skin.skin_map import SkinMap
+from skinsource_gui.panels.skin.stage.map_layout import HAND
 from skinsource_gui.widgets.key_tables.key_table import key_text
 from skinsource_gui.widgets.pan_zoom import WHOLE
 
@@ -39,7 +39,7 @@ def open_map_menu(
     menu.setObjectName("skin_menu")
     menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     for words, fit, key in (("Fit hand", HAND, "hand"), ("Fit hand and arm", WHOLE, "whole")):
-        menu.addAction(f"{words}\t{key_text('skin', key)}", partial(shown.pan_zoom.show, fit))
+        menu.addAction(f"{words}\t{key_text('skin', key)}", partial(shown.stage.pan_zoom.show, fit))
     menu.addSeparator()
     _add_colours(menu.addMenu("Colours"), *colours)
     menu.addSeparator()

@@ -17,7 +17,6 @@ from skinsource.limb import LimbMap
 from skinsource_gui.panels.skin.inputs.marks import paint_marks
 from skinsource_gui.panels.skin.length_bar import paint_length_bar
 from skinsource_gui.panels.skin.map_content import MapContent
-from skinsource_gui.panels.skin.map_layout import MapLayout
 from skinsource_gui.panels.skin.noise_hatch import paint_hatch
 from skinsource_gui.panels.skin.output_labels import (
     is_crowded,
@@ -25,6 +24,7 @@ from skinsource_gui.panels.skin.output_labels import (
     paint_labels,
     square,
 )
+from skinsource_gui.panels.skin.stage.map_layout import MapLayout
 from skinsource_gui.panels.skin.triad import paint_triad
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.kept_picture import KeptPicture, PaintedAnew

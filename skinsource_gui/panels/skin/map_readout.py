@@ -4,8 +4,8 @@ from PySide6.QtCore import QPointF
 
 from skinsource.choice_words import TRIAD_SENTENCE
 from skinsource_gui.panels.skin.map_content import MapContent
-from skinsource_gui.panels.skin.map_layout import MapLayout
 from skinsource_gui.panels.skin.map_quantity import LEVELS
+from skinsource_gui.panels.skin.stage.map_layout import MapLayout
 from skinsource_gui.widgets.fields.level_text import level_text, output_text
 from skinsource_gui.widgets.outputs.picking import output_at
 from skinsource_gui.widgets.tooltips import tooltip

@@ -5,8 +5,8 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QToolButton, QWidget
 
 from skinsource_gui.panels.skin.map_icons import fit_icon, hand_icon, sensors_icon
-from skinsource_gui.panels.skin.map_layout import HAND
 from skinsource_gui.panels.skin.settings import SkinSettings
+from skinsource_gui.panels.skin.stage.map_layout import HAND
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.key_tables.key_table import key_text
 from skinsource_gui.widgets.pan_zoom import WHOLE

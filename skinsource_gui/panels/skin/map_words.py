@@ -7,9 +7,9 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 
 from skinsource.choice_words import BACK_SIDE
 from skinsource_gui.panels.skin.map_content import MapContent
-from skinsource_gui.panels.skin.map_layout import MapLayout
 from skinsource_gui.panels.skin.map_painter import small_font
 from skinsource_gui.panels.skin.map_quantity import time_text
+from skinsource_gui.panels.skin.stage.map_layout import MapLayout
 from skinsource_gui.theme import Theme
 
 SYNTHETIC_MARK = "SYNTHETIC"

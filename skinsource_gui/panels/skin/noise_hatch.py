@@ -3,7 +3,7 @@
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QPainter, QPainterPath
 
-from skinsource_gui.panels.skin.map_layout import MapLayout
+from skinsource_gui.panels.skin.stage.map_layout import MapLayout
 from skinsource_gui.widgets.map.noise_strokes import paint_dark_strokes, paint_strokes
 from skinsource_gui.widgets.outputs.picking import dorsal_outputs
 

@@ -7,7 +7,7 @@ from itertools import product
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 
-from skinsource_gui.panels.skin.map_layout import WORDS_LINES, MapLayout
+from skinsource_gui.panels.skin.stage.map_layout import WORDS_LINES, MapLayout
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.outputs.picking import dorsal_outputs
 

@@ -128,7 +128,7 @@ class SkinPanel(Panel):
         content = replace(self._display.content, outdated=False)
         heading = heading_of(self._design, self._view, content.quantity)
         heading = replace(heading, note=content.note)
-        family, seen = self.font().family(), self.map.seen
+        family, seen = self.font().family(), self.map.stage.seen
         paint_picture(painter, QSizeF(width, height), content, heading, theme, family, seen)
 
     def picture(self, width: int, height: int, theme: Theme = LIGHT) -> QImage:
@@ -159,7 +159,7 @@ class SkinPanel(Panel):
     def _connect(self) -> None:
         self._choices.edited.connect(self.edited)
         self._choices.view_changed.connect(self.view_changed)
-        self.toolbar.fit_chosen.connect(self.map.pan_zoom.show)
+        self.toolbar.fit_chosen.connect(self.map.stage.pan_zoom.show)
         self.map.input_pointed_at.connect(self.input_pointed_at)
         self.map.inputs_chosen.connect(self._choices.choose_inputs)
         self.map.removal_wanted.connect(self._choices.remove_inputs)

@@ -1,11 +1,9 @@
 """The map of the skin, on which outputs are selected."""
 
-import numpy as np
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
-    QFontMetricsF,
     QHelpEvent,
     QKeyEvent,
     QMouseEvent,
@@ -18,26 +16,18 @@ from PySide6.QtWidgets import QToolTip, QWidget
 
 from skinsource_gui.panels.skin.inputs.pointing import InputPointer, input_at, selected_inputs
 from skinsource_gui.panels.skin.map_content import MapContent
-from skinsource_gui.panels.skin.map_layout import (
-    HAND,
-    MapLayout,
-    SeenPart,
-    fitted_beside_cards,
-    hand_bounds,
-    map_layout,
-    outline_bounds,
-    seen_part,
-)
 from skinsource_gui.panels.skin.map_painter import MapPainter, paint_band, paint_mark, small_font
 from skinsource_gui.panels.skin.map_readout import hover_words, output_readout, pixel_readout
 from skinsource_gui.panels.skin.map_words import paint_words
+from skinsource_gui.panels.skin.stage.map_layout import HAND
+from skinsource_gui.panels.skin.stage.map_stage import MapStage
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
 from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.key_tables.key_table import meant
 from skinsource_gui.widgets.outputs.picker import OutputPicker
 from skinsource_gui.widgets.outputs.picking import output_at
-from skinsource_gui.widgets.pan_zoom import FREE, WHOLE, PanZoom
+from skinsource_gui.widgets.pan_zoom import WHOLE
 
 
 class SkinMap(QWidget):
@@ -47,8 +37,8 @@ class SkinMap(QWidget):
     ----------
     content
         What is shown.
-    pan_zoom
-        What part of it is seen.
+    stage
+        What part of it is seen, and where everything lies.
     picker
         Which outputs mouse and keys mean.
     """
@@ -70,13 +60,12 @@ class SkinMap(QWidget):
         self.content = MapContent()
         self._theme = LIGHT
         self._painter: MapPainter | None = None
-        self._layout: MapLayout | None = None
         self._pointer = InputPointer(self)
         self._pointer.pointed_at.connect(self.input_pointed_at)
         # What was selected here last, "input" or "outputs": keys are about that.
         self._last = ""
-        self.pan_zoom = PanZoom(self)
-        self.pan_zoom.changed.connect(self._lay_out)
+        self.stage = MapStage(self)
+        self.stage.changed.connect(self.update)
         self.picker = OutputPicker(self)
         self.picker.chosen.connect(self._choose_outputs)
         self.picker.moved.connect(self._follow_cursor)
@@ -102,9 +91,7 @@ class SkinMap(QWidget):
         if other_limb:
             limb_map = content.limb_map
             self._painter = None if limb_map is None else MapPainter(limb_map)
-            if self.pan_zoom.fit == FREE:
-                self.pan_zoom.fit = WHOLE
-            self._fit()
+            self.stage.show_limb(limb_map)
         self.update()
         if self.picker.mouse.pointer is not None or self.hasFocus():
             self.readout_changed.emit(self.readout())
@@ -114,59 +101,48 @@ class SkinMap(QWidget):
         self._theme = theme
         self.update()
 
-    def map_layout(self) -> MapLayout | None:
-        """Screen places of everything; None before there is a limb."""
-        return self._layout
-
-    @property
-    def seen(self) -> SeenPart:
-        """What part of the map is in sight."""
-        return seen_part(self.pan_zoom, QRectF(self.rect()))
-
-    def place_of(self, number: int) -> QPointF:
-        """Where an output is drawn; nowhere before there is a limb."""
-        return QPointF() if self._layout is None else QPointF(*self._layout.points[number - 1])
-
     def readout(self) -> str:
         """What is under the pointer, or else under the keyboard's cursor, in words."""
         number, pointer = self.picker.pointed_at(focused=self.hasFocus()), self.picker.mouse.pointer
         if number is not None:
             return output_readout(self.content, number)
-        if self._layout is None or pointer is None:
+        if self.stage.layout is None or pointer is None:
             return ""
-        return pixel_readout(self.content, self._layout, pointer)
+        return pixel_readout(self.content, self.stage.layout, pointer)
 
     def sizeHint(self) -> QSize:
         return QSize(300, 560)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._fit()
+        self.stage.fit()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, mouse = QPainter(self), self.picker.mouse
         painter.fillRect(self.rect(), QColor(self._theme.base))
-        if self._layout is not None and self._painter is not None:
+        if self.stage.layout is not None and self._painter is not None:
             painter.setFont(tabular(small_font(self.font())))
-            self._painter.paint(painter, self.content, self._layout, self._theme)
+            self._painter.paint(painter, self.content, self.stage.layout, self._theme)
             marks = [(mouse.hovered, self._theme.text)]
             if self.hasFocus():
                 marks.append((self.picker.keys.cursor_output, self._theme.accent))
             for number, colour in marks:
                 if number is not None:
-                    paint_mark(painter, number, colour, self.content, self._layout, self._theme)
+                    paint_mark(
+                        painter, number, colour, self.content, self.stage.layout, self._theme
+                    )
             if mouse.band is not None:
                 paint_band(painter, mouse.band, self._theme)
         painter.setFont(self.font())
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        paint_words(painter, self.content, self._layout, QRectF(self.rect()), self._theme)
+        paint_words(painter, self.content, self.stage.layout, QRectF(self.rect()), self._theme)
         if self.hasFocus():
             paint_focus_frame(painter, QRectF(self.rect()), self._theme)
         painter.end()
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            words = hover_words(self.content, self._layout, QPointF(event.pos()))
+            words = hover_words(self.content, self.stage.layout, QPointF(event.pos()))
             QToolTip.showText(event.globalPos(), words, self)
             return True
         return kept_from_shortcuts(event, self._claims) or super().event(event)
@@ -175,25 +151,25 @@ class SkinMap(QWidget):
         return self.picker.claims(event)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        self.pan_zoom.wheel(event)
+        self.stage.pan_zoom.wheel(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        self.pan_zoom.press(event)
+        self.stage.pan_zoom.press(event)
         self.picker.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        self.pan_zoom.move(event)
-        if self._layout is not None:
-            self.picker.mouse.move(event.position(), self._layout.points)
-            self._pointer.follow(input_at(self.content, self._layout, event.position()))
+        self.stage.pan_zoom.move(event)
+        if self.stage.layout is not None:
+            self.picker.mouse.move(event.position(), self.stage.layout.points)
+            self._pointer.follow(input_at(self.content, self.stage.layout, event.position()))
             self.readout_changed.emit(self.readout())
             self.update()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        self.pan_zoom.release(event)
-        if event.button() == Qt.MouseButton.LeftButton and self._layout is not None:
-            points, mouse = self._layout.points, self.picker.mouse
-            meant_input = input_at(self.content, self._layout, event.position())
+        self.stage.pan_zoom.release(event)
+        if event.button() == Qt.MouseButton.LeftButton and self.stage.layout is not None:
+            points, mouse = self.stage.layout.points, self.picker.mouse
+            meant_input = input_at(self.content, self.stage.layout, event.position())
             on_output = output_at(points, event.position()) is not None
             self._last = "outputs" if on_output else self._last
             if meant_input is not None and mouse.band is None and not on_output:
@@ -203,9 +179,9 @@ class SkinMap(QWidget):
             self.update()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        if event.button() == Qt.MouseButton.LeftButton and self._layout is not None:
-            if output_at(self._layout.points, event.position()) is None:
-                self.pan_zoom.show(WHOLE)
+        if event.button() == Qt.MouseButton.LeftButton and self.stage.layout is not None:
+            if output_at(self.stage.layout.points, event.position()) is None:
+                self.stage.pan_zoom.show(WHOLE)
             else:
                 self.picker.mouse.press(event.position())
 
@@ -222,21 +198,21 @@ class SkinMap(QWidget):
         self.menu_requested.emit(middle if by_key else event.globalPos())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        layout, wanted = self._layout, meant("skin", event)
+        layout, wanted = self.stage.layout, meant("skin", event)
         middle = QRectF(self.rect()).center()
         if layout is None:
             super().keyPressEvent(event)
         elif wanted == "whole":
-            self.pan_zoom.show(WHOLE)
+            self.stage.pan_zoom.show(WHOLE)
         elif wanted == "hand":
-            self.pan_zoom.show(HAND)
+            self.stage.pan_zoom.show(HAND)
         elif wanted == "remove":
             self.removal_wanted.emit(self._last == "outputs")
         elif wanted == "select_none" and self._last == "input" and selected_inputs(self.content):
             if not self.picker.mouse.give_up():
                 self._choose_inputs(())
             self.update()
-        elif self.pan_zoom.step(wanted) or self.picker.press_key(
+        elif self.stage.pan_zoom.step(wanted) or self.picker.press_key(
             event, layout.points, layout.unplaced, middle
         ):
             self.update()
@@ -253,26 +229,6 @@ class SkinMap(QWidget):
 
     def _follow_cursor(self) -> None:
         if self.picker.keys.cursor_output is not None:
-            self.pan_zoom.reveal(self.place_of(self.picker.keys.cursor_output))
+            self.stage.pan_zoom.reveal(self.stage.place_of(self.picker.keys.cursor_output))
         self.readout_changed.emit(self.readout())
-        self.update()
-
-    def _fit(self) -> None:
-        limb_map, room = self.content.limb_map, QRectF(self.rect())
-        if limb_map is None:
-            self.pan_zoom.arrange({}, np.zeros((0, 2)), room)
-            return
-        metrics = QFontMetricsF(small_font(self.font()))
-        fits = {
-            WHOLE: fitted_beside_cards(limb_map, outline_bounds(limb_map), room, metrics),
-            HAND: fitted_beside_cards(limb_map, hand_bounds(limb_map), room, metrics),
-        }
-        self.pan_zoom.arrange(fits, limb_map.outline, room)
-
-    def _lay_out(self) -> None:
-        frame, self._layout = self.pan_zoom.frame, None
-        limb_map = self.content.limb_map
-        if frame is not None and limb_map is not None:
-            metrics = QFontMetricsF(small_font(self.font()))
-            self._layout = map_layout(limb_map, frame, QRectF(self.rect()), metrics)
         self.update()

@@ -70,7 +70,7 @@ def test_names_places_and_axes_are_those_of_the_limb(lab_window, lab):
     hand = window.panel("hand").diagram
     assert hand.stage.layout.n_sites == N_INPUTS
     assert "site 3" in hand.stage.words(3)
-    drawn = window.panel("skin").map.map_layout()
+    drawn = window.panel("skin").map.stage.layout
     assert drawn.unplaced == (5,)
     assert drawn.card_title == "No place"
     assert drawn.triad_card.isEmpty()
@@ -90,7 +90,7 @@ def test_it_is_chosen_like_any_other_and_left_again(lab, window, qtbot):
     assert window.document.design.limb_digest == ""
     assert window.document.view.axes == "xyz"
     assert window.panel("hand").diagram.stage.layout.n_sites == 20
-    assert window.panel("skin").map.map_layout().card_title == "Palm side"
+    assert window.panel("skin").map.stage.layout.card_title == "Palm side"
 
 
 def test_a_limb_that_goes_locks_its_design_until_it_is_back(lab_window, qtbot):
@@ -147,7 +147,7 @@ def test_outputs_without_a_place_stand_beside_the_map_however_many(
     window = make_window(edit.design, edit.view)
     rested(window, qtbot)
     skin = window.panel("skin").map
-    layout = skin.map_layout()
+    layout = skin.stage.layout
     assert layout.unplaced == tuple(range(1, n_unplaced + 1))
     assert np.isfinite(layout.points).all()
     beside = layout.points[:n_unplaced]

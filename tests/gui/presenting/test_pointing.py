@@ -9,7 +9,7 @@ from skinsource_gui.panels.skin.inputs.marks import mark_at
 def test_inputs_are_marked_on_the_map_where_they_are_behind(make_window, design):
     window = make_window(design)
     skin = window.panel("skin")
-    content, layout = skin.map.content, skin.map.map_layout()
+    content, layout = skin.map.content, skin.map.stage.layout
     assert [mark.location for mark in content.inputs] == [7, 13]
     place = layout.frame.to_screen(content.limb_map.input_positions[[12]])[0]
     found = mark_at(content.inputs, content.limb_map, layout, QPointF(*place))
@@ -25,7 +25,7 @@ def test_hand_and_map_point_at_the_same_input(make_window, design):
     assert skin.map.content.pointed_at == second
     hand.diagram.stage.change(hovered=20)
     assert skin.map.content.pointed_at is None
-    content, layout = skin.map.content, skin.map.map_layout()
+    content, layout = skin.map.content, skin.map.stage.layout
     [x, y] = layout.frame.to_screen(content.limb_map.input_positions[[6]])[0]
     QTest.mouseMove(skin.map, QPointF(float(x), float(y)).toPoint())
     assert hand.diagram.state.target == 7

@@ -64,7 +64,7 @@ class Window:
 
 
 def place(window, number):
-    return window.panel.map.place_of(number).toPoint()
+    return window.panel.map.stage.place_of(number).toPoint()
 
 
 def click(window, number, modifiers=PLAIN):

@@ -15,9 +15,9 @@ from skinsource.job import never
 from skinsource.limb import PUBLISHED
 from skinsource.panel_settings import with_settings
 from skinsource.view import View
-from skinsource_gui.panels.skin.map_layout import SeenPart
 from skinsource_gui.panels.skin.map_quantity import MAGNITUDE, RMS, Z
 from skinsource_gui.panels.skin.settings import SkinSettings
+from skinsource_gui.panels.skin.stage.map_layout import SeenPart
 from skinsource_gui.panels.skin.time import animation
 from skinsource_gui.panels.skin.time.animation import export_animation, film_of, pace_of
 from skinsource_gui.theme import DARK

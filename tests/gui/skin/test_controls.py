@@ -109,9 +109,9 @@ def test_the_scale_says_what_its_levels_are_the_rms_over(window):
 def test_the_map_shows_which_way_the_axes_point_and_says_more_on_hover(window, size):
     window.panel.resize(*size)
     view = window.panel.map
-    card = view.map_layout().triad_card
-    assert view.map_layout().room.contains(card)
-    assert not card.intersects(view.map_layout().palmar_card)
+    card = view.stage.layout.triad_card
+    assert view.stage.layout.room.contains(card)
+    assert not card.intersects(view.stage.layout.palmar_card)
     inked = view.grab(card.toRect()).toImage()
     dark = sum(
         QColor(inked.pixel(x, y)).lightnessF() < 0.5

@@ -24,7 +24,7 @@ def map_(window):
 
 def click_input(map_, location):
     [place] = map_.content.limb_map.input_positions[[location - 1]]
-    at = map_.map_layout().frame.to_screen(place[None])[0]
+    at = map_.stage.layout.frame.to_screen(place[None])[0]
     QTest.mouseClick(map_, LEFT, PLAIN, QPointF(*map(float, at)).toPoint())
 
 

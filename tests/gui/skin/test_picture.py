@@ -81,7 +81,7 @@ def test_every_place_of_the_skin_is_drawn_where_it_is(qtbot):
         )
         canvas.show_content(content)
         picture = canvas.grab().toImage()
-        frame = canvas.map_layout().frame
+        frame = canvas.stage.layout.frame
         for k in range(1, 20):
             part = 10 + 5 * k
             x, y = frame.to_screen(np.array([[part, part]]))[0]
@@ -108,7 +108,7 @@ def test_the_rim_shows_no_empty_pixel(window):
     view = window.panel.map
     picture = view.grab().toImage()
     highest = QColor(int(colour_table()[-1])).getRgb()[:3]
-    layout = view.map_layout()
+    layout = view.stage.layout
     outline = layout.frame.to_screen(window.results["limb_map"].outline)
     ahead = np.roll(outline, -1, axis=0) - outline
     # The outline runs counter-clockwise; on the screen, with y down, inside is to the left.
@@ -212,9 +212,9 @@ def test_words_above_a_fitted_map_lie_on_no_skin(window, size, fit):
     view = window.panel.map
     view.setFixedSize(*size)
     QApplication.processEvents()
-    view.pan_zoom.show(fit)
+    view.stage.pan_zoom.show(fit)
     view.show_content(replace(view.content, outdated=True))
-    layout = view.map_layout()
+    layout = view.stage.layout
     top = layout.frame.to_screen(view.content.limb_map.outline)[:, 1].min()
     image = QImage(*size, QImage.Format.Format_RGB32)
     image.fill(QColor("white"))
@@ -232,7 +232,7 @@ def test_a_message_hides_no_output_and_no_card(window):
     view = window.panel.map
     for size in ((266, 576), (420, 640), (600, 900)):
         view.resize(*size)
-        layout, room = view.map_layout(), QRectF(view.rect())
+        layout, room = view.stage.layout, QRectF(view.rect())
         wanted = QRectF(0, 0, 150, 30)
         wanted.moveCenter(room.center())
         place = message_place(wanted, room, layout)
@@ -249,7 +249,7 @@ def test_a_message_hides_no_output_and_no_card(window):
 def test_words_on_a_small_map_are_broken_rather_than_that_they_hide_a_card(window, size):
     view = window.panel.map
     view.resize(*size)
-    layout, room = view.map_layout(), QRectF(view.rect()).adjusted(8, 5, -5, -6)
+    layout, room = view.stage.layout, QRectF(view.rect()).adjusted(8, 5, -5, -6)
     card = message_card("Silent: nothing is driven", room, layout, QFontMetricsF(view.font()))
     assert room.contains(card)
     assert not card.intersects(layout.palmar_card)
@@ -263,7 +263,7 @@ def test_numbers_of_outputs_lie_beside_the_words_above_the_map(window):
     words = QRectF(0, 0, 2000, 1.7 * metrics.height())
     for size in ((266, 576), (420, 640), (900, 500)):
         view.resize(*size)
-        labels = output_labels(range(1, 61), view.map_layout(), 4.5, metrics)
+        labels = output_labels(range(1, 61), view.stage.layout, 4.5, metrics)
         assert len(labels) > 10
         assert not any(label.area.intersects(words) for label in labels)
 
@@ -271,25 +271,25 @@ def test_numbers_of_outputs_lie_beside_the_words_above_the_map(window):
 def test_many_selected_outputs_do_not_hide_the_map_until_it_is_magnified(window):
     view = window.panel.map
     view.resize(266, 400)
-    layout = view.map_layout()
+    layout = view.stage.layout
     assert is_crowded(44, layout)
     assert not is_crowded(12, layout)
-    view.pan_zoom.zoom(6.0, view.place_of(20))
-    assert not is_crowded(44, view.map_layout())
+    view.stage.pan_zoom.zoom(6.0, view.stage.place_of(20))
+    assert not is_crowded(44, view.stage.layout)
 
 
 def test_what_lies_under_a_card_has_neither_ring_nor_number(window):
     view = window.panel.map
-    view.pan_zoom.zoom(4.0, view.place_of(20))
-    card = view.map_layout().triad_card.center()
+    view.stage.pan_zoom.zoom(4.0, view.stage.place_of(20))
+    card = view.stage.layout.triad_card.center()
     for number in range(1, 61):
-        by = card - view.place_of(number)
-        view.pan_zoom.pan(by.x(), by.y())
-        if is_on_card(number, view.map_layout()):
+        by = card - view.stage.place_of(number)
+        view.stage.pan_zoom.pan(by.x(), by.y())
+        if is_on_card(number, view.stage.layout):
             break
-    assert is_on_card(number, view.map_layout())
-    assert not is_on_card(61, view.map_layout())
+    assert is_on_card(number, view.stage.layout)
+    assert not is_on_card(61, view.stage.layout)
     view.show_content(replace(view.content, outputs=()))
-    plain = view.grab(view.map_layout().triad_card.toAlignedRect()).toImage()
+    plain = view.grab(view.stage.layout.triad_card.toAlignedRect()).toImage()
     view.show_content(replace(view.content, outputs=(number,)))
-    assert view.grab(view.map_layout().triad_card.toAlignedRect()).toImage() == plain
+    assert view.grab(view.stage.layout.triad_card.toAlignedRect()).toImage() == plain

@@ -35,7 +35,7 @@ def test_each_of_the_72_outputs_can_be_clicked(window, size):
 
 def test_the_palmar_outputs_stay_where_they_are_while_the_map_is_zoomed(window):
     before = place(window, 61)
-    window.panel.map.pan_zoom.zoom(4.0, QPointF(100, 100))
+    window.panel.map.stage.pan_zoom.zoom(4.0, QPointF(100, 100))
     assert place(window, 61) == before
     click(window, 61)
     assert window.view.outputs == (61,)
@@ -100,7 +100,7 @@ def test_arrows_and_space_select_outputs(window):
 
 
 def test_arrows_reach_every_output(window):
-    points = window.panel.map.map_layout().points
+    points = window.panel.map.stage.layout.points
     reached, waiting = {52}, [52]
     while waiting:
         number = waiting.pop()
@@ -118,10 +118,10 @@ def test_many_labels_do_not_pile_up_however_large_the_text(window, size, text):
     window.panel.resize(*size)
     font = small_font(window.panel.map.font())
     font.setPointSizeF(font.pointSizeF() * text)
-    layout, radius = window.panel.map.map_layout(), 4.5
+    layout, radius = window.panel.map.stage.layout, 4.5
     for outputs, least in ((tuple(range(20, 38)), 0.75), (tuple(range(1, 61)), 0.4)):
         labels = output_labels(outputs, layout, radius, QFontMetricsF(font))
-        rings = [square(window.panel.map.place_of(number), radius) for number in outputs]
+        rings = [square(window.panel.map.stage.place_of(number), radius) for number in outputs]
         for label in labels:
             others = [one.area for one in labels if one is not label]
             assert not any(map(label.area.intersects, others + rings)), label
@@ -132,11 +132,11 @@ def test_many_labels_do_not_pile_up_however_large_the_text(window, size, text):
 @pytest.mark.parametrize("outputs", [(54, 55, 70, 72), tuple(range(67, 73)), (52, 53, 54, 55)])
 def test_labels_of_neighbours_cover_neither_each_other_nor_a_ring(window, size, outputs):
     window.panel.resize(*size)
-    layout = window.panel.map.map_layout()
+    layout = window.panel.map.stage.layout
     metrics = QFontMetricsF(small_font(window.panel.map.font()))
     radius = ring_radius(54, window.panel.map.content, layout)
     labels = output_labels(outputs, layout, radius, metrics)
-    rings = [square(window.panel.map.place_of(number), radius) for number in outputs]
+    rings = [square(window.panel.map.stage.place_of(number), radius) for number in outputs]
     assert [label.number for label in labels] == list(outputs)
     for label in labels:
         others = [one.area for one in labels if one is not label]

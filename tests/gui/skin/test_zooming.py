@@ -18,9 +18,9 @@ from tests.gui.skin.bench import CONTROL, LEFT, MIDDLE, PLAIN, SHIFT, drag, pixe
 @pytest.mark.parametrize("modifiers", [PLAIN, CONTROL])
 def test_the_wheel_zooms_around_the_pointer_with_control_or_without(window, modifiers):
     view, at = window.panel.map, QPoint(150, 100)
-    before = view.map_layout().frame
+    before = view.stage.layout.frame
     wheel(view, at, 3, modifiers)
-    after = view.map_layout().frame
+    after = view.stage.layout.frame
     assert after.scale > 1.5 * before.scale
     assert after.to_drawing(QPointF(at)) == pytest.approx(before.to_drawing(QPointF(at)))
 
@@ -34,17 +34,17 @@ def test_a_turn_that_began_as_scrolling_of_the_dock_goes_on_over_the_map(window)
     area.show()
     QApplication.processEvents()
     area.verticalScrollBar().setValue(40)
-    before = view.map_layout().frame.scale
+    before = view.stage.layout.frame.scale
     wheel(view, at, 1, PLAIN)
-    assert view.map_layout().frame.scale == before
+    assert view.stage.layout.frame.scale == before
     wheel(view, at, 1, CONTROL)  # meant for the map
-    assert view.map_layout().frame.scale > before
+    assert view.stage.layout.frame.scale > before
     area.takeWidget()
 
 
 def box(window):
     """Of the outline on the screen."""
-    layout = window.panel.map.map_layout()
+    layout = window.panel.map.stage.layout
     x, y = layout.frame.to_screen(window.results["limb_map"].outline).T
     return QRectF(QPointF(x.min(), y.min()), QPointF(x.max(), y.max()))
 
@@ -55,7 +55,7 @@ def resized(window, height):
 
 
 def test_a_magnified_map_leaves_no_more_room_empty_in_a_larger_dock(window):
-    pan_zoom = window.panel.map.pan_zoom
+    pan_zoom = window.panel.map.stage.pan_zoom
     resized(window, 420)
     whole_px = box(window).height()
     pan_zoom.zoom(2.0, QPointF(150, box(window).bottom()))
@@ -71,27 +71,27 @@ def test_a_magnified_map_leaves_no_more_room_empty_in_a_larger_dock(window):
 
 def test_a_map_that_would_be_smaller_than_all_of_it_is_fitted_anew(window):
     resized(window, 420)
-    window.panel.map.pan_zoom.zoom(1.1, QPointF(150, 100))
+    window.panel.map.stage.pan_zoom.zoom(1.1, QPointF(150, 100))
     resized(window, 800)
-    assert window.panel.map.pan_zoom.fit == WHOLE
+    assert window.panel.map.stage.pan_zoom.fit == WHOLE
 
 
 def test_a_magnified_map_keeps_its_middle_in_another_dock(window):
     view = window.panel.map
-    view.pan_zoom.zoom(6.0, view.place_of(25))
-    before = view.map_layout().frame.to_drawing(QRectF(view.rect()).center())
+    view.stage.pan_zoom.zoom(6.0, view.stage.place_of(25))
+    before = view.stage.layout.frame.to_drawing(QRectF(view.rect()).center())
     resized(window, window.panel.height() + 80)
-    after = view.map_layout().frame.to_drawing(QRectF(view.rect()).center())
+    after = view.stage.layout.frame.to_drawing(QRectF(view.rect()).center())
     assert after == pytest.approx(before, abs=1e-6)
 
 
 def test_the_wheel_scrolls_the_dock_where_nothing_is_left_to_zoom_out(window):
     view, at = window.panel.map, QPoint(150, 100)
     now_s = [100.0]
-    view.pan_zoom.scrolling_on = ScrollingOn(view, lambda: now_s[0])
+    view.stage.pan_zoom.scrolling_on = ScrollingOn(view, lambda: now_s[0])
     assert wheel(view, at, 2, PLAIN)
     assert wheel(view, at, -9, PLAIN)
-    assert view.pan_zoom.fit == WHOLE
+    assert view.stage.pan_zoom.fit == WHOLE
     assert wheel(view, at, -1, PLAIN)  # the same turn of the wheel
     now_s[0] += PAUSE_S
     assert not wheel(view, at, -1, PLAIN)
@@ -102,12 +102,12 @@ def test_zooming_out_ends_at_the_whole_outline(window):
     view = window.panel.map
     wheel(view, QPoint(150, 100), 3, CONTROL)
     wheel(view, QPoint(10, 10), -9, CONTROL)
-    assert view.pan_zoom.fit == WHOLE
+    assert view.stage.pan_zoom.fit == WHOLE
 
 
 def test_a_drag_with_the_middle_button_pans(window):
     view = window.panel.map
-    view.pan_zoom.zoom(4.0, QPointF(150, 200))
+    view.stage.pan_zoom.zoom(4.0, QPointF(150, 200))
     before = place(window, 25)
     drag(view, QPoint(100, 100), QPoint(130, 160), button=MIDDLE)
     assert place(window, 25) - before == QPoint(30, 60)
@@ -117,32 +117,32 @@ def test_a_drag_with_the_middle_button_pans(window):
 @pytest.mark.parametrize("way", ["key", "double click", "button"])
 def test_there_are_three_ways_back_to_the_whole_outline(window, way):
     view = window.panel.map
-    view.pan_zoom.zoom(2.0, QPointF(0, 0))
-    assert view.pan_zoom.fit != WHOLE
+    view.stage.pan_zoom.zoom(2.0, QPointF(0, 0))
+    assert view.stage.pan_zoom.fit != WHOLE
     if way == "key":
         QTest.keyClick(view, Qt.Key.Key_0)
     elif way == "double click":
         QTest.mouseDClick(view, LEFT, PLAIN, QPoint(3, 3))
     else:
         QTest.mouseClick(window.panel.toolbar.all, LEFT)
-    assert view.pan_zoom.fit == WHOLE
+    assert view.stage.pan_zoom.fit == WHOLE
 
 
 def test_the_hand_can_be_fitted_alone(window):
     view = window.panel.map
-    whole = view.map_layout().frame.scale
+    whole = view.stage.layout.frame.scale
     QTest.mouseClick(window.panel.toolbar.hand, LEFT)
-    assert view.pan_zoom.fit == HAND
-    assert view.map_layout().frame.scale > 1.3 * whole
+    assert view.stage.pan_zoom.fit == HAND
+    assert view.stage.layout.frame.scale > 1.3 * whole
     room = QRectF(view.rect())
-    assert all(room.contains(view.place_of(number)) for number in range(1, 43))
+    assert all(room.contains(view.stage.place_of(number)) for number in range(1, 43))
 
 
 def test_nothing_of_the_outline_is_cut_off_or_covered_at_any_size(window):
     outline = window.results["limb_map"].outline
     for size in ((250, 300), (300, 330), (300, 900), (420, 640), (1200, 500)):
         window.panel.resize(*size)
-        layout = window.panel.map.map_layout()
+        layout = window.panel.map.stage.layout
         x, y = layout.frame.to_screen(outline).T
         assert layout.room.contains(QRectF(QPointF(x.min(), y.min()), QPointF(x.max(), y.max())))
         for card in (layout.palmar_card, layout.triad_card):
@@ -153,12 +153,12 @@ def test_nothing_of_the_outline_is_cut_off_or_covered_at_any_size(window):
 def test_an_output_reached_by_arrows_comes_into_sight(window):
     view = window.panel.map
     room = QRectF(view.rect())
-    view.pan_zoom.show(HAND)
-    hidden = {k for k in range(1, 73) if not room.contains(view.place_of(k))}
+    view.stage.pan_zoom.show(HAND)
+    hidden = {k for k in range(1, 73) if not room.contains(view.stage.place_of(k))}
     view.picker.keys.cursor_output, visited = 54, set()
     for _ in range(12):
         QTest.keyClick(view, Qt.Key.Key_Down)
-        assert room.contains(view.place_of(view.picker.keys.cursor_output))
+        assert room.contains(view.stage.place_of(view.picker.keys.cursor_output))
         visited.add(view.picker.keys.cursor_output)
     assert visited & hidden
 
@@ -167,23 +167,23 @@ def test_an_output_reached_by_arrows_comes_into_sight(window):
 @pytest.mark.parametrize("way", [(1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, -1)])
 def test_the_map_cannot_be_panned_out_of_sight(window, zoom, way):
     view = window.panel.map
-    view.pan_zoom.zoom(zoom, QPointF(10, 10))
+    view.stage.pan_zoom.zoom(zoom, QPointF(10, 10))
     for _ in range(200):
-        view.pan_zoom.pan(90.0 * way[0], 90.0 * way[1])
+        view.stage.pan_zoom.pan(90.0 * way[0], 90.0 * way[1])
     picture = view.grab().toImage()
     ground = QColor(LIGHT.base).getRgb()[:3]
     places = [QPoint(x, y) for x in range(0, view.width(), 8) for y in range(0, view.height(), 8)]
-    card = view.map_layout().palmar_card
+    card = view.stage.layout.palmar_card
     drawn = [at for at in places if not card.contains(at) and pixel(picture, at) != ground]
     assert len(drawn) > 0.03 * len(places)
 
 
 def test_shift_and_wheel_pan_to_the_side(window):
     view = window.panel.map
-    view.pan_zoom.zoom(4.0, QPointF(150, 200))
-    before = view.map_layout().frame
+    view.stage.pan_zoom.zoom(4.0, QPointF(150, 200))
+    before = view.stage.layout.frame
     wheel(view, QPoint(150, 100), 1, SHIFT)
-    after = view.map_layout().frame
+    after = view.stage.layout.frame
     assert (after.scale, after.top) == (before.scale, before.top)
     assert after.left > before.left
 
@@ -211,9 +211,9 @@ def test_the_right_button_offers_fits_and_pictures(window, qtbot):
         "Export data…",
     ]
     actions["Fit hand"].trigger()
-    assert view.pan_zoom.fit == HAND
+    assert view.stage.pan_zoom.fit == HAND
     actions["Fit hand and arm"].trigger()
-    assert view.pan_zoom.fit == WHOLE
+    assert view.stage.pan_zoom.fit == WHOLE
     actions["Save picture as…"].trigger()
     actions["Export data…"].trigger()
     assert wanted == ["export_picture", "export_levels"]
@@ -237,9 +237,9 @@ def test_a_picture_shows_what_is_seen(window, size, monkeypatch):
         ),
     )
     whole = window.panel.picture(*size)
-    view.pan_zoom.show(HAND)
+    view.stage.pan_zoom.show(HAND)
     hand = window.panel.picture(*size)
-    view.pan_zoom.zoom(4.0, QPointF(150, 150))
+    view.stage.pan_zoom.zoom(4.0, QPointF(150, 150))
     near = window.panel.picture(*size)
     assert whole != hand != near
     scales = [frame.scale for frame, _ in frames]
@@ -247,13 +247,13 @@ def test_a_picture_shows_what_is_seen(window, size, monkeypatch):
     # The same place in the middle, and all that was seen.
     frame, room = frames[-1]
     seen = QRectF(view.rect())
-    on_screen = view.map_layout().frame
+    on_screen = view.stage.layout.frame
     assert frame.to_drawing(room.center()) == pytest.approx(on_screen.to_drawing(seen.center()))
     for corner in (seen.topLeft(), seen.bottomRight()):
         at = frame.to_screen(np.array([on_screen.to_drawing(corner)]))[0]
         assert room.adjusted(-1, -1, 1, 1).contains(QPointF(*at))
     # Nothing of the magnified map lies on the words above it or on the scale beside it.
-    view.pan_zoom.zoom(6.0, QPointF(150, 150))
+    view.stage.pan_zoom.zoom(6.0, QPointF(150, 150))
     much = window.panel.picture(*size)
     above = round(room.top()) - 2
     head = QRect(0, 0, size[0], above)

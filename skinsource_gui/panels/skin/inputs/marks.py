@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QPainter, QPen
 from skinsource.design import Design, audible_indices
 from skinsource.limb import LimbMap
 from skinsource.view import View
-from skinsource_gui.panels.skin.map_layout import MapLayout
+from skinsource_gui.panels.skin.stage.map_layout import MapLayout
 from skinsource_gui.theme import Theme
 
 _RING_PX, _DASH, _REACH_PX = 7.5, (3.0, 2.0), 10.0

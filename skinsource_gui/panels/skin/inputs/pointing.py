@@ -4,7 +4,7 @@ from PySide6.QtCore import QObject, QPointF, Signal
 
 from skinsource_gui.panels.skin.inputs.marks import mark_at
 from skinsource_gui.panels.skin.map_content import MapContent
-from skinsource_gui.panels.skin.map_layout import MapLayout
+from skinsource_gui.panels.skin.stage.map_layout import MapLayout
 
 
 class InputPointer(QObject):

@@ -22,10 +22,10 @@ from skinsource.panel_settings import settings_of
 from skinsource.rendering.in_time import block_of
 from skinsource.view import View
 from skinsource_gui.panels.skin.map_content import MapContent
-from skinsource_gui.panels.skin.map_layout import ALL, SeenPart
 from skinsource_gui.panels.skin.map_picture import Heading, heading_of, paint_picture
 from skinsource_gui.panels.skin.map_quantity import LEVELS, MAGNITUDE, RMS, Z
 from skinsource_gui.panels.skin.settings import SkinSettings
+from skinsource_gui.panels.skin.stage.map_layout import ALL, SeenPart
 from skinsource_gui.panels.skin.time.frames import NEEDS, Frames
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.map.colour_maps import DIVERGING

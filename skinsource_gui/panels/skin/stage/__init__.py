@@ -1,0 +1,1 @@
+"""Where everything of the map lies on the screen."""
