@@ -212,6 +212,17 @@ def test_a_transfer_is_the_response_in_the_band():
     assert np.abs(shown - response).max() < 1e-4 * np.abs(response).max()
 
 
+def test_a_transfer_lasts_as_long_at_a_high_rate():
+    # A resonance that dies away in a third of a second.
+    ringing = replace(COIL, damping_n_s_per_m=0.7, force_factor_n_per_a=0.05)
+    quick = transfers_of(actuation(ringing), 48_000.0, (25.0, 600.0))[None]
+    assert quick.samples.size / 48_000 == pytest.approx(1 / 3, rel=0.1)
+    hz = ss.equalising.resonance_of(ringing)[0] * np.array([0.5, 1.0, 1.01, 2.0])
+    turns = np.outer(hz, (np.arange(quick.samples.size) - quick.lead) / 48_000)
+    found = np.exp(-2j * np.pi * turns) @ quick.samples
+    np.testing.assert_allclose(found, ringing.response(hz), rtol=1e-3)
+
+
 def test_what_it_goes_through_is_saved_and_digests_tell_it_apart(tmp_path):
     measured = ss.actuators.MeasuredResponse.of([20.0, 100.0, 700.0], [1.0, 2.0 + 1j, 3.0])
     own = (

@@ -14,6 +14,7 @@ from skinsource.comparing import (
     Snapshot,
     brought_back,
     difference_db,
+    gain_words,
     louder,
     loudest_db,
     matching_gain,
@@ -79,6 +80,8 @@ def test_a_gain_of_one_changes_nothing_and_too_large_ones_are_refused():
     assert matching_gain(-12.3, -12.3) == 1.0
     assert matching_gain(FLOOR_DB, -12.3) == matching_gain(-12.3, FLOOR_DB) == 1.0
     assert matching_gain(-20.0, 0.0) == pytest.approx(10.0, rel=1e-15)
+    said = [gain_words(one) for one in (10.0, 0.5, 1.004, 0.0)]
+    assert said == ["+20.0 dB", "\N{MINUS SIGN}6.0 dB", "", ""]
     with pytest.raises(InvalidInputError):
         louder(DESIGN, 1e6)
     with pytest.raises(InvalidInputError):

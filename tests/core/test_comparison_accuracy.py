@@ -120,20 +120,23 @@ def test_runs_are_numbered_on_so_that_none_is_the_same_edit():
         seen.append(number)
         yield 0, np.zeros((1, 1))
 
-    seconds = repeated(run, first_run=1, warm_ups=2, longest_s=60.0, most_runs=4)
+    seconds = repeated(run, first_s=0.1, warm_ups=2, longest_s=60.0, most_runs=4)
     assert seen == [1, 2, 3, 4, 5, 6]
     assert len(seconds) == 4
 
 
-def test_a_slow_method_runs_once():
-    seconds = repeated(
-        lambda number: iter([(0, np.zeros((1, 1)))]),
-        first_run=1,
-        warm_ups=0,
-        longest_s=0.0,
-        most_runs=9,
-    )
-    assert len(seconds) == 1
+def test_a_slow_method_runs_once_and_a_very_slow_one_not_again():
+    seen = []
+
+    def run(number):
+        seen.append(number)
+        yield 0, np.zeros((1, 1))
+
+    slow = {"warm_ups": 2, "longest_s": 0.0, "most_runs": 9}
+    assert len(repeated(run, first_s=1.9, **slow)) == 1
+    assert seen == [1]
+    assert repeated(run, first_s=2.0, **slow) == [2.0]
+    assert seen == [1]
 
 
 def test_the_garbage_collector_is_left_as_it_was():
@@ -141,7 +144,7 @@ def test_the_garbage_collector_is_left_as_it_was():
         assert not gc.isenabled()
         yield 0, np.zeros((1, 1))
 
-    repeated(run, first_run=1, warm_ups=0, longest_s=0.0, most_runs=1)
+    repeated(run, first_s=0.1, warm_ups=0, longest_s=0.0, most_runs=1)
     assert gc.isenabled()
     assert gc.get_freeze_count() == 0
 

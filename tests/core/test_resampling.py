@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 import skinsource as ss
 from skinsource import resampling
 from skinsource.resampling import conversion
-from skinsource.resampling.kernel import Kernel
+from skinsource.resampling.kernel import Kernel, half_transition
 
 PAIRS = [
     *((1300, rate) for rate in (2000, 8000, 44_100, 48_000, 96_000, 192_000, 1301, 47_999)),
@@ -271,3 +271,18 @@ def test_a_stretch_has_the_bits_of_the_whole(from_hz, to_hz):
         np.testing.assert_array_equal(part, whole[start : start + part.size])
         assert not whole[:start].any()
         assert not whole[start + part.size :].any()
+
+
+def test_weights_become_a_matrix_where_it_is_small_and_mostly_filled():
+    def kernel(from_hz, to_hz):
+        ratio = Fraction(to_hz, from_hz)
+        return Kernel(ratio.numerator, ratio.denominator, half_transition(min(from_hz, to_hz)))
+
+    for pair in ((1300, 48_000), (48_000, 1300), (1300, 1000), (44_100, 48_000)):
+        assert kernel(*pair).is_small
+        weights = kernel(*pair).weights()
+        assert weights.nbytes <= 4 * 2**20
+        assert np.count_nonzero(weights) > weights.size / 3
+    # 45 MB; and a period longer than twice what a result is made of.
+    for pair in ((1210, 44_100), (8000, 11_025), (11_025, 8000)):
+        assert not kernel(*pair).is_small

@@ -12,6 +12,10 @@ from skinsource.samples import Samples
 from skinsource.view import View
 from skinsource.waveforms import Drawn
 
+_NO_BAND = Refusal(
+    sentence="In which band this limb was measured is not known; import it with its band."
+)
+
 
 def draw_clip(
     design: Design, view: View, clip_id: int, samples: Floats, sample_rate_hz: float
@@ -31,7 +35,7 @@ def bound_clip(design: Design, view: View, clip_id: int, sample_rate_hz: float) 
     try:
         band_hz = facts_of(design.limb).band_hz
         if band_hz is None:
-            return Refusal(sentence="In which band this limb was measured is not known.")
+            return _NO_BAND
         drawn = design.clip(clip_id).waveform.samples(sample_rate_hz)
         bounded = bounded_to_band(drawn, sample_rate_hz, band_hz)
     except InvalidInputError as error:

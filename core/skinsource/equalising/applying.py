@@ -86,5 +86,5 @@ def _refuse_slower(rate_hz: float, band_hz: Band) -> None:
     if rate_hz < least_hz * (1.0 - 1e-9):
         raise InvalidInputError(
             f"sample_rate_hz is {rate_hz:g}, expected at least {least_hz:g} Hz for a band that "
-            f"ends at {band_hz[1]:g} Hz"
+            f"ends at {band_hz[1]:g} Hz. Resample the drive, or end the band lower."
         )

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import lru_cache
+from math import ceil, log2
 from typing import ClassVar
 
 import numpy as np
@@ -31,8 +32,8 @@ PHASE = ChoiceSpec(
 )
 # Grid on which the phase that belongs to a gain is found; what lies below the floor counts as it.
 _LENGTH, _RATE_HZ, _FLOOR = 2**16, 48_000.0, 1e-5
-# The grid reaches so many times as high as the band at least.
-_ABOVE_BAND = 8.0
+# Its rate is so many times the end of the band at least; points lie no farther apart then.
+_OF_BAND = 4.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,10 +92,11 @@ def _least_phase(
     equaliser: RegularisedInverse, actuator: Actuator, band_hz: Band
 ) -> tuple[Floats, Floats]:
     """Frequencies and the phase of the least delay that goes with the gain there."""
-    rate_hz = max(_RATE_HZ, _ABOVE_BAND * band_hz[1])
-    frequency_hz = np.arange(_LENGTH // 2 + 1) * rate_hz / _LENGTH
+    higher = 2 ** max(ceil(log2(_OF_BAND * band_hz[1] / _RATE_HZ)), 0)
+    length, rate_hz = higher * _LENGTH, higher * _RATE_HZ
+    frequency_hz = np.arange(length // 2 + 1) * rate_hz / length
     gain = np.abs(equaliser._inverse(actuator, frequency_hz, band_hz))
-    cepstrum = scipy.fft.irfft(np.log(np.maximum(gain, _FLOOR * gain.max())), _LENGTH)
-    cepstrum[1 : _LENGTH // 2] *= 2.0
-    cepstrum[_LENGTH // 2 + 1 :] = 0.0
+    cepstrum = scipy.fft.irfft(np.log(np.maximum(gain, _FLOOR * gain.max())), length)
+    cepstrum[1 : length // 2] *= 2.0
+    cepstrum[length // 2 + 1 :] = 0.0
     return frequency_hz, scipy.fft.rfft(cepstrum).imag

@@ -12,7 +12,7 @@ from skinsource.method_comparison.accuracy import QUIETEST, Block, Errors
 from skinsource.method_comparison.method import Unfit
 from skinsource.method_comparison.signal_engines import checked, signal_engine_of
 from skinsource.method_comparison.signal_scenes import SignalScene
-from skinsource.method_comparison.timing import ONCE_FROM_S, repeated
+from skinsource.method_comparison.timing import repeated
 
 _WINDOW_S = 0.1
 
@@ -39,15 +39,9 @@ def measured_signal(
     def run(_: int) -> Iterable[Block]:
         return ((0, compute()),)
 
-    seconds = [end - start]
-    if seconds[0] < ONCE_FROM_S:
-        seconds = repeated(
-            run,
-            first_run=1,
-            warm_ups=warm_ups if end - start < longest_s else 0,
-            longest_s=longest_s,
-            most_runs=most_runs,
-        )
+    seconds = repeated(
+        run, first_s=end - start, warm_ups=warm_ups, longest_s=longest_s, most_runs=most_runs
+    )
     errors = signal_errors(values, exact, scene.sample_rate_hz)
     return {
         "first_s": end - start,

@@ -59,23 +59,32 @@ def times_of(seconds: Sequence[float]) -> Times:
 def repeated(
     run: Callable[[int], Iterable[Block]],
     *,
-    first_run: int,
+    first_s: float,
     warm_ups: int,
     longest_s: float,
     most_runs: int,
 ) -> list[float]:
     """Seconds of each run; at least one, until ``longest_s`` or ``most_runs`` is reached.
 
-    Garbage is collected before each
-    run, not within.
+    Garbage is collected before each run, not within.
+
+    Parameters
+    ----------
+    run
+        Gets the number of the run, from 1 on: another edit each time.
+    first_s
+        What run 0 took, with all that a first run costs more.  From `ONCE_FROM_S` on that is all;
+        what takes ``longest_s`` needs no warming up.
     """
-    number = first_run
+    if first_s >= ONCE_FROM_S:
+        return [first_s]
+    number = 1
     collecting = gc.isenabled()
     gc.disable()
     # What stands now is not looked through again before each run.
     gc.freeze()
     try:
-        for _ in range(warm_ups):
+        for _ in range(warm_ups if first_s < longest_s else 0):
             _timed(run, number)
             number += 1
         seconds: list[float] = []

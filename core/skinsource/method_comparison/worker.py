@@ -26,7 +26,7 @@ from skinsource.method_comparison.references import Reference, load_reference
 from skinsource.method_comparison.scenes import ComparedScene
 from skinsource.method_comparison.signal_scenes import SignalScene
 from skinsource.method_comparison.signal_worker import measured_signal
-from skinsource.method_comparison.timing import ONCE_FROM_S, repeated
+from skinsource.method_comparison.timing import repeated
 
 _STATUS = Path("/proc/self/status")
 
@@ -95,16 +95,13 @@ def measured(task: Task) -> dict[str, Any]:
         return {"unfit": str(reason)}
     except MemoryError:
         return {"unfit": "the memory of this machine did not suffice"}
-    run_s = [end - ready]
-    if run_s[0] < ONCE_FROM_S:
-        run_s = repeated(
-            prepared.run,
-            first_run=1,
-            # A long run has warmed up what there is to warm up.
-            warm_ups=task.warm_ups if end - ready < task.longest_s else 0,
-            longest_s=task.longest_s,
-            most_runs=task.most_runs,
-        )
+    run_s = repeated(
+        prepared.run,
+        first_s=end - ready,
+        warm_ups=task.warm_ups,
+        longest_s=task.longest_s,
+        most_runs=task.most_runs,
+    )
     peak = _peak_bytes()
     held = None if idle is None or peak is None else max(peak - idle - prepared.lent_bytes, 0)
     deviation = np.abs((values - reference.high) - reference.low).max(axis=(1, 2))

@@ -117,7 +117,7 @@ class Together:
             self._products = Products(
                 responses.n_fft or 0, responses.limb.n_axes, products=products
             )
-            self._common_now = self._common_moments = None
+            self._common_now = None
 
     def _vibrations(
         self, sources: "list[_Source]", n_stimuli: int, n_fft: int

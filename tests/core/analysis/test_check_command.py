@@ -8,6 +8,7 @@ import pytest
 import skinsource as ss
 from skinsource.commands.command_line import main
 from skinsource.design_file import save_design
+from skinsource.validation import report
 from skinsource.validation.report import quartiles, round_ticks
 from skinsource.view import View
 
@@ -76,6 +77,11 @@ def test_recordings_that_do_not_fit_are_refused_and_nothing_is_written(
 def test_whiskers_end_at_data_within_one_and_a_half_boxes():
     values = np.array([0.0, 1.0, 2.0, 3.0, 4.0, 100.0])
     assert quartiles(values) == (0.0, 1.25, 2.5, 3.75, 4.0)
+    # What is not drawn is said: not the one at the end of a whisker.
+    drawn = report._boxes([("100 Hz", values), ("200 Hz", values[:5])])
+    assert "1 of 11 channels lie beyond the whiskers" in drawn
+    assert "all lie from 0 to 100" in drawn
+    assert "beyond" not in report._boxes([("200 Hz", values[:5])])
 
 
 @pytest.mark.parametrize(

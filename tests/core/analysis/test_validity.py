@@ -59,6 +59,16 @@ def test_what_is_slower_than_the_band_does_not_drift():
     assert probe_velocity(np.zeros(10), RATE) == 0.0
 
 
+def test_what_rings_past_the_end_does_not_come_back_at_the_start():
+    pulse = np.sin(np.pi * np.arange(130) / 130)
+    silence = np.zeros(2600)
+    padded = np.concatenate((silence, pulse, silence))
+    assert probe_velocity(pulse, RATE) == pytest.approx(probe_velocity(padded, RATE), rel=1e-3)
+    assert probe_velocity(pulse, RATE, 5.0) == pytest.approx(
+        probe_velocity(padded, RATE, 5.0), rel=1e-3
+    )
+
+
 def test_the_drive_lamp_is_lit_above_the_limit_and_mended_by_less_amplitude():
     design = design_of(tone(100.0, 30.0), tone(200.0, 10.0, place=8))
     one = found(design)["drive"]

@@ -91,6 +91,8 @@ def test_frequencies_are_known_where_the_limb_says_it():
             unknown = getattr(unknown, "of", unknown)
             assert unknown.is_known(1900.0)
             assert "measured band" not in unknown.about
+        for name in set(specs) - set(names):
+            assert "measured band" not in specs[name].at_rate(4000.0, BAND).about
 
 
 def test_what_plays_is_judged_mended_drawn_and_written_in_the_band_of_the_limb(user_data):
@@ -107,7 +109,7 @@ def test_what_plays_is_judged_mended_drawn_and_written_in_the_band_of_the_limb(u
     installed()
     assert lamp(low).state == "unknown"
     refused = edits.bound_clip(low, View(), low.inputs[0].clips[0].id, 4000.0)
-    assert refused.sentence == "In which band this limb was measured is not known."
+    assert "is not known; import it with its band" in refused.sentence
     assert stimulus_of(PLAYED).band_hz == (0.0, pytest.approx(2000.0 * 12 / 13))
 
 

@@ -9,6 +9,7 @@ from skinsource.errors import InvalidInputError, PlaybackError, Stopped
 from skinsource.measuring.clock_ratio import clock_ratio
 from skinsource.measuring.exponential_sweep import exponential_sweep
 from skinsource.playing import Output
+from skinsource.playing.ending import Ending
 from skinsource.rig_measuring import duplex, measure
 from skinsource.rigs import Rig, RigChannel
 from tests.core.rig_measuring.bench_top import (
@@ -22,7 +23,7 @@ from tests.core.rig_measuring.bench_top import (
     sensed,
     use,
 )
-from tests.core.rig_measuring.two_cards import BEGUN_LATER, TwoCards, by_another_clock
+from tests.core.rig_measuring.two_cards import BEGUN_LATER, In, Out, TwoCards, by_another_clock
 
 RIG = Rig(channels=(RigChannel(place=7, output=3, full_scale_v=VOLTS),))
 
@@ -77,6 +78,10 @@ def test_each_device_is_named_that_refuses_or_is_gone(cards, monkeypatch):
     with pytest.raises(PlaybackError, match="Hears does not take 2 inputs"):
         measured()
     cards.refusal = ()
+    for cards.busy, name in ((In, "Hears"), (Out, "Plays")):
+        with pytest.raises(PlaybackError, match=f"{name} is not free: another program uses it"):
+            measured()
+    cards.busy = ()
     monkeypatch.setattr(duplex, "_GONE_AFTER_S", 1.0)
     cards.pulled_after = 40
     with pytest.raises(PlaybackError, match="Plays stopped answering"):
@@ -101,6 +106,22 @@ def test_a_stop_is_heard_too_while_what_was_played_last_is_on_its_way_in(cards):
     with pytest.raises(Stopped):
         measured(stop=lambda: cards.began and not cards.streams[-1].active)
     assert all(one.closed.is_set() for one in cards.streams)
+
+
+def test_nothing_is_waited_for_where_playing_ended_before_the_end(cards, monkeypatch):
+    asked, cards.deaf_after = [], 20
+
+    def passing_a_limit(deck, out):
+        out[:] = 0.0
+        deck.ending = Ending(reason="limit", output=3, name="coil", highest_db=-7.0)
+
+    def stop():
+        asked.append(cards.began)
+        return sum(asked) > 20
+
+    monkeypatch.setattr(duplex, "next_block", passing_a_limit)
+    with pytest.raises(PlaybackError, match="would have passed full scale"):
+        measured(stop=stop)
 
 
 def test_a_sensor_that_hears_nothing_is_told(cards):

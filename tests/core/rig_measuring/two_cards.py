@@ -40,6 +40,8 @@ class _Way:
         self._thread = threading.Thread(target=self._run, daemon=True)
 
     def start(self) -> None:
+        if isinstance(self, self.cards.busy):
+            raise PortAudioError("Device unavailable", -9985)
         self.active = True
         self._thread.start()
 
@@ -50,7 +52,7 @@ class _Way:
         self.active = False
 
 
-class _Out(_Way):
+class Out(_Way):
     """Takes all that is played as quickly as it comes, and hands on what the sensor makes of it."""
 
     def _run(self) -> None:
@@ -71,7 +73,7 @@ class _Out(_Way):
         self.asked["finished_callback"]()
 
 
-class _In(_Way):
+class In(_Way):
     """Records noise, and what is heard as soon as there is something."""
 
     def _run(self) -> None:
@@ -106,6 +108,8 @@ class TwoCards:
         self.pulled_after = self.deaf_after = 100_000
         self.loses_at = -1
         self.refusal: tuple = ()
+        # Streams of this kind do not begin.
+        self.busy: tuple | type = ()
         self.streams: list[_Way] = []
         self.answers, self.began, self.listening = None, False, threading.Event()
         # Who has it goes on; the other waits.
@@ -132,7 +136,7 @@ class TwoCards:
         ]
 
     def OutputStream(self, **asked):  # as sounddevice calls it
-        return self._open(_Out, asked)
+        return self._open(Out, asked)
 
     def InputStream(self, **asked):  # as sounddevice calls it
         if self.refusal:
@@ -140,7 +144,7 @@ class TwoCards:
         assert asked["samplerate"] == RATE_HZ
         self.answers, self.began = None, False
         self.listening.clear()
-        return self._open(_In, asked)
+        return self._open(In, asked)
 
     def _open(self, kind, asked):
         self.streams.append(kind(self, asked))

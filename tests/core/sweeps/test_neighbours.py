@@ -6,7 +6,7 @@ import pytest
 import skinsource as ss
 from skinsource.job import never
 from skinsource.shared import Shared
-from skinsource.sweeps import Measurer, Plan
+from skinsource.sweeps import Measurer, Plan, products
 from skinsource.sweeps.main_axes import main_axes
 from skinsource.sweeps.measuring import METRICS
 from skinsource.sweeps.neighbours import Together
@@ -141,6 +141,14 @@ def test_what_has_little_in_common_is_measured_one_by_one():
         assert vibrations(plan_of(four_inputs(), name, values))[1] is None
 
 
+def test_products_in_parts_are_those_of_the_whole(monkeypatch):
+    monkeypatch.setattr(products, "_NUMBERS_AT_ONCE", 500)
+    rng = np.random.default_rng(2)
+    matrix, columns = rng.standard_normal((6, 11, 130)), rng.standard_normal((5, 130))
+    expected = np.einsum("pon,cn->cpo", matrix, columns)
+    np.testing.assert_allclose(products.multiplied(matrix, columns), expected, atol=1e-12)
+
+
 def test_main_axes_lie_along_the_largest_eigenvalue():
     rng = np.random.default_rng(1)
     data = rng.standard_normal((600, 3, 4))
@@ -154,4 +162,11 @@ def test_main_axes_lie_along_the_largest_eigenvalue():
     np.testing.assert_allclose(np.square(axes).sum(axis=1), 1.0, rtol=1e-14)
     along = np.einsum("na,nab,nb->n", axes, matrices, axes)
     np.testing.assert_allclose(along, np.linalg.eigvalsh(matrices)[:, -1], rtol=1e-13)
+    # Of one that is nearly diagonal, too: an axis that is off by an angle shows in what is left
+    # across it, not in the value along it.
+    for size in (1e-2, 1e-4, 1e-5, 1e-6, 1e-7):
+        matrix = np.diag([3.0, 2.0, 1.0]) + size * (1.0 - np.eye(3))
+        (axis,) = main_axes(matrix[None])
+        across = matrix @ axis - (axis @ matrix @ axis) * axis
+        assert np.abs(across).max() < 4e-15
     assert axes[-1].tolist() == [1.0, 0.0, 0.0]

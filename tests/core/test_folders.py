@@ -1,0 +1,46 @@
+"""Folders that replace others of the same writer."""
+
+import pytest
+
+from skinsource.errors import StorageError
+from skinsource.files import replacing_folder
+
+
+@pytest.fixture
+def folder(tmp_path):
+    found = tmp_path / "out"
+    found.mkdir()
+    for name in ("mark.json", "old.bin", "log.csv", "log-2.csv"):
+        (found / name).write_text(f"old {name}")
+    (found / "log-3.csv").mkdir()
+    return found
+
+
+def content(folder):
+    return {one.name: one.read_text() for one in folder.iterdir() if one.is_file()}
+
+
+def test_what_others_wrote_goes_over_and_takes_the_place_of_nothing_new(folder):
+    with replacing_folder(folder, "mark.json", kept="log*.csv") as new:
+        for name in ("mark.json", "log-2.csv"):
+            (new / name).write_text(f"new {name}")
+    assert content(folder) == {
+        "mark.json": "new mark.json",
+        "log-2.csv": "new log-2.csv",
+        "log.csv": "old log.csv",
+    }
+    assert {one.name for one in folder.iterdir()} == set(content(folder))
+    assert list(folder.parent.iterdir()) == [folder]
+
+
+def test_what_is_not_finished_or_not_ours_replaces_nothing(folder):
+    before = content(folder)
+    with pytest.raises(ZeroDivisionError), replacing_folder(folder, "mark.json") as new:
+        (new / "mark.json").write_text(f"{1 / 0}")
+    with (
+        pytest.raises(StorageError, match="something else stands there"),
+        replacing_folder(folder, "other.json"),
+    ):
+        pass
+    assert content(folder) == before
+    assert list(folder.parent.iterdir()) == [folder]
