@@ -19,7 +19,7 @@ from skinsource_gui.dataset_page.title import TITLE
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.tooltips import show_tooltip, tooltip
 
-_LEAST_PX = 420
+_LEAST_PX = 260
 #: Where the list keeps what can be done with an entry; None: all that is usual.
 _FLAGS = Qt.ItemDataRole.UserRole - 1
 _ENABLED = Qt.ItemFlag.ItemIsEnabled
@@ -84,6 +84,12 @@ class SetupBar(QWidget):
         needed = chosen if self._titles[0].isVisibleTo(self) else chosen + named
         for title in self._titles:
             title.setVisible(self.width() >= needed)
+
+    @property
+    def wanted_px(self) -> int:
+        """Width in which each choice is read whole, without what it is called."""
+        fields = self.findChildren(ChoiceField)
+        return sum(one.sizeHint().width() + 2 * self._row.spacing() for one in fields)
 
     def minimumSizeHint(self) -> QSize:
         return QSize(_LEAST_PX, super().minimumSizeHint().height())

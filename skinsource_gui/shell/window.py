@@ -23,7 +23,7 @@ from skinsource_gui.shell import docks
 from skinsource_gui.shell.action_set import ActionSet
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.appearance import Appearance
-from skinsource_gui.shell.bars import setup_toolbar
+from skinsource_gui.shell.bars import StudioBar
 from skinsource_gui.shell.clip_drops import ClipDrops
 from skinsource_gui.shell.focus_order import move_focus
 from skinsource_gui.shell.installations import Installations
@@ -209,7 +209,7 @@ class MainWindow(QMainWindow):
         shown = docks.menu_toggles(self.docks.values(), self)
         fill_menu_bar(self.menuBar(), ACTIONS, actions, recent, shown)
         groups = [[actions["undo"], actions["redo"]], [actions["find_action"]]]
-        setup_toolbar(self, (self.setup_bar, self.playback.bar), groups)
+        self._bar = StudioBar(self.setup_bar, self.playback.bar, groups, self)
         self.statusBar().addWidget(self.status_line, 1)
         self.statusBar().addPermanentWidget(self.job_bar)
         self.validity = Validity(self.document, self.engine, self.panels, self.statusBar())
@@ -280,7 +280,8 @@ class MainWindow(QMainWindow):
         self._limb_note.show_available(self.limbs.names)
 
     def focusNextPrevChild(self, forward: bool) -> bool:
-        regions = (self.notice.buttons, self.setup_bar, self.playback.bar, *self.panels)
+        bars = self.setup_bar, self.playback.bar, self._bar
+        regions = (self.notice.buttons, *bars, *self.panels)
         return move_focus(self, (*regions, self.statusBar()), forward=forward)
 
     def closeEvent(self, event: QCloseEvent) -> None:

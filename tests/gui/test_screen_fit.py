@@ -1,8 +1,10 @@
+from functools import partial
 from itertools import product
 
 import pytest
-from PySide6.QtCore import QMargins, QPoint, QRect, QSize
+from PySide6.QtCore import QMargins, QPoint, QRect, QSize, Qt, QTimer
 from PySide6.QtGui import QFontMetrics, QTextDocument
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QToolBar, QToolButton, QWidget
 
 from skinsource import edits
@@ -12,6 +14,7 @@ from skinsource_gui.shell.screen_fit import ScreenFit, fitted
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.start_design import start_design
 from skinsource_gui.status.limb_note import LimbNote
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.plot.legend.legend_strip import LegendStrip
@@ -186,25 +189,62 @@ def _check_status_bar(window):
     assert right <= window.width()
 
 
-def test_a_bar_too_narrow_for_all_of_it_shows_where_the_rest_is(window, settle):
-    window.resize(640, 500)
-    settle()
+def shown_whole(field):
+    """How much of what a choice wants it has."""
+    return field.width() / field.sizeHint().width()
+
+
+def test_a_narrow_bar_keeps_its_actions_in_a_menu_and_its_choices_to_be_read(
+    window, preferences, settle
+):
     bar = window.findChild(QToolBar, "setup")
-    more = bar.findChild(QToolButton, "qt_toolbar_ext_button")
-    last = bar.widgetForAction(window.actions_by_name["find_action"])
-    assert not last.isVisible()
-    assert more.isVisible()
-    picture = more.grab().toImage()
-    inside = [
-        picture.pixelColor(x, y).lightness()
-        for x in range(3, picture.width() - 3)
-        for y in range(3, picture.height() - 3)
-    ]
-    assert max(inside) - min(inside) > 60
+    fold, choices = bar.actions_at_end, window.setup_bar.findChildren(ChoiceField)
+    names = ("undo", "redo", "find_action")
+    for scale, least in ((1.0, 0.7), (1.5, 0.4)):
+        preferences.text_scale = scale
+        window.appearance.apply()
+        window.resize(800, 600)
+        settle()
+        assert fold.more.isVisible()
+        assert not bar.findChild(QToolButton, "qt_toolbar_ext_button").isVisible()
+        assert min(map(shown_whole, choices)) > least
+        parts = (*choices, window.playback.bar, fold.more)
+        assert all(one.visibleRegion().boundingRect() == one.rect() for one in parts)
+        kept = [action for action in fold.more.menu().actions() if not action.isSeparator()]
+        assert kept == [window.actions_by_name[name] for name in names]
+    window.do("reset_text")
     window.resize(1366, 728)
     settle()
-    assert last.isVisible()
-    assert not more.isVisible()
+    assert not fold.more.isVisible()
+    buttons = [one.defaultAction() for one in fold.findChildren(QToolButton) if one.isVisible()]
+    assert buttons == [window.actions_by_name[name] for name in names]
+
+
+def test_the_menu_of_a_narrow_bar_opens_by_mouse_and_by_keyboard(window, settle, qtbot):
+    window.resize(800, 600)
+    settle()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    more = window.findChild(QToolBar, "setup").actions_at_end.more
+    window.playback.bar.gain.setFocus()
+    QTest.keyClick(window.playback.bar.gain, Qt.Key.Key_Tab)
+    assert QApplication.focusWidget() is more
+    opened = []
+    for act in (
+        partial(QTest.mouseClick, more, Qt.MouseButton.LeftButton),
+        partial(QTest.keyClick, more, Qt.Key.Key_Space),
+    ):
+        # The menu keeps the loop: who waits for it closes it.
+        QTimer.singleShot(50, lambda: opened.append(close_menu(more.menu())))
+        act()
+    qtbot.waitUntil(lambda: len(opened) == 2, timeout=5000)
+    assert opened == [True, True]
+
+
+def close_menu(menu):
+    was = menu.isVisible()
+    menu.close()
+    return was
 
 
 def test_each_number_of_the_bar_is_shown_whole_in_letters_of_any_size(window, preferences, qtbot):
