@@ -100,7 +100,7 @@ def sweep(you: Composer, _: Path) -> None:
 
 
 def begin_anew(you: Composer) -> None:
-    """File > New, and an empty hand; what is there need not be kept."""
+    """File > New; what is there need not be kept."""
 
     def discard(box: QWidget) -> None:
         you.click(box.button(QMessageBox.StandardButton.Discard))
@@ -113,9 +113,7 @@ def begin_anew(you: Composer) -> None:
     else:
         new()
     you.settle()
-    you.choose("Edit", "Remove all inputs")
-    you.settle()
-    you.expect(you.document.design.inputs == (), "New, emptied, is an empty hand")
+    you.expect(you.document.design.inputs == (), "New empties the hand")
 
 
 def pick_of_list(you: Composer, box: QComboBox, words: str) -> None:

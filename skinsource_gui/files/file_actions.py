@@ -6,7 +6,8 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
-from skinsource.catalogue import default_limb
+from skinsource.catalogue import available_limbs, default_limb
+from skinsource.design import Design
 from skinsource.design_file import SUFFIX, open_design, save_design
 from skinsource.errors import SkinSourceError
 from skinsource.files import is_there, named
@@ -17,7 +18,6 @@ from skinsource_gui.files.recent_files import RecentFiles
 from skinsource_gui.files.snapshot_files import SnapshotFiles
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.state.start_design import start_design
 
 _FILTER = f"SkinSource designs (*{SUFFIX})"
 _Answer = QMessageBox.StandardButton
@@ -64,9 +64,9 @@ class FileActions(QObject):
         window.installEventFilter(self)
 
     def new(self) -> None:
-        """Start over with design, limb and view of a start; the person's panels come back."""
+        """Start over with an empty design on the person's limb, in the person's panels."""
         if self.may_lose_changes():
-            self._document.start_over(start_design(default_limb()), View(), None)
+            self._document.start_over(Design(limb=_limb_to_start_on(self._document)), View(), None)
             self.leave_file()
             self.started_over.emit()
             self.done.emit("Started a new design")
@@ -238,3 +238,9 @@ class FileActions(QObject):
         self.recent_changed.emit()
         self.note_written(path)
         return True
+
+
+def _limb_to_start_on(document: Document) -> str:
+    """The one that is open, unless a scene brought it, or it is not here."""
+    limb = document.design.limb
+    return limb if not document.scene and limb in available_limbs() else default_limb()

@@ -77,7 +77,7 @@ class SceneActions(QObject):
             return
         if not self._files.may_lose_changes():
             return
-        self._document.start_over(opened.design, opened.view, None)
+        self._document.start_over(opened.design, opened.view, None, scene=opened.scene.title)
         self._files.leave_file()
         self._files.suggested = self._preferences.folder / f"{opened.scene.name}{SUFFIX}"
         self._last = opened.scene.name

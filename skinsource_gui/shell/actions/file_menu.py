@@ -15,7 +15,7 @@ FILE: tuple[ActionSpec, ...] = (
         "new_design",
         "File",
         "New",
-        "Start over with the design of a start; panels and theme stay yours",
+        "Start over with an empty design",
         "Ctrl+N",
         command="files.new",
         keywords="clear empty reset blank",

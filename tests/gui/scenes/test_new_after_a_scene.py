@@ -1,4 +1,4 @@
-"""File > New after a scene: what a start shows, in the panels as the person had them."""
+"""File > New after a scene: an empty design in the panels as the person had them."""
 
 from dataclasses import replace
 
@@ -6,11 +6,13 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 from skinsource.catalogue import default_limb
+from skinsource.design import Design
 from skinsource.design_file import save_design
+from skinsource.edits.setup import change_limb
 from skinsource.panel_settings import with_settings
 from skinsource.view import View
+from skinsource_gui.files import file_actions
 from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.state.start_design import start_design
 
 #: On limb 4, in the arrangement for analysis.
 SCENE = "1C"
@@ -30,7 +32,7 @@ def own(window):
     return in_sight(window)
 
 
-def test_new_shows_design_and_view_of_a_start_in_ones_own_panels(window, own):
+def test_new_is_empty_on_the_limb_and_in_the_view_of_a_start_in_ones_own_panels(window, own):
     window.scenes.open(SCENE)
     document = window.document
     assert document.design.limb.endswith("-4")
@@ -38,8 +40,8 @@ def test_new_shows_design_and_view_of_a_start_in_ones_own_panels(window, own):
     document.look(replace(with_settings(document.view, "skin", locked), delay_removed=True))
     assert in_sight(window) != own
     window.do("new_design")
-    assert document.design == start_design(default_limb())
-    assert document.view == View()
+    assert document.design == Design(limb=default_limb())
+    assert document.view == View(selected_inputs=())
     assert in_sight(window) == own
     # Once it is left there is nothing to go back to.
     window.docks["compare"].bring_forward()
@@ -99,3 +101,15 @@ def test_the_next_session_begins_in_the_panels_before_they_were_presented(
     again = make_window()
     assert in_sight(again) == own
     assert not again.isFullScreen()
+
+
+@pytest.mark.parametrize("missing", [False, True])
+def test_new_stays_on_the_limb_that_the_person_chose_unless_it_is_not_here(
+    window, monkeypatch, missing
+):
+    window.document.apply(change_limb(window.document.design, window.document.view, "synthetic-3"))
+    if missing:
+        monkeypatch.setattr(file_actions, "available_limbs", lambda: ("synthetic-1",))
+    window.document.mark_saved(None)
+    window.do("new_design")
+    assert window.document.design == Design(limb=default_limb() if missing else "synthetic-3")
