@@ -2,16 +2,18 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 
 from skinsource import edits
+from skinsource.arrays import Floats
 from skinsource.design import Design
 from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of, with_settings
+from skinsource.resampling import finer
 from skinsource.view import View
 from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.signal_panel import SignalPanel
@@ -24,6 +26,8 @@ from skinsource_gui.widgets.tooltips import tooltip
 
 # Readings tell samples of 1300 Hz apart.
 _DECIMALS = {"ms": 2, "s": 5}
+# What the wave between samples follows from: that of a magnitude runs along the axes.
+_WAVE = frozenset({"axis_traces", "selected_projection"})
 # Less is rounding.
 _LEAST_EARLY_S = 1e-6
 
@@ -56,7 +60,7 @@ class TracesPanel(SignalPanel):
     @property
     def needs(self) -> frozenset[str]:
         # Outputs, delay and limb come with the curves: labels never belong to others.
-        drawn = {"response_time_s", "selected_traces", "outputs", "delay_removed"} | NEEDS
+        drawn = {"response_time_s", "selected_traces", "outputs", "delay_removed"} | NEEDS | _WAVE
         if self._view.method == "pca" and len(self._view.axes) > 1:
             drawn.add("selected_without_main_axis")
         return frozenset(drawn)
@@ -95,6 +99,7 @@ class TracesPanel(SignalPanel):
             names=output_names(results["outputs"], results["limb"]),
             about=lines_later(results),
             heading=heading_of(results),
+            between=partial(_wave, results),
         )
         self._plot.show_curves(
             curves,
@@ -200,6 +205,15 @@ def _heard(outputs: tuple[int, ...], results: Mapping[str, Any]) -> tuple[int, .
     pairs = zip(results["outputs"], results["selected_traces"], strict=True)
     loud = {output for output, trace in pairs if trace.any()}
     return tuple(output for output in outputs if output in loud)
+
+
+def _wave(results: Mapping[str, Any], first: int, end: int) -> tuple[Floats, Floats]:
+    """The traces from one sample to before another, with points between them."""
+    time_s, projection = results["response_time_s"], results["selected_projection"]
+    if projection.directions is not None:
+        return finer(time_s, results["selected_traces"], first, end)
+    instants, axes = finer(time_s, results["axis_traces"], first, end)
+    return instants, projection.signals(axes)
 
 
 def _axis_notes(outputs: tuple[int, ...]) -> tuple[str, ...]:

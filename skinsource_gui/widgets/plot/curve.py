@@ -4,12 +4,13 @@ from typing import Any
 
 import pyqtgraph
 from pyqtgraph.functions import arrayToQPath, arrayToQPolygonF
-from PySide6.QtCore import QRectF
+from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter, QPainterPath, QPen, QPolygonF
 
 from skinsource_gui.widgets.plot.curve_points import CurvePoints
 
 _STALE_OPACITY = 0.5
+_DOT_PX = 2.0
 
 
 class SignalCurve(pyqtgraph.GraphicsObject):
@@ -25,18 +26,22 @@ class SignalCurve(pyqtgraph.GraphicsObject):
         What is drawn, or None.
     pen
         Colour and strokes.
+    dots
+        Points of it that are marked, or None.
     """
 
     def __init__(self) -> None:
         super().__init__()
         self.points: CurvePoints | None = None
         self.pen = QPen()
+        self.dots: QPolygonF | None = None
         self._line: QPolygonF | None = None
         self._path: QPainterPath | None = None
 
     def show_points(self, points: CurvePoints) -> None:
         """Draw ``points``."""
         self.points = points
+        self.dots = None if points.dots is None else arrayToQPolygonF(*points.dots)
         if points.smooth:
             # A tenth quicker than a path.
             self._line, self._path = arrayToQPolygonF(points.x, points.y), None
@@ -70,3 +75,17 @@ class SignalCurve(pyqtgraph.GraphicsObject):
             painter.drawPolyline(self._line)
         elif self._path is not None:
             painter.drawPath(self._path)
+        if self.dots is not None:
+            self._paint_dots(painter, self.dots)
+
+    def _paint_dots(self, painter: QPainter, dots: QPolygonF) -> None:
+        # Where 1 is a pixel both ways: the view is stretched, and its dots would be strokes.
+        to_scene = self.sceneTransform()
+        painter.save()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setWorldTransform(to_scene.inverted()[0] * painter.worldTransform())
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(self.pen.color())
+        for dot in to_scene.map(dots).toList():
+            painter.drawEllipse(dot, _DOT_PX, _DOT_PX)
+        painter.restore()

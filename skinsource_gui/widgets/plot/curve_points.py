@@ -7,12 +7,15 @@ from PySide6.QtCore import QRectF
 
 from skinsource.arrays import Floats
 from skinsource_gui.widgets.plot.curves import Curves
-from skinsource_gui.widgets.plot.decimation import KeptColumns, in_rows, without_notches
+from skinsource_gui.widgets.plot.decimation import KeptColumns, Points, in_rows, without_notches
+from skinsource_gui.widgets.plot.ranges import Range
 from skinsource_gui.widgets.plot.value_scale import ValueScale
 from skinsource_gui.widgets.plot.x_window import XWindow
 
 # Upright strokes that are longer than this on average make a block.
 _BLOCK_PX = 4.0
+# From so many pixels for each point on the wave is drawn, and each point is marked.
+_WAVE_PX, _DOTS_PX = 2.0, 8.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -27,38 +30,92 @@ class CurvePoints:
         Heights in the row, 0 to 1.
     smooth
         Whether its edges are smoothed; in a block nobody would see it, and it takes twice as long.
+    dots
+        Positions and heights that are marked, (n_dots,) each; None: none are.
     """
 
     x: Floats
     y: Floats
     smooth: bool
+    dots: tuple[Floats, Floats] | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Seen:
+    """What is seen of curves, in their own unit.
+
+    Attributes
+    ----------
+    line
+        Points that are joined; positions of the x axis.
+    wave
+        Whether they are the wave through the points of the curves, not those alone.
+    dots
+        The points of the curves, where they are so far apart that each is marked.
+    """
+
+    line: Points
+    wave: bool = False
+    dots: Points | None = None
+
+    def beyond(self, values: Range) -> Range | None:
+        """Lowest and highest value of a wave that leaves a range; a wave passes its points."""
+        if not self.wave:
+            return None
+        low, high = float(self.line.y.min()), float(self.line.y.max())
+        return (low, high) if low < values[0] or high > values[1] else None
+
+
+def seen_of(
+    curves: Curves,
+    window: XWindow,
+    n_drawn: int,
+    row: QRectF,
+    ratio: float,
+    columns: KeptColumns,
+) -> Seen:
+    """What is seen of the first curves in a row of the plot.
+
+    Where there are two pixels and more for each point, it is the wave through them, so far as it
+    is known: straight lines would cut its peaks.
+
+    Parameters
+    ----------
+    curves, window, n_drawn
+        What is seen; more curves than there are rows in a stack are left out.
+    row, ratio
+        Where a row is, px, and device pixels in a pixel.
+    columns
+        Those of the plot.
+    """
+    x, y = window.axis.positions(curves.x), curves.y[:n_drawn]
+    if window.axis.log:
+        x, y = x[curves.x > 0], y[:, curves.x > 0]
+    found = columns.of(x, window.shown, int(row.width() * ratio))
+    points = found.points(y)
+    apart_px = row.width() / max(points.x.size, 1)
+    if curves.between is None or points.strokes or apart_px < _WAVE_PX:
+        return Seen(line=points)
+    instants, waves = curves.between(found.part.start, found.part.stop)
+    line = Points(x=window.axis.positions(instants), y=waves[:n_drawn])
+    return Seen(line=line, wave=True, dots=points if apart_px >= _DOTS_PX else None)
 
 
 def curve_points(
-    curves: Curves,
-    window: XWindow,
-    scale: ValueScale,
-    rows: list[QRectF],
-    ratio: float,
-    columns: KeptColumns,
+    seen: Seen, scale: ValueScale, rows: list[QRectF], ratio: float
 ) -> tuple[CurvePoints, ...]:
     """What is drawn of each curve: in the one row there is, or in one each.
 
     Parameters
     ----------
-    curves, window, scale
-        What is seen; more curves than there are rows in a stack are left out.
+    seen, scale
+        What is seen.
     rows
         Where the row of each curve that is drawn is, px.
     ratio
         Device pixels in a pixel.
-    columns
-        Those of the plot.
     """
-    x, y = window.axis.positions(curves.x), curves.y[: len(rows)]
-    if window.axis.log:
-        x, y = x[curves.x > 0], y[:, curves.x > 0]
-    points = columns.of(x, window.shown, int(rows[0].width() * ratio)).points(y)
+    points = seen.line
     heights = scale.heights(points.y)
     blocks = np.zeros(len(rows), dtype=bool)
     if points.strokes:
@@ -69,7 +126,13 @@ def curve_points(
         bottom = np.array([row.bottom() for row in rows])[blocks, np.newaxis]
         row_px = row_px[blocks, np.newaxis]
         heights[blocks] = (bottom - in_rows(bottom - row_px * heights[blocks], ratio)) / row_px
+    dots = None if seen.dots is None else scale.heights(seen.dots.y)
     return tuple(
-        CurvePoints(x=points.x, y=line, smooth=not block)
-        for line, block in zip(heights, blocks.tolist(), strict=True)
+        CurvePoints(
+            x=points.x,
+            y=line,
+            smooth=not block,
+            dots=None if dots is None or seen.dots is None else (seen.dots.x, dots[rank]),
+        )
+        for rank, (line, block) in enumerate(zip(heights, blocks.tolist(), strict=True))
     )

@@ -49,6 +49,9 @@ class Curves:
         Gives lines that tell a table of them what they are.
     heading
         The same for a picture, in parts.
+    between
+        Gives ``x`` and ``y`` of the wave from one point to before another, counted from 0, those
+        points among them; None: nothing is known between the points.
     """
 
     x: Floats
@@ -60,6 +63,7 @@ class Curves:
     columns: tuple[str, ...] = ()
     about: Callable[[], tuple[str, ...]] = tuple
     heading: tuple[str, ...] = ()
+    between: Callable[[int, int], tuple[Floats, Floats]] | None = None
 
     def __post_init__(self) -> None:
         if self.y.shape != (len(self.names), self.x.size) or self.x.size == 0:

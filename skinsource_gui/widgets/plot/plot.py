@@ -16,7 +16,7 @@ from skinsource_gui.widgets.key_tables.key_table import meant
 from skinsource_gui.widgets.plot.axis_spec import ValueUnit, XAxis, value_unit
 from skinsource_gui.widgets.plot.canvas import Canvas
 from skinsource_gui.widgets.plot.crosshair import Crosshair
-from skinsource_gui.widgets.plot.curve_points import curve_points
+from skinsource_gui.widgets.plot.curve_points import curve_points, seen_of
 from skinsource_gui.widgets.plot.curves import Curves
 from skinsource_gui.widgets.plot.decimation import KeptColumns
 from skinsource_gui.widgets.plot.navigation import Navigation
@@ -231,9 +231,13 @@ class Plot(Canvas):
         n_drawn = places.n_rows if self.stacked else len(self.curves.names)
         rows = [places.row(rank if self.stacked else 0) for rank in range(n_drawn)]
         ratio = self.devicePixelRatioF()
-        self.stack.show_points(
-            curve_points(self.curves, self.x_window, self.value_scale, rows, ratio, self.columns)
-        )
+        seen = seen_of(self.curves, self.x_window, n_drawn, rows[0], ratio, self.columns)
+        if beyond := seen.beyond(self.value_scale.values):
+            values = self._held.follow(*beyond, self.curves.kind)
+            self.value_scale = ValueScale(values=values, edge=self.value_scale.edge)
+            self.unit = value_unit(self.curves.kind, *values)
+            self._place()
+        self.stack.show_points(curve_points(seen, self.value_scale, rows, ratio))
         if other_rows:  # only now has each row its curves
             self._colour()
         self.crosshair.draw()
