@@ -1,10 +1,10 @@
 """Pictures of panels and of the whole window, as they are on the screen."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import partial
 
-from PySide6.QtCore import QPoint, QRect, QRectF, Qt
+from PySide6.QtCore import QEventLoop, QPoint, QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -12,6 +12,7 @@ from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.shell.appearance import Appearance
+from skinsource_gui.shell.docks import Dock, staged, usual_size
 from skinsource_gui.state.document import Document
 from skinsource_gui.theme import LIGHT, Theme, apply_theme
 from skinsource_gui.widgets.pictures.caption import caption_of, with_caption
@@ -34,7 +35,9 @@ class PanelPictures:
     appearance
         The colours in use.
     catch_up
-        Waits until the panels show the present design, and one more that may be hidden.
+        Waits until the panels in sight show the present design.
+    docks
+        Where panels stand, by name.
     """
 
     def __init__(
@@ -43,17 +46,18 @@ class PanelPictures:
         document: Document,
         panels: MadePanels,
         appearance: Appearance,
-        catch_up: Callable[[Panel | None], None],
+        catch_up: Callable[[], None],
+        docks: Mapping[str, Dock],
     ) -> None:
         self._frame, self._document, self._panels = frame, document, panels
-        self._appearance, self._catch_up = appearance, catch_up
+        self._appearance, self._catch_up, self._docks = appearance, catch_up, docks
 
     def picture_of(self, name: str) -> WholePicture:
         """The picture of a panel, `IN_USE` or `ALL_IN_SIGHT`, with the stimulus in its caption."""
         panel: Panel | None = None
         if name != ALL_IN_SIGHT:
             panel = self._in_use() if name == IN_USE else self._panels[name]
-        self._catch_up(panel)
+        self._catch_up()
         caption = caption_of(self._document.design)
         size: tuple[int, int] | None = None
         draw: Callable[..., None] = self._draw_all
@@ -61,7 +65,8 @@ class PanelPictures:
             size = self._frame.width(), self._frame.height()
         else:
             draw = partial(self._draw_one, panel)
-            size = None if name != IN_USE else (2 * panel.width(), 2 * panel.height())
+            likes = panel.size() if panel.isVisible() else usual_size(panel)
+            size = None if name != IN_USE else (2 * likes.width(), 2 * likes.height())
         seen = panel.map.stage.seen if isinstance(panel, SkinPanel) else None
         return WholePicture(draw=with_caption(draw, caption), size_px=size, seen=seen)
 
@@ -75,8 +80,17 @@ class PanelPictures:
     def _draw_one(
         self, panel: Panel, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
     ) -> None:
-        with self._in_colours(theme):
-            panel.draw_picture(painter, width, height, theme)
+        """A panel, which need not be in sight."""
+        if panel.isVisible():
+            with self._in_colours(theme):
+                panel.draw_picture(painter, width, height, theme)
+            return
+        with staged(self._docks[panel.name], width, height):
+            self._catch_up()
+            # Parts that come and go with results ask for their room now.
+            QApplication.processEvents(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
+            with self._in_colours(theme):
+                panel.draw_picture(painter, width, height, theme)
 
     def _draw_all(self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT) -> None:
         """All panels in sight, each where it is, with its title."""

@@ -1,7 +1,6 @@
 """The main window."""
 
 from collections.abc import Sequence
-from contextlib import nullcontext
 from functools import partial
 
 from PySide6.QtCore import QEventLoop, QObject
@@ -132,13 +131,12 @@ class MainWindow(QMainWindow):
         self.document.mark_saved(self.document.path)
         self.close()
 
-    def catch_up(self, also: Panel | None = None) -> None:
-        """Wait until the panels show the present design; ``also`` one that may be hidden."""
+    def catch_up(self) -> None:
+        """Wait until the panels show the present design."""
         loop = QEventLoop()
         self.engine.rested.connect(loop.quit)
-        with self.conductor.as_if_seen(also) if also else nullcontext():
-            while self.engine.busy:
-                loop.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
+        while self.engine.busy:
+            loop.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
 
     def _make_capabilities(self) -> None:
         self.appearance = Appearance(self.preferences, self)
@@ -150,7 +148,7 @@ class MainWindow(QMainWindow):
             self.document, self.preferences, self, self.layout_of_docks.content
         )
         saving = self.document, self.preferences, self.files
-        own = self.document, self.panels, self.appearance, self.catch_up
+        own = self.document, self.panels, self.appearance, self.catch_up, self.docks
         self.pictures = PanelPictures(self, *own)
         self.exports = ExportActions(*saving, self.runner, self.pictures.picture_of, self)
         self.stimuli = StimulusActions(*saving, self.runner, lambda: self.theme, self)

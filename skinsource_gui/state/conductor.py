@@ -1,7 +1,6 @@
 """Keeps the visible panels in step with the document."""
 
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from functools import partial
 from time import perf_counter
 from typing import Any
@@ -58,26 +57,14 @@ class Conductor(QObject):
         self._answered: dict[Panel, tuple[frozenset[str], Mapping[str, Any]]] = {}
         # Panels whose next results have nothing to do with what they show.
         self._anew: set[Panel] = set()
-        # Those that know the present state, and one that is wanted though nobody sees it.
+        # Those that know the present state.
         self._told: set[Panel] = set()
-        self._unseen: Panel | None = None
         document.jumped.connect(self._begin_anew)
         document.changed.connect(self._follow)
         document.settled.connect(self._wait_for_results)
         document.playhead_moved.connect(self._follow_playhead)
         engine.finished.connect(self._deliver)
         panels.each(self._meet)
-
-    @contextmanager
-    def as_if_seen(self, panel: Panel) -> Iterator[None]:
-        """Keep a panel in step that may be hidden, as long as somebody has a picture made of it."""
-        before, self._unseen = self._unseen, panel
-        self._note_visibility(panel)
-        try:
-            yield
-        finally:
-            self._unseen = before
-            self._ask()
 
     def _meet(self, panel: Panel) -> None:
         panel.visibility_changed.connect(partial(self._note_visibility, panel))
@@ -88,17 +75,14 @@ class Conductor(QObject):
         panel.show_state(self._document.design, self._document.view)
 
     def _note_visibility(self, panel: Panel) -> None:
-        if self._is_seen(panel) and panel not in self._told:
+        if panel.isVisible() and panel not in self._told:
             self._tell(panel)
         self._ask()
-
-    def _is_seen(self, panel: Panel) -> bool:
-        return panel.isVisible() or panel is self._unseen
 
     def _follow(self) -> None:
         since_s = perf_counter()
         for panel in self._panels:
-            if self._is_seen(panel) or panel.isVisibleTo(panel.window()):
+            if panel.isVisibleTo(panel.window()):
                 self._tell(panel)
             else:
                 self._told.discard(panel)
@@ -122,7 +106,7 @@ class Conductor(QObject):
 
     def _ask(self, since_s: float | None = None) -> None:
         """Ask for what is not known yet."""
-        visible = [panel for panel in self._panels if self._is_seen(panel)]
+        visible = [panel for panel in self._panels if panel.isVisible()]
         for panel in self._panels:
             if panel not in visible:
                 self._shown.pop(panel, None)
@@ -159,7 +143,7 @@ class Conductor(QObject):
     def _deliver(self, outcome: Outcome) -> None:
         if outcome.request.place != (FIRST_SLOT, Purpose.SHOW):
             return
-        visible = [panel for panel in self._panels if self._is_seen(panel) and panel.needs]
+        visible = [panel for panel in self._panels if panel.isVisible() and panel.needs]
         if outcome.values is None:
             self._explain(visible, _reason(outcome.error))
             self.stale.emit(outcome.request is not self._asked)

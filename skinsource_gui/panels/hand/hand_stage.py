@@ -15,6 +15,7 @@ from skinsource_gui.panels.hand.hand_layout import HandLayout, fitted_hand, hand
 from skinsource_gui.panels.hand.hand_picture import HandPicture
 from skinsource_gui.panels.hand.hand_state import HandState
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.focus_frame import is_on_paper
 from skinsource_gui.widgets.pan_zoom import WHOLE, PanZoom
 
 _CONTACTS = {
@@ -94,7 +95,11 @@ class HandStage(QObject):
 
     def paint(self, painter: QPainter, ratio: float) -> None:
         """Paint all; ``ratio`` is device pixels per widget pixel."""
-        self._picture.paint(painter, self.layout, self.state, ratio)
+        state = self.state
+        if is_on_paper():
+            # Neither mouse nor keys are anywhere.
+            state = replace(state, hovered=None, cursor=None, target=None)
+        self._picture.paint(painter, self.layout, state, ratio)
 
     def site_at(self, position: QPointF) -> int | None:
         """Site under the mouse; what is magnified beyond the picture cannot be hit."""

@@ -5,6 +5,17 @@ from skinsource_gui.shell.docks.dock import Dock
 from skinsource_gui.shell.docks.dock_layout import DockLayout
 from skinsource_gui.shell.docks.dock_tabs import DockTabs
 from skinsource_gui.shell.docks.dock_toggles import menu_toggles, toggles
+from skinsource_gui.shell.docks.stage import staged, usual_size
 from skinsource_gui.shell.docks.taking_in import TakingIn
 
-__all__ = ["Arrangements", "Dock", "DockLayout", "DockTabs", "TakingIn", "menu_toggles", "toggles"]
+__all__ = [
+    "Arrangements",
+    "Dock",
+    "DockLayout",
+    "DockTabs",
+    "TakingIn",
+    "menu_toggles",
+    "staged",
+    "toggles",
+    "usual_size",
+]

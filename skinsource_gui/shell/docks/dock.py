@@ -1,5 +1,8 @@
 """A dock: what holds a panel in the window."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QHideEvent, QMoveEvent, QShowEvent
 from PySide6.QtWidgets import (
@@ -79,6 +82,16 @@ class Dock(QDockWidget):
         self._area.setWidget(panel)
         panel.setVisible(not self._behind)
         self.sight_changed.emit()
+
+    @contextmanager
+    def lent(self) -> Iterator[Panel]:
+        """Its panel without a place in the window, to be shown elsewhere; it is taken back."""
+        panel = self.panel
+        self._area.takeWidget()
+        try:
+            yield panel
+        finally:
+            self.hold(panel)
 
     def bring_forward(self) -> None:
         """Show it, in front of those that share its place."""

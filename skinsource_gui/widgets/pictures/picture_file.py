@@ -122,5 +122,7 @@ def _pdf(device: QIODevice, draw: Draw, width: int, height: int, title: str) -> 
     page.setPageSize(QPageSize(points, QPageSize.Unit.Point))
     page.setPageMargins(QMarginsF())
     painter = QPainter(page)
+    # Colours of a map are levels: JPEG would change them.
+    painter.setRenderHint(QPainter.RenderHint.LosslessImageRendering)
     draw(painter, width, height)
     painter.end()

@@ -5,6 +5,7 @@ from PySide6.QtGui import QColor, QPainter, QRegion
 from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.widgets.focus_frame import on_paper
 
 
 class Pictured(QWidget):
@@ -24,5 +25,6 @@ class Pictured(QWidget):
         painter.translate((width - scale * self.width()) / 2, 0.0)
         painter.scale(scale, scale)
         flags = QWidget.RenderFlag.DrawWindowBackground | QWidget.RenderFlag.DrawChildren
-        self.render(painter, QPoint(), QRegion(), flags)
+        with on_paper():
+            self.render(painter, QPoint(), QRegion(), flags)
         painter.restore()

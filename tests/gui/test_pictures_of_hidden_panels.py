@@ -1,0 +1,116 @@
+"""A picture of a panel that nobody looked at is whole; nothing in a picture has the keyboard."""
+
+import re
+
+import pytest
+from PySide6.QtCore import Qt
+
+import skinsource as ss
+from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
+from skinsource_gui.widgets.pictures.whole_picture import IN_USE
+from tests.gui.pages_of_paper import Paper
+
+DESIGN = ss.Design(
+    limb="synthetic-1",
+    inputs=(ss.track(7, ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2)),),
+)
+#: What can be read in the picture of a panel only once it was laid out and told results.
+SAYS = {
+    "regions": ("Back of the hand", "Forearm", "Mean", "Copy"),
+    "side_by_side": ("Synthetic 1", "Synthetic 4", "dB re 1 m/s²"),
+    "compare": ("Edited", "Ctrl+4"),
+    "wave": ("Way along the line (mm)", "Speed"),
+    "actuator": ("Peak velocity", "Boost", "Overlaid"),
+    "history": ("New design",),
+}
+
+
+@pytest.fixture
+def window(make_window, settle):
+    window = make_window(DESIGN)
+    settle()
+    return window
+
+
+def words_of(window, name, path):
+    picture = window.pictures.picture_of(name)
+    save_drawing(path, picture.draw, *(picture.size_px or (900, 700)))
+    return re.sub(r"<[^>]+>", "\n", path.read_text("utf-8")).replace("\N{NO-BREAK SPACE}", " ")
+
+
+def test_what_nobody_looked_at_is_drawn_whole_and_stays_where_it_was(
+    window, settle, tmp_path, qtbot
+):
+    window.activateWindow()
+    window.panel("hand").setFocus()
+    focused = window.focusWidget()
+    for name, expected in SAYS.items():
+        assert name not in window.panels
+        words = words_of(window, name, tmp_path / "a.svg")
+        assert [one for one in expected if one not in words] == [], name
+        panel, dock = window.panel(name), window.docks[name]
+        assert dock.isAncestorOf(panel)
+        assert not panel.isVisible()
+        assert not dock.isVisible() or not dock.in_sight
+    assert window.focusWidget() is focused
+    # Nothing is predicted for them any more.
+    slots = window.engine._graphs
+    qtbot.waitUntil(lambda: not any("limb" in slot.name for slot in slots), timeout=10_000)
+    # They come into the window as ever.
+    dock = window.docks["regions"]
+    dock.bring_forward()
+    settle()
+    panel = window.panel("regions")
+    assert panel.isVisible()
+    assert panel.window() is window
+    assert panel.width() <= dock.width()
+
+
+def test_a_hidden_panel_is_drawn_as_it_is_after_the_last_edit(window, tmp_path):
+    before = words_of(window, "statistics", tmp_path / "a.svg")
+    document = window.document
+    document.edit("Louder", document.design.with_input(0, amplitude=10.0))
+    after = words_of(window, "statistics", tmp_path / "a.svg")
+    assert "0.532" in before
+    assert "5.32" in after
+
+
+def test_nothing_in_a_picture_has_the_keyboard(window, qtbot):
+    window.activateWindow()
+    panel = window.panel("hand")
+    with_focus, without = [], []
+    for found, focus in ((without, "traces"), (with_focus, "hand")):
+        other = window.panel(focus)
+        other.setFocus(Qt.FocusReason.OtherFocusReason)
+        qtbot.waitUntil(lambda part=other: part.isAncestorOf(window.focusWidget()))
+        picture = window.pictures.picture_of("hand")
+        found.append(drawn_image(picture.draw, 400, 400))
+        found.append(panel.grab().toImage())
+    assert with_focus[0] == without[0]
+    # On the screen it is seen.
+    assert with_focus[1] != without[1]
+
+
+def test_text_in_a_pdf_is_text_and_colours_are_not_packed_with_loss(window, tmp_path):
+    for name, title in (
+        ("skin", "Skin acceleration, RMS over the whole record"),
+        ("traces", "Time (ms)"),
+        ("regions", "Back of the hand"),
+    ):
+        picture = window.pictures.picture_of(name)
+        save_drawing(tmp_path / "a.pdf", picture.draw, 600, 900)
+        paper = Paper(tmp_path / "a.pdf")
+        # Qt writes the blank of some fonts as a tab.
+        said = paper.text().replace("\t", " ")
+        assert title in said, name
+        assert "Place 7, 1 m/s²: Tone 100 Hz, 200 ms" in said
+        assert set(paper.images()) <= {b"FlateDecode"}
+        assert paper.images() or name != "skin"
+
+
+def test_with_no_panel_in_sight_the_one_in_use_has_its_usual_size(window):
+    for dock in window.docks.values():
+        dock.hide()
+    width, height = window.pictures.picture_of(IN_USE).size_px
+    assert width > 400
+    assert height > 400
