@@ -163,7 +163,8 @@ class Design:
 
     def _repr_html_(self) -> str:
         """What a notebook shows."""
-        return displaying.html_of(self, audible_indices(self.inputs), amplitude_unit(self.scaling))
+        unit = amplitude_unit(self.scaling, self.actuated)
+        return displaying.html_of(self, audible_indices(self.inputs), unit)
 
     @property
     def ids(self) -> tuple[int, ...]:

@@ -8,6 +8,8 @@ import pytest
 from PySide6.QtGui import QColor, QFont, QImage
 
 import skinsource as ss
+from skinsource.chain import Actuation, ActuatorAt
+from skinsource.equalising import RegularisedInverse
 from skinsource_gui.panels.skin.length_bar import bar_length_mm
 from skinsource_gui.theme import DARK, LIGHT
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
@@ -39,6 +41,26 @@ def test_a_caption_says_what_is_played_where_how_strong_and_on_which_limb():
     assert caption_of(replace(DESIGN, inputs=(), title="A")).startswith("A. Silent")
     many = replace(DESIGN, inputs=tuple(ss.track(place) for place in range(1, 10)))
     assert "and 3 more inputs" in caption_of(many)
+
+
+def test_a_caption_names_what_shapes_the_stimulus_and_what_it_is_predicted_through():
+    tone = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2)
+    rising = ss.effects.Envelope(points=((0.0, 0.0), (0.1, 1.0), (0.2, 0.5)))
+    plain = replace(DESIGN, inputs=(ss.track(7, tone),))
+    shaped = ss.edits.set_gain_curve(plain, ss.View(), 1, ((0.0, 1.0), (0.1, 0.0))).design
+    assert "Place 7, 1 m/s², with a gain curve of 2 points: Tone" in caption_of(shaped)
+    effects = (rising, ss.effects.Fade(), ss.effects.Reverse(on=False), ss.effects.Envelope())
+    clip = replace(shaped.inputs[0].clips[0], effects=effects)
+    inside = replace(plain, inputs=(replace(plain.inputs[0], clips=(clip,)),))
+    assert "200 ms through an envelope of 3 points, fade. Limb" in caption_of(inside)
+    coil = ActuatorAt(model=ss.actuators.load("example-voice-coil"))
+    driven = replace(plain, actuation=Actuation(actuators=(coil,), equaliser=RegularisedInverse()))
+    assert "Place 7, 1 m/s²: Tone" in caption_of(driven)
+    words = caption_of(driven)
+    assert words.endswith(f"; predicted through {driven.actuated.words}.")
+    volts = replace(driven, actuation=replace(driven.actuation, equaliser=None))
+    assert "Place 7, 1 V: Tone" in caption_of(volts)
+    assert "1 V" in volts._repr_html_()
 
 
 def test_a_caption_takes_room_from_the_picture_and_covers_none_of_it():

@@ -1,6 +1,6 @@
 """What stands below a picture: the stimulus that it belongs to."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 
 from PySide6.QtCore import QRectF, Qt
@@ -10,6 +10,8 @@ from skinsource.chain import amplitude_unit
 from skinsource.choice_words import SCALINGS, limb_word, word_of
 from skinsource.clips import Clip
 from skinsource.design import Design, Input, audible_inputs
+from skinsource.effects import Effect, Envelope
+from skinsource.effects.envelope import UNCHANGED
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.inputs.input_words import duration_text, figure_text
@@ -27,7 +29,7 @@ _FLAGS = int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop | Qt.TextFla
 def caption_of(design: Design) -> str:
     """The stimulus in words, and the limb: what is heard, where, how strong."""
     heard = audible_inputs(design.inputs)
-    unit = amplitude_unit(design.scaling)
+    unit = amplitude_unit(design.scaling, design.actuated)
     said = [_input_words(one, unit) for one in heard[:_MOST_INPUTS]]
     if len(heard) > _MOST_INPUTS:
         said.append(f"and {len(heard) - _MOST_INPUTS} more inputs")
@@ -35,7 +37,8 @@ def caption_of(design: Design) -> str:
     title = f"{design.title}. " if design.title else ""
     scaling = word_of(SCALINGS, design.scaling).title.lower()
     limb = limb_word(design.limb).title
-    return minus(f"{title}{stimulus}. Limb: {limb}; scaling: {scaling}.")
+    driven = "" if design.actuated is None else f"; predicted through {design.actuated.words}"
+    return minus(f"{title}{stimulus}. Limb: {limb}; scaling: {scaling}{driven}.")
 
 
 def with_caption(draw: Draw, words: str) -> Draw:
@@ -79,11 +82,29 @@ def _input_words(one: Input, unit: str) -> str:
     if len(clips) > _MOST_CLIPS:
         said.append(f"{len(clips) - _MOST_CLIPS} more clips")
     amplitude = f"{one.amplitude:g} {unit}".strip()
-    return f"Place {one.location}, {amplitude}: {', '.join(said) or 'no clips'}"
+    curve = f", with a gain curve {_points(one.gain_curve)}" if one.gain_curve else ""
+    return f"Place {one.location}, {amplitude}{curve}: {', '.join(said) or 'no clips'}"
 
 
 def _clip_words(clip: Clip) -> str:
     parts = figure_text(clip.waveform), duration_text(clip.duration_s)
     onset = f"at {clip.onset_s * 1e3:g} ms" if clip.onset_s else ""
     gain = f"gain {clip.gain:g}" if clip.gain != 1.0 else ""
-    return " ".join(part for part in (", ".join(parts), onset, gain) if part)
+    effects = [_effect_words(one) for one in clip.effects if one.on and _changes(one)]
+    through = f"through {', '.join(effects)}" if effects else ""
+    return " ".join(part for part in (", ".join(parts), onset, gain, through) if part)
+
+
+def _effect_words(effect: Effect) -> str:
+    """What a clip goes through: ``"fade"``, ``"an envelope of 12 points"``."""
+    if isinstance(effect, Envelope):
+        return f"an envelope {_points(effect.points)}"
+    return effect.title.lower()
+
+
+def _changes(effect: Effect) -> bool:
+    return not (isinstance(effect, Envelope) and effect.points == UNCHANGED)
+
+
+def _points(curve: Sequence[object]) -> str:
+    return f"of {len(curve)} point{'' if len(curve) == 1 else 's'}"
