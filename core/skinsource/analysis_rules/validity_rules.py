@@ -2,9 +2,15 @@
 
 from skinsource.arrays import Floats
 from skinsource.chain import Actuation
-from skinsource.limb import Limb
+from skinsource.limb import PUBLISHED, Limb
 from skinsource.scaling.response_scaling import Scaling
-from skinsource.validity import Findings, found_in_drives, found_in_outputs, found_in_setup
+from skinsource.validity import (
+    SPATIAL_LIMIT_HZ,
+    Findings,
+    found_in_drives,
+    found_in_outputs,
+    found_in_setup,
+)
 
 
 def validity(
@@ -24,6 +30,8 @@ def validity(
             scaling,
             probe=actuation is None,
             band_hz=limb_data.band_hz,
+            # Where a lab put its outputs is another matter.
+            spatial_limit_hz=SPATIAL_LIMIT_HZ if limb_data.name in PUBLISHED else None,
         ),
         found_in_outputs(above_noise_db, synthetic=synthetic, silent=not place_drives),
         *found_in_setup(synthetic=synthetic, scaling=scaling, places=places),

@@ -15,7 +15,7 @@ from skinsource.scaling.response_scaling import Scaling
 from skinsource.spectra import share_outside_band
 from skinsource.validity.finding import Finding, Findings
 
-#: Above it wavelengths are too short for the spacing of the outputs.
+#: Above it wavelengths are too short for the spacing of the outputs of the published limbs.
 SPATIAL_LIMIT_HZ = 300.0
 #: So much of the energy may lie where it should not.
 MOST_SHARE = 0.05
@@ -73,6 +73,7 @@ def found_in_drives(
     *,
     probe: bool = True,
     band_hz: Band | None = BAND_HZ,
+    spatial_limit_hz: float | None = SPATIAL_LIMIT_HZ,
 ) -> Findings:
     """Return what is found in what is played: band, drive, and spacing.
 
@@ -88,6 +89,8 @@ def found_in_drives(
         Whether they are what the probe does, not what an actuator is asked for.
     band_hz
         In which the responses were measured; None: it is not known.
+    spatial_limit_hz
+        Up to which the outputs stand close enough; None: it is not known.
     """
     played = [
         _Drive(place=place, samples=samples, energy=float(np.vdot(samples, samples)))
@@ -96,7 +99,7 @@ def found_in_drives(
     return (
         _band(played, sample_rate_hz, band_hz),
         _velocity(played, sample_rate_hz, scaling, _lowest_hz(band_hz), probe=probe),
-        _spacing(played, sample_rate_hz),
+        _spacing(played, sample_rate_hz, spatial_limit_hz),
     )
 
 
@@ -261,13 +264,19 @@ def _velocity(
     )
 
 
-def _spacing(played: Sequence[_Drive], rate: float) -> Finding:
-    share = _share(played, rate, (0.0, SPATIAL_LIMIT_HZ))
+def _spacing(played: Sequence[_Drive], rate: float, limit_hz: float | None) -> Finding:
+    if limit_hz is None:
+        sentence = (
+            "Up to which frequency the outputs of this limb stand close enough for waves is not "
+            "known: between them the map may be a guess."
+        )
+        return Finding(name="spacing", state="unknown", sentence=sentence)
+    share = _share(played, rate, (0.0, limit_hz))
     left = share > MOST_SHARE
     return Finding(
         name="spacing",
         state="left" if left else "kept",
-        sentence=f"{share:.0%} of the energy of what plays lies above {SPATIAL_LIMIT_HZ:g} Hz"
+        sentence=f"{share:.0%} of the energy of what plays lies above {limit_hz:g} Hz"
         + (
             ", where waves are too short for the spacing of the outputs: between them the map is a "
             "guess."

@@ -65,6 +65,7 @@ def test_the_band_is_kept_exported_and_part_of_the_digest(user_data, tmp_path):
 def test_a_band_that_is_none_is_refused(band):
     with pytest.raises(InvalidInputError, match="band_hz"):
         own_limb(band_hz=band)
+    assert own_limb(band_hz=(0, 2000)).band_hz == (0.0, 2000.0)
 
 
 def test_a_file_that_says_a_band_wrongly_is_refused_by_name(user_data, tmp_path):
@@ -106,6 +107,12 @@ def test_what_plays_is_judged_mended_drawn_and_written_in_the_band_of_the_limb(u
     bound = edits.bound_clip(low, View(), low.inputs[0].clips[0].id, 4000.0)
     assert bound.label.startswith("Bound to 40–1500 Hz")
     assert stimulus_of(PLAYED).band_hz == BAND
+    # Its outputs stand elsewhere than those of the published limbs.
+    assert lamp(PLAYED, "spacing").state == "unknown"
+    assert (
+        lamp(replace(PLAYED, limb="synthetic-1", inputs=PLAYED.inputs[:1]), "spacing").state
+        == "kept"
+    )
     installed()
     assert lamp(low).state == "unknown"
     refused = edits.bound_clip(low, View(), low.inputs[0].clips[0].id, 4000.0)
