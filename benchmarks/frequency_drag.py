@@ -207,7 +207,7 @@ def measure(options: argparse.Namespace, seconds: float) -> bool:
         beside = Beside(computing_and_painting, "a fixed piece of work", process_time)
         rows = []
         for k in range(options.steps):
-            if k % _STEPS_BETWEEN == 0:
+            if k % _STEPS_BETWEEN == 0 and not options.alone:
                 beside.once()
             rows.append(drag.step())
         free = drag_freely(window, drag)
@@ -218,7 +218,8 @@ def measure(options: argparse.Namespace, seconds: float) -> bool:
     print(f"\n{default_limb()}, {options.inputs} inputs of {seconds:g} s, {len(OUTPUTS)} outputs,")
     print(f"{options.size}, offscreen; one edit after another:")
     edit_s = statistics.median(row["processor"] for row in rows)
-    return _report_steps(rows, PROMISES.get(seconds), beside) & _report_free(free, edit_s)
+    promises = None if options.alone else PROMISES.get(seconds)
+    return _report_steps(rows, promises, beside) & _report_free(free, edit_s)
 
 
 def _report_steps(
@@ -259,6 +260,7 @@ def main() -> int:
     parser.add_argument("--inputs", type=int, default=20)
     parser.add_argument("--seconds", type=float, nargs="+", default=list(PROMISES))
     parser.add_argument("--size", default="1440x900")
+    parser.add_argument("--alone", action="store_true", help="no fixed piece of work between edits")
     options = parser.parse_args()
     make_application()
     print(f"{platform.platform()}, Python {platform.python_version()}, {os.cpu_count()} cores")

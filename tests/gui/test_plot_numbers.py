@@ -168,6 +168,13 @@ def test_columns_of_an_axis_are_found_once_for_all_that_is_drawn_over_it():
         assert kept.made == max(found, 1)
 
 
+def test_a_long_axis_is_known_again_only_as_the_very_same():
+    kept, x = KeptColumns(), np.arange(800_000) / 1300
+    for axis, made in ((x, 1), (x, 1), (x.copy(), 2), (x, 3)):
+        kept.of(axis, (0.0, 600.0), 500)
+        assert kept.made == made
+
+
 def test_values_never_reach_beyond_their_row():
     for edge in (0.0, 0.05):
         scale = ValueScale(values=(-1.0, 1.0), edge=edge)

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import reduce
 
 from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
@@ -148,8 +149,11 @@ class ColourStrip(QWidget):
     def show_marks(self, marks: tuple[tuple[float, QColor], ...]) -> None:
         """Show levels of selected outputs, each in its colour."""
         if marks != self._marks:
+            # From where they were to where they come: the rest of the strip stays.
+            places = [self._mark_at(level).boundingRect() for level, _ in (*self._marks, *marks)]
+            reached = reduce(QRectF.united, places)
             self._marks = marks
-            self.update()
+            self.update(reached.adjusted(-1, -1, 1, 1).toAlignedRect())
 
     def show_quantity(self, quantity: MapQuantity, colours: str = VIRIDIS) -> None:
         """Say what the levels are, and in which colours."""
@@ -176,12 +180,8 @@ class ColourStrip(QWidget):
         self._scale.paint(painter, QRectF(self.rect()), scale, self._paint_scale, ground)
         painter.setPen(QPen(QColor(self._theme.base), 0.5))
         for level, colour in self._marks:
-            y = min(max(level_y(level, self._axis, ramp), ramp.top()), ramp.bottom())
-            tip, back = ramp.left() - 1, ramp.left() - 8
             painter.setBrush(colour)
-            painter.drawPolygon(
-                QPolygonF([QPointF(tip, y), QPointF(back, y - 4), QPointF(back, y + 4)])
-            )
+            painter.drawPolygon(self._mark_at(level))
         if self.hasFocus():
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.setPen(QPen(QColor(self._theme.accent), 2))
@@ -249,6 +249,13 @@ class ColourStrip(QWidget):
         self._at_press = None
         self._axis = _axis_of(self._range)
         self._place_handles()
+
+    def _mark_at(self, level_db: float) -> QPolygonF:
+        """A triangle beside the ramp."""
+        ramp = self._ramp()
+        y = min(max(level_y(level_db, self._axis, ramp), ramp.top()), ramp.bottom())
+        tip, back = ramp.left() - 1, ramp.left() - 8
+        return QPolygonF([QPointF(tip, y), QPointF(back, y - 4), QPointF(back, y + 4)])
 
     def _ramp(self) -> QRectF:
         height = self.height() - 2 * _END_PX

@@ -10,6 +10,8 @@ from skinsource_gui.widgets.plot.ranges import Range
 
 #: Up to so many samples in a column of pixels, each is drawn.
 MOST_IN_COLUMN = 4
+# Samples of an axis up to which it is compared with the one before.
+_MOST_COMPARED = 2**15
 # A stroke that is shorter than this part of what its neighbours cover is a gap, not a notch.
 _GAP = 0.1
 # Zero lies on the edge of a row of pixels, or in its middle; a little beside them rounding does
@@ -117,12 +119,16 @@ class KeptColumns:
 
     def of(self, x: Floats, shown: Range, width_px: int) -> Columns:
         """What `columns_of` finds."""
-        same = self._seen == (shown, width_px) and np.array_equal(x, self._axis)
+        same = self._seen == (shown, width_px) and self._is_axis(x)
         if self._columns is None or not same:
             self._axis, self._seen = x, (shown, width_px)
             self._columns = columns_of(x, shown, width_px)
             self.made += 1
         return self._columns
+
+    def _is_axis(self, x: Floats) -> bool:
+        # To compare many samples takes longer than to find their columns.
+        return x is self._axis or (x.size <= _MOST_COMPARED and np.array_equal(x, self._axis))
 
 
 def visible_points(x: Floats, y: Floats, shown: Range, width_px: int) -> Points:

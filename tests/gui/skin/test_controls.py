@@ -1,10 +1,11 @@
 import pytest
-from PySide6.QtCore import QEvent, QPoint, Qt
-from PySide6.QtGui import QColor, QHelpEvent
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt
+from PySide6.QtGui import QColor, QHelpEvent, QRegion
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from skinsource.choice_words import TRIAD_SENTENCE
+from skinsource_gui.panels.skin.colour_strip import ColourStrip
 from skinsource_gui.panels.skin.map_picture import heading_of
 from skinsource_gui.theme import DARK, LIGHT
 from tests.gui.skin.bench import LEFT, pixel, place
@@ -139,3 +140,47 @@ def test_in_a_narrow_panel_the_fits_are_left_to_keys_and_menu(window):
         assert part.width() >= part.minimumSizeHint().width()
     window.panel.resize(420, 640)
     assert toolbar.hand.isVisible()
+
+
+class Painted(QObject):
+    """Which part of a widget is painted."""
+
+    def __init__(self, widget):
+        super().__init__(widget)
+        self.region = QRegion()
+        widget.installEventFilter(self)
+
+    def eventFilter(self, watched, event):
+        if event.type() == QEvent.Type.Paint:
+            self.region += event.region()
+        return False
+
+
+def test_marks_of_levels_have_no_more_painted_anew_than_where_they_stand(qtbot):
+    strip = ColourStrip()
+    qtbot.addWidget(strip)
+    strip.resize(60, 400)
+    strip.show_range((-60.0, 0.0))
+    strip.show()
+    qtbot.waitExposed(strip)
+    QApplication.processEvents()
+    for before, after in (((), (-20.0,)), ((-20.0,), (-25.0,)), ((-25.0, -40.0), ())):
+        strip.show_marks(tuple((level, QColor("red")) for level in before))
+        QApplication.processEvents()
+        pictures, painted = [strip.grab().toImage()], Painted(strip)
+        strip.show_marks(tuple((level, QColor("red")) for level in after))
+        QApplication.processEvents()
+        # Told so before it is painted as a whole, below.
+        region = QRegion(painted.region)
+        pictures.append(strip.grab().toImage())
+        assert region.boundingRect().width() < 20
+        assert region.boundingRect().height() < 140
+        columns, rows = range(strip.width()), range(strip.height())
+        other = [
+            QPoint(x, y)
+            for x in columns
+            for y in rows
+            if pictures[0].pixel(x, y) != pictures[1].pixel(x, y)
+        ]
+        assert other
+        assert all(region.contains(at) for at in other)

@@ -1,10 +1,11 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
 from skinsource.design import Design, track
+from skinsource.waveforms import Tone
 from skinsource_gui.panels.timeline.heads.row_places import row_places
 from tests.gui.timeline.bench import PLACES, Bench, click, design_of, results_of
 
@@ -95,6 +96,43 @@ def test_a_muted_row_looks_different(bench):
     before = bench.row(1).grab().toImage()
     bench.show(bench.design.with_input(1, muted=True))
     assert bench.row(1).grab().toImage() != before
+
+
+class Paints(QObject):
+    """Counts how often a widget is painted."""
+
+    def __init__(self, widget):
+        super().__init__(widget)
+        self.times = 0
+        widget.installEventFilter(self)
+
+    def eventFilter(self, watched, event):
+        self.times += event.type() == QEvent.Type.Paint
+        return False
+
+
+def test_a_row_is_painted_anew_only_for_what_is_seen_on_it(bench):
+    QApplication.processEvents()
+    parts = [Paints(part) for part in (bench.row(1), bench.row(1).amplitude)]
+
+    def painted(index, **changes):
+        for part in parts:
+            part.times = 0
+        bench.show(bench.design.with_input(index, **changes))
+        QApplication.processEvents()
+        return [part.times for part in parts]
+
+    clip = bench.design.inputs[1].clips[0]
+    played = replace(clip, waveform=Tone(180.0, 0.0, 0.3))
+    assert painted(1, clips=(played,)) == [0, 0]
+    # It says so all the same.
+    assert "180 Hz" in bench.row(1).toolTip()
+    assert painted(0, location=3) == [0, 0]
+    for changes in ({"location": 4}, {"colour": 5}):
+        assert painted(1, **changes)[0] == 1
+    # Silent, because of another one.
+    assert painted(0, solo=True)[0] == 1
+    assert painted(1, amplitude=0.25)[1] == 1
 
 
 @pytest.mark.parametrize("scale", [1.0, 1.3, 2.0])

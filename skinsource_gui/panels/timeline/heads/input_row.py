@@ -86,8 +86,8 @@ class InputRow(QWidget):
         show_tooltip(self, f"{place.number} · {place.name}\n{state.figure}")
         if old is None or old.frame != state.frame:
             self.update()
-        else:
-            # Words alone: the controls beside them look after themselves.
+        elif old.words != state.words:
+            # These alone: the controls beside them look after themselves.
             self.update(self._places.words)
 
     def show_theme(self, theme: Theme) -> None:

@@ -57,6 +57,11 @@ class RowState:
         return EMPTY if self.clip is None else figure_text(self.clip.waveform)
 
     @property
+    def words(self) -> tuple[int, int, bool, str]:
+        """What is painted on it: what it plays is said by its tooltip only."""
+        return self.shown.location, self.shown.colour, self.silent, self.limb
+
+    @property
     def frame(self) -> tuple[bool, bool, bool]:
         """What the ground of the row shows."""
         return self.selected, self.last, self.list_focused
