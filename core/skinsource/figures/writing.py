@@ -6,12 +6,11 @@ from pathlib import Path
 import numpy as np
 
 from skinsource.choice_words import LIMBS, SCALINGS, word_of
-from skinsource.errors import StorageError
 from skinsource.export.csv_table import CsvTable
 from skinsource.export.output_file import output_file
 from skinsource.figures.every_figure import FIGURES
 from skinsource.figures.sheet import Drawn
-from skinsource.files import named, write_bytes
+from skinsource.files import make_folder, write_bytes
 from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.plot.figure_file import METADATA, figure_content
 from skinsource.plot.paper import SYNTHETIC, module
@@ -34,7 +33,7 @@ def write_figures(
     Parameters
     ----------
     folder
-        An existing folder.
+        Where they go; made where it is not there.
     only
         Names of scenes; all where none is given.
     progress
@@ -51,14 +50,13 @@ def write_figures(
     InvalidInputError
         There is no such scene.
     StorageError
-        There is no such folder, or it cannot be written.
+        The folder cannot be made or written.
     MissingExtraError
         matplotlib is not installed.
     """
     wanted = [scene(name).name for name in only] or list(names())
     module("matplotlib")
-    if not folder.is_dir():
-        raise StorageError(f"{named(folder)} is no folder. Make it, or name another one.")
+    make_folder(folder)
     written: list[Path] = []
     for k, name in enumerate(wanted):
         stop_if(stop)

@@ -47,6 +47,13 @@ def kept(design, view, name):
     return new_graph().evaluate({NEEDS[name]}, sources(design, view))[NEEDS[name]]
 
 
+def test_until_accelerations_are_known_their_bar_has_no_decibels_of_what_was_shown(window):
+    """The panel alone: nobody computes what it needs."""
+    window.show(quantity=Z)
+    low, high = window.panel.time.bar._limits
+    assert low == -high < 0.0
+
+
 def test_the_map_shows_the_skin_where_the_playhead_is(make_window, look):
     window = make_window(SHORT)
     content = look(window, playhead_s=0.0751, quantity=Z)

@@ -118,7 +118,7 @@ class Frames:
 
     def value_range(self, settings: SkinSettings) -> Range:
         """Values of the lowest and the highest colour: the same at each instant."""
-        if self._name == Z:
+        if settings.quantity == Z:
             return settings.z_limits or self._usual_limits()
         return settings.moving_range_db or self._usual_range_db()
 
