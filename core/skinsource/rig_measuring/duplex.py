@@ -107,11 +107,12 @@ class Duplex:
             The device does not begin, or is gone before the end.
         """
         self._played_s = self._heard_s = perf_counter()
+        gone = ""
         try:
             for stream in self._streams:
                 self._asks_inputs = stream is not self._streams[-1]
                 stream.start()
-            while self._goes_on and not self._gone:
+            while self._goes_on and not (gone := self._gone):
                 sleep(_LOOK_S)
                 told(self.n_recorded)
                 if stop():
@@ -123,7 +124,7 @@ class Duplex:
         ending = self._deck.ending
         if ending is None or (ending.reason == "end" and self._missing):
             raise PlaybackError(
-                f"{self._gone or self._card.device.name} stopped answering while it was measured "
+                f"{gone or self._card.device.name} stopped answering while it was measured "
                 "with. Connect it again, and measure again."
             )
 

@@ -109,10 +109,8 @@ def test_what_plays_is_judged_mended_drawn_and_written_in_the_band_of_the_limb(u
     assert stimulus_of(PLAYED).band_hz == BAND
     # Its outputs stand elsewhere than those of the published limbs.
     assert lamp(PLAYED, "spacing").state == "unknown"
-    assert (
-        lamp(replace(PLAYED, limb="synthetic-1", inputs=PLAYED.inputs[:1]), "spacing").state
-        == "kept"
-    )
+    published = Design(limb="synthetic-1", inputs=PLAYED.inputs[:1])
+    assert lamp(published, "spacing").state == "kept"
     installed()
     assert lamp(low).state == "unknown"
     refused = edits.bound_clip(low, View(), low.inputs[0].clips[0].id, 4000.0)

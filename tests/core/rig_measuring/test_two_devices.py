@@ -84,8 +84,12 @@ def test_each_device_is_named_that_refuses_or_is_gone(cards, monkeypatch):
     cards.busy = ()
     monkeypatch.setattr(duplex, "_GONE_AFTER_S", 1.0)
     cards.pulled_after = 40
+    # However long it takes to close them: then none of them answers.
+    cards.before_closing = lambda: monkeypatch.setattr(duplex, "_GONE_AFTER_S", -1.0)
     with pytest.raises(PlaybackError, match="Plays stopped answering"):
         measured()
+    cards.before_closing = lambda: None
+    monkeypatch.setattr(duplex, "_GONE_AFTER_S", 1.0)
     cards.pulled_after, cards.deaf_after = 100_000, 200
     with pytest.raises(PlaybackError, match="Hears stopped answering"):
         measured()

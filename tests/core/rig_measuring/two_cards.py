@@ -46,6 +46,7 @@ class _Way:
         self._thread.start()
 
     def close(self, ignore_errors=True) -> None:
+        self.cards.before_closing()
         self.closed.set()
         if self._thread.ident is not None:
             self._thread.join(10)
@@ -108,6 +109,7 @@ class TwoCards:
         self.pulled_after = self.deaf_after = 100_000
         self.loses_at = -1
         self.refusal: tuple = ()
+        self.before_closing = lambda: None
         # Streams of this kind do not begin.
         self.busy: tuple | type = ()
         self.streams: list[_Way] = []
