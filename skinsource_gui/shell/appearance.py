@@ -33,7 +33,7 @@ class Appearance(QObject):
     @property
     def text_scale(self) -> float:
         """Size of words, 1 as the desktop has it."""
-        return self._preferences.text_scale * self._room_scale
+        return min(self._preferences.text_scale * self._room_scale, LARGEST_TEXT)
 
     def use_theme(self, name: str) -> None:
         """Take over ``"light"``, ``"dark"`` or ``"system"``."""

@@ -21,6 +21,8 @@ from skinsource_gui.theme import UNIT_PX, Theme
 _SIDE_ALIGNMENT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
 # From this height on there is a legend below the hand.
 _ROOMY_PX = 300
+# In large letters the words on the side take at most this part of the width.
+_MOST_SIDE = 0.35
 # In front of people words are larger than usual.  Numbers of empty places that are not larger than
 # those cannot be read from afar, and only hide the fingers: lines of text in a radius.
 _ENLARGED, _FROM_AFAR = 1.1, 1.2
@@ -69,7 +71,9 @@ class HandPicture:
         self._readable_px = _FROM_AFAR * metrics.height() if enlarged else 0.0
         self._hand = None
         # Where there is little room the hand needs it more than the legend does.
-        self._lines = 1 if size.height() < _ROOMY_PX else 2
+        legend = sum(_widths(metrics)) + 2 * UNIT_PX
+        roomy = size.height() >= _ROOMY_PX and (not enlarged or legend <= size.width())
+        self._lines = 2 if roomy else 1
         height = size.height() - self._lines * self._line_px - UNIT_PX
         self.area = QRectF(0.0, 2.0, size.width(), height)
 
@@ -166,6 +170,8 @@ class HandPicture:
         # As wide as the words are, in letters of any size.
         lines = self._drawing.side.split("\n")
         width = 1.0 + max(metrics.horizontalAdvance(line) for line in lines)
+        if self._readable_px and width > _MOST_SIDE * self._size.width():
+            return  # in large letters it would lie on the fingers
         area = QRectF(bottom - QPointF(width, 4 * self._line_px), bottom)
         painter.setPen(QColor(self.theme.dim))
         painter.drawText(area, _SIDE_ALIGNMENT, self._drawing.side)
@@ -174,7 +180,7 @@ class HandPicture:
         metrics, area = QFontMetricsF(painter.font()), self._line_area(1)
         radius = 0.36 * metrics.height()
         advance = 2 * radius + UNIT_PX
-        widths = [advance + metrics.horizontalAdvance(words) for words, _ in _LEGEND]
+        widths = _widths(metrics)
         left = area.center().x() - (sum(widths) + 2 * UNIT_PX) / 2
         for (words, push), width in zip(_LEGEND, widths, strict=True):
             sign = Place(
@@ -193,3 +199,9 @@ class HandPicture:
     def _line_area(self, from_bottom: int) -> QRectF:
         top = self._size.height() - from_bottom * self._line_px - UNIT_PX / 2
         return QRectF(UNIT_PX, top, max(0.0, self._size.width() - 2.0 * UNIT_PX), self._line_px)
+
+
+def _widths(metrics: QFontMetricsF) -> list[float]:
+    """Of the parts of the legend, sign and words."""
+    advance = 2 * 0.36 * metrics.height() + UNIT_PX
+    return [advance + metrics.horizontalAdvance(words) for words, _ in _LEGEND]

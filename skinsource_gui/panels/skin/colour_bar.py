@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QColor
+from PySide6.QtGui import QColor, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from skinsource.map_range import MAP_RANGE_DB, MAP_ROUND_TO_DB, map_range_db
@@ -18,6 +18,9 @@ from skinsource_gui.panels.skin.level_range import (
     pushed_low,
 )
 from skinsource_gui.theme import UNIT_PX, Theme
+
+# So much of the strip is left at least.
+_STRIP_PX = 40
 
 
 class ColourBar(QWidget):
@@ -68,6 +71,13 @@ class ColourBar(QWidget):
         self.low_field.edited.connect(self._choose_low)
         self.auto_button.clicked.connect(self._switch)
         self.choose(None)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        # The numbers matter more than the switch.
+        fields = (self.high_field, self.low_field, self.auto_button)
+        needed = sum(part.sizeHint().height() for part in fields) + _STRIP_PX
+        self.auto_button.setVisible(self.height() >= needed)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

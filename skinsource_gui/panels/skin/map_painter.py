@@ -7,6 +7,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import (
     QColor,
     QFont,
+    QFontMetricsF,
     QPainter,
     QPainterPath,
     QPen,
@@ -32,6 +33,8 @@ from skinsource_gui.widgets.map.colour_maps import colour_table, is_light, level
 from skinsource_gui.widgets.outputs.picking import dorsal_outputs
 
 _RING_PX, _THIN_PX = 2.2, 1.2
+# A map is so many lines of its letters high, and wide, at least; a line that is no larger, px.
+_MAP_LINES, _MAP_WORDS, _USUAL_PX = 12.0, 9.0, 18.0
 _HINTS = QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
 
 
@@ -227,6 +230,16 @@ def paint_band(painter: QPainter, band: QRectF, theme: Theme) -> None:
     fill.setAlphaF(0.15)
     painter.setBrush(fill)
     painter.drawRect(band)
+
+
+def letters_for(font: QFont, room: QRectF) -> QFont:
+    """Copy of ``font``, smaller where in its size a map in ``room`` would be hidden by its words.
+
+    Letters of a usual size stay as they are.
+    """
+    line = QFontMetricsF(font).height()
+    most = max(min(room.height() / _MAP_LINES, room.width() / _MAP_WORDS), _USUAL_PX)
+    return font if line <= most else small_font(font, most / line)
 
 
 def small_font(font: QFont, factor: float = 0.86) -> QFont:

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from skinsource.design import Design
-from skinsource.own_limbs import facts_of
+from skinsource.own_limbs import facts_of, own_map
 from skinsource.surface import SurfaceOperator
 from skinsource.view import View
 from skinsource_gui.panels.skin import still_values
@@ -105,6 +105,20 @@ class MapResults:
         self._time.frames.forget()
         nothing = {"values": None, "field_values": None}
         self._display.change(**nothing, message=message, outdated=False)
+
+    def show_bare(self, design: Design | None) -> None:
+        """Where nothing is computed for an own limb, show its places, not those of another."""
+        limb = "" if design is None else design.limb
+        if limb == self._display.content.limb or not (own := own_map(limb)):
+            return
+        self._surface = None
+        self._display.change(
+            limb_map=own,
+            limb=limb,
+            px_per_mm=own.hand_length_px / facts_of(limb).hand_length_mm,
+            field=None,
+            noisy=(),
+        )
 
     def _take_limb(
         self, results: Mapping[str, Any], surface: SurfaceOperator | None, design: Design | None

@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any, ClassVar
 
 from PySide6.QtCore import QPoint, QSize, QSizeF
-from PySide6.QtGui import QImage, QPainter
+from PySide6.QtGui import QImage, QPainter, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from skinsource.design import Design
@@ -26,6 +26,8 @@ from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 
 #: Width and height of a picture for which none is asked, px.
 PICTURE_PX = (1200, 1800)
+# Of its own letters; with fewer it says less.
+_FEW_LINES = 14
 
 
 class SkinPanel(Panel):
@@ -101,8 +103,15 @@ class SkinPanel(Panel):
     def show_problem(self, reason: str) -> None:
         self._display.set_stale(False)
         self._results.forget(reason)
+        self._results.show_bare(self._design)
         self._display.change(note="")
         self._results.show_choice(self._design, self._view)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        # In large letters the map needs the room more than the second line does.
+        few = self.height() < _FEW_LINES * self.fontMetrics().lineSpacing()
+        self.readout.show_lines(1 if few else 2)
 
     def show_pointed_input(self, input_id: int | None) -> None:
         self._display.change(pointed_at=input_id)

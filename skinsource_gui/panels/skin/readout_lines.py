@@ -15,6 +15,7 @@ class ReadoutLines(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._text = ""
+        self._lines = _LINES
         self._theme = LIGHT
         self.setFont(tabular(self.font()))
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
@@ -31,13 +32,29 @@ class ReadoutLines(QWidget):
             self.setToolTip(text)
             self.update()
 
+    def show_lines(self, count: int) -> None:
+        """Have room for so many lines; in one alone a value comes first, and how to select last."""
+        if count != self._lines:
+            self._lines = count
+            self.updateGeometry()
+            self.update()
+
+    @property
+    def shown(self) -> tuple[str, ...]:
+        """What stands in its lines."""
+        lines = self._text.split("\n")[:_LINES]
+        if self._lines > 1 or len(lines) < _LINES:
+            return tuple(lines[: self._lines])
+        first, second = lines
+        return (f"{second} · {first}" if any(map(str.isdigit, second)) else first,)
+
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
         self._theme = theme
         self.update()
 
     def sizeHint(self) -> QSize:
-        return QSize(100, _LINES * self.fontMetrics().lineSpacing())
+        return QSize(100, self._lines * self.fontMetrics().lineSpacing())
 
     def minimumSizeHint(self) -> QSize:
         return QSize(0, self.sizeHint().height())
@@ -46,7 +63,7 @@ class ReadoutLines(QWidget):
         painter = QPainter(self)
         painter.setPen(QColor(self._theme.dim))
         height = self.fontMetrics().lineSpacing()
-        for k, line in enumerate(self._text.split("\n")[:_LINES]):
+        for k, line in enumerate(self.shown):
             words = self.fontMetrics().elidedText(line, Qt.TextElideMode.ElideRight, self.width())
             painter.drawText(QRectF(0, k * height, self.width(), height), 0, words)
         painter.end()

@@ -121,7 +121,7 @@ class SkinMap(QWidget):
         painter, mouse = QPainter(self), self.picker.mouse
         painter.fillRect(self.rect(), QColor(self._theme.base))
         if self.stage.layout is not None and self._painter is not None:
-            painter.setFont(tabular(small_font(self.font())))
+            painter.setFont(tabular(small_font(self.stage.letters)))
             self._painter.paint(painter, self.content, self.stage.layout, self._theme)
             marks = [(mouse.hovered, self._theme.text)]
             if self.hasFocus():
@@ -133,7 +133,7 @@ class SkinMap(QWidget):
                     )
             if mouse.band is not None:
                 paint_band(painter, mouse.band, self._theme)
-        painter.setFont(self.font())
+        painter.setFont(self.stage.letters)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         paint_words(painter, self.content, self.stage.layout, QRectF(self.rect()), self._theme)
         if self.hasFocus():

@@ -168,3 +168,29 @@ def test_a_limb_too_large_to_follow_edits_says_what_computes_it(user_data, make_
     message = window.panel("skin").map.content.message
     assert "65 places and 31 outputs" in message
     assert "Export and sweeps compute it" in message
+
+
+def test_a_limb_too_large_to_follow_edits_shows_its_own_places_and_why_there_is_no_more(
+    lab, window, qtbot, monkeypatch
+):
+    rested(window, qtbot)
+    skin, document = window.panel("skin"), window.document
+    document.look(replace(document.view, outputs=(3,)))
+    assert skin.map.content.limb == "synthetic-1"
+    edit = edits.change_limb(document.design, document.view, "lab-1")
+    with monkeypatch.context() as fewer:
+        fewer.setattr("skinsource.limb.facts.LIVE_INPUTS", 5)
+        document.apply(edit)
+        rested(window, qtbot)
+        content = skin.map.content
+        assert "follow edits up to" in content.message
+        assert content.limb == "lab-1"
+        np.testing.assert_allclose(content.limb_map.output_positions, lab.output_positions)
+        assert content.coloured_values is None
+        assert not content.synthetic
+        assert content.px_per_mm == pytest.approx(lab.hand_length_px / lab.hand_length_mm)
+        assert not skin.grab().isNull()
+    document.edit("Softer", document.design.with_input(0, amplitude=0.5))
+    qtbot.waitUntil(lambda: skin.map.content.coloured_values is not None, timeout=30_000)
+    assert skin.map.content.coloured_values.shape == (N_OUTPUTS,)
+    assert np.isfinite(skin.map.content.field_values).any()

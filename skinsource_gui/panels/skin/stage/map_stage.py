@@ -2,11 +2,11 @@
 
 import numpy as np
 from PySide6.QtCore import QObject, QPointF, QRectF, Signal
-from PySide6.QtGui import QFontMetricsF
+from PySide6.QtGui import QFont, QFontMetricsF
 from PySide6.QtWidgets import QWidget
 
 from skinsource.limb import LimbMap
-from skinsource_gui.panels.skin.map_painter import small_font
+from skinsource_gui.panels.skin.map_painter import letters_for, small_font
 from skinsource_gui.panels.skin.stage.map_layout import (
     HAND,
     MapLayout,
@@ -26,7 +26,7 @@ class MapStage(QObject):
     Parameters
     ----------
     widget
-        Where it is drawn, in small letters of its font.
+        Where it is drawn, in small letters of its font, or smaller ones.
 
     Attributes
     ----------
@@ -46,6 +46,11 @@ class MapStage(QObject):
         self.layout: MapLayout | None = None
         self.pan_zoom = PanZoom(widget)
         self.pan_zoom.changed.connect(self._lay_out)
+
+    @property
+    def letters(self) -> QFont:
+        """Those of messages on it; labels have small ones."""
+        return letters_for(self._widget.font(), self._room)
 
     @property
     def seen(self) -> SeenPart:
@@ -87,4 +92,4 @@ class MapStage(QObject):
 
     @property
     def _metrics(self) -> QFontMetricsF:
-        return QFontMetricsF(small_font(self._widget.font()))
+        return QFontMetricsF(small_font(self.letters))
