@@ -228,6 +228,9 @@ def test_the_report_names_machine_versions_and_hashes():
         assert words in report
     assert "| **direct** | float64 | exact | 1.25 | 1.5 ± 0.1 |" in report
     assert report_of([ROW], [Fact(name="a", value="b")], QUICK).count("- a: b\n") == 1
+    rows = [replace(ROW, processes=3), replace(ROW, processes=2), FAILED]
+    stopped = report_of(rows, [], QUICK, n_cases=9)
+    assert "3 of 9 rows are there, each from 2 fresh process(es) or more" in stopped
 
 
 def test_a_ratio_to_unavoidable_rounding_is_told_of_convolutions_alone():

@@ -18,7 +18,7 @@ from skinsource.limb_import import LimbSource, export_limb, import_limb
 from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import with_settings
 from skinsource.perception.settings import PerceptionSettings, held
-from skinsource.stimulus import stimulus_of
+from skinsource.stimulus import stimulus_of, wiring
 from skinsource.view import View
 from skinsource.waveforms import Noise, Tone, WaveletTrain
 from tests.core.own_limbs.lab_bench import installed, own_limb
@@ -116,6 +116,10 @@ def test_what_plays_is_judged_mended_drawn_and_written_in_the_band_of_the_limb(u
     refused = edits.bound_clip(low, View(), low.inputs[0].clips[0].id, 4000.0)
     assert "is not known; import it with its band" in refused.sentence
     assert stimulus_of(PLAYED).band_hz == (0.0, pytest.approx(2000.0 * 12 / 13))
+    # At a higher rate there is no more to follow.
+    for rate_hz, top_hz in ((None, 2000.0), (48_000, 2000.0), (1000, 500.0)):
+        followed = wiring._band_of(stimulus_of(PLAYED, rate_hz))
+        assert followed == (25.0, pytest.approx(top_hz * 12 / 13))
 
 
 def test_a_velocity_is_told_from_where_the_limb_was_measured(user_data):
