@@ -21,7 +21,7 @@ def add_to(subparsers: Any) -> None:
         '"plot".',
     )
     parser.add_argument(
-        "--out", type=Path, required=True, metavar="DIR", help="the folder to write to"
+        "--out", type=Path, required=True, metavar="DIR", help="an existing folder to write to"
     )
     parser.add_argument(
         "--only", nargs="+", default=(), metavar="NAME", help="only these scenes, such as 2F"

@@ -6,11 +6,12 @@ from pathlib import Path
 import numpy as np
 
 from skinsource.choice_words import LIMBS, SCALINGS, word_of
+from skinsource.errors import StorageError
 from skinsource.export.csv_table import CsvTable
 from skinsource.export.output_file import output_file
 from skinsource.figures.every_figure import FIGURES
 from skinsource.figures.sheet import Drawn
-from skinsource.files import make_folder, write_bytes
+from skinsource.files import named, write_bytes
 from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.plot.figure_file import METADATA, figure_content
 from skinsource.plot.paper import SYNTHETIC, module
@@ -33,7 +34,7 @@ def write_figures(
     Parameters
     ----------
     folder
-        Where they go; made where it is not there.
+        An existing folder.
     only
         Names of scenes; all where none is given.
     progress
@@ -50,13 +51,14 @@ def write_figures(
     InvalidInputError
         There is no such scene.
     StorageError
-        The folder cannot be made or written.
+        There is no such folder, or it cannot be written.
     MissingExtraError
         matplotlib is not installed.
     """
     wanted = [scene(name).name for name in only] or list(names())
     module("matplotlib")
-    make_folder(folder)
+    if not folder.is_dir():
+        raise StorageError(f"{named(folder)} is no folder. Make it, or name another one.")
     written: list[Path] = []
     for k, name in enumerate(wanted):
         stop_if(stop)
