@@ -79,17 +79,21 @@ class KeptPicture:
         ratio, font = painter.device().devicePixelRatioF(), painter.font()
         key = (*depends_on, room, ratio, font, ground)
         if key != self._key:
-            self._key, self._at = key, QPointF()
-            self._image = _blank((room.size() * ratio).toSize(), ground)
-            self._image.setDevicePixelRatio(ratio)
-            on_image = QPainter(self._image)
-            on_image.setRenderHints(painter.renderHints())
-            on_image.setFont(font)
-            on_image.translate(-room.topLeft())
-            paint_anew(on_image)
-            on_image.end()
-            if ground is None:
-                self._crop(ratio)
+            self._key, self._at, self._image = key, QPointF(), QImage()
+            size = (room.size() * ratio).toSize()
+            # Of what is scrolled out of sight but for a line, nothing may be left; Qt cannot paint
+            # on that.
+            if not size.isEmpty():
+                self._image = _blank(size, ground)
+                self._image.setDevicePixelRatio(ratio)
+                on_image = QPainter(self._image)
+                on_image.setRenderHints(painter.renderHints())
+                on_image.setFont(font)
+                on_image.translate(-room.topLeft())
+                paint_anew(on_image)
+                on_image.end()
+                if ground is None:
+                    self._crop(ratio)
         if not self._image.isNull():
             painter.drawImage(room.topLeft() + self._at, self._image)
 

@@ -84,3 +84,13 @@ def test_with_a_ground_it_covers_what_was_there_before(qapp):
     assert image.pixelColor(3, 3).name() == "#0000ff"
     assert image.pixelColor(4, 4).name() == "#ff0000"
     assert image.pixelColor(1, 1).name() == "#ffffff"
+
+
+@pytest.mark.parametrize("size", [(8, 0), (8, 0.2), (8, -3), (0, 6)])
+@pytest.mark.parametrize("ground", [None, QColor("blue")])
+def test_where_there_is_no_room_nothing_is_painted_and_next_time_all_of_it(qapp, size, ground):
+    kept, dot = KeptPicture(), Dot()
+    show(kept, dot)
+    assert show(kept, dot, ground=ground, room=QRectF(4, 4, *size)) == sheet()
+    assert dot.times == 1
+    assert show(kept, dot) != sheet()

@@ -54,6 +54,9 @@ def paint_clip(
     pale = box.clip.muted or bool(box.lane.silent)
     colour = QColor(theme.dim) if pale else theme.input_colour(box.lane.track.colour)
     shown = box.rect.intersected(view.adjusted(-2, 0, 2, 0))
+    if shown.isEmpty():
+        # Of its lane no more is in sight than the edge.
+        return
     _paint_body(painter, box.rect, shown, colour, selected=selected, pale=pale)
     if samples is not None and shown.width() >= 1:
         painter.setOpacity(_PALE if pale else 1.0)

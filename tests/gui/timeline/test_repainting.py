@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QScrollBar
 
 from skinsource.clips import Clip
 from skinsource.design import Design, Input
@@ -229,6 +229,23 @@ def test_dots_are_where_they_would_be_painted_anew(qapp, ratio):
         # Through a picture, colours may be rounded once more.
         assert most_apart(drawn(marked), drawn(dots(rect))) <= 1
         assert kept.times == times
+
+
+def test_a_marked_clip_is_painted_however_little_of_its_lane_is_in_sight(bench):
+    clip = (Clip(onset_s=0.1, waveform=TONE),)
+    tracks = tuple(Input(location=1 + k, clips=clip) for k in range(20))
+    bench.view = replace(bench.view, selected_inputs=(10,))
+    bench.show(Design(limb="any", inputs=tracks))
+    bars = bench.panel.findChildren(QScrollBar)
+    (bar,) = (one for one in bars if one.accessibleName() == "Tracks shown")
+    in_sight = set()
+    for scrolled in range(bar.maximum() + 1):
+        bar.setValue(scrolled)
+        settled(bench)
+        content = bench.content
+        lane = content.lanes[9]
+        in_sight |= {content.height_px - lane.top_px, lane.bottom_px - content.ruler_px}
+    assert set(range(8)) <= in_sight
 
 
 def most_apart(one, other):
