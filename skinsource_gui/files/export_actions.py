@@ -13,7 +13,8 @@ from PySide6.QtWidgets import QMessageBox, QWidget
 
 from skinsource import packing
 from skinsource.design import Design
-from skinsource.errors import SkinSourceError, TooInaccurateError
+from skinsource.errors import MissingExtraError, SkinSourceError, TooInaccurateError
+from skinsource.extras import package_of_extra
 from skinsource.view import View
 from skinsource_gui.files.export_jobs import ExportJobs
 from skinsource_gui.files.exports import EXPORTS, SEEN, SIZED, WIRED, ExportSpec
@@ -91,6 +92,12 @@ class ExportActions(QObject):
         spec = next(one for one in EXPORTS if one.name == name)
         # What the user sees now, whatever happens while the dialog is open.
         design, view = self._document.design, self._document.view
+        if spec.package is not None:
+            try:
+                package_of_extra(*spec.package)
+            except MissingExtraError as error:
+                self.failed.emit(str(error))
+                return
         if spec.panel:
             self._export_picture(spec)
             return

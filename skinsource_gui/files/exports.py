@@ -52,6 +52,8 @@ class ExportSpec:
         What ``write`` is given besides: `SIZED` is asked of the user before, the others are known.
     panel, size_px
         The panel whose picture is saved, and width and height of that.
+    package
+        Name of what writes it, and of the extra that it comes with; none where it is always there.
     enabled
         Whether there is anything to export; always when not given.
     keys, keywords
@@ -67,6 +69,7 @@ class ExportSpec:
     wants: frozenset[str] = frozenset()
     panel: str = ""
     size_px: tuple[int, int] = (1200, 1800)
+    package: tuple[str, str] | None = None
     enabled: Callable[[Design, View], bool] | None = None
     keys: tuple[str, ...] = ()
     keywords: str = ""
@@ -148,6 +151,7 @@ EXPORTS: tuple[ExportSpec, ...] = (
         write=export_animation,
         wants=frozenset({SIZED, SEEN}),
         size_px=SIZE_PX,
+        package=("imageio_ffmpeg", "video"),
         keywords="video film movie wave gif mp4 webm slow motion time",
     ),
     ExportSpec(

@@ -1,5 +1,6 @@
 """Films of the skin map, and packs of all that belongs to a design, from the window."""
 
+import sys
 import zipfile
 
 from PySide6.QtWidgets import QFileDialog
@@ -46,3 +47,17 @@ def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_this_machine(
     with zipfile.ZipFile(tmp_path / "all.zip") as archive:
         assert archive.read("rig.skinrig") == path.read_bytes()
         assert {"figure.svg", "figure.pdf"} <= set(archive.namelist())
+
+
+def test_a_film_that_cannot_be_written_says_so_before_anything_is_asked(window, monkeypatch):
+    told = []
+    window.exports.failed.connect(told.append)
+    # As where it is not installed.
+    monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
+    monkeypatch.setattr(
+        export_actions, "ask_picture_options", lambda *_, **__: told.append("asked")
+    )
+    window.do("export_animation")
+    (words,) = told
+    assert words.lower().startswith("the package 'imageio_ffmpeg' is needed for this")
+    assert "[video]" in words

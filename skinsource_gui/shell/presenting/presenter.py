@@ -193,8 +193,6 @@ class Presenter(QObject):
                 self._keys.append(key)
 
     def _go(self, by: int) -> None:
-        if not self._is_scene and not self._files.may_lose_changes():
-            return
         if not self._steps:
             path = self._document.path
             self._steps = (() if path is None else steps_of_folder(path.parent)) or steps_of_paper()
@@ -205,7 +203,9 @@ class Presenter(QObject):
         if not 0 <= wanted < len(self._steps):
             self.done.emit("This is the last scene" if by > 0 else "This is the first scene")
             return
-        self._open(wanted)
+        # Nobody is asked, in front of an audience, for what will not be.
+        if self._is_scene or self._files.may_lose_changes():
+            self._open(wanted)
 
     def _open(self, number: int) -> None:
         step = self._steps[number]

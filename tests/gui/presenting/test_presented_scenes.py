@@ -118,3 +118,16 @@ def test_a_design_without_a_title_is_called_as_its_file_when_it_is_paged_to(stud
     assert studio.document.findChild(Historian).history().start == "Scene: 4 twenty"
     studio.files.new()
     assert studio.document.findChild(Historian).history().start == "New design"
+
+
+def test_at_the_last_scene_nobody_is_asked_for_what_stays(studio, folder, asked):
+    told = []
+    studio.presenter.done.connect(told.append)
+    studio.files.open(folder / "3 both.skinsource")
+    edited = louder(studio, 2.0)
+    studio.do("next_scene")
+    assert told[-1] == "This is the last scene"
+    assert not asked
+    studio.do("previous_scene")
+    assert len(asked) == 1
+    assert studio.document.design == edited
