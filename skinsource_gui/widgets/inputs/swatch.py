@@ -1,7 +1,7 @@
 """The colour of an input, with the number of its place."""
 
-from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetrics, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme, tabular
@@ -26,9 +26,7 @@ def paint_swatch(
     """Paint a rounded square with a number; that of a silent input is hollow."""
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    font = tabular(painter.font())
-    font.setWeight(QFont.Weight.DemiBold)
-    painter.setFont(font)
+    painter.setFont(_number_font(painter.font()))
     if silent:
         painter.setPen(QPen(colour, 1.5))
         painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -39,6 +37,12 @@ def paint_swatch(
     painter.setPen(text if silent else words_on(colour))
     painter.drawText(place, Qt.AlignmentFlag.AlignCenter, str(number))
     painter.restore()
+
+
+def _number_font(font: QFont) -> QFont:
+    found = tabular(font)
+    found.setWeight(QFont.Weight.DemiBold)
+    return found
 
 
 class Swatch(QWidget):
@@ -58,6 +62,7 @@ class Swatch(QWidget):
         if (number, colour_number, silent) != (self._number, self._colour_number, self._silent):
             self._number, self._colour_number, self._silent = number, colour_number, silent
             self.setAccessibleName(f"Place {number}")
+            self.updateGeometry()
             self.update()
 
     def show_theme(self, theme: Theme) -> None:
@@ -66,7 +71,15 @@ class Swatch(QWidget):
         self.update()
 
     def sizeHint(self) -> QSize:
-        return QSize(SWATCH_PX, SWATCH_PX)
+        # The number is whole in letters of any size.
+        words = QFontMetrics(_number_font(self.font()))
+        height = max(SWATCH_PX, words.height() + _ROUNDING_PX)
+        return QSize(max(height, words.horizontalAdvance(str(self._number)) + _ROUNDING_PX), height)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self.updateGeometry()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         paint_swatch(
