@@ -26,8 +26,8 @@ class Theme:
         ``"light"`` or ``"dark"``.
     window, base, raised, border, grid
         Behind everything; behind plots and lists; buttons; lines between; plot grids.
-    text, dim
-        Words; words of less weight (still 4.5 : 1 against ``window``).
+    text, dim, disabled
+        Words; words of less weight (still 4.5 : 1 against ``window``); what can do nothing now.
     accent, on_accent
         Focus and selection, and words on it.
     warning, error
@@ -46,6 +46,7 @@ class Theme:
     grid: str
     text: str
     dim: str
+    disabled: str
     accent: str
     on_accent: str
     warning: str
@@ -93,6 +94,7 @@ LIGHT = Theme(
     grid="#e4e7eb",
     text="#1b1f24",
     dim="#57606a",
+    disabled="#57606a",
     accent="#0a66c2",
     on_accent="#ffffff",
     warning="#9a5b00",
@@ -120,6 +122,7 @@ DARK = Theme(
     grid="#2b2f37",
     text="#e6e8eb",
     dim="#a3abb6",
+    disabled="#a3abb6",
     accent="#4c9be8",
     on_accent="#0b1420",
     warning="#e3a33b",
@@ -138,7 +141,8 @@ DARK = Theme(
         "#c8ccd2",
     ),
 )
-#: For poor projectors and tired eyes: every word at least 12 : 1 against its ground.
+#: For poor projectors and tired eyes: every word at least 12 : 1 against its ground, except those
+#: of what can do nothing now.
 CONTRAST = replace(
     DARK,
     name="contrast",
@@ -149,6 +153,7 @@ CONTRAST = replace(
     grid="#565d66",
     text="#ffffff",
     dim="#dfe4ea",
+    disabled="#7d858f",
     accent="#ffd400",
     on_accent="#000000",
     warning="#ffc247",
@@ -228,5 +233,5 @@ def _palette(theme: Theme) -> QPalette:
         palette.setColor(part, QColor(colour))
     disabled = QPalette.ColorGroup.Disabled
     for part in (role.WindowText, role.Text, role.ButtonText):
-        palette.setColor(disabled, part, QColor(theme.dim))
+        palette.setColor(disabled, part, QColor(theme.disabled))
     return palette
