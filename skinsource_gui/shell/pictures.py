@@ -85,9 +85,11 @@ class PanelPictures:
             with self._in_colours(theme):
                 panel.draw_picture(painter, width, height, theme)
             return
-        with staged(self._docks[panel.name], width, height):
+        with staged(self._docks[panel.name], width, height) as make_room:
             self._catch_up()
             # Parts that come and go with results ask for their room now.
+            QApplication.processEvents(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
+            make_room()
             QApplication.processEvents(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
             with self._in_colours(theme):
                 panel.draw_picture(painter, width, height, theme)

@@ -20,7 +20,7 @@ SAYS = {
     "side_by_side": ("Synthetic 1", "Synthetic 4", "dB re 1 m/s²"),
     "compare": ("Edited", "Ctrl+4"),
     "wave": ("Way along the line (mm)", "Speed"),
-    "actuator": ("Peak velocity", "Boost", "Overlaid"),
+    "actuator": ("Peak velocity", "Boost", "Overlaid", "Stiffness"),
     "history": ("New design",),
 }
 

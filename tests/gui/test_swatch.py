@@ -18,7 +18,7 @@ def test_the_number_is_whole_in_letters_of_any_size(qtbot, number, letters_px):
     swatch.show_input(number, 0, silent=False)
     font = QFont(shown.font())
     font.setPixelSize(letters_px)
-    shown.setFont(font)
+    swatch.setFont(font)
     qtbot.waitUntil(lambda: swatch.size() == swatch.sizeHint())
     font.setWeight(QFont.Weight.DemiBold)
     words = QFontMetrics(font)

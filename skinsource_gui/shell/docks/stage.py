@@ -1,10 +1,11 @@
 """Where a panel stands that is drawn and seen by nobody."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QScrollArea, QVBoxLayout, QWidget
 
 from skinsource_gui.panel import Panel
 from skinsource_gui.shell.docks.dock import Dock
@@ -16,10 +17,11 @@ def usual_size(panel: Panel) -> QSize:
 
 
 @contextmanager
-def staged(dock: Dock, width: int, height: int) -> Iterator[None]:
+def staged(dock: Dock, width: int, height: int) -> Iterator[Callable[[], None]]:
     """Show the panel of a dock out of sight, for as long as it is drawn.
 
-    What was never shown has no layout, and is told nothing.
+    What was never shown has no layout, and is told nothing.  Gives what makes room for all that has
+    to be scrolled: how much that is, results tell.
 
     Parameters
     ----------
@@ -42,8 +44,17 @@ def staged(dock: Dock, width: int, height: int) -> Iterator[None]:
         stage.resize(wide, high)
         stage.show()
         try:
-            yield
+            yield partial(_make_room, stage)
         finally:
             column.removeWidget(panel)
             panel.setParent(None)
             stage.deleteLater()
+
+
+def _make_room(stage: QWidget) -> None:
+    hidden = max(
+        (area.verticalScrollBar().maximum() for area in stage.findChildren(QScrollArea)), default=0
+    )
+    high = stage.height() + hidden
+    # Of the same shape.
+    stage.resize(round(stage.width() * high / max(stage.height(), 1)), high)
