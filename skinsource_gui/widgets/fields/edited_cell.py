@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QCheckBox, QLabel, QSizePolicy, QVBoxLayout, QWidg
 from skinsource.fields import Spec
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.editor import NewEditor
+from skinsource_gui.widgets.next_act import NextAct
 from skinsource_gui.widgets.tooltips import tooltip
 
 #: Height of a label, and of one line of a field.
@@ -75,8 +76,11 @@ class EditedCell(LabelledCell):
         super().__init__(spec.label, parent)
         self.name, self._words = name, spec.label
         self._theme = LIGHT
+        self._value: object = None
         self._warns = self._differs = False
-        self._problem = ""
+        self._problem, self._reason = "", ""
+        self._next_act = NextAct(self)
+        self._next_act.came.connect(self._forget_reason)
         self.editor = new_editor(spec, self)
         self.editor.edited.connect(self._edit)
         self.editor.problem_changed.connect(self._show_problem)
@@ -108,6 +112,8 @@ class EditedCell(LabelledCell):
     def set_value(self, value: object) -> None:
         """Show a value, and tell nobody."""
         self.editor.set_value(value)
+        if value != self._value:
+            self._value, self._reason = value, ""
         self._advise()
 
     def show_differs(self, differs: bool) -> None:
@@ -120,12 +126,16 @@ class EditedCell(LabelledCell):
     def forget_typing(self) -> None:
         """Close an open editor without committing."""
         self.editor.cancel()
-        self._advise()
+        self._forget_reason()
 
     def show_reason(self, reason: str) -> None:
-        """Say in red why the last edit was refused."""
+        """Say in red why the last edit was refused, until somebody goes on."""
         self.editor.refuse(reason)
-        self._set_note(reason, warns=False)
+        # What is typed and stays as it is, its editor says what is wrong with.
+        if not self._problem:
+            self._reason = reason
+            self._next_act.wait()
+        self._advise()
 
     def show_theme(self, theme: Theme) -> None:
         super().show_theme(theme)
@@ -134,19 +144,20 @@ class EditedCell(LabelledCell):
         self._colour_note()
 
     def _edit(self, value: object, gesture: int | None) -> None:
-        self._advise()
+        self._forget_reason()
         self.edited.emit(self.name, value, gesture)
 
     def _show_problem(self, problem: str) -> None:
         self._problem = problem
-        if problem:
-            self._set_note(problem, warns=False)
-        else:
-            self._advise()
+        self._advise()
+
+    def _forget_reason(self) -> None:
+        self._reason = ""
+        self._advise()
 
     def _advise(self) -> None:
-        if not self._problem:
-            self._set_note(self.editor.advice(), warns=True)
+        wrong = self._problem or self._reason
+        self._set_note(wrong or self.editor.advice(), warns=not wrong)
 
     def _set_note(self, words: str, *, warns: bool) -> None:
         if (words, warns) != (self.note, self._warns):

@@ -68,15 +68,18 @@ class LiveText(QPlainTextEdit):
 
     def set_value(self, value: str) -> None:
         """Show another value, and tell nobody.  What is typed stays as long as it is the same."""
-        if value in (self._value, self.text()):
-            self._value = value
-            return
-        self._value = value
-        self._restore()
+        before, self._value = self._value, value
+        if value == self.text():
+            self._mark.put(None)
+            self._say("")
+        elif value != before:
+            self._restore()
 
     def refuse(self, reason: str) -> None:
-        """Mark the place that a reason names; what is typed stays."""
-        self._mark.put(column_of(reason))
+        """Mark the place that a reason names, and say it as long as what is typed stays."""
+        if self.text() != self._value:
+            self._mark.put(column_of(reason))
+            self._say(reason)
 
     def cancel(self) -> None:
         """Bring the value back."""

@@ -234,7 +234,7 @@ class NumberField(QLineEdit):
             return
         if self.commit():
             return
-        # The value is back; what was wrong stays said until there is another one.
+        # The value is back; what was wrong stays said until somebody goes on.
         self._typing.leave()
         self._show(self.value_si)
         if not self._problem_beside:

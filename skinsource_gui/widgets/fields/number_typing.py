@@ -8,6 +8,7 @@ from skinsource.errors import InvalidInputError
 from skinsource_gui.widgets.fields.shown_number import ShownNumber
 from skinsource_gui.widgets.fields.units import parse_number
 from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.next_act import NextAct
 
 _STARTERS = frozenset("0123456789.,+-−")
 FINISHERS = frozenset({Qt.Key.Key_Return, Qt.Key.Key_Enter})
@@ -47,6 +48,8 @@ class NumberTyping(QObject):
         self._line = line
         self._number: ShownNumber | None = None
         self.problem = ""
+        self._next_act = NextAct(self)
+        self._next_act.came.connect(self.end)
         line.setReadOnly(True)
         line.setCursor(Qt.CursorShape.SizeHorCursor)
 
@@ -57,6 +60,7 @@ class NumberTyping(QObject):
 
     def begin(self, number: ShownNumber, text: str | None) -> None:
         """Open the line; ``text`` replaces the number, which is selected otherwise."""
+        self._next_act.stop()
         self._say("")
         self._number = number
         self._line.setReadOnly(False)
@@ -67,13 +71,13 @@ class NumberTyping(QObject):
 
     def end(self) -> None:
         """Close the line; what it shows then is up to its owner."""
-        self.leave()
+        self._close()
         self._say("")
 
     def leave(self) -> None:
-        """Close the line; why what was typed is not allowed stays told."""
-        self._line.setReadOnly(True)
-        self._line.setCursor(Qt.CursorShape.SizeHorCursor)
+        """Close the line; why what was typed is not allowed stays told until somebody goes on."""
+        self._close()
+        self._next_act.wait()
 
     def result(self, number: ShownNumber) -> float | None:
         """Value of what is typed; None, with the reason told, if it is not allowed."""
@@ -87,6 +91,11 @@ class NumberTyping(QObject):
         """Take the problem back as soon as the text is allowed."""
         if self.problem and self._number is not None and self._number.parsed(text) is not None:
             self._say("")
+
+    def _close(self) -> None:
+        self._next_act.stop()
+        self._line.setReadOnly(True)
+        self._line.setCursor(Qt.CursorShape.SizeHorCursor)
 
     def _say(self, problem: str) -> None:
         if problem != self.problem:
