@@ -13,6 +13,7 @@ from skinsource_gui.theme import Theme, tabular
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.fitting_label import FittingLabel
 from skinsource_gui.widgets.level_meter import LevelMeter
+from skinsource_gui.widgets.tooltips import show_tooltip
 
 _METER_PX, _NUMBER_PX = 8, 56
 _SILENT_DB = -200.0
@@ -73,13 +74,10 @@ class OutputRow(QObject):
         """Show another output."""
         self.output.set_value(float(output))
         self.tone.setAccessibleName(f"Test tone on output {output}, place {self.place}")
-        self.tone.setToolTip(
-            f"0.6 s of 100 Hz on output {output} alone, at the gain above, to find the actuator of "
-            f"place {self.place}"
-        )
 
     def show_played(self, played: Played) -> None:
-        """Show how loud its output is."""
+        """Show how loud its output is, and whether a tone can be heard on it."""
+        self._offer_tone(played.missing)
         index = round(self.output.value_si) - 1
         levels = played.levels
         if levels is None or index >= levels.rms_db.size:
@@ -101,6 +99,15 @@ class OutputRow(QObject):
 
     def _choose(self, output: float, _gesture: int | None) -> None:
         self.output_wanted.emit(self.place, round(output))
+
+    def _offer_tone(self, missing: str) -> None:
+        self.tone.setEnabled(not missing)
+        show_tooltip(
+            self.tone,
+            missing
+            or f"0.6 s of 100 Hz on output {round(self.output.value_si)} alone, at the gain above, "
+            f"to find the actuator of place {self.place}",
+        )
 
     def _ask_tone(self) -> None:
         self.tone_wanted.emit(round(self.output.value_si))

@@ -58,7 +58,7 @@ class SoundSettings(QObject):
         self.looked = False
         self.devices: tuple[Device, ...] = ()
         self.rates_hz: tuple[int, ...] = ()
-        self.missing = ""
+        self.missing = self._not_found = ""
         self.rig: Rig | None = None
         self.rig_title, self.rig_problem = "", ""
         self._rig_looked = False
@@ -121,11 +121,15 @@ class SoundSettings(QObject):
         if before == output:
             return
         self._preferences.output_text = output.to_text()
+        other = (before.device, before.host_api) != (output.device, output.host_api)
+        if other:
+            # What was wrong with the one before is nothing to this one.
+            self.missing = self._not_found
+            self._ask_rates()
         self.output_changed.emit()
         self.changed.emit()
-        if (before.device, before.host_api) != (output.device, output.host_api):
+        if other:
             self.device_changed.emit()
-            self._ask_rates()
 
     def look(self) -> None:
         """Look for devices; what is played ends."""
@@ -141,7 +145,7 @@ class SoundSettings(QObject):
         self, found: "tuple[Device, ...] | None", error: SkinSourceError | None
     ) -> None:
         self.looked, self.devices, self.rates_hz = True, found or (), ()
-        self.missing = "" if error is None else str(error)
+        self.missing = self._not_found = "" if error is None else str(error)
         self._ask_rates()
         self.changed.emit()
 

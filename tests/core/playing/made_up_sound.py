@@ -57,6 +57,8 @@ class MadeUpStream:
     def _run(self) -> None:
         n, channels = self.asked["blocksize"], self.asked["channels"]
         while not (self._stop.wait(0.002) or self._pulled.is_set()):
+            if self.library.is_stuck:
+                continue
             out = np.full((n, channels), np.nan, np.float32)
             now_s = perf_counter()
             times = SimpleNamespace(currentTime=now_s, outputBufferDacTime=now_s + INSIDE_S)
@@ -73,7 +75,10 @@ class MadeUpStream:
 
 
 class MadeUpLibrary:
-    """Devices by name, with their outputs; the first is what the system plays on."""
+    """Devices by name, with their outputs; the first is what the system plays on.
+
+    One that ``is_stuck`` asks for nothing any more, and tells nobody.
+    """
 
     PortAudioError, CallbackStop = PortAudioError, CallbackStop
 
@@ -81,7 +86,7 @@ class MadeUpLibrary:
         self.outputs = outputs
         self.default = SimpleNamespace(device={"output": 0 if outputs else -1})
         self.streams: list[MadeUpStream] = []
-        self.refuses_to_start = False
+        self.refuses_to_start = self.is_stuck = False
         self.rates = (44_100, 48_000)
 
     def query_hostapis(self):

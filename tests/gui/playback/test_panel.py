@@ -79,6 +79,29 @@ def test_a_tone_is_heard_on_the_output_of_its_place_alone(sound, player, panel, 
     assert np.abs(heard[1]).max() == pytest.approx(0.1, rel=1e-3)
 
 
+def test_where_nothing_can_be_heard_no_tone_is_offered_and_the_button_says_why(
+    no_sound, player, panel, qtbot
+):
+    button = panel.findChild(QToolButton, "tone_of_12")
+    assert not button.isEnabled()
+    assert button.toolTip() == words(panel, "playback_problem") != ""
+    no_sound.outputs = {"New": 4}
+    no_sound.default.device["output"] = 0
+    panel.fields.look.click()
+    qtbot.waitUntil(button.isEnabled, **WAIT)
+    assert "on output 2 alone" in button.toolTip()
+
+
+def test_another_device_than_the_one_that_is_gone_is_not_missing(sound, player, panel):
+    button = panel.findChild(QToolButton, "tone_of_12")
+    player.settings.choose(Output(device="Nine"))
+    assert "Nine" in words(panel, "playback_problem")
+    assert not button.isEnabled()
+    panel.fields.device.choose("Eight\nMade up")
+    assert not panel.problem.isVisibleTo(panel)
+    assert button.isEnabled()
+
+
 def test_levels_delay_and_underruns_are_shown(sound, studio, player, panel, qtbot, listen):
     now = listen(loops=True)
     sound.streams[-1].underflows = 2
