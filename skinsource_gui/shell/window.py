@@ -24,14 +24,15 @@ from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.bars import StudioBar
 from skinsource_gui.shell.clip_drops import ClipDrops
-from skinsource_gui.shell.focus_order import move_focus
+from skinsource_gui.shell.focus.clip_drawing import ClipDrawing
+from skinsource_gui.shell.focus.focus_order import move_focus
+from skinsource_gui.shell.focus.panel_focus import PanelFocus
 from skinsource_gui.shell.installations import Installations
 from skinsource_gui.shell.keeping.keeping import Keeping
 from skinsource_gui.shell.kind_choices import kind_choices
 from skinsource_gui.shell.menus import fill_menu_bar
 from skinsource_gui.shell.notice import Notice
 from skinsource_gui.shell.pages import Pages, late, limb_pages
-from skinsource_gui.shell.panel_focus import PanelFocus
 from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.shell.pictures import PanelPictures
 from skinsource_gui.shell.playing.playback import Playback
@@ -177,6 +178,7 @@ class MainWindow(QMainWindow):
         )
 
     def _capabilities(self) -> dict[str, QObject]:
+        focus = PanelFocus(self.panels, self.arrangements.bring, self)
         # By the names that the table of actions has for them.
         return {
             "files": self.files,
@@ -193,7 +195,8 @@ class MainWindow(QMainWindow):
             "steps": self.document.undo_stack,
             "layout_of_docks": self.layout_of_docks,
             "dock_tabs": self.dock_tabs,
-            "panel_focus": PanelFocus(self.panels, self.arrangements.bring, self),
+            "panel_focus": focus,
+            "clip_drawing": ClipDrawing(self.panels, focus, self),
             "appearance": self.appearance,
             "pages": self.pages,
             "frame": WindowFrame(self, self.document),

@@ -12,7 +12,7 @@ from skinsource.design import Design, track
 from skinsource.effects import Fade, Trim
 from skinsource.view import View
 from skinsource.waveforms import Noise, Tone
-from skinsource_gui.shell.focus_order import tab_stops
+from skinsource_gui.shell.focus.focus_order import tab_stops
 
 
 @pytest.fixture

@@ -15,7 +15,8 @@ from skinsource.limb import Band, LimbFacts
 from skinsource.locations import input_words
 from skinsource.own_limbs import facts_of
 from skinsource.view import View
-from skinsource.waveforms import Waveform
+from skinsource.waveforms import Drawn, Waveform
+from skinsource_gui.panels.inspector.pen_cell import PenCell
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.edited_cell import LabelledCell, WordsCell
 from skinsource_gui.widgets.fields.field_cell import FieldCell
@@ -53,6 +54,8 @@ class InputFields(QObject):
 
     #: Name of the field, its new value, number of the gesture or None.
     edited = Signal(str, object, object)
+    #: The pen shall be taken.
+    pen_wanted = Signal()
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -169,6 +172,10 @@ class InputFields(QObject):
         if waveform and fixed_length_text(waveform):
             self._length = WordsCell("Duration", fixed_length_text(waveform))
             cells.append(self._length)
+        if isinstance(waveform, Drawn):
+            pen = PenCell()
+            pen.wanted.connect(self.pen_wanted)
+            cells.append(pen)
         self._own = tuple(cells)
         self._built_for = type(waveform) if waveform else None
         for cell in cells:

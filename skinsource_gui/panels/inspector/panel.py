@@ -1,6 +1,7 @@
 """Everything about the selected inputs."""
 
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
 from PySide6.QtCore import Qt
@@ -45,6 +46,7 @@ class InspectorPanel(Panel):
         self._fields.kind.edited.connect(self._selection.change_kind)
         self._fields.place.edited.connect(self._selection.change_place)
         self._fields.edited.connect(self._selection.change_field)
+        self._fields.pen_wanted.connect(partial(self.action_wanted.emit, "draw_clip"))
         self._chain, self._chain_edits = EffectChain(), ChainEdits(self)
         self._connect_chain()
         self._heading = InputHeading()

@@ -3,6 +3,7 @@
 from skinsource import edits
 from skinsource.design import Design
 from skinsource.edits import Edit, Refusal
+from skinsource.edits.selection import clip_of
 from skinsource.view import View
 from skinsource_gui.shell.action_spec import ActionSpec, action
 from skinsource_gui.shell.docks.arrangements import ARRANGEMENTS
@@ -14,6 +15,11 @@ def _toggle_delay(design: Design, view: View) -> Edit | Refusal:
 
 def _delay_removed(design: Design, view: View) -> bool:
     return view.delay_removed
+
+
+def _has_clip(design: Design, view: View) -> bool:
+    one = view.selected_input
+    return one in design.ids and clip_of(design.input(one), view) is not None
 
 
 VIEW: tuple[ActionSpec, ...] = (
@@ -51,6 +57,15 @@ VIEW: tuple[ActionSpec, ...] = (
         argument="clip_editor",
         keywords="draw waveform envelope pen freehand",
         separated=True,
+    ),
+    action(
+        "draw_clip",
+        "View",
+        "Draw clip",
+        "Show the selected clip large, and take the pen",
+        command="clip_drawing.begin",
+        enabled=_has_clip,
+        keywords="drawn waveform pen freehand samples",
     ),
     action(
         "next_panel",

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QApplication, QMainWindow, QTabBar, QTabWidget
 
 from skinsource_gui.shell.docks.dock import Dock
 from skinsource_gui.shell.docks.tab_lists import TabLists, tab_menu
-from skinsource_gui.shell.focus_order import focus_into
+from skinsource_gui.shell.focus.focus_order import focus_into
 
 _NOTHING = "No panel shares its place with another one; View > Panels brings more"
 

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
 from shiboken6 import isValid
 
 from skinsource_gui.shell.docks.dock import Dock
-from skinsource_gui.shell.focus_order import focus_into
+from skinsource_gui.shell.focus.focus_order import focus_into
 
 
 class KeptKeyboard(QObject):

@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QApplication
 
 from skinsource_gui.made_panels import MadePanels
-from skinsource_gui.shell.focus_order import focus_into, tab_stops
+from skinsource_gui.shell.focus.focus_order import focus_into, tab_stops
 
 
 class PanelFocus(QObject):
