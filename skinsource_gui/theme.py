@@ -171,6 +171,8 @@ def apply_theme(app: QApplication, theme: Theme, text_scale: float = 1.0) -> Non
     already, nothing is done: Qt would go through all widgets.
     """
     font = scaled(QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont), text_scale)
+    # "fi" drawn as one letter is found by nobody who searches a page for "file".
+    font.setFeature(QFont.Tag("liga"), 0)
     sheet = _sheet(theme)
     if sheet == app.styleSheet() and font == app.font():
         return

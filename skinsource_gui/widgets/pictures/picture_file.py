@@ -11,6 +11,7 @@ from PySide6.QtSvg import QSvgGenerator
 from skinsource.errors import StorageError
 from skinsource.files import write_bytes
 from skinsource_gui.widgets.pictures.layouts import PER_INCH
+from skinsource_gui.widgets.pictures.searchable import searchable
 
 #: Draws a picture with a painter, so wide and so high, px; may take a ``theme`` too.
 Draw = Callable[..., None]
@@ -72,7 +73,8 @@ def save_drawing(
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     write(buffer, draw, width, height, title)
-    write_bytes(path, bytes(buffer.data().data()))
+    written = bytes(buffer.data().data())
+    write_bytes(path, searchable(written) if write is _pdf else written)
 
 
 def drawn_image(draw: Draw, width: int, height: int, dpi: int = PER_INCH) -> QImage:
