@@ -1,11 +1,13 @@
 """One signal in a plot."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import pyqtgraph
 from pyqtgraph.functions import arrayToQPath, arrayToQPolygonF
 from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QPainter, QPainterPath, QPen, QPolygonF
+from PySide6.QtGui import QPainter, QPainterPath, QPen, QPolygonF, QTransform
 
 from skinsource_gui.widgets.plot.curve_points import CurvePoints
 
@@ -70,22 +72,37 @@ class SignalCurve(pyqtgraph.GraphicsObject):
 
     def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
         painter.setPen(self.pen)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, self._line is not None)
-        if self._line is not None:
-            painter.drawPolyline(self._line)
-        elif self._path is not None:
-            painter.drawPath(self._path)
+        if self.pen.widthF() > 0.0:
+            with self._in_scene(painter) as to_scene:
+                self._paint_wide(painter, to_scene)
+        else:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, self._line is not None)
+            if self._line is not None:
+                painter.drawPolyline(self._line)
+            elif self._path is not None:
+                painter.drawPath(self._path)
         if self.dots is not None:
-            self._paint_dots(painter, self.dots)
+            with self._in_scene(painter) as to_scene:
+                self._paint_dots(painter, to_scene.map(self.dots))
 
-    def _paint_dots(self, painter: QPainter, dots: QPolygonF) -> None:
-        # Where 1 is a pixel both ways: the view is stretched, and its dots would be strokes.
+    @contextmanager
+    def _in_scene(self, painter: QPainter) -> Iterator[QTransform]:
+        """Paint where 1 is a pixel both ways: in the stretched view, dots would be strokes."""
         to_scene = self.sceneTransform()
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setWorldTransform(to_scene.inverted()[0] * painter.worldTransform())
+        yield to_scene
+        painter.restore()
+
+    def _paint_wide(self, painter: QPainter, to_scene: QTransform) -> None:
+        if self._line is not None:
+            painter.drawPolyline(to_scene.map(self._line))
+        elif self._path is not None:
+            painter.drawPath(to_scene.map(self._path))
+
+    def _paint_dots(self, painter: QPainter, dots: QPolygonF) -> None:
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(self.pen.color())
-        for dot in to_scene.map(dots).toList():
+        for dot in dots.toList():
             painter.drawEllipse(dot, _DOT_PX, _DOT_PX)
-        painter.restore()

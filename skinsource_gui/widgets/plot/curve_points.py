@@ -14,7 +14,8 @@ from skinsource_gui.widgets.plot.x_window import XWindow
 
 # Upright strokes that are longer than this on average make a block.
 _BLOCK_PX = 4.0
-# From so many pixels for each point on the wave is drawn, and each point is marked.
+# From so many pixels of the screen, or dots of a printer, for each point on the wave is drawn; from
+# so many px on each point is marked.
 _WAVE_PX, _DOTS_PX = 2.0, 8.0
 
 
@@ -94,7 +95,7 @@ def seen_of(
     found = columns.of(x, window.shown, int(row.width() * ratio))
     points = found.points(y)
     apart_px = row.width() / max(points.x.size, 1)
-    if curves.between is None or points.strokes or apart_px < _WAVE_PX:
+    if curves.between is None or points.strokes or apart_px * ratio < _WAVE_PX:
         return Seen(line=points)
     instants, waves = curves.between(found.part.start, found.part.stop)
     line = Points(x=window.axis.positions(instants), y=waves[:n_drawn])

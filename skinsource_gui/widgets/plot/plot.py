@@ -32,12 +32,19 @@ _NOT_FINITE = "The response has values that are not finite numbers."
 # A drag shorter than this is a click.
 _DRAG_PX = 5
 _TEXT = 0.9
+# On paper: dots in a px, so many that the wave between samples is drawn; width of lines, px.
+_PAPER_DOTS, _PAPER_LINE_PX = 16.0, 1.0
 
 
 class Plot(Canvas):
     """Curves in one row or in one row each, with a crosshair.
 
     Ranges are decided once for each update; what is around the curves is kept as pictures.
+
+    Parameters
+    ----------
+    on_paper
+        Whether it is drawn for a page, as finely as printers print, not for the screen.
 
     Attributes
     ----------
@@ -72,8 +79,9 @@ class Plot(Canvas):
     #: What a key wants of the playhead, see `playhead_keys`.
     playhead_key = Signal(object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None, *, on_paper: bool = False) -> None:
         super().__init__(parent)
+        self._on_paper = on_paper
         self.setMinimumSize(160, 90)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setCursor(Qt.CursorShape.CrossCursor)
@@ -230,7 +238,7 @@ class Plot(Canvas):
         places = self.places
         n_drawn = places.n_rows if self.stacked else len(self.curves.names)
         rows = [places.row(rank if self.stacked else 0) for rank in range(n_drawn)]
-        ratio = self.devicePixelRatioF()
+        ratio = _PAPER_DOTS if self._on_paper else self.devicePixelRatioF()
         seen = seen_of(self.curves, self.x_window, n_drawn, rows[0], ratio, self.columns)
         if beyond := seen.beyond(self.value_scale.values):
             values = self._held.follow(*beyond, self.curves.kind)
@@ -272,4 +280,7 @@ class Plot(Canvas):
 
     def _colour(self) -> None:
         names = () if self.curves is None or not self.stacked else self.curves.names
-        self.stack.show_colours([name.number for name in names], stale=self.words.stale)
+        # One pixel of the screen: any wider line takes a hundred times as long.
+        line_px = _PAPER_LINE_PX if self._on_paper else 0.0
+        numbers = [name.number for name in names]
+        self.stack.show_colours(numbers, stale=self.words.stale, line_px=line_px)

@@ -48,7 +48,7 @@ def draw_signals(
 
 def _copy_of(plot: Plot, size: QSize, theme: Theme) -> Plot:
     # A plot of its own: the one on the screen keeps its colours, its crosshair and its picture.
-    copy = Plot()
+    copy = Plot(on_paper=True)
     copy.set_theme(theme)
     copy.resize(size)
     copy.set_view(plot.x_window.axis, plot.zoom, stacked=plot.stacked)
@@ -89,15 +89,18 @@ def _line_px(plot: Plot) -> float:
 
 
 def _heading_lines(plot: Plot) -> list[str]:
-    """The heading in as many lines as its parts need."""
-    metrics = QFontMetricsF(plot.words_font)
+    """The heading in as many lines as its parts need; one that is too long is broken."""
+    metrics, room_px = QFontMetricsF(plot.words_font), plot.width() - 2 * UNIT_PX
     lines: list[str] = []
     for part in () if plot.curves is None else plot.curves.heading:
-        longer = f"{lines[-1]} · {part}" if lines else part
-        if lines and metrics.horizontalAdvance(longer) <= plot.width() - 2 * UNIT_PX:
-            lines[-1] = longer
-        else:
-            lines.append(part)
+        between = " · "
+        for word in [part] if metrics.horizontalAdvance(part) <= room_px else part.split(" "):
+            longer = f"{lines[-1]}{between}{word}" if lines else word
+            if lines and metrics.horizontalAdvance(longer) <= room_px:
+                lines[-1] = longer
+            else:
+                lines.append(word)
+            between = " "
     return lines
 
 
