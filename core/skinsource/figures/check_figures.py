@@ -17,6 +17,8 @@ from skinsource.plot.paper import COLOURS, INK, style
 from skinsource.quoting import quoted
 from skinsource.resampling import finer
 from skinsource.scenes import OpenedScene
+from skinsource.validation.agreement import pearson
+from skinsource.validation.linearity import straight_lines
 from skinsource.waveforms import Chirp
 
 _BAND_HZ = 2.0
@@ -131,18 +133,14 @@ def lines_of(opened: OpenedScene) -> Fits:
         played.append(of_drive[0])
         felt.append(of_field)
     x, y = np.stack(played), np.stack(felt)
-    centred_x, centred_y = x - x.mean(axis=0), y - y.mean(axis=0)
-    slope = np.sum(centred_x[:, None] * centred_y, axis=0) / np.sum(centred_x**2, axis=0)
-    rest = np.sum((centred_y - slope * centred_x[:, None]) ** 2, axis=0)
-    n = len(x)
-    r2 = 1.0 - rest / np.sum(centred_y**2, axis=0)
+    slope, offset, adjusted_r2 = straight_lines(x[:, None], y)
     return Fits(
         frequency_hz=frequency_hz,
         played=x,
         felt=y,
         slope=slope,
-        offset=y.mean(axis=0) - slope * x.mean(axis=0),
-        adjusted_r2=1.0 - (1.0 - r2) * (n - 1) / (n - 2),
+        offset=offset,
+        adjusted_r2=adjusted_r2,
     )
 
 
@@ -221,8 +219,7 @@ def superposition(opened: OpenedScene) -> Drawn:
     fields = [field_of(one.design) for one in opened.conditions]
     time_s, joint = fields[-1]
     separate = fields[0][1] + fields[1][1]
-    r = correlation(separate.reshape(-1, joint.shape[-1]), joint.reshape(-1, joint.shape[-1]))
-    worst = r.reshape(joint.shape[:2]).min(axis=1)
+    worst = pearson(separate, joint).min(axis=1)
     outputs, header = opened.view.outputs, ["time_s"]
     normal = normal_of(opened.design, separate), normal_of(opened.design, joint)
     columns = [time_s]
@@ -249,15 +246,6 @@ def superposition(opened: OpenedScene) -> Drawn:
             "-correlation": Table(header=["output", "pearson_r"], rows=numbers_and_r),
         },
     )
-
-
-def correlation(one: Floats, other: Floats) -> Floats:
-    """Pearson r of each pair of rows, (n_rows,)."""
-    a = one - one.mean(axis=-1, keepdims=True)
-    b = other - other.mean(axis=-1, keepdims=True)
-    a /= np.linalg.norm(a, axis=-1, keepdims=True)
-    b /= np.linalg.norm(b, axis=-1, keepdims=True)
-    return np.sum(a * b, axis=-1)
 
 
 def _draw_sums(

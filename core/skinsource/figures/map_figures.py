@@ -10,7 +10,7 @@ from skinsource.figures.sheet import WIDTH_MM, Drawn, Sheet, Table
 from skinsource.figures.values import axes_of_sensors, relative
 from skinsource.map_range import MAP_RANGE_DB
 from skinsource.plot.levels import Levels, Range, common_range, levels_of
-from skinsource.plot.maps import Bar, draw_map
+from skinsource.plot.maps import HATCHED, Bar, draw_map
 from skinsource.plot.paper import style
 from skinsource.scenes import OpenedScene
 
@@ -46,7 +46,8 @@ def maps_figure(
     opened: OpenedScene, levels: Sequence[Levels], titles: Sequence[str], colours: Range, words: str
 ) -> Drawn:
     """Maps beside each other with one colour bar, and the level of each output as a table."""
-    sheet = Sheet(opened, _HEIGHT_MM)
+    noisy = any(one.noisy for one in levels)
+    sheet = Sheet(opened, _HEIGHT_MM, f"{HATCHED}." if noisy else "")
     room_mm = min(WIDTH_MM - _BAR_ROOM_MM - 6.0, 50.0 * len(levels))
     left_mm = (WIDTH_MM - _BAR_ROOM_MM - room_mm) / 2.0
     with style():

@@ -15,7 +15,7 @@ from skinsource.figures.sheet import WIDTH_MM, Drawn, Sheet, Table
 from skinsource.figures.values import axes_of_sensors, field_of, frames, with_values
 from skinsource.own_limbs import facts_of
 from skinsource.plot.levels import common_range
-from skinsource.plot.maps import draw_map
+from skinsource.plot.maps import Bar, draw_map
 from skinsource.plot.paper import COLOURS, style
 from skinsource.plot.rows import Row, common_size, draw_rows, say_scale
 from skinsource.plot.signals import averaged
@@ -57,8 +57,9 @@ def pulse_traces(opened: OpenedScene) -> Drawn:
         image = None
         places = sheet.row_of_axes(len(instants), 12.0, 1.0, 146.0, _FRAMES_MM - 6.0)
         for place, one, instant in zip(places, levels, instants, strict=True):
+            bar: Bar = "drawn" if instant == instants[-1] else "room"
             title = f"{1e3 * time_s[instant]:.1f} ms"
-            image = draw_map(place, one, colours, title=title, bar="none", part="hand")
+            image = draw_map(place, one, colours, title=title, bar=bar, part="hand")
         sheet.colour_bar(image, 160.0, 4.0, _FRAMES_MM - 14.0, "magnitude, dB re 1 m/s²")
     header = ["time_s", *(f"output_{n}_{axis}_m_per_s2" for n in outputs for axis in axes)]
     shown = np.concatenate([field[number - 1] for number in outputs])[:, within]

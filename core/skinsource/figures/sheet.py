@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from skinsource.arrays import Floats
+from skinsource.figures.conditions import left_words, setup_words
 from skinsource.plot.paper import DIM, INK, MM_PER_INCH, SYNTHETIC, new_figure, style
 from skinsource.scenes import OpenedScene
 
@@ -40,6 +41,8 @@ class Sheet:
         The scene: its heading stands above, its sentence, source and what is inferred below.
     height_mm
         Of the drawing alone.
+    note
+        What more is to be said of the drawing; "": nothing.
 
     Attributes
     ----------
@@ -47,8 +50,8 @@ class Sheet:
         Of matplotlib.
     """
 
-    def __init__(self, opened: OpenedScene, height_mm: float) -> None:
-        lines = _foot(opened)
+    def __init__(self, opened: OpenedScene, height_mm: float, note: str = "") -> None:
+        lines = _foot(opened, note)
         self._foot_mm = _LINE_MM * len(lines) + 2 * _FOOT_EDGE_MM
         self._height_mm = height_mm + _HEAD_MM + self._foot_mm
         self.figure = new_figure(WIDTH_MM, self._height_mm)
@@ -117,12 +120,13 @@ class Drawn:
         return self.sheet.figure
 
 
-def _foot(opened: OpenedScene) -> list[tuple[str, str]]:
+def _foot(opened: OpenedScene, note: str) -> list[tuple[str, str]]:
     """Lines below a drawing, each with its colour."""
     known = opened.scene
     said = [(known.sentence, INK), (f"After {known.source}.", DIM)]
     if known.inferred:
         said.append((f"Inferred: {'; '.join(known.inferred)}.", DIM))
+    said += [(words, DIM) for words in (setup_words(opened), left_words(opened), note) if words]
     if opened.synthetic:
         words = f"{SYNTHETIC}; they need not do what the sentence says."
         said.append((words, "#B00020"))

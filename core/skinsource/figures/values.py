@@ -57,5 +57,8 @@ def relative(levels: list[Levels], *, together: bool) -> list[Levels]:
 
 
 def with_values(design: Design, values: Floats) -> Levels:
-    """A map of any values at the outputs, with the places that the design drives."""
-    return replace(levels_of(design, None, None), values=np.asarray(values))
+    """A map of any values at the outputs, with the places that the design drives.
+
+    Nothing is hatched: what noise the whole record has says little of an instant.
+    """
+    return replace(levels_of(design, None, None), values=np.asarray(values), noisy=())

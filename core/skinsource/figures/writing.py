@@ -5,10 +5,11 @@ from pathlib import Path
 
 import numpy as np
 
-from skinsource.choice_words import LIMBS, SCALINGS, word_of
+from skinsource.choice_words import SCALINGS, limb_word, word_of
 from skinsource.errors import StorageError
 from skinsource.export.csv_table import CsvTable
 from skinsource.export.output_file import output_file
+from skinsource.figures.conditions import condition_lines, limbs_of
 from skinsource.figures.every_figure import FIGURES
 from skinsource.figures.sheet import Drawn
 from skinsource.files import named, write_bytes
@@ -83,13 +84,14 @@ def draw_figure(opened: OpenedScene) -> Drawn:
 def about(opened: OpenedScene) -> list[str]:
     """Comment lines of a table: what it is, where it is from, what it was computed on."""
     known = opened.scene
-    limbs = list(dict.fromkeys(one.design.limb for one in opened.conditions))
     lines = [f"SkinSource studio: {known.heading}", known.sentence, f"after {known.source}"]
     lines += [f"inferred: {words}" for words in known.inferred]
     if opened.synthetic:
         lines += [SYNTHETIC, opened.note]
-    lines.append(f"limb: {', '.join(f'{word_of(LIMBS, one).title} ({one})' for one in limbs)}")
+    limbs = (f"{limb_word(one).title} ({one})" for one in limbs_of(opened))
+    lines.append(f"limb: {', '.join(limbs)}")
     lines.append(f"scaling: {word_of(SCALINGS, opened.design.scaling).both}")
+    lines += condition_lines(opened)
     lines.append(f"computed by: skinsource {__version__}, numpy {np.__version__}")
     return lines
 

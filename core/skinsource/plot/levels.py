@@ -32,12 +32,15 @@ class Levels:
         In dB, or signed accelerations.
     places
         Input places that play.
+    noisy
+        Outputs that are mostly noise, see `skinsource.validity`; none where that is not known.
     """
 
     limb: Limb
     surface: SurfaceOperator
     values: Floats
     places: tuple[int, ...] = ()
+    noisy: tuple[int, ...] = ()
 
 
 def levels_of(shown: Design | ArrayLike, limb: Limb | str | None, view: View | None) -> Levels:
@@ -49,13 +52,14 @@ def levels_of(shown: Design | ArrayLike, limb: Limb | str | None, view: View | N
         Levels come without a limb, or do not fit it.
     """
     if isinstance(shown, Design):
-        found = evaluate(shown, "output_levels_db", "limb_data", "surface", view=view)
+        found = evaluate(shown, "output_levels_db", "limb_data", "surface", "validity", view=view)
         places = sorted({one.location for one in audible_inputs(shown.inputs)})
         return Levels(
             limb=found["limb_data"],
             surface=found["surface"],
             values=found["output_levels_db"],
             places=tuple(places),
+            noisy=next(one.outputs for one in found["validity"] if one.name == "noise"),
         )
     if limb is None:
         raise InvalidInputError(

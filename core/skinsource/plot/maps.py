@@ -6,6 +6,7 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike
 
+from skinsource.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.arrays import Floats
 from skinsource.design import Design
 from skinsource.limb import Limb
@@ -17,11 +18,18 @@ from skinsource.view import View
 Bar = Literal["drawn", "room", "none"]
 Part = Literal["arm", "hand"]
 _COLOUR_MAP, _SIGNED_COLOUR_MAP = "viridis", "RdBu_r"
-_BAR_MM = 50.0
+# Beside the wrist there is less room than below the arm.
+_BAR_MM: dict[Part, float] = {"arm": 50.0, "hand": 20.0}
 # Room for it and its words below the limb.
 _BELOW_MM = 24.0
 # The hand and a little of the wrist, in hand lengths.
 _HAND_PART = 1.06
+# Around an output, about half of the way to its neighbours, in hand lengths.
+_NOISE_REACH = 0.08
+# Seen on dark and on light colours.
+_STROKES, _STROKE_COLOUR = "//////", "#B0B0B0"
+#: What strokes over a map mean.
+HATCHED = f"Hatched: less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise of the measurement"
 _ALONE_MM = (75.0, 115.0)
 
 
@@ -78,8 +86,10 @@ def map(
         image = draw_map(on, levels, colours, outputs=outputs, title=title)
         if alone:
             colour_bar(on.figure, image, [on], "dB re 1 m/s²")
-            if levels.limb.synthetic:
-                on.figure.text(0.5, 0.01, SYNTHETIC, ha="center", color=DIM, fontsize=6)
+            # A synthetic limb has no noise: there is one of them to be said, or neither.
+            words = SYNTHETIC if levels.limb.synthetic else HATCHED if levels.noisy else ""
+            if words:
+                on.figure.text(0.5, 0.01, words, ha="center", color=DIM, fontsize=6)
     return on.figure
 
 
@@ -109,14 +119,17 @@ def draw_map(
     signed
         Whether values have a sign, and 0 in the middle of the colours.
     bar
-        Whether a bar below the limb says how long 50 mm are; ``"room"`` leaves room for it, so
-        that maps side by side are alike.
+        Whether a bar beside the limb says how long 50 mm are, 20 mm of a hand; ``"room"`` leaves
+        room for it, so that maps side by side are alike.
     part
         ``"arm"``: all of it; ``"hand"``: down to the wrist.
+
+    Outputs of ``levels`` that are mostly noise are hatched.
     """
     limb = levels.limb
     scale = limb.hand_length_mm / limb.map.hand_length_px
     image = _draw_field(ax, levels, colours, _SIGNED_COLOUR_MAP if signed else _COLOUR_MAP)
+    _hatch(ax, limb.map.output_positions * scale, levels.noisy, _NOISE_REACH * limb.hand_length_mm)
     _mark(ax, limb.map.input_positions * scale, levels.places, "input")
     _mark(ax, limb.map.output_positions * scale, outputs, "output")
     low, high = _bounds(limb, part)
@@ -125,7 +138,7 @@ def draw_map(
     ax.set_aspect("equal")
     ax.set_axis_off()
     if bar == "drawn":
-        _millimetre_bar(ax, float(high[0]), float(low[1]))
+        _millimetre_bar(ax, float(high[0]), float(low[1]), _BAR_MM[part])
     if title:
         ax.set_title(title)
     return image
@@ -155,6 +168,22 @@ def _draw_field(ax: Any, levels: Levels, colours: Range, colour_map: str) -> Any
     ax.add_patch(outline)
     image.set_clip_path(outline)
     return image
+
+
+def _hatch(ax: Any, positions: Floats, noisy: tuple[int, ...], reach_mm: float) -> None:
+    """Strokes around outputs that are mostly noise, cut by the outline."""
+    places = [positions[number - 1] for number in noisy]
+    shown = [place for place in places if np.isfinite(place).all()]
+    if not shown:
+        return
+    path = module("matplotlib.path").Path
+    discs = path.make_compound_path(*(path.circle(place, reach_mm) for place in shown))
+    strokes = module("matplotlib.patches").PathPatch(
+        discs, fill=False, hatch=_STROKES, edgecolor=_STROKE_COLOUR, linewidth=0.0
+    )
+    (outline,) = ax.patches
+    ax.add_patch(strokes)
+    strokes.set_clip_path(outline)
 
 
 def _bounds(limb: Limb, part: Part) -> tuple[Floats, Floats]:
@@ -204,7 +233,7 @@ def _mark(ax: Any, positions: Floats, numbers: tuple[int, ...], kind: str) -> No
             )
 
 
-def _millimetre_bar(ax: Any, right_mm: float, bottom_mm: float) -> None:
-    x, y = (right_mm - _BAR_MM, right_mm), bottom_mm - 0.35 * _BELOW_MM
+def _millimetre_bar(ax: Any, right_mm: float, bottom_mm: float, long_mm: float) -> None:
+    x, y = (right_mm - long_mm, right_mm), bottom_mm - 0.35 * _BELOW_MM
     ax.plot(x, (y, y), color=INK, lw=1.2)
-    ax.text(sum(x) / 2, y - 3.0, f"{_BAR_MM:g} mm", ha="center", va="top", fontsize=6)
+    ax.text(sum(x) / 2, y - 3.0, f"{long_mm:g} mm", ha="center", va="top", fontsize=6)

@@ -66,7 +66,7 @@ def linear_fit(
     summed = np.add.reduceat(power[..., inside], first, axis=-1)
     y = np.sqrt(summed / counts)
     middles = low_hz + (numbers + 0.5) * BIN_HZ
-    return middles, _adjusted_r2(x, y)
+    return middles, straight_lines(x[:, None, None], y)[2]
 
 
 def superposition_correlation(separate: ArrayLike, joint: ArrayLike) -> Floats:
@@ -89,14 +89,22 @@ def superposition_correlation(separate: ArrayLike, joint: ArrayLike) -> Floats:
     return pearson(parts.sum(axis=0), whole)
 
 
-def _adjusted_r2(x: Floats, y: Floats) -> Floats:
-    """Of the straight lines through (x, y) over the first axis of ``y``."""
-    n = x.size
-    away = (x - x.mean())[:, None, None]
-    rest = y - y.mean(axis=0)
-    slope = np.sum(away * rest, axis=0) / np.sum(away**2)
+def straight_lines(x: Floats, y: Floats) -> tuple[Floats, Floats, Floats]:
+    """Slopes, offsets and adjusted R² of straight lines over the first axis, by least squares.
+
+    Parameters
+    ----------
+    x, y : (n, ...)
+        Shapes that broadcast, with three levels or more; ``y`` has the whole one.
+
+    Returns
+    -------
+    (...,) each; R² is NaN where ``y`` does not change.
+    """
+    n = len(x)
+    away, rest = x - x.mean(axis=0), y - y.mean(axis=0)
+    slope = np.sum(away * rest, axis=0) / np.sum(away**2, axis=0)
     left = np.sum(np.square(rest - slope * away), axis=0)
     total = np.sum(np.square(rest), axis=0)
     share = np.divide(left, total, out=np.full(total.shape, np.nan), where=total > 0.0)
-    found: Floats = 1.0 - share * (n - 1) / (n - 2)
-    return found
+    return slope, y.mean(axis=0) - slope * x.mean(axis=0), 1.0 - share * (n - 1) / (n - 2)

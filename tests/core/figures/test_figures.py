@@ -10,7 +10,8 @@ import skinsource as ss
 from skinsource.commands.command_line import main
 from skinsource.errors import InvalidInputError, StorageError
 from skinsource.figures import FIGURES, write_figures
-from skinsource.figures.check_figures import banded, correlation, lines_of
+from skinsource.figures.check_figures import banded, lines_of
+from skinsource.figures.writing import draw_figure
 from skinsource.limb import BAND_HZ
 
 
@@ -107,13 +108,74 @@ def test_lines_are_those_of_least_squares():
     assert fits.slope[:, 10].std() > 0.0
 
 
-def test_the_correlation_is_that_of_pearson():
-    random = np.random.default_rng(5)
-    a, b = random.standard_normal((2, 4, 50))
-    b += 0.7 * a + 3.0
-    found = correlation(a, b)
-    expected = [np.corrcoef(one, other)[0, 1] for one, other in zip(a, b, strict=True)]
-    np.testing.assert_allclose(found, expected, rtol=1e-12)
+def test_the_sum_that_figure_5f_shows_is_of_what_each_input_causes_alone():
+    table = draw_figure(ss.scenes.open_scene("5F", available=())).tables
+    columns = dict(zip(table[""].header, np.asarray(table[""].rows).T, strict=True))
+    for output in (20, 26):
+        separate = columns[f"output_{output}_z_separate_m_per_s2"]
+        joint = columns[f"output_{output}_z_joint_m_per_s2"]
+        assert np.abs(joint).max() > 0.1
+        np.testing.assert_allclose(separate, joint, rtol=0, atol=1e-12 * np.abs(joint).max())
+    assert np.asarray(table["-correlation"].rows)[:, 1].min() > 1.0 - 1e-9
+
+
+def test_maps_of_all_figures_that_have_them_tell_how_long_a_millimetre_is():
+    for name, words in (("1C", "20 mm"), ("2H", "50 mm"), ("4A", "50 mm")):
+        figure = draw_figure(ss.scenes.open_scene(name, available=())).figure
+        told = [one.get_text() for ax in figure.axes for one in ax.texts]
+        assert told.count(words) == 1, name
+
+
+def test_frames_of_figure_4a_are_a_quarter_of_a_cycle_apart():
+    opened = ss.scenes.open_scene("4A", available=())
+    shown = draw_figure(opened).tables[""]
+    at_ms = [float(name.split()[2]) for name in shown.header[1:]]
+    quarters = 100.0 + np.arange(5) * 1e3 / (4 * 104.0)
+    np.testing.assert_allclose(at_ms, quarters, atol=1e3 / 1300 / 2 + 1e-3)
+    view = ss.View(axes="z", outputs=tuple(range(1, 73)))
+    found = ss.evaluate(opened.design, "response_time_s", "selected_traces", view=view)
+    at = np.searchsorted(found["response_time_s"], 1e-3 * at_ms[2] - 1e-5)
+    np.testing.assert_array_equal(np.asarray(shown.rows)[:, 3], found["selected_traces"][:, at])
+
+
+def test_figures_say_on_which_limb_and_which_conditions_are_not_kept(measured, tmp_path):
+    write_figures(tmp_path, ["2B"])
+    about, _, _ = table(tmp_path / "2B.csv")
+    drawing = (tmp_path / "2B.svg").read_text("utf-8")
+    assert "Limb: Measured 1 (175 mm). Scaling: Peak of each input." in drawing
+    assert "not kept (see the table): noise, scaling, spacing." in drawing
+    assert "Hatched: less than 6 dB above the noise of the measurement." in drawing
+    of_noise = [line for line in about if "validity, noise: CAUTION" in line]
+    assert [line.split(":")[0] for line in of_noise] == [
+        f"# {frequency} Hz" for frequency in (50, 100, 200, 400)
+    ]
+    # What holds of all designs is said once.
+    assert sum("validity, scaling: CAUTION" in line for line in about) == 1
+
+
+def test_noise_is_hatched_on_a_map_of_a_measured_limb_and_no_other(measured):
+    tone = ss.track(7, ss.waveforms.Tone(frequency_hz=200.0, duration_s=0.2))
+    for limb, hatched in (("measured-1", True), ("synthetic-1", False)):
+        figure = ss.plot.map(ss.Design(limb=limb, inputs=(tone,)))
+        patches = figure.axes[0].patches
+        assert [bool(one.get_hatch()) for one in patches] == [False, *[True] * hatched]
+        words = " ".join(one.get_text() for one in figure.texts)
+        assert ("Hatched: " in words) == hatched
+        if hatched:
+            noisy = next(
+                one.outputs
+                for one in ss.evaluate(ss.Design(limb=limb, inputs=(tone,)), "validity")["validity"]
+                if one.name == "noise"
+            )
+            shape = ss.load_limb(limb)
+            scale = shape.hand_length_mm / shape.map.hand_length_px
+            for number in range(1, 61):
+                inside = (
+                    patches[1]
+                    .get_path()
+                    .contains_point(shape.map.output_positions[number - 1] * scale)
+                )
+                assert inside or number not in noisy
 
 
 def test_a_folder_that_is_not_there_is_no_place_for_figures(tmp_path):

@@ -1,0 +1,146 @@
+"""Where figures of analysis begin and end: bands, thresholds, shares, and what counts."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.analysis.transfer import transfer_function
+from skinsource.analysis.travelling import travelling_wave
+from skinsource.analysis_rules.noise_rules import output_noise_rms
+from skinsource.analysis_rules.perception_rules import contact_weighted_rms
+from skinsource.analysis_rules.wave_rules import line_wave
+from skinsource.chain import Actuation, ActuatorAt
+from skinsource.job import never
+from skinsource.perception.hand_arm import hand_arm_weighting, weighted_rms
+from skinsource.perception.threshold_table import table_threshold
+from skinsource.rendering.projecting import Projection
+from skinsource.validity import found_in_drives
+from skinsource.view import View
+
+RATE = 1300.0
+LINE = (20, 22, 24, 26)
+
+
+def tone(frequency_hz, amplitude=1.0, place=8, duration_s=1.0, **changes):
+    waveform = ss.waveforms.Tone(frequency_hz=frequency_hz, duration_s=duration_s)
+    return ss.track(place, waveform, amplitude=amplitude, **changes)
+
+
+def sine(frequency_hz, amplitude=1.0):
+    """A second of it: its spectrum lies within some hertz around its frequency."""
+    wave = np.sin(2 * np.pi * frequency_hz * np.arange(1300) / RATE)
+    return amplitude * wave * np.hanning(1300)
+
+
+def lamp(name, *drives):
+    found = found_in_drives(list(enumerate(drives, start=6)), RATE, "upstream")
+    return next(one for one in found if one.name == name)
+
+
+def test_the_usable_band_begins_and_ends_with_frequencies_of_the_measured_one():
+    pulse = np.zeros((1, 1, 522))
+    pulse[..., 67] = 1.0
+    for band_hz in ((25.0, 600.0), (100.0, 200.0)):
+        found = transfer_function(pulse, RATE, [[0.0]], band_hz=band_hz)
+        hz = found.frequency_hz
+        inside = hz[(hz >= band_hz[0]) & (hz <= band_hz[1])]
+        assert found.usable_hz[0] == pytest.approx([inside[0], inside[-1]])
+
+
+def test_a_point_of_another_shape_has_a_level_and_no_delay_that_counts():
+    rng = np.random.default_rng(11)
+    first = rng.normal(size=1300)
+    later = [np.roll(first, 5 * k) for k in range(3)]
+    found = travelling_wave([*later, rng.normal(size=1300)], [0.0, 50.0, 100.0, 150.0], RATE)
+    assert found.alike[-1] < 0.5
+    assert list(found.timed) == [True, True, True, False]
+    assert found.counted.all()
+    assert found.speed_m_per_s == pytest.approx(0.05 / (5 / RATE), rel=0.02)
+
+
+def test_points_of_a_line_count_from_six_decibels_above_the_noise():
+    design = ss.Design(limb="synthetic-1", inputs=(tone(100.0, duration_s=0.1),))
+    found = ss.evaluate(design, "vibration", "limb_data")
+    above_db = np.full(72, 40.0)
+    above_db[21], above_db[23] = 5.99, 6.0
+    line = line_wave(found["vibration"], LINE, found["limb_data"], above_db, RATE, never)
+    assert list(line.wave.counted) == [True, False, True, True]
+
+
+def test_a_wave_is_followed_along_z_whatever_axes_are_chosen():
+    design = ss.Design(limb="synthetic-1", inputs=(tone(100.0, duration_s=0.1),))
+    found = ss.evaluate(design, "line_wave", view=View(outputs=LINE, axes="x"))["line_wave"]
+    traces = ss.evaluate(design, "axis_traces", view=View(outputs=LINE, axes="xyz"))["axis_traces"]
+    levels_db = 10.0 * np.log10(np.mean(traces[:, 2] ** 2, axis=-1))
+    assert found.axis == "z"
+    assert found.wave.level_db == pytest.approx(levels_db, abs=1e-9)
+
+
+def test_delays_count_from_the_first_input_that_is_heard():
+    heard, view = tone(120.0, duration_s=0.1, onset_s=0.3), View(outputs=(20,))
+    muted, still = replace(tone(60.0, place=3), muted=True), tone(60.0, 0.0, place=4)
+    alone, beside = (
+        ss.evaluate(ss.Design(limb="synthetic-1", inputs=inputs), "output_statistics", view=view)
+        for inputs in ((heard,), (muted, still, heard))
+    )
+    assert 0.04 < alone["output_statistics"].delay_s[0] < 0.08
+    assert beside["output_statistics"].delay_s == pytest.approx(
+        alone["output_statistics"].delay_s, abs=1e-6
+    )
+
+
+def test_noise_along_a_direction_is_that_of_independent_axes():
+    direction = np.array([[0.6, 0.8, 0.0], [1.0, 0.0, 0.0]])
+    energy = np.array([[4.0, 9.0, 16.0], [4.0, 9.0, 16.0]])
+    found = output_noise_rms(energy, Projection((0, 1, 2), direction), 10)
+    rng = np.random.default_rng(12)
+    axes = rng.normal(size=(2, 3, 200_000)) * np.sqrt(energy / 10)[..., None]
+    drawn = np.einsum("oa,oat->ot", direction, axes)
+    assert found == pytest.approx(drawn.std(axis=-1), rel=0.01)
+    length = output_noise_rms(energy, Projection((0, 1, 2), None), 10)
+    assert length == pytest.approx(np.sqrt([2.9, 2.9]))
+
+
+def test_above_the_measured_band_nothing_is_felt():
+    def level_db(frequency_hz):
+        design = ss.Design(limb="synthetic-1", inputs=(tone(frequency_hz, 50.0),), scaling="probe")
+        return ss.evaluate(design, "sensation")["sensation"].level_db.max()
+
+    assert level_db(590.0) - level_db(630.0) > 20.0
+
+
+def test_the_weighted_acceleration_of_a_contact_is_not_told_behind_an_actuator():
+    drives = ((8, sine(100.0)),)
+    ((place, weighted),) = contact_weighted_rms(drives, RATE, "probe", None)
+    assert (place, weighted > 0.0) == (8, True)
+    bench = Actuation(actuators=(ActuatorAt(model=ss.actuators.load("example-voice-coil")),))
+    assert contact_weighted_rms(drives, RATE, "probe", bench) is None
+
+
+def test_between_rows_of_a_table_thresholds_are_straight_in_logarithms():
+    table = ((25.0, 0.1), (100.0, 0.4), (400.0, 6.4))
+    assert table_threshold(table, [50.0, 200.0]) == pytest.approx([0.2, 1.6])
+
+
+def test_what_swings_at_half_the_rate_is_weighted_once():
+    swing = np.tile([1.0, -1.0], 650)
+    assert weighted_rms(swing, RATE) == pytest.approx(np.abs(hand_arm_weighting(650.0)))
+
+
+@pytest.mark.parametrize(("share", "state"), [(0.04, "kept"), (0.06, "left"), (0.15, "left")])
+def test_a_twentieth_of_the_energy_may_lie_where_it_should_not(share, state):
+    weights = np.sqrt(1.0 - share), np.sqrt(share)
+    assert lamp("band", sine(100.0, weights[0]) + sine(10.0, weights[1])).state == state
+    assert lamp("spacing", sine(100.0, weights[0]) + sine(400.0, weights[1])).state == state
+
+
+def test_what_is_slow_is_not_too_short_for_the_spacing():
+    assert lamp("spacing", sine(10.0)).state == "kept"
+
+
+def test_shares_of_several_drives_are_weighed_by_their_energy():
+    loud, soft = sine(100.0, 10.0), sine(10.0, 1.0)
+    assert lamp("band", loud, soft).state == "kept"
+    assert lamp("band", sine(100.0, 1.0), sine(10.0, 10.0)).sentence.startswith("99%")
