@@ -103,8 +103,16 @@ RULES: tuple[Callable[..., Any], ...] = (
 )
 
 
-def sources(design: Design, view: View) -> dict[str, Any]:
-    """Return what evaluation starts from, by name: nothing that no quantity depends on."""
+def sources(design: Design, view: View, *, match_gain: float = 1.0) -> dict[str, Any]:
+    """Return what evaluation starts from, by name: nothing that no quantity depends on.
+
+    Parameters
+    ----------
+    design, view
+        What is predicted, and how it is looked at.
+    match_gain
+        Factor on all that the skin does, see `View.match_gain`; drives do not have it.
+    """
     return {
         "limb": design.limb,
         # One that is imported anew under its name is another one.
@@ -113,6 +121,7 @@ def sources(design: Design, view: View) -> dict[str, Any]:
         "inputs": design.inputs,
         "scaling": design.scaling,
         "actuation": design.actuated,
+        "match_gain": match_gain,
         "axes": view.axes,
         "method": view.method,
         "span": view.span,

@@ -5,7 +5,8 @@ from typing import Any
 
 from skinsource import choice_words, fields
 from skinsource.analysis import MOST_WINDOWS
-from skinsource.comparing import NUMBERS, Snapshot
+from skinsource.comparing import NUMBERS, Snapshot, shown
+from skinsource.design import Design
 from skinsource.errors import InvalidInputError
 from skinsource.fields import (
     ChoiceSpec,
@@ -181,6 +182,14 @@ class View:
         # What is as it was keeps its identity, by which panels find their settings again.
         if in_order != self.panels:
             object.__setattr__(self, "panels", in_order)
+
+    def match_gain(self, design: Design) -> float:
+        """Factor with which the skin is shown, and the stimulus played, while ``design`` is shown.
+
+        It is that of the snapshot that ``design`` is: what is edited is shown as it is.
+        """
+        held = shown(self.snapshots, design) if self.levels_matched else None
+        return 1.0 if held is None else held.gain
 
     @property
     def selected_input(self) -> int | None:

@@ -153,7 +153,11 @@ class ExportActions(QObject):
         return options
 
     def _add(self, order: _Order) -> None:
-        self._jobs.add(order.path, order.work, answered=partial(self._accepted, order))
+        # Tables and films hold the design, not what makes it as loud as another one.
+        matched = order.view.match_gain(order.design) != 1.0
+        note = "amplitudes are as stored, levels are not matched" if matched else ""
+        answered = partial(self._accepted, order)
+        self._jobs.add(order.path, order.work, answered=answered, note=note)
 
     def _accepted(self, order: _Order, error: Exception) -> bool:
         if not isinstance(error, TooInaccurateError):

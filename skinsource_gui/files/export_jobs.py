@@ -18,11 +18,12 @@ _log = logging.getLogger(__name__)
 
 @dataclass(frozen=True, slots=True)
 class _Running:
-    """Where to, which file of the result is named, and who answers for an error first."""
+    """Where to, which file is named, who answers for an error first, what is said besides."""
 
     path: Path
     written: Callable[[Any], Path]
     answered: Callable[[Exception], bool]
+    note: str
 
 
 class ExportJobs(QObject):
@@ -54,6 +55,7 @@ class ExportJobs(QObject):
         *,
         written: Callable[[Any], Path] | None = None,
         answered: Callable[[Exception], bool] = lambda error: False,
+        note: str = "",
     ) -> None:
         """Export to ``path``.
 
@@ -65,15 +67,17 @@ class ExportJobs(QObject):
             Says of the result which file to name; ``path`` unless given.
         answered
             Is told of an error first; whether nothing more is to be said of it.
+        note
+            What is said beside the name of the file that was written.
         """
         job = Job(f"Exporting {path.name}", work)
-        self._running[job] = _Running(path, written or (lambda result: path), answered)
+        self._running[job] = _Running(path, written or (lambda result: path), answered, note)
         self._runner.add(job)
 
     def _note_written(self, job: Job[Any], result: Any) -> None:
         one = self._running.pop(job, None)
         if one is not None:
-            self._files.note_written(one.written(result))
+            self._files.note_written(one.written(result), one.note)
 
     def _note_cancelled(self, job: Job[Any]) -> None:
         one = self._running.pop(job, None)

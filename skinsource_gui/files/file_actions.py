@@ -155,10 +155,13 @@ class FileActions(QObject):
                 return None
         return path
 
-    def note_written(self, path: Path) -> None:
-        """Remember the folder of a file that was written, and tell that all went well."""
+    def note_written(self, path: Path, note: str = "") -> None:
+        """Remember the folder of a file that was written, and tell that all went well.
+
+        ``note`` is what else is to be said of it.
+        """
         self._note_folder(path)
-        self.done.emit(f"Saved {named(path)}")
+        self.done.emit("; ".join(part for part in (f"Saved {named(path)}", note) if part))
 
     def _note_folder(self, path: Path) -> None:
         self._preferences.folder = path.absolute().parent

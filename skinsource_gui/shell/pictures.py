@@ -58,7 +58,8 @@ class PanelPictures:
         if name != ALL_IN_SIGHT:
             panel = self._in_use() if name == IN_USE else self._panels[name]
         self._catch_up()
-        caption = caption_of(self._document.design)
+        design = self._document.design
+        caption = caption_of(design, self._document.view.match_gain(design))
         size: tuple[int, int] | None = None
         draw: Callable[..., None] = self._draw_all
         if panel is None:

@@ -57,6 +57,7 @@ from skinsource_gui.state.wavelet_levelling import WaveletLevelling
 from skinsource_gui.status.accuracy import Accuracy
 from skinsource_gui.status.job_bar import JobBar
 from skinsource_gui.status.limb_note import LimbNote
+from skinsource_gui.status.match_note import MatchNote
 from skinsource_gui.status.status_line import StatusLine
 from skinsource_gui.stimulus_page.stimulus_actions import StimulusActions
 from skinsource_gui.theme import Theme
@@ -212,6 +213,8 @@ class MainWindow(QMainWindow):
         groups = [[actions["undo"], actions["redo"]], [actions["find_action"]]]
         self._bar = StudioBar(self.setup_bar, self.playback.bar, groups, self)
         self.statusBar().addWidget(self.status_line, 1)
+        self._match_note = MatchNote([actions["keep_match_gain"], actions["match_levels"]])
+        self.statusBar().addPermanentWidget(self._match_note)
         self.statusBar().addPermanentWidget(self.job_bar)
         self.validity = Validity(self.document, self.engine, self.panels, self.statusBar())
         self.statusBar().addPermanentWidget(self._limb_note)
@@ -267,6 +270,7 @@ class MainWindow(QMainWindow):
         design, view = self.document.design, self.document.view
         self.setup_bar.show_state(design, view)
         self.status_line.show_design(design)
+        self._match_note.show_state(design, view)
         self._limb_note.show_limb(design.limb)
 
     def _show_theme(self, theme: Theme) -> None:

@@ -31,10 +31,11 @@ from skinsource_gui.state.predicting import (
     sources_of_levels,
     too_large,
 )
+from skinsource_gui.state.staying_matched import StayingMatched
 from skinsource_gui.widgets.fields.gesture import new_gesture
 
 _LEVELS = frozenset({"output_levels_db"})
-_AS_STORED = "Edit > Match levels of snapshots, switched off, shows them as stored"
+_AS_STORED = "Edit > Match levels of snapshots, switched off, shows it as stored"
 # Number under which the results of the window are remembered.
 _PRESENT = -1
 
@@ -96,6 +97,7 @@ class Comparison(QObject):
         self._engine.rested.connect(self._ask)
         self._panels.each(lambda panel: panel.visibility_changed.connect(self._follow))
         self._panels.each(lambda panel: panel.snapshot_wanted.connect(self.show))
+        StayingMatched(self._document, self.show)
 
     def store(self, number: str) -> None:
         """Keep the present design under a number."""
@@ -135,9 +137,9 @@ class Comparison(QObject):
                 gain = self._gain(number)
                 outcome = edits.show_snapshot(document.design, document.view, number, gain)
                 document.apply(outcome, self._going)
-                # The amplitudes are other ones than were stored, in files and exports too.
-                if isinstance(outcome, Edit) and gain_words(gain):
-                    self.done.emit(f"{outcome.label}: as loud as the others. {_AS_STORED}")
+                words = gain_words(gain)
+                if isinstance(outcome, Edit) and words:
+                    self.done.emit(f"{outcome.label}, {words} to match the others. {_AS_STORED}")
 
         self._then = show_matched
         self._ask()

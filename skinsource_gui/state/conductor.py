@@ -116,7 +116,8 @@ class Conductor(QObject):
         if refused := too_large(self._document.design.limb):
             self._explain(visible, refused)
             return
-        given = sources(self._document.design, self._document.view)
+        design, view = self._document.design, self._document.view
+        given = sources(design, view, match_gain=view.match_gain(design))
         wanted |= self._also
         request = Request(wanted, given, perf_counter() if since_s is None else since_s)
         behind = any(panel.needs and panel not in self._shown for panel in visible)

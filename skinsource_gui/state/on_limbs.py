@@ -84,7 +84,7 @@ class OnLimbs(QObject):
             asked = self._asked_of(limb)
             if isinstance(asked, str):
                 continue
-            given = sources_of_levels(*asked)
+            given = self._sources(asked)
             if self._is_known(limb, needs, given):
                 continue
             if limb == self._document.design.limb and self._engine.busy:
@@ -103,6 +103,11 @@ class OnLimbs(QObject):
         if isinstance(edit, Refusal):
             return edit.sentence
         return too_large(limb) or (edit.design, edit.view)
+
+    def _sources(self, asked: tuple[Design, View]) -> dict[str, Any]:
+        """What evaluation starts from; as loud as the design is shown in the window."""
+        document = self._document
+        return sources_of_levels(*asked, match_gain=document.view.match_gain(document.design))
 
     def _is_known(self, limb: str, needs: frozenset[str], given: dict[str, Any]) -> bool:
         found = self._found.get(limb)
@@ -139,7 +144,7 @@ class OnLimbs(QObject):
         found = self._found.get(limb)
         if found is None or not (found.values is None or needs <= found.values.keys()):
             return Compared(snapshot=snapshot, axes=asked[1].axes)
-        late = not self._is_known(limb, needs, sources_of_levels(*asked))
+        late = not self._is_known(limb, needs, self._sources(asked))
         problem = "" if found.values is not None or late else reason_of(found.error)
         return Compared(
             snapshot=snapshot,

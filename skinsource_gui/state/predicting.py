@@ -18,21 +18,23 @@ _DEPENDS_ON = (
     "inputs",
     "scaling",
     "actuation",
+    "match_gain",
     "axes",
     "method",
     "span",
 )
 
 
-def sources_of_levels(design: Design, view: View) -> dict[str, Any]:
+def sources_of_levels(design: Design, view: View, *, match_gain: float = 1.0) -> dict[str, Any]:
     """What evaluation starts from: of the view only what levels depend on.
 
     The rest of it changes while one looks around.  A design on a limb that has not been measured
-    along the axes of the view is looked at along those that it has.
+    along the axes of the view is looked at along those that it has.  ``match_gain``: see
+    `skinsource.quantities.sources`.
     """
     axes = axes_on(design.limb, view.axes)
     seen = View(axes=axes, method=view.method, span=view.span, selected_inputs=())
-    return sources(design, seen)
+    return sources(design, seen, match_gain=match_gain)
 
 
 def key_of_levels(given: Mapping[str, Any]) -> tuple[Any, ...]:

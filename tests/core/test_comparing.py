@@ -12,6 +12,7 @@ from skinsource import edits
 from skinsource.comparing import (
     EDITED,
     Snapshot,
+    alike,
     brought_back,
     difference_db,
     gain_words,
@@ -182,11 +183,41 @@ def test_with_levels_matched_the_way_back_leads_to_the_same_numbers():
     _, view = store(OTHER, view, 2)
     there = edits.show_snapshot(OTHER, view, 1, 1.0)
     back = edits.show_snapshot(there.design, there.view, 2, 1 / 3)
-    assert back.design == louder(OTHER, 1 / 3)
+    assert back.design is OTHER
+    assert back.view.match_gain(back.design) == 1 / 3
+    assert there.view.match_gain(there.design) == 1.0
     assert shown(back.view.snapshots, back.design).number == 2
     assert other_than(back.view.snapshots, back.design).number == 1
     assert [one.design for one in back.view.snapshots] == [DESIGN, OTHER]
     assert isinstance(edits.show_snapshot(DESIGN, view, 2, 1e7), Refusal)
+
+
+def test_only_the_snapshot_that_is_shown_has_its_gain_and_what_is_edited_has_none():
+    _, view = store(OTHER, View(), 1)
+    _, view = store(DESIGN, view, 2)
+    view = edits.show_snapshot(DESIGN, view, 2, 0.5).view
+    assert view.match_gain(DESIGN) == 0.5
+    assert view.match_gain(THIRD) == 1.0
+    assert replace(view, levels_matched=False).match_gain(DESIGN) == 1.0
+    # Under another number too it stays as loud as it is.
+    assert store(DESIGN, view, 3)[1].match_gain(DESIGN) == 0.5
+
+
+def test_to_keep_a_gain_is_an_edit_of_all_amplitudes():
+    _, view = store(OTHER, View(), 1)
+    view = edits.show_snapshot(OTHER, view, 1, 0.5).view
+    kept = edits.keep_match_gain(OTHER, view)
+    assert kept.label == "Keep \N{MINUS SIGN}6.0 dB"
+    assert kept.design == louder(OTHER, 0.5)
+    assert kept.view.match_gain(kept.design) == 1.0
+    assert isinstance(edits.keep_match_gain(kept.design, kept.view), Refusal)
+
+
+def test_designs_are_alike_where_amplitudes_differ_by_rounding_alone():
+    assert alike(louder(OTHER, 1 + 1e-12), OTHER)
+    assert not alike(louder(OTHER, 1.001), OTHER)
+    assert not alike(replace(OTHER, inputs=OTHER.inputs[:1]), OTHER)
+    assert not alike(DESIGN, OTHER)
 
 
 def test_others_are_matched_to_the_lowest_number_and_what_is_edited_is_left_alone():

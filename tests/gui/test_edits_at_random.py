@@ -124,6 +124,7 @@ ARGUMENTS = {
     "move_clips": (ids, anything, steps_down),
     "move_clips_to_place": (ids, places, switches),
     "forget_snapshot": (numbers,),
+    "keep_match_gain": (),
     "match_levels": (st.sampled_from([True, False, None]),),
     "move_inputs": (ids, places),
     "move_marker": (one_id, anything),

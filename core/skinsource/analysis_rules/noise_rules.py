@@ -35,7 +35,10 @@ def place_drives(
 
 
 def noise_energy(
-    place_drives: tuple[tuple[int, Floats], ...], driven_limb: Limb, scaling: Scaling
+    place_drives: tuple[tuple[int, Floats], ...],
+    driven_limb: Limb,
+    scaling: Scaling,
+    match_gain: float,
 ) -> Floats | None:
     """Energy of the noise of the responses in the prediction, (n_outputs, n_axes).
 
@@ -47,7 +50,7 @@ def noise_energy(
         return None
     divided = divided_by_pulse(driven_limb, scaling)
     drives = {place: _shaped(played, driven_limb, divided) for place, played in place_drives}
-    return predicted_noise_energy(drives, noise, driven_limb.n_taps)
+    return match_gain**2 * predicted_noise_energy(drives, noise, driven_limb.n_taps)
 
 
 def output_noise_rms(

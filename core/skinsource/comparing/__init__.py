@@ -10,6 +10,7 @@ if TYPE_CHECKING:
         end_db,
         gain_words,
         loudest_db,
+        match_words,
         matching_gain,
     )
     from skinsource.comparing.limbs import (
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
         EDITED,
         NUMBERS,
         Snapshot,
+        alike,
         brought_back,
         louder,
         nothing_to_compare,
@@ -33,10 +35,10 @@ else:
     __getattr__, __dir__ = late_names(
         __name__,
         {
-            "difference": "difference_db end_db gain_words loudest_db matching_gain",
+            "difference": "difference_db end_db gain_words loudest_db match_words matching_gain",
             "limbs": "MOST_BESIDE limbs_beside mean_and_spread_over same_outputs",
             "snapshot": (
-                "EDITED NUMBERS Snapshot brought_back louder nothing_to_compare other_than "
+                "EDITED NUMBERS Snapshot alike brought_back louder nothing_to_compare other_than "
                 "reference shown"
             ),
         },
@@ -47,6 +49,7 @@ __all__ = [
     "MOST_BESIDE",
     "NUMBERS",
     "Snapshot",
+    "alike",
     "brought_back",
     "difference_db",
     "end_db",
@@ -54,6 +57,7 @@ __all__ = [
     "limbs_beside",
     "louder",
     "loudest_db",
+    "match_words",
     "matching_gain",
     "mean_and_spread_over",
     "nothing_to_compare",

@@ -47,6 +47,12 @@ def gain_words(gain: float) -> str:
     return f"{by_db:+.1f} dB".replace("-", "\N{MINUS SIGN}") if by_db else ""
 
 
+def match_words(gain: float) -> str:
+    """What is said of results that are shown with a factor; empty where it is none."""
+    words = gain_words(gain)
+    return f"Shown {words}: levels of snapshots matched" if words else ""
+
+
 def difference_db(
     levels_db: Floats,
     other_db: Floats,

@@ -1,5 +1,6 @@
 """Designs that are kept to be looked at side by side."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -27,7 +28,8 @@ class Snapshot:
     design
         As it was stored.
     gain
-        Factor on all amplitudes with which it was shown last, so that its level matched.
+        Factor on what is predicted and played with which it was shown last, so that its level
+        matched; the design itself never has it.
     """
 
     number: int = fields.number(EDITED, NUMBER)
@@ -41,7 +43,7 @@ class Snapshot:
 
     @property
     def played(self) -> Design:
-        """The design as it was shown last."""
+        """A design that is as loud as this one was when it was shown last."""
         return louder(self.design, self.gain)
 
 
@@ -59,10 +61,19 @@ def louder(design: Design, gain: float) -> Design:
     return replace(design, inputs=inputs)
 
 
+def alike(design: Design, other: Design) -> bool:
+    """Whether they are the same, but for the rounding of amplitudes."""
+    pairs = list(zip(design.inputs, other.inputs, strict=False))
+    taken = tuple(replace(one, amplitude=than.amplitude) for one, than in pairs)
+    return replace(design, inputs=taken) == other and all(
+        math.isclose(one.amplitude, than.amplitude, rel_tol=1e-9) for one, than in pairs
+    )
+
+
 def shown(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None:
     """Return the snapshot that ``design`` is; None where it is none of them."""
     # The one that was shown last stands last.
-    return next((one for one in reversed(snapshots) if one.played == design), None)
+    return next((one for one in reversed(snapshots) if one.design == design), None)
 
 
 def other_than(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None:
@@ -74,7 +85,7 @@ def other_than(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None
     here = shown(snapshots, design)
     without = EDITED if here is None else here.number
     others = [one for one in reversed(snapshots) if one.number != without]
-    differing = (one for one in others if one.played != design)
+    differing = (one for one in others if one.design != design)
     equal = (one for one in others if one.number != EDITED)
     return next(differing, None) or next(equal, None)
 

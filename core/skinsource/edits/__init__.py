@@ -91,6 +91,7 @@ if TYPE_CHECKING:
     )
     from skinsource.edits.snapshots import (
         forget_snapshot,
+        keep_match_gain,
         match_levels,
         show_snapshot,
         store_snapshot,
@@ -146,7 +147,10 @@ else:
                 "change_limb change_scaling level_over look_along look_by_method play_slower "
                 "remove_delay"
             ),
-            "snapshots": "forget_snapshot match_levels show_snapshot store_snapshot take_snapshot",
+            "snapshots": (
+                "forget_snapshot keep_match_gain match_levels show_snapshot store_snapshot "
+                "take_snapshot"
+            ),
             "times": "insert_time remove_time",
             "values": "change_field change_kind change_waveform drag_field fields_of value_of",
             "wavelets": "equalise_on_skin",
@@ -185,6 +189,7 @@ __all__ = [
     "group_clips",
     "insert_time",
     "join_clips",
+    "keep_match_gain",
     "kept_selection",
     "level_over",
     "look_along",

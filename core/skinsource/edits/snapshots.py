@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from skinsource.comparing import EDITED, NUMBERS, Snapshot, gain_words, shown
+from skinsource.comparing import EDITED, NUMBERS, Snapshot, gain_words, louder, shown
 from skinsource.design import Design
 from skinsource.edits.edit import Edit, Refusal, refused
 from skinsource.errors import InvalidInputError
@@ -20,7 +20,9 @@ def store_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
             f"{NUMBERS[-1]}."
         )
     try:
-        kept = (*_without(view, number), Snapshot(number=number, design=design))
+        # What is in the window stays as loud as it is.
+        new = Snapshot(number=number, design=design, gain=view.match_gain(design))
+        kept = (*_without(view, number), new)
         after = replace(view, snapshots=kept)
     except InvalidInputError as error:
         return refused(error)
@@ -44,7 +46,7 @@ def take_snapshot(design: Design, view: View, other: Design) -> Edit | Refusal:
 
 
 def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) -> Edit | Refusal:
-    """Put a snapshot in place of the design, with all amplitudes times ``gain``.
+    """Put a snapshot in place of the design, as it was stored; the view shows it with ``gain``.
 
     A design that is no snapshot is kept under the number 0, so that the way back leads to it.
     """
@@ -61,14 +63,23 @@ def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) ->
         kept = (*_without(view, EDITED), Snapshot(number=EDITED, design=design))
     try:
         now = replace(wanted, gain=gain)
-        played = now.played
         after = replace(view, snapshots=(*(one for one in kept if one.number != number), now))
     except InvalidInputError as error:
         return refused(error)
     name = f"snapshot {number}" if number != EDITED else "what was edited"
-    words = gain_words(gain)
-    changed = f", amplitudes {words}" if words else ""
-    return Edit(label=f"Show {name}{changed}", design=played, view=after)
+    return Edit(label=f"Show {name}", design=wanted.design, view=after)
+
+
+def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
+    """Give the design the amplitudes that it is shown with to match another one."""
+    gain = view.match_gain(design)
+    if gain == 1.0:
+        return Refusal(sentence="The design is shown with the amplitudes that it has.")
+    return Edit(
+        label=f"Keep {gain_words(gain) or 'the match gain'}",
+        design=louder(design, gain),
+        view=view,
+    )
 
 
 def forget_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:

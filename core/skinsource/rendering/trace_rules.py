@@ -100,6 +100,7 @@ def trace_error(
     shown_outputs: tuple[int, ...],
     axis_numbers: tuple[int, ...],
     axis_traces: Floats,
+    match_gain: float,
     stop: Stop,
 ) -> TraceError | None:
     """Error of the selected traces; None where there is nothing to check."""
@@ -118,7 +119,7 @@ def trace_error(
         Heard(
             drive=one.drive,
             delay_samples=one.start,
-            weight=one.voice.amplitude * factor,
+            weight=one.voice.amplitude * match_gain * factor,
             response=response,
         )
         for one, response, factor in zip(moving, to_places, factors, strict=True)

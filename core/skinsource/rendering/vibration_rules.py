@@ -1,6 +1,7 @@
 """Rules from drives and responses to vibrations: of the edited voice, of the others, of all.
 
-Where a design is long, neither is made; all voices are streamed together.
+Where a design is long, neither is made; all voices are streamed together.  The gain with which a
+snapshot is shown as loud as another one enters here: the skin has it, and no drive.
 """
 
 from weakref import ref
@@ -33,7 +34,7 @@ def responses(
 
 
 def others_spectrum(
-    responses: Responses, others_placed: tuple[Placed, ...], stop: Stop
+    responses: Responses, others_placed: tuple[Placed, ...], match_gain: float, stop: Stop
 ) -> Complexes | None:
     """Vibration by the other voices, (n_outputs, 3, n_bins); None: none of them moves anything."""
     moving = [one for one in others_placed if one.moves]
@@ -45,7 +46,7 @@ def others_spectrum(
     gains = responses.gains(sounding, stop)
     spectra = [
         delayed(responses.drive_spectrum(one.voice.unit, one.drive), one.start, n_fft)
-        * (one.voice.amplitude * gain)
+        * (one.voice.amplitude * match_gain * gain)
         for one, gain in zip(moving, gains, strict=True)
     ]
     return sum_of_vibrations([to.values for to in to_places], spectra)
@@ -93,9 +94,9 @@ def edited_gain(
     return found
 
 
-def edited_weight(edited_voice: Voice | None, edited_gain: float) -> float:
+def edited_weight(edited_voice: Voice | None, edited_gain: float, match_gain: float) -> float:
     """What it is multiplied with at its own amplitude."""
-    return 0.0 if edited_voice is None else edited_voice.amplitude * edited_gain
+    return 0.0 if edited_voice is None else edited_voice.amplitude * match_gain * edited_gain
 
 
 def total_spectrum(
@@ -155,7 +156,11 @@ def edited_channels(
 
 
 def streamed_vibration(
-    responses: Responses, placed: tuple[Placed, ...], response_samples: int, stop: Stop
+    responses: Responses,
+    placed: tuple[Placed, ...],
+    response_samples: int,
+    match_gain: float,
+    stop: Stop,
 ) -> StreamedVibration | None:
     """Vibration by all voices where the response is too long to be transformed at once."""
     if responses.n_fft is not None:
@@ -170,7 +175,7 @@ def streamed_vibration(
         Played(
             drive=one.drive,
             start=one.start,
-            weight=one.voice.amplitude * gain,
+            weight=one.voice.amplitude * match_gain * gain,
             location=one.voice.location,
         )
         for one, gain in zip(moving, gains, strict=True)

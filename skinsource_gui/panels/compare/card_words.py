@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from skinsource.choice_words import short_limb_title
-from skinsource.comparing import EDITED, gain_words, loudest_db
+from skinsource.comparing import EDITED, alike, gain_words, louder, loudest_db
 from skinsource.decibels import FLOOR_DB
 from skinsource.quoting import printable
 from skinsource_gui.compared import LEVELS_MATCHED, Compared, gain_db
@@ -69,7 +69,7 @@ def equal_words(present: Compared, other: Compared) -> tuple[str, str]:
     mine, theirs = present.snapshot, other.snapshot
     if mine.design == theirs.design:
         return heading, "dB, the same inputs, scaling and limb"
-    if mine.played == theirs.played:
+    if alike(louder(mine.design, present.gain), louder(theirs.design, other.gain)):
         return heading, "dB, the same inputs once levels match"
     return heading, "dB, the same levels by other inputs"
 
@@ -82,7 +82,7 @@ def sentence(compared: Compared, *, present: bool) -> str:
         f"{name[:1].upper()}{name[1:]}",
         printable(compared.snapshot.design.title).strip(),
         f"loudest output {level_words(compared)}",
-        f"shown {gain} louder than stored" if gain else "",
+        f"shown {gain} to match" if gain else "",
         "in the window" if present else "",
         compared.problem,
     ]

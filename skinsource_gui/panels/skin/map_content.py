@@ -3,6 +3,7 @@
 from dataclasses import dataclass, fields, replace
 
 from skinsource.arrays import Floats
+from skinsource.comparing import match_words
 from skinsource.limb import Limb, LimbMap
 from skinsource.quoting import sentence
 from skinsource.surface import SurfaceOperator
@@ -111,8 +112,9 @@ def px_per_mm_of(limb: Limb) -> float:
     return limb.map.hand_length_px / limb.hand_length_mm
 
 
-def note_of(surface: SurfaceOperator | None, limb: Limb) -> str:
+def note_of(surface: SurfaceOperator | None, limb: Limb, match_gain: float) -> str:
     """What one should know about the map and about where its numbers come from."""
     warnings = () if surface is None else surface.warnings
-    about = limb.note
-    return " ".join([*warnings, *([sentence(about[:1].upper() + about[1:])] if about else [])])
+    said = (match_words(match_gain), f"{limb.note[:1].upper()}{limb.note[1:]}")
+    first, last = (sentence(one) if one else "" for one in said)
+    return " ".join(part for part in (first, *warnings, last) if part)

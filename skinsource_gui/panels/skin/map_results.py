@@ -39,7 +39,9 @@ class MapResults:
         """Names of the quantities that `take` reads."""
         settings = self._choices.settings
         moving, shown = self._time.needs(settings), settings.quantity
-        always = frozenset({"limb_map", "limb_data"}) | (moving or still_values.needs_of(shown))
+        always = frozenset({"limb_map", "limb_data", "match_gain"}) | (
+            moving or still_values.needs_of(shown)
+        )
         if settings.map_style == "sensors":
             return always
         on_surface = always | {"surface"}
@@ -131,7 +133,7 @@ class MapResults:
             limb_map=results["limb_map"],
             limb="" if design is None else design.limb,
             px_per_mm=px_per_mm_of(limb),
-            note=still_values.limits_and(note_of(surface, limb), shown),
+            note=still_values.limits_and(note_of(surface, limb, results["match_gain"]), shown),
             outdated=False,
         )
 

@@ -16,6 +16,10 @@ def _toggle_match(design: Design, view: View) -> Edit | Refusal:
     return edits.match_levels(design, view, not view.levels_matched)
 
 
+def _has_match_gain(design: Design, view: View) -> bool:
+    return view.match_gain(design) != 1.0
+
+
 def _matched(design: Design, view: View) -> bool:
     return view.levels_matched
 
@@ -61,5 +65,14 @@ SNAPSHOTS: tuple[ActionSpec, ...] = (
         edit=_toggle_match,
         checked=_matched,
         keywords="a/b loudness gain equal snapshot",
+    ),
+    action(
+        "keep_match_gain",
+        "Edit",
+        "Keep the match gain",
+        "Give the design the amplitudes that it is shown with to match another snapshot",
+        edit=edits.keep_match_gain,
+        enabled=_has_match_gain,
+        keywords="a/b loudness level snapshot amplitude",
     ),
 )

@@ -11,6 +11,7 @@ from skinsource.errors import SkinSourceError
 from skinsource.playing import Output
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing.late_session import LateSession
+from skinsource_gui.state.playing.played_of import played_of
 from skinsource_gui.state.playing.sound_thread import SoundThread
 
 if TYPE_CHECKING:
@@ -75,7 +76,7 @@ class LiveEdits(QObject):
             self._follow()
 
     def _follow(self) -> None:
-        wanted = self._document.design, self._loops
+        wanted = played_of(self._document), self._loops
         if self._playing is None or self._rendered == wanted:
             self._waiting_s = None if self._rendered == wanted else self._waiting_s
             return

@@ -11,6 +11,7 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing.gain_setting import GainSetting
 from skinsource_gui.state.playing.late_session import LateSession
 from skinsource_gui.state.playing.live_edits import LiveEdits
+from skinsource_gui.state.playing.played_of import played_of
 from skinsource_gui.state.playing.running_playhead import RunningPlayhead
 from skinsource_gui.state.playing.sound_settings import SoundSettings
 from skinsource_gui.state.playing.sound_thread import SoundThread
@@ -103,7 +104,7 @@ class Player(QObject):
         """Play from the playhead on, in place of what is played; as slowly as the view says."""
         if not self.settings.rig_is_read():
             return
-        design, view = self._document.design, self._document.view
+        design, view = played_of(self._document), self._document.view
         output, loops, rig = self.settings.output, self.loops, self.settings.rig
         play = partial(
             self._session.made.play,

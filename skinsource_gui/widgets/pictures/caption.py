@@ -9,6 +9,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 from skinsource.chain import amplitude_unit
 from skinsource.choice_words import SCALINGS, limb_word, word_of
 from skinsource.clips import Clip
+from skinsource.comparing import match_words
 from skinsource.design import Design, Input, audible_inputs
 from skinsource.effects import Effect, Envelope
 from skinsource.effects.envelope import UNCHANGED
@@ -26,8 +27,11 @@ _MOST_HEIGHT = 0.16
 _FLAGS = int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap)
 
 
-def caption_of(design: Design) -> str:
-    """The stimulus in words, and the limb: what is heard, where, how strong."""
+def caption_of(design: Design, match_gain: float = 1.0) -> str:
+    """The stimulus in words, and the limb: what is heard, where, how strong.
+
+    ``match_gain`` is that with which it is shown, see `View.match_gain`.
+    """
     heard = audible_inputs(design.inputs)
     unit = amplitude_unit(design.scaling, design.actuated)
     said = [_input_words(one, unit) for one in heard[:_MOST_INPUTS]]
@@ -38,7 +42,9 @@ def caption_of(design: Design) -> str:
     scaling = word_of(SCALINGS, design.scaling).title.lower()
     limb = limb_word(design.limb).title
     driven = "" if design.actuated is None else f"; predicted through {design.actuated.words}"
-    return minus(f"{title}{stimulus}. Limb: {limb}; scaling: {scaling}{driven}.")
+    matched = match_words(match_gain)
+    shown = f" {matched}." if matched else ""
+    return minus(f"{title}{stimulus}. Limb: {limb}; scaling: {scaling}{driven}.{shown}")
 
 
 def with_caption(draw: Draw, words: str) -> Draw:

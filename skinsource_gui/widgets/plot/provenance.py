@@ -5,10 +5,23 @@ from functools import partial
 from typing import Any
 
 from skinsource.choice_words import SCALINGS, limb_word, signal_words, word_of
+from skinsource.comparing import match_words
 from skinsource.export.description import describe_levels, describe_played, describe_projection
 
 #: What a panel has to ask for to be able to say it.
-NEEDS = frozenset({"actuation", "axes", "inputs", "limb", "limb_data", "method", "scaling", "span"})
+NEEDS = frozenset(
+    {
+        "actuation",
+        "axes",
+        "inputs",
+        "limb",
+        "limb_data",
+        "match_gain",
+        "method",
+        "scaling",
+        "span",
+    }
+)
 
 
 def lines_later(results: Mapping[str, Any], *first: str) -> Callable[[], tuple[str, ...]]:
@@ -18,11 +31,13 @@ def lines_later(results: Mapping[str, Any], *first: str) -> Callable[[], tuple[s
 
 def _lines(results: Mapping[str, Any], first: tuple[str, ...]) -> tuple[str, ...]:
     note, inputs = results["limb_data"].note, results["inputs"]
+    matched = match_words(results["match_gain"])
     return (
         *first,
         *describe_played(results["limb"], note, results["scaling"], inputs, results["actuation"]),
         describe_projection(results["axes"], results["method"]),
         describe_levels(results["span"]),
+        *((matched,) if matched else ()),
     )
 
 
@@ -37,5 +52,8 @@ def heading_of(results: Mapping[str, Any]) -> tuple[str, ...]:
     )
     if results["actuation"] is not None:
         parts = (*parts, f"through {results['actuation'].words}")
+    matched = match_words(results["match_gain"])
+    if matched:
+        parts = (*parts, f"{matched[:1].lower()}{matched[1:]}")
     note = results["limb_data"].note
     return (*parts, note) if note else parts

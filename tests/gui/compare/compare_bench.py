@@ -16,6 +16,11 @@ def levels(design):
     return ss.evaluate(design, "output_levels_db")["output_levels_db"]
 
 
+def shown_levels(window):
+    """What the skin map shows."""
+    return window.panel("skin").map.content.values
+
+
 def two_places(window):
     """Another place as well, louder than what there was."""
     design = window.document.design.adding(track(location=18, amplitude=3.0))

@@ -15,7 +15,7 @@ from skinsource.waveforms import Tone
 from skinsource_gui.compared import ELSEWHERE
 from skinsource_gui.widgets.map.small_map import small_frame
 from tests.core.own_limbs.lab_bench import installed
-from tests.gui.compare.compare_bench import KEY, cards, edit, levels, two_places
+from tests.gui.compare.compare_bench import KEY, cards, edit, levels, shown_levels, two_places
 
 
 def test_the_map_shows_how_much_louder_the_design_is(window, panel, settle):
@@ -60,7 +60,8 @@ def test_the_map_compares_snapshots_as_they_are_played(window, panel, settle):
     settle()
     stored = window.document.view.snapshots
     assert [(one.number, one.gain < 0.9) for one in stored] == [(1, False), (2, True)]
-    mine, theirs = levels(window.document.design), levels(stored[0].design)
+    assert window.document.design == stored[1].design
+    mine, theirs = shown_levels(window), levels(stored[0].design)
     floor = mine.max() - 60.0
     assert (theirs < floor).any()
     expected = np.maximum(mine, floor) - np.maximum(theirs, floor)

@@ -19,6 +19,7 @@ def whose(limb):
         "limb_data": loaded,
         "scaling": "upstream",
         "actuation": None,
+        "match_gain": 1.0,
         "inputs": design.inputs,
     }
 

@@ -18,6 +18,7 @@ def results():
     levels[28] = -11.0
     return {
         "limb_data": limb,
+        "match_gain": 1.0,
         "limb_map": limb.map,
         "surface": surface,
         "output_levels_db": levels,

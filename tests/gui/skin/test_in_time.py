@@ -118,9 +118,10 @@ def test_what_is_needed_is_what_is_shown_and_no_more(make_window, look):
     levels = panel.needs
     assert "surface_levels_db" in levels
     look(window, quantity=Z)
-    assert panel.needs == {"limb_map", "moving_z", "limb_data", "surface"}
+    always = {"limb_map", "limb_data", "match_gain"}
+    assert panel.needs == always | {"moving_z", "surface"}
     look(window, quantity=RMS, map_style="sensors")
-    assert panel.needs == {"limb_map", "limb_data", "moving_energy"}
+    assert panel.needs == always | {"moving_energy"}
     assert panel.map.content.field_values is None
 
 

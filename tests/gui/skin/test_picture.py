@@ -30,7 +30,7 @@ from tests.gui.skin.bench import (
 def test_the_surface_is_asked_for_only_while_the_map_is_interpolated(window):
     assert {"limb_map", "output_levels_db", "surface", "surface_levels_db"} <= window.panel.needs
     window.show(map_style="sensors")
-    assert window.panel.needs == {"limb_map", "limb_data", "output_levels_db"}
+    assert window.panel.needs == {"limb_map", "limb_data", "match_gain", "output_levels_db"}
 
 
 def test_sensors_only_is_drawn_without_a_surface(window):

@@ -1,0 +1,71 @@
+"""The gain by which a snapshot matches another one is the skin's, not that of any drive."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from skinsource.comparing import louder
+from skinsource.design import Design, track
+from skinsource.quantities import new_graph, sources
+from skinsource.view import View
+from skinsource.waveforms import Tap, Tone
+
+GAIN = 0.3
+DESIGN = Design(
+    limb="synthetic-1",
+    inputs=(
+        track(location=7, waveform=Tone(frequency_hz=100.0)),
+        track(location=18, waveform=Tap(), onset_s=0.1, amplitude=-2.0),
+    ),
+)
+VIEW = View(outputs=(29, 52))
+SCALED = ("output_rms", "selected_traces", "axis_spectra", "axis_traces")
+NOT_SCALED = ("input_waveforms", "place_drives", "contact_weighted_rms", "validity")
+
+
+def found(names, gain=1.0, view=VIEW, graph=None):
+    graph = graph or new_graph()
+    return graph.evaluate(names, sources(DESIGN, view, match_gain=gain))
+
+
+def flat(value):
+    """All numbers in nested tuples of arrays, one after another."""
+    if isinstance(value, tuple):
+        return np.concatenate([flat(one) for one in value])
+    return np.ravel(np.asarray(value, float))
+
+
+@pytest.mark.parametrize("selected", [(), (1,), (2,)])
+def test_all_that_the_skin_does_has_the_gain(selected):
+    view = replace(VIEW, selected_inputs=selected)
+    as_stored, seen = found(SCALED, view=view), found(SCALED, GAIN, view=view)
+    for name in SCALED:
+        expected = GAIN * as_stored[name]
+        least = 1e-13 * np.abs(expected).max()
+        np.testing.assert_allclose(seen[name], expected, rtol=1e-12, atol=least)
+
+
+def test_no_drive_has_it_and_nothing_that_is_judged_by_drives():
+    as_stored, seen = found(NOT_SCALED), found(NOT_SCALED, GAIN)
+    for name in NOT_SCALED[:-1]:
+        np.testing.assert_array_equal(flat(seen[name]), flat(as_stored[name]))
+    assert seen["validity"] == as_stored["validity"]
+
+
+def test_a_gain_costs_what_an_edit_of_all_amplitudes_costs_and_draws_nothing():
+    def work_of(design, gain):
+        graph = new_graph()
+        found(SCALED, graph=graph)
+        graph.evaluate(SCALED, sources(design, VIEW, match_gain=gain))
+        return graph.work
+
+    work = work_of(DESIGN, GAIN)
+    edited = work_of(louder(DESIGN, GAIN), 1.0)
+    assert work.samples_drawn == work.bytes_read == 0
+    assert work.forward_transforms <= edited.forward_transforms
+    assert work.inverse_transforms <= edited.inverse_transforms
+
+
+def test_traces_with_a_gain_are_as_exact_as_others():
+    assert found(("trace_error",), GAIN)["trace_error"].estimate < 1e-12

@@ -1,0 +1,139 @@
+"""Matching is a gain beside the design: it is shown and played, and never becomes an amplitude."""
+
+import csv
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from skinsource.comparing import louder
+from skinsource.design_file import open_design
+from skinsource_gui.state.playing.played_of import played_of
+from tests.gui.compare.compare_bench import edit, levels, shown_levels, two_places
+
+
+@pytest.fixture
+def matched(window, settle):
+    """Show the second of two snapshots, made softer to match the first; return its gain."""
+    window.do("store_snapshot_1")
+    two_places(window)
+    window.do("store_snapshot_2")
+    for _ in range(2):
+        window.do("toggle_snapshots")
+        settle()
+    gain = window.document.view.match_gain(window.document.design)
+    assert gain < 0.9
+    return gain
+
+
+def amplitudes(design):
+    return [one.amplitude.hex() for one in design.inputs]
+
+
+def test_amplitudes_come_back_to_the_last_bit_however_often_one_goes_to_and_fro(
+    window, settle, matched
+):
+    stored = {one.number: one.design for one in window.document.view.snapshots}
+    for number in (1, 2, 1, 2):
+        window.do("toggle_snapshots")
+        settle()
+        assert window.document.design == stored[number]
+        assert amplitudes(window.document.design) == amplitudes(stored[number])
+
+
+def test_a_file_holds_the_amplitudes_that_were_stored(window, matched, tmp_path):
+    window.files._save_to(tmp_path / "a.skinsource")
+    kept = open_design(tmp_path / "a.skinsource")
+    stored = next(one.design for one in window.document.view.snapshots if one.number == 2)
+    assert kept.design == stored
+    assert amplitudes(kept.design) == amplitudes(stored)
+    assert not window.document.modified
+    # Opened again it is shown as it was left.
+    assert kept.view.match_gain(kept.design) == matched
+
+
+def test_what_is_seen_has_exactly_the_gain_and_what_is_played_too(window, matched):
+    design = window.document.design
+    expected = levels(design) + 20 * np.log10(matched)
+    np.testing.assert_allclose(shown_levels(window), expected, rtol=0, atol=1e-9)
+    assert played_of(window.document) == louder(design, matched)
+
+
+def test_the_map_the_status_bar_and_captions_say_it(window, matched):
+    words = f"\N{MINUS SIGN}{-20 * np.log10(matched):.1f} dB"
+    assert f"Shown {words}: levels of snapshots matched." in window.panel("skin").note.text()
+    note = window.findChild(object, "match_note")
+    assert note.isVisible()
+    assert note.text() == f"Shown {words}"
+    picture = window.pictures.picture_of("skin")
+    said = picture.draw.args[1]
+    assert said.endswith(f" Shown {words}: levels of snapshots matched.")
+
+
+def test_switched_off_it_is_shown_as_stored_at_once_and_matched_again_when_switched_on(
+    window, settle, matched
+):
+    window.do("match_levels")
+    settle()
+    design = window.document.design
+    np.testing.assert_allclose(shown_levels(window), levels(design), rtol=0, atol=1e-9)
+    assert not window.findChild(object, "match_note").isVisible()
+    assert "matched" not in window.panel("skin").note.text()
+    window.do("match_levels")
+    settle()
+    assert window.document.view.match_gain(design) == matched
+
+
+def test_it_stays_as_loud_where_levels_are_taken_otherwise(window, settle, matched):
+    document = window.document
+    document.look(replace(document.view, span="loudest", axes="z", method="mag"))
+    settle()
+    first = next(one.design for one in document.view.snapshots if one.number == 1)
+    gain = document.view.match_gain(document.design)
+    assert gain != matched
+    window.do("toggle_snapshots")
+    settle()
+    assert document.design == first
+    loudest = shown_levels(window).max()
+    window.do("toggle_snapshots")
+    settle()
+    assert document.view.match_gain(document.design) == gain
+    assert shown_levels(window).max() == pytest.approx(loudest, abs=1e-6)
+
+
+def test_an_edit_is_shown_as_it_is(window, settle, matched):
+    edit(window, 2.0)
+    settle()
+    design = window.document.design
+    np.testing.assert_allclose(shown_levels(window), levels(design), rtol=0, atol=1e-9)
+    assert not window.findChild(object, "match_note").isVisible()
+    assert not window.actions_by_name["keep_match_gain"].isEnabled()
+
+
+def test_a_gain_that_is_kept_is_an_edit_that_undo_takes_back(window, settle, matched):
+    before, seen = window.document.design, shown_levels(window)
+    window.do("keep_match_gain")
+    settle()
+    assert window.document.design == louder(before, matched)
+    np.testing.assert_allclose(shown_levels(window), seen, rtol=0, atol=1e-9)
+    window.do("undo")
+    settle()
+    assert amplitudes(window.document.design) == amplitudes(before)
+    assert window.document.view.match_gain(before) == matched
+
+
+def test_tables_hold_the_design_as_it_is_stored_and_say_so(
+    window, settle, matched, tmp_path, monkeypatch, qtbot
+):
+    path = tmp_path / "levels.csv"
+    monkeypatch.setattr(window.files, "ask_where", lambda *_: path)
+    said = []
+    window.files.done.connect(said.append)
+    window.exports.export("levels")
+    qtbot.waitUntil(lambda: bool(said), timeout=20_000)
+    assert said[0].endswith("levels.csv; amplitudes are as stored, levels are not matched")
+    lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
+    rows = list(csv.DictReader(lines))
+    name = "level_db_re_1_m_per_s2"
+    found = np.array([float(row[name]) for row in rows])
+    np.testing.assert_allclose(found, levels(window.document.design), rtol=0, atol=1e-3)
