@@ -12,7 +12,7 @@ from skinsource.playing.devices import Device
 from skinsource.playing.mix import Frames
 from skinsource.playing.portaudio import sound_library
 from skinsource.playing.refusals import refusal
-from skinsource.playing.timing import Delay, HeardPosition
+from skinsource.playing.timing import Delay, DeviceClock, HeardPosition
 
 #: What a device asks for at once.
 BLOCK_S = 0.005
@@ -54,7 +54,7 @@ class Stream:
         self.deck, self.device = deck, device
         self.underruns, self.closed = 0, False
         self._silent, self._finished = Event(), finished
-        self._heard = HeardPosition(deck.sample_rate_hz)
+        self._heard, self._clock = HeardPosition(deck.sample_rate_hz), DeviceClock()
         self._called_s = perf_counter()
         self._inside_s = 0.0
         self._taken_s = 0.0
@@ -108,11 +108,8 @@ class Stream:
         return perf_counter() - self._called_s > _GONE_AFTER_S
 
     def position_s(self) -> float | None:
-        """Time in the design of what is heard now; None: nothing is yet."""
-        try:
-            return self._heard.at(self._stream.time)
-        except self._library.PortAudioError:  # it is closed, or gone
-            return None
+        """Time in the design of what is heard now; None: nothing is yet, or any more."""
+        return None if self.closed else self._heard.at(self._clock.at(perf_counter()))
 
     def delay(self, render_s: float) -> Delay:
         """From the last edit to the outputs; ``render_s`` is what came before the deck."""
@@ -124,6 +121,7 @@ class Stream:
 
     def _fill(self, out: Frames, frames: int, times: Any, status: Any) -> None:
         self._called_s = perf_counter()
+        self._clock.note(times.currentTime, self._called_s)
         self.underruns += bool(status.output_underflow)
         deck = self.deck
         inside_s = times.outputBufferDacTime - times.currentTime

@@ -49,6 +49,27 @@ class Delay:
         return f"{self.total_s * 1e3:.0f} ms from an edit to the output: {parts}"
 
 
+class DeviceClock:
+    """Tells the time of a device without asking it: one that is stuck keeps whoever asks.
+
+    One thread notes what the device says whenever it asks for a block, another asks.
+    """
+
+    def __init__(self) -> None:
+        self._noted = 0
+        self._behind_s = np.full(_REMEMBERED, np.inf)
+
+    def note(self, device_s: float, now_s: float) -> None:
+        """Note that the clock of the device showed ``device_s`` when here it was ``now_s``."""
+        self._behind_s[self._noted % _REMEMBERED] = now_s - device_s
+        self._noted += 1
+
+    def at(self, now_s: float) -> float:
+        """What it shows when here it is ``now_s``; before anything is noted, long before."""
+        # Threads wait for each other: the least that was between the two is nearest to the truth.
+        return now_s - float(self._behind_s.min())
+
+
 class HeardPosition:
     """Tells which sample is heard now, from when blocks reach the outputs.
 

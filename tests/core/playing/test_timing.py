@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from skinsource.playing import Delay
-from skinsource.playing.timing import HeardPosition
+from skinsource.playing.timing import DeviceClock, HeardPosition
 from tests.core.playing.playing_bench import mix
 
 RATE_HZ = 8000
@@ -45,6 +45,27 @@ def test_it_forgets_what_is_long_past():
         heard.note(k * 0.005, k * 40, None)
     assert heard.at(99_999 * 0.005 + 0.001) == pytest.approx(99_999 * 0.005 + 0.001)
     assert heard.at(5.0) is None
+
+
+def test_before_a_device_has_told_its_time_nothing_is_heard():
+    heard = HeardPosition(RATE_HZ)
+    heard.note(0.0, 0, None)
+    assert heard.at(DeviceClock().at(1e9)) is None
+
+
+def test_the_clock_of_a_device_is_that_of_the_block_that_waited_least():
+    clock = DeviceClock()
+    for now_s, waited_s in ((10.0, 0.004), (10.005, 0.001), (10.010, 0.006)):
+        clock.note(now_s + 500.0, now_s + waited_s)
+    assert clock.at(10.021) == pytest.approx(510.020)
+
+
+def test_a_clock_that_runs_away_is_followed():
+    clock = DeviceClock()
+    for k in range(10_000):
+        clock.note(k * 0.005, k * 0.005 * 1.001)
+    now_s = 9_999 * 0.005
+    assert clock.at(now_s * 1.001) == pytest.approx(now_s, abs=0.003)
 
 
 def test_a_delay_names_its_parts():
