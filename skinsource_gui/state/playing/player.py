@@ -94,10 +94,10 @@ class Player(QObject):
         return self._starting or self.now is not None
 
     def play_or_stop(self) -> None:
-        """Play from the playhead on; or fade out."""
-        if self.now is not None:
+        """Play from the playhead on; or fade out, or wait for the device no longer."""
+        if self.playing:
             self.stop()
-        elif not self._starting:
+        else:
             self.play()
 
     def play(self) -> None:
@@ -133,7 +133,8 @@ class Player(QObject):
             self._begin(partial(self._session.made.tone, number, output, gain_db, rig), None)
 
     def stop(self) -> None:
-        """Fade out."""
+        """Fade out; what is about to be played is not."""
+        self._starting = False
         stream = None if self.now is None else self.now.stream
         if stream is None or stream.gone:
             self._leave()

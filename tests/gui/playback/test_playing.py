@@ -105,9 +105,10 @@ def test_stop_at_once_is_silent_and_turns_the_gain_back(sound, studio, player, q
     assert player.gain.gain_db == START_DB
 
 
-def test_a_stop_before_the_device_has_begun_holds(sound, studio, player, qtbot):
+@pytest.mark.parametrize("stop", ["stop_at_once", "play"])
+def test_a_stop_before_the_device_has_begun_holds(sound, studio, player, qtbot, stop):
     studio.do("play")
-    studio.do("stop_at_once")
+    studio.do(stop)
     assert not player.playing
     qtbot.waitUntil(lambda: bool(sound.streams) and not sound.streams[0].active, **WAIT)
     assert player.now is None
