@@ -3,7 +3,7 @@
 from functools import partial
 
 from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtWidgets import QGridLayout, QLabel, QToolButton
+from PySide6.QtWidgets import QGridLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from skinsource.fields import NumberSpec
 from skinsource.locations import input_words
@@ -15,7 +15,7 @@ from skinsource_gui.widgets.fitting_label import FittingLabel
 from skinsource_gui.widgets.level_meter import LevelMeter
 from skinsource_gui.widgets.tooltips import show_tooltip
 
-_METER_PX, _NUMBER_PX = 8, 56
+_METER_PX, _LEAST_METER_PX, _NUMBER_PX = 8, 48, 56
 _SILENT_DB = -200.0
 
 
@@ -54,9 +54,17 @@ class OutputRow(QObject):
         self.output.edited.connect(self._choose)
         self.meter = LevelMeter()
         self.meter.setFixedHeight(_METER_PX)
+        self.meter.setMinimumWidth(_LEAST_METER_PX)
         self.level = QLabel()
         self.level.setFont(tabular(self.level.font()))
         self.level.setObjectName(f"level_of_{place}")
+        # Below each other: beside its words there would be no room for the bar in a narrow panel.
+        self.loudness = QWidget()
+        below = QVBoxLayout(self.loudness)
+        below.setContentsMargins(0, 0, 0, 0)
+        below.setSpacing(2)
+        below.addWidget(self.meter)
+        below.addWidget(self.level)
         self.tone = QToolButton()
         self.tone.setText("Test tone")
         self.tone.setObjectName(f"tone_of_{place}")
@@ -66,9 +74,9 @@ class OutputRow(QObject):
         self.show_output(output)
 
     @property
-    def widgets(self) -> tuple[QLabel, NumberField, LevelMeter, QLabel, QToolButton]:
+    def widgets(self) -> tuple[QLabel, NumberField, QWidget, QToolButton]:
         """From left to right."""
-        return self.title, self.output, self.meter, self.level, self.tone
+        return self.title, self.output, self.loudness, self.tone
 
     def show_output(self, output: int) -> None:
         """Show another output."""

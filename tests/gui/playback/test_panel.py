@@ -115,6 +115,19 @@ def test_levels_delay_and_underruns_are_shown(sound, studio, player, panel, qtbo
     assert now.stream.underruns == 2
 
 
+def test_the_bar_of_a_level_has_room_in_the_narrowest_panel_while_it_plays(
+    sound, player, panel, qtbot, listen
+):
+    panel.setFixedWidth(panel.minimumWidth())
+    listen(loops=True)
+    qtbot.waitUntil(lambda: "dBFS" in words(panel, "level_of_7"), **WAIT)
+    for row in panel._rows:
+        # Layouts inside layouts take a while.
+        wanted = row.level.sizeHint().width()
+        qtbot.waitUntil(lambda row=row, wanted=wanted: row.level.width() >= wanted, **WAIT)
+        assert row.meter.width() >= 48
+
+
 def test_what_is_missing_is_said_with_what_to_do(no_sound, panel):
     assert "No device to play on was found. Connect one" in words(panel, "playback_problem")
 
