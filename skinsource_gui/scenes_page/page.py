@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from skinsource.choice_words import limb_word
 from skinsource.scenes import Scene, all_scenes, open_scene
 from skinsource_gui.resources import resource_folder
 from skinsource_gui.scenes_page.picture import ScenePicture
@@ -119,8 +120,9 @@ class ScenesPage(QDialog):
         self.picture.show_picture(picture_of(one), one.title)
         lines = [f"<b>{escape(one.heading)}</b>", escape(one.sentence), _dim(self._theme, one)]
         opened = open_scene(one.name, available=self._limbs)
-        limbs = "; ".join(dict.fromkeys(each.design.limb for each in opened.conditions))
-        note = f"Opens on {limbs}. {opened.note} {_PICTURES}"
+        limbs = dict.fromkeys(each.design.limb for each in opened.conditions)
+        titles = ", ".join(limb_word(limb).title for limb in limbs)
+        note = f"Opens on {titles}. {opened.note} {_PICTURES}"
         lines.append(f'<span style="color: {self._theme.dim}">{escape(note)}</span>')
         self.words.setText("<br>".join(lines))
 

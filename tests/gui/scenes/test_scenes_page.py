@@ -74,7 +74,7 @@ def test_the_gallery_lists_all_scenes_and_shows_the_selected_one(window):
     words = page.words.text()
     assert ss.scenes.scene("2F").sentence in words
     assert "Fig. 2F" in words
-    assert "synthetic-3" in words
+    assert "Opens on Synthetic 3 (185 mm)." in words
     assert "SYNTHETIC" in words
     page.list.setCurrentRow(headings.index("2H · A sensation that contracts"))
     assert "Inferred: kind, frequencies" in page.words.text()

@@ -4,6 +4,7 @@ import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFontMetricsF, QImage, QPainter
 
+import skinsource as ss
 from skinsource.comparing import Snapshot
 from skinsource.design import Design
 from skinsource_gui.compared import Compared
@@ -33,6 +34,15 @@ def test_long_headings_of_three_have_the_lines_they_need_and_short_ones_have_one
         assert taken.width() <= place.heading.width()
         assert place.value.top() == place.heading.bottom()
         assert place.map.top() >= place.value.bottom()
+
+
+@pytest.mark.parametrize("name", ["1F", "1G", "2B", "2E"])
+def test_maps_of_a_scene_are_headed_by_what_they_show_in_a_small_window(qapp, name):
+    font, line = qapp.font(), QFontMetricsF(qapp.font()).height()
+    labels = ss.scenes.scene(name).labels
+    content = headed(*(f"{k} · {label}" for k, label in enumerate(labels, start=1)))
+    places = places_for(QRectF(0, 0, 323, 300), content, font)
+    assert {place.heading.height() for place in places.cells} == {line}
 
 
 def test_what_has_no_room_at_all_ends_with_dots_within_its_room(qapp):

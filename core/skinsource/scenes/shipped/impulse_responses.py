@@ -80,7 +80,7 @@ _PLACES = made(
         sentence="The same pulse at the pad of digit III, at its base and on the palm reaches "
         "other parts of the hand.",
         inferred=("which three places: 8, 13 and 18", "each map relative to its own maximum"),
-        labels=("Input 8, pad of digit III", "Input 13, base of digit III", "Input 18, palm"),
+        labels=("Pad 8", "Base 13", "Palm 18"),
         arrangement="design",
         panels=("skin", "side_by_side"),
     ),
