@@ -171,8 +171,7 @@ def apply_theme(app: QApplication, theme: Theme, text_scale: float = 1.0) -> Non
     already, nothing is done: Qt would go through all widgets.
     """
     font = scaled(QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont), text_scale)
-    # "fi" drawn as one letter is found by nobody who searches a page for "file".
-    font.setFeature(QFont.Tag("liga"), 0)
+    font = letter_by_letter(font)
     sheet = _sheet(theme)
     if sheet == app.styleSheet() and font == app.font():
         return
@@ -200,9 +199,19 @@ def theme_of(palette: QPalette) -> Theme:
     return next((theme for theme in THEMES.values() if theme.base == ground), LIGHT)
 
 
+def letter_by_letter(font: QFont) -> QFont:
+    """Copy of ``font`` in which each letter is one.
+
+    "fi" drawn as one is found by nobody who searches a page for "file".
+    """
+    copy = QFont(font)
+    copy.setFeature(QFont.Tag("liga"), 0)
+    return copy
+
+
 def tabular(font: QFont) -> QFont:
     """Copy of ``font`` in which all digits have the same width."""
-    copy = QFont(font)
+    copy = letter_by_letter(font)
     copy.setFeature(QFont.Tag("tnum"), 1)
     return copy
 

@@ -6,6 +6,8 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QImage, QPainter
 
+from skinsource_gui.widgets.paper import is_on_paper
+
 
 class Same:
     """Stands for a thing in what a picture depends on: equal only to itself, however it compares.
@@ -76,6 +78,11 @@ class KeptPicture:
         ground
             Colour under it; ``None``: what was painted before stays visible.
         """
+        if is_on_paper():
+            if ground is not None:
+                painter.fillRect(room, ground)
+            PaintedAnew().paint(painter, room, depends_on, paint_anew)
+            return
         ratio, font = painter.device().devicePixelRatioF(), painter.font()
         key = (*depends_on, room, ratio, font, ground)
         if key != self._key:

@@ -3,9 +3,10 @@
 import re
 
 import pytest
+from PySide6.QtGui import QFont
 
 import skinsource as ss
-from skinsource_gui.theme import LIGHT, apply_theme
+from skinsource_gui.theme import LIGHT, apply_theme, tabular
 from skinsource_gui.widgets.pictures.picture_file import save_drawing
 from skinsource_gui.widgets.pictures.searchable import searchable
 from tests.gui.pages_of_paper import Paper
@@ -19,6 +20,8 @@ def page(qapp, tmp_path):
     def draw(painter, width, height):
         painter.setFont(qapp.font())
         painter.drawText(10, 30, "Made from files that differ")
+        painter.setFont(tabular(QFont(qapp.font().family())))
+        painter.drawText(10, 50, " in five fields")
 
     save_drawing(tmp_path / "a.pdf", draw, 400, 60)
     qapp.setStyleSheet(sheet)
@@ -26,7 +29,7 @@ def page(qapp, tmp_path):
 
 
 def test_words_stand_on_a_page_letter_by_letter_with_blanks_between_them(page):
-    assert Paper(page).text() == "Made from files that differ"
+    assert Paper(page).text() == "Made from files that differ in five fields"
 
 
 def test_what_fonts_say_is_mended_in_an_update_that_readers_find(page):

@@ -1,5 +1,6 @@
 """The curve of one clip, with its axes."""
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -9,16 +10,21 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from skinsource.arrays import Floats
+from skinsource.resampling import finer
 from skinsource_gui.panels.clip_editor.content import EditorContent
 from skinsource_gui.panels.clip_editor.tools.tool import Tool
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.kept_picture import KeptPicture, Same
-from skinsource_gui.widgets.plot.decimation import visible_points
+from skinsource_gui.widgets.paper import dots_in_px, is_on_paper, thin_pen
+from skinsource_gui.widgets.plot.curve_points import course_of
+from skinsource_gui.widgets.plot.decimation import Points, columns_of
 from skinsource_gui.widgets.plot.ticks import linear_ticks
 
 _TICK_PX, _ROW_PX = 64.0, 28.0
 _PALE = 0.4
+# From so many px for each sample on, all are marked.
+_DOTS_PX = 6.0
 
 
 class EditorItem(pyqtgraph.GraphicsObject):
@@ -152,37 +158,34 @@ class EditorItem(pyqtgraph.GraphicsObject):
     ) -> None:
         if not samples.size:
             return
-        ratio = painter.device().devicePixelRatioF()
-        columns = max(round(content.area.width() * ratio), 1)
+        ratio, width_px = dots_in_px(painter), content.area.width()
         time_s = np.arange(samples.size) / content.sample_rate_hz
-        points = visible_points(time_s, samples[np.newaxis], content.scale.shown_s, columns)
-        scale, area = content.scale, content.area
-        x = scale.left_px + (points.x - scale.shown_s[0]) * scale.px_per_s
-        y = area.center().y() - points.y[0] / content.reach * area.height() / 2
+        found = columns_of(time_s, content.scale.shown_s, max(round(width_px * ratio), 1))
+        between = partial(finer, time_s, samples[np.newaxis])
+        seen = course_of(found, samples[np.newaxis], between, width_px, ratio)
+        x, y = _places(content, seen.line)
         painter.setOpacity(opacity)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, not points.strokes)
-        painter.setPen(QPen(colour, 0))
+        sharp = seen.line.strokes and not is_on_paper()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, not sharp)
+        painter.setPen(thin_pen(colour))
         if x.size == 1:
             painter.drawLine(QLineF(x[0], content.y(0.0), x[0], y[0]))
         else:
             painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
-        self._paint_samples(painter, content, x, y, colour, strokes=points.strokes)
+        if not seen.line.strokes and content.scale.px_per_s / content.sample_rate_hz >= _DOTS_PX:
+            self._paint_samples(painter, *_places(content, found.points(samples[np.newaxis])))
         painter.setOpacity(1.0)
 
-    def _paint_samples(
-        self,
-        painter: QPainter,
-        content: EditorContent,
-        x: Floats,
-        y: Floats,
-        colour: QColor,
-        *,
-        strokes: bool,
-    ) -> None:
-        """Mark each sample where they are far enough apart."""
-        if strokes or content.scale.px_per_s / content.sample_rate_hz < 6:
-            return
-        painter.setBrush(colour)
+    def _paint_samples(self, painter: QPainter, x: Floats, y: Floats) -> None:
+        """Mark each sample."""
+        painter.setBrush(painter.pen().color())
         for place in zip(x, y, strict=True):
             painter.drawEllipse(QPointF(*place), 2, 2)
         painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def _places(content: EditorContent, points: Points) -> tuple[Floats, Floats]:
+    """Where points of the curve are, px."""
+    scale, area = content.scale, content.area
+    x = scale.left_px + (points.x - scale.shown_s[0]) * scale.px_per_s
+    return x, area.center().y() - points.y[0] / content.reach * area.height() / 2

@@ -11,6 +11,7 @@ from skinsource.limb import Band
 from skinsource.spectra import share_outside_band
 from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
 from skinsource_gui.widgets.kept_picture import KeptPicture
+from skinsource_gui.widgets.paper import dots_in_px, thin_pen
 from skinsource_gui.widgets.plot.decimation import visible_points
 from skinsource_gui.widgets.plot.ticks import linear_ticks
 from skinsource_gui.widgets.tooltips import show_tooltip
@@ -119,14 +120,14 @@ class SpectrumStrip(QWidget):
 
         key = (self._theme.name, highest, self._band_hz)
         self._axes.paint(painter, QRectF(self.rect()), key, paint_axes, ground)
-        columns = max(int(area.width()), 1)
+        columns = max(int(area.width() * dots_in_px(painter)), 1)
         points = visible_points(
             self._frequency_hz, self._levels_db[np.newaxis], (0.0, highest), columns
         )
         x = area.left() + points.x / highest * area.width()
         y = area.top() - np.maximum(points.y[0], -_SPAN_DB) / _SPAN_DB * area.height()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(QPen(QColor(self._theme.accent), 0))
+        painter.setPen(thin_pen(QColor(self._theme.accent)))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
         painter.setPen(QPen(QColor(self._theme.border), 1))

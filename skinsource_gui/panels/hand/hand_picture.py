@@ -17,6 +17,7 @@ from skinsource_gui.panels.hand.site_marker import (
     paint_selection,
 )
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.paper import is_on_paper
 
 _SIDE_ALIGNMENT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
 # From this height on there is a legend below the hand.
@@ -26,6 +27,8 @@ _MOST_SIDE = 0.35
 # In front of people words are larger than usual.  Numbers of empty places that are not larger than
 # those cannot be read from afar, and only hide the fingers: lines of text in a radius.
 _ENLARGED, _FROM_AFAR = 1.1, 1.2
+# Pixels of the hand in a px on paper: of 600 dots in an inch.
+_PAPER_RATIO = 6.25
 _LEGEND = (("perpendicular", None), ("in-axis", QPointF(0.0, 1.0)))
 
 
@@ -85,7 +88,7 @@ class HandPicture:
         painter.save()
         # Magnified, the hand would lie on the words below it.
         painter.setClipRect(self.area.adjusted(0, -2, 0, UNIT_PX / 2))
-        painter.drawPixmap(0, 0, self._hand_at(ratio))
+        painter.drawPixmap(0, 0, self._hand_at(_PAPER_RATIO if is_on_paper() else ratio))
         for site in range(1, layout.n_sites + 1):
             self._paint_site(painter, site, state)
         if state.selected is not None and self._layout.has(state.marks[state.selected].site):

@@ -15,8 +15,8 @@ from skinsource_gui.panels.hand.hand_layout import HandLayout, fitted_hand, hand
 from skinsource_gui.panels.hand.hand_picture import HandPicture
 from skinsource_gui.panels.hand.hand_state import HandState
 from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.focus_frame import is_on_paper
 from skinsource_gui.widgets.pan_zoom import WHOLE, PanZoom
+from skinsource_gui.widgets.paper import is_on_paper
 
 _CONTACTS = {
     "perpendicular": "perpendicular: pushes into the skin",

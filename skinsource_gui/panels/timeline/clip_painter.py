@@ -6,10 +6,11 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from skinsource.arrays import Floats
-from skinsource_gui.panels.timeline.clip_pictures import ClipPictures
+from skinsource_gui.panels.timeline.clip_pictures import ClipPictures, Look, Played
 from skinsource_gui.panels.timeline.lane import Box
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.kept_picture import KeptPicture
+from skinsource_gui.widgets.paper import dots_in_px
 
 _ROUNDING_PX = 3.0
 _WORDS_FROM_PX = 40.0
@@ -28,6 +29,7 @@ def paint_clip(
     painter: QPainter,
     box: Box,
     samples: Floats | None,
+    sample_rate_hz: float,
     pictures: ClipPictures,
     theme: Theme,
     *,
@@ -41,7 +43,7 @@ def paint_clip(
 
     Parameters
     ----------
-    samples : (n_times,)
+    samples, sample_rate_hz : (n_times,)
         What it plays, or None while it is not known.
     loudest
         The largest gain of its track, which takes the full height.
@@ -60,7 +62,8 @@ def paint_clip(
     _paint_body(painter, box.rect, shown, colour, selected=selected, pale=pale)
     if samples is not None and shown.width() >= 1:
         painter.setOpacity(_PALE if pale else 1.0)
-        _paint_samples(painter, box, shown, samples, pictures, colour, loudest)
+        played = Played(samples, sample_rate_hz)
+        _paint_samples(painter, box, shown, played, pictures, colour, loudest)
         painter.setOpacity(1.0)
     if any(box.fades_px):
         _paint_fades(painter, box, QColor(theme.text))
@@ -90,7 +93,7 @@ def _paint_samples(
     painter: QPainter,
     box: Box,
     shown: QRectF,
-    samples: Floats,
+    played: Played,
     pictures: ClipPictures,
     colour: QColor,
     loudest: float,
@@ -106,19 +109,14 @@ def _paint_samples(
         )
     )
     left, width = (rect.left(), rect.width()) if whole else (shown.left(), shown.width())
-    peak = max(abs(box.clip.gain) * _peak(samples), 1e-12)
+    peak = max(abs(box.clip.gain) * _peak(played.samples), 1e-12)
     reach = box.clip.gain / max(loudest, peak)
-    ratio = painter.device().devicePixelRatioF()
-    picture = pictures.picture(
-        samples,
-        max(round(width), 1),
-        max(round(rect.height()) - 2, 1),
-        colour,
-        reach=reach,
-        part=part,
-        ratio=ratio,
+    pictures.paint(
+        painter,
+        played,
+        QRectF(left, rect.top() + 1, max(round(width), 1), max(round(rect.height()) - 2, 1)),
+        Look(colour.rgba(), reach, part, dots_in_px(painter)),
     )
-    painter.drawPixmap(QPointF(left, rect.top() + 1), picture)
 
 
 def _peak(samples: Floats) -> float:

@@ -9,6 +9,7 @@ from PySide6.QtCore import QPointF
 from skinsource.arrays import Floats
 from skinsource.design import Design
 from skinsource.edits.selection import clip_of
+from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.view import View
 from skinsource_gui.panels.timeline.clip_lengths import ClipLengths
 from skinsource_gui.panels.timeline.gain.gain_strip import GainStrip, top_of
@@ -37,8 +38,8 @@ class Content:
         Where the lowest lane that can be seen ends.
     lengths
         How long the clips are.
-    waveforms
-        What clips play, (n_times,) each, by their id, as far as it is known.
+    waveforms, sample_rate_hz
+        What clips play, (n_times,) each, by their id, as far as it is known, at that rate.
     snaps
         Whether edges snap.
     ruler_px
@@ -62,6 +63,7 @@ class Content:
     waveforms: Mapping[int, Floats] = field(default_factory=dict)
     snaps: bool = True
     ruler_px: float = RULER_PX
+    sample_rate_hz: float = SAMPLE_RATE_HZ
     gain_shown: frozenset[int] = frozenset()
     gain_tops: Mapping[int, float] = field(default_factory=dict)
     chosen_point: tuple[int, int] | None = None

@@ -162,6 +162,7 @@ class LanesItem(pyqtgraph.GraphicsObject):
                 painter,
                 box,
                 content.waveforms.get(box.clip.id),
+                content.sample_rate_hz,
                 self.pictures,
                 self._theme,
                 loudest=loudest,

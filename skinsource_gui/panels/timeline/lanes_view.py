@@ -216,6 +216,7 @@ class LanesView(Canvas):
             height_px=float(self.height()),
             lengths=self._lengths,
             waveforms=self._waveforms,
+            sample_rate_hz=self.sample_rate_hz,
             snaps=self.snaps,
             ruler_px=self.ruler_px,
             gain_shown=shown_gain_curves(self._view),

@@ -10,9 +10,12 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
+from skinsource.resampling import finer
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.kept_picture import KeptPicture
+from skinsource_gui.widgets.paper import dots_in_px, is_on_paper, thin_pen
+from skinsource_gui.widgets.plot.curve_points import course_of
 from skinsource_gui.widgets.plot.decimation import KeptColumns
 from skinsource_gui.widgets.tooltips import show_tooltip
 
@@ -151,14 +154,19 @@ class WaveformPreview(QWidget):
         sign = -1 if self._flipped else 1
         middle, reach = plot.center().y(), sign * plot.height() / 2 / self._height
         shown_px = plot.width() * drawn.size / self._sample_rate_hz / self._span_s(drawn)
-        columns = max(int(shown_px * self.devicePixelRatioF()), 1)
-        share = np.arange(drawn.size) / drawn.size
-        points = self._columns.of(share, (0.0, 1.0), columns).points(drawn[np.newaxis])
-        places, samples = points.x, points.y[0]
-        if points.strokes:
+        ratio = dots_in_px(painter)
+        time_s, end_s = (
+            np.arange(drawn.size) / self._sample_rate_hz,
+            drawn.size / self._sample_rate_hz,
+        )
+        found = self._columns.of(time_s, (0.0, end_s), max(int(shown_px * ratio), 1))
+        between = partial(finer, time_s, drawn[np.newaxis])
+        points = course_of(found, drawn[np.newaxis], between, shown_px, ratio).line
+        samples = points.y[0]
+        if points.strokes and not is_on_paper():
             block = bool(np.mean(np.abs(samples[1::2] - samples[::2])) > _BLOCK)
             painter.setRenderHint(QPainter.RenderHint.Antialiasing, not block)
-        x = plot.left() + shown_px * places
+        x = plot.left() + shown_px * points.x / end_s
         y = middle - reach * samples
         if samples.size == 1:
             top = QPointF(x[0] + 1, y[0])
@@ -166,9 +174,8 @@ class WaveformPreview(QWidget):
             painter.setBrush(self._colour)
             painter.drawEllipse(top + QPointF(0, 2 if y[0] < middle else -2), 2, 2)
             return
-        # One pixel of the screen: any wider line takes a hundred times as long.  A path, because Qt
-        # leaves gaps in a polyline of upright strokes.
-        painter.setPen(QPen(self._colour, 0))
+        # A path, because Qt leaves gaps in a polyline of upright strokes.
+        painter.setPen(thin_pen(self._colour))
         painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
 
     def _paint_axis(self, painter: QPainter, plot: QRectF, span_s: float) -> None:

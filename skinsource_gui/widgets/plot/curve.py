@@ -9,10 +9,12 @@ from pyqtgraph.functions import arrayToQPath, arrayToQPolygonF
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter, QPainterPath, QPen, QPolygonF, QTransform
 
+from skinsource_gui.widgets.paper import is_on_paper
 from skinsource_gui.widgets.plot.curve_points import CurvePoints
 
 _STALE_OPACITY = 0.5
 _DOT_PX = 2.0
+_PAPER_LINE_PX = 1.0
 
 
 class SignalCurve(pyqtgraph.GraphicsObject):
@@ -72,7 +74,7 @@ class SignalCurve(pyqtgraph.GraphicsObject):
 
     def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
         painter.setPen(self.pen)
-        if self.pen.widthF() > 0.0:
+        if is_on_paper():
             with self._in_scene(painter) as to_scene:
                 self._paint_wide(painter, to_scene)
         else:
@@ -96,6 +98,9 @@ class SignalCurve(pyqtgraph.GraphicsObject):
         painter.restore()
 
     def _paint_wide(self, painter: QPainter, to_scene: QTransform) -> None:
+        pen = QPen(self.pen)
+        pen.setWidthF(_PAPER_LINE_PX)
+        painter.setPen(pen)
         if self._line is not None:
             painter.drawPolyline(to_scene.map(self._line))
         elif self._path is not None:

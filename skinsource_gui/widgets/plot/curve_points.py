@@ -1,13 +1,19 @@
 """Curves as points of a view."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from PySide6.QtCore import QRectF
 
 from skinsource.arrays import Floats
-from skinsource_gui.widgets.plot.curves import Curves
-from skinsource_gui.widgets.plot.decimation import KeptColumns, Points, in_rows, without_notches
+from skinsource_gui.widgets.plot.curves import Between, Curves
+from skinsource_gui.widgets.plot.decimation import (
+    Columns,
+    KeptColumns,
+    Points,
+    in_rows,
+    without_notches,
+)
 from skinsource_gui.widgets.plot.ranges import Range
 from skinsource_gui.widgets.plot.value_scale import ValueScale
 from skinsource_gui.widgets.plot.x_window import XWindow
@@ -93,13 +99,32 @@ def seen_of(
     if window.axis.log:
         x, y = x[curves.x > 0], y[:, curves.x > 0]
     found = columns.of(x, window.shown, int(row.width() * ratio))
+    seen = course_of(found, y, curves.between, row.width(), ratio)
+    if not seen.wave:
+        return seen
+    line = Points(x=window.axis.positions(seen.line.x), y=seen.line.y[:n_drawn])
+    return replace(seen, line=line)
+
+
+def course_of(
+    found: Columns, y: Floats, between: Between | None, width_px: float, ratio: float
+) -> Seen:
+    """What is seen of curves ``y``, (n_curves, n_points), where their columns are known.
+
+    Parameters
+    ----------
+    between
+        Knows the wave between points, in the unit of their axis; None: nobody does.
+    width_px, ratio
+        Over how many px they go, and dots in a px.
+    """
     points = found.points(y)
-    apart_px = row.width() / max(points.x.size, 1)
-    if curves.between is None or points.strokes or apart_px * ratio < _WAVE_PX:
+    apart_px = width_px / max(points.x.size, 1)
+    if between is None or points.strokes or apart_px * ratio < _WAVE_PX:
         return Seen(line=points)
-    instants, waves = curves.between(found.part.start, found.part.stop)
-    line = Points(x=window.axis.positions(instants), y=waves[:n_drawn])
-    return Seen(line=line, wave=True, dots=points if apart_px >= _DOTS_PX else None)
+    instants, waves = between(found.part.start, found.part.stop)
+    dots = points if apart_px >= _DOTS_PX else None
+    return Seen(line=Points(x=instants, y=waves), wave=True, dots=dots)
 
 
 def curve_points(

@@ -11,6 +11,8 @@ from skinsource_gui.widgets.plot.ranges import Kind
 
 #: What levels are, where nothing else is said.
 LEVEL_WORDS = "dB re 1 m/s²"
+#: Gives instants and the wave there from one sample to before another.
+Between = Callable[[int, int], tuple[Floats, Floats]]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,7 +65,7 @@ class Curves:
     columns: tuple[str, ...] = ()
     about: Callable[[], tuple[str, ...]] = tuple
     heading: tuple[str, ...] = ()
-    between: Callable[[int, int], tuple[Floats, Floats]] | None = None
+    between: Between | None = None
 
     def __post_init__(self) -> None:
         if self.y.shape != (len(self.names), self.x.size) or self.x.size == 0:

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
 from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.paper import PAPER_DOTS
 from skinsource_gui.widgets.plot.axis_spec import ValueUnit, XAxis, value_unit
 from skinsource_gui.widgets.plot.canvas import Canvas
 from skinsource_gui.widgets.plot.crosshair import Crosshair
@@ -32,8 +33,6 @@ _NOT_FINITE = "The response has values that are not finite numbers."
 # A drag shorter than this is a click.
 _DRAG_PX = 5
 _TEXT = 0.9
-# On paper: dots in a px, so many that the wave between samples is drawn; width of lines, px.
-_PAPER_DOTS, _PAPER_LINE_PX = 16.0, 1.0
 
 
 class Plot(Canvas):
@@ -238,7 +237,7 @@ class Plot(Canvas):
         places = self.places
         n_drawn = places.n_rows if self.stacked else len(self.curves.names)
         rows = [places.row(rank if self.stacked else 0) for rank in range(n_drawn)]
-        ratio = _PAPER_DOTS if self._on_paper else self.devicePixelRatioF()
+        ratio = PAPER_DOTS if self._on_paper else self.devicePixelRatioF()
         seen = seen_of(self.curves, self.x_window, n_drawn, rows[0], ratio, self.columns)
         if beyond := seen.beyond(self.value_scale.values):
             values = self._held.follow(*beyond, self.curves.kind)
@@ -280,7 +279,4 @@ class Plot(Canvas):
 
     def _colour(self) -> None:
         names = () if self.curves is None or not self.stacked else self.curves.names
-        # One pixel of the screen: any wider line takes a hundred times as long.
-        line_px = _PAPER_LINE_PX if self._on_paper else 0.0
-        numbers = [name.number for name in names]
-        self.stack.show_colours(numbers, stale=self.words.stale, line_px=line_px)
+        self.stack.show_colours([name.number for name in names], stale=self.words.stale)

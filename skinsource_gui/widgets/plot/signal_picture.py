@@ -7,6 +7,7 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.widgets.paper import on_paper
 from skinsource_gui.widgets.plot.plot import Plot
 
 _SCALE = 2
@@ -41,7 +42,8 @@ def draw_signals(
     _paint_head(painter, copy)
     painter.translate(0, head_px)
     whole = QRectF(copy.rect())
-    copy.scene().render(painter, whole, whole)
+    with on_paper():
+        copy.scene().render(painter, whole, whole)
     painter.restore()
     copy.deleteLater()
 

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from skinsource.arrays import Floats
 from skinsource.limb import SAMPLE_RATE_HZ, Band
 from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.widgets.paper import thin_pen
 
 LOWEST_HZ, FLOOR_DB = 10.0, -80.0
 _TICKS_HZ = (10, 25, 50, 100, 200, 600, 2000, 6000, 20_000)
@@ -112,7 +113,7 @@ class SpectrumPreview(QWidget):
         x = plot.left() + column[firsts].astype(np.float64)
         highest = np.maximum.reduceat(db[inside], firsts)
         y = plot.top() + plot.height() * np.clip(highest, FLOOR_DB, 0.0) / FLOOR_DB
-        painter.setPen(QPen(QColor(self._theme.text), 0))
+        painter.setPen(thin_pen(QColor(self._theme.text)))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
 

@@ -117,9 +117,10 @@ class Stack:
         for row, of_row in zip(self.rows, self._by_row(points), strict=True):
             row.show_points(of_row)
 
-    def show_colours(self, numbers: Sequence[int], *, stale: bool, line_px: float) -> None:
+    def show_colours(self, numbers: Sequence[int], *, stale: bool) -> None:
         """Give curves the pens of their ranks, and rows of a stack their ``numbers``, if any."""
-        pens = [self._theme.output_pen(rank, line_px) for rank in range(self._n_curves())]
+        # One pixel of the screen: any wider line takes a hundred times as long.
+        pens = [self._theme.output_pen(rank, 0.0) for rank in range(self._n_curves())]
         for row, of_row in zip(self.rows, self._by_row(pens), strict=True):
             row.show_pens(of_row, stale=stale)
         for rank, row in enumerate(self.rows):

@@ -1,0 +1,80 @@
+"""Zoomed in, a clip shows the wave through its samples; zoomed out it costs what it did."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QSizeF
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QApplication
+
+from skinsource.clips import Clip
+from skinsource.design import Design, Input
+from skinsource.waveforms import Tone
+from skinsource_gui.panels.timeline.clip_pictures import ClipPictures, Look, Played
+from tests.gui.timeline.bench import results_of
+from tests.gui.timeline.lanes_bench import LanesBench
+
+RATE_HZ, TONE_HZ = 1300.0, 433.0
+BLUE = QColor("blue").rgba()
+HEIGHT = 201
+
+
+def tone(n_samples):
+    return np.sin(2 * np.pi * TONE_HZ * np.arange(n_samples) / RATE_HZ)
+
+
+def tops_of(pixmap):
+    """The highest row of each column that has ink."""
+    image = pixmap.toImage()
+    pixels = np.frombuffer(image.constBits(), np.uint32).reshape(image.height(), -1)
+    return np.argmax(pixels >> 24 > 100, axis=0)
+
+
+@pytest.mark.parametrize("reach", [0.5, -0.5])
+def test_crests_between_samples_are_as_high_as_they_are(reach):
+    pictures = ClipPictures()
+    look = Look(BLUE, reach, part=(0.4, 0.6))
+    tops = tops_of(pictures.picture(Played(tone(260), RATE_HZ), QSizeF(520, HEIGHT), look))
+    # Each period, of 30 px, has its crest at half of the upper half.
+    crests = tops[10:-10].reshape(-1, 50).min(axis=1)
+    assert np.abs(crests - HEIGHT / 4).max() <= 3
+    assert pictures.waves == 1
+
+
+def test_a_wave_that_is_higher_than_its_samples_is_not_cut():
+    square = np.where(np.arange(60) // 10 % 2, 1.0, -1.0)
+    pictures = ClipPictures()
+    picture = pictures.picture(Played(square, RATE_HZ), QSizeF(600, HEIGHT), Look(BLUE, 1.0))
+    tops = tops_of(picture)
+    # It touches the edge at its crests alone.
+    assert 0 < np.count_nonzero(tops <= 1) < 40
+
+
+def test_with_less_than_two_pixels_for_each_sample_no_wave_is_computed():
+    pictures = ClipPictures()
+    played = Played(tone(260), RATE_HZ)
+    for width in (20, 100, 519):
+        pictures.picture(played, QSizeF(width, 40), Look(BLUE, 1.0))
+    assert (pictures.painted, pictures.waves) == (3, 0)
+    pictures.picture(played, QSizeF(521, 40), Look(BLUE, 1.0))
+    assert pictures.waves == 1
+    pictures.picture(played, QSizeF(521, 40), Look(BLUE, 1.0))
+    assert (pictures.painted, pictures.waves) == (4, 1)
+
+
+def test_the_timeline_draws_the_wave_of_what_it_is_zoomed_into(qtbot):
+    bench = LanesBench(qtbot)
+    clip = Clip(waveform=Tone(TONE_HZ, 0.0, 0.5))
+    bench.view = replace(bench.view, time_range_s=(0.0, 2.0))
+    bench.show(Design(limb="synthetic-1", inputs=(Input(location=7, clips=(clip,)),)))
+    bench.panel.show_results(results_of(bench.design))
+    QApplication.processEvents()
+    bench.lanes.viewport().repaint()
+    assert bench.lanes.item.pictures.painted > 0
+    assert bench.lanes.item.pictures.waves == 0
+    bench.view = replace(bench.view, time_range_s=(0.1, 0.2))
+    bench.show(bench.design)
+    QApplication.processEvents()
+    bench.lanes.viewport().repaint()
+    assert bench.lanes.item.pictures.waves > 0
