@@ -6,7 +6,6 @@ from skinsource import edits
 from skinsource.clips import Clip
 from skinsource.clips.clip import ONSET as ONSET_S
 from skinsource.design import AMPLITUDE, Design, Input, amplitude_spec
-from skinsource.edits.kinds import kind_name
 from skinsource.edits.selection import clip_of
 from skinsource.fields import Spec, specs_of
 from skinsource.panel_settings import settings_of, with_settings
@@ -107,7 +106,7 @@ class FrequencyAndAmplitudePanel(Panel):
 
     def _show_input(self, design: Design, view: View, one: Input, control: str) -> None:
         clip = clip_of(one, view)
-        playing = EMPTY.capitalize() if clip is None else kind_name(clip.waveform)
+        playing = EMPTY.capitalize() if clip is None else clip.waveform.title
         title = f"{design.title} · " if design.title else ""
         self._words.setText(f"{title}{playing} at place {one.location}")
         if clip is not None:

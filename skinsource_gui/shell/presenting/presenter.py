@@ -75,6 +75,7 @@ class Presenter(QObject):
         self._arranged = ""
         self._steps: tuple[Step, ...] = ()
         self._at = -1
+        self._panels: tuple[str, ...] = ()
         # Whether what is open is a scene that was whole when it was presented: what is turned in it
         # meanwhile is not kept.
         self._is_scene = self._opening = False
@@ -96,6 +97,7 @@ class Presenter(QObject):
         self._before, self._arranged = window.saveState(), self._preferences.arrangement
         self._size, self._focused = window.size(), window.focusWidget()
         self._arrangements.show(_ARRANGEMENT)
+        _bring_forward(self._docks, self._panels)
         for bar in self._bars():
             bar.hide()
         # Keys of menus that are away would be dead.
@@ -154,6 +156,7 @@ class Presenter(QObject):
         """A scene of the paper was opened elsewhere: the next one comes after it."""
         self._steps = steps_of_paper()
         self._at = [one.name for one in scenes.all_scenes()].index(name)
+        self._panels = scenes.scene(name).panels
 
     def show_notes(self) -> None:
         """Show what the speaker reads, on another screen where there is one."""
@@ -217,17 +220,15 @@ class Presenter(QObject):
         self._at, self._opening = number, True
         self._document.start_over(shown.design, shown.view, None, scene=step.title)
         self._files.leave_file()
-        self._opening, self._is_scene = False, self.presenting
-        for name in shown.panels:
-            if name in self._docks:
-                self._docks[name].bring_forward()
+        self._opening, self._is_scene, self._panels = False, self.presenting, shown.panels
+        _bring_forward(self._docks, self._panels)
         self.done.emit(f"Scene {number + 1} of {len(self._steps)}: {step.title}")
         self._show_notes()
 
     def _look(self) -> None:
         # With another design the history is empty; with a step of it, it is not.
         if not self._opening and self._document.undo_stack.count() == 0:
-            self._is_scene, self._steps, self._at = False, (), -1
+            self._is_scene, self._steps, self._at, self._panels = False, (), -1, ()
 
     def _show_notes(self) -> None:
         if self._notes is None:
@@ -237,3 +238,10 @@ class Presenter(QObject):
         heading = titles[self._at] if 0 <= self._at < len(titles) else design.title or "Notes"
         after = titles[following] if 0 < following < len(titles) else ""
         self._notes.show_scene(heading, design.notes, after)
+
+
+def _bring_forward(docks: Mapping[str, Dock], names: tuple[str, ...]) -> None:
+    """Bring panels in sight, the last of several in one place in front."""
+    for name in names:
+        if name in docks:
+            docks[name].bring_forward()

@@ -1,7 +1,7 @@
 """Scenes that follow one another, and the notes beside them."""
 
 import pytest
-from PySide6.QtWidgets import QApplication, QMessageBox
+from PySide6.QtWidgets import QApplication, QDialogButtonBox, QMessageBox
 
 from skinsource.design_file import save_design
 from skinsource.scenes import all_scenes
@@ -32,6 +32,34 @@ def test_without_a_file_the_scenes_are_those_of_the_paper(make_window, design):
     assert all_scenes()[1].name in title(window)
     # The panels that show it are in sight.
     assert all(not window.docks[name].isHidden() for name in all_scenes()[1].panels)
+
+
+@pytest.mark.parametrize("opened_by", ["gallery", "key"])
+def test_a_scene_that_is_open_is_presented_with_the_panels_that_show_it(
+    make_window, opened_by, design
+):
+    window = make_window(design)
+    names = [one.name for one in all_scenes()]
+    if opened_by == "gallery":
+        page = window.scenes.show()
+        page.list.setCurrentRow(names.index("2H"))
+        page.buttons.button(QDialogButtonBox.StandardButton.Open).click()
+    else:
+        for _ in range(names.index("2H") + 1):
+            window.do("next_scene")
+    assert "2H" in title(window)
+    window.do("present")
+    assert "windowed" in in_front(window)
+    window.do("present")
+    window.do("new_design")
+    window.do("present")
+    assert "windowed" not in in_front(window)
+
+
+def in_front(window):
+    """Panels that can be seen."""
+    QApplication.processEvents()
+    return {panel.name for panel in window.panels if panel.isVisible()}
 
 
 @pytest.fixture

@@ -1,7 +1,10 @@
 """The one control that a scene is about."""
 
+from dataclasses import replace
+
 from PySide6.QtWidgets import QLabel
 
+import skinsource as ss
 from skinsource.panel_settings import with_settings
 from skinsource_gui.panels.frequency_and_amplitude.settings import ControlSettings
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
@@ -38,3 +41,12 @@ def test_the_list_of_what_is_turned_has_its_label(window):
     fields = panel.findChildren(ChoiceField, "control_field")
     labels = [one for one in panel.findChildren(QLabel) if one.buddy() in fields]
     assert [one.text() for one in labels] == ["Turn"]
+
+
+def test_what_plays_is_called_as_it_is_elsewhere(make_window, design):
+    train = ss.track(7, ss.waveforms.WaveletTrain())
+    window = make_window(replace(design, inputs=(train,)))
+    (one,) = window.document.design.inputs
+    window.document.look(replace(window.document.view, selected_inputs=(one.id,)))
+    panel = window.panel("frequency_and_amplitude")
+    assert panel._words.text() == "Wavelet train at place 7"
