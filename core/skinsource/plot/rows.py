@@ -11,6 +11,8 @@ from skinsource.plot.paper import COLOURS, DIM
 
 # A row is so high that curves of neighbours do not touch.
 _ROOM = 2.3
+# Height of a legend, as a part of a row.
+_LEGEND = 0.3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -54,6 +56,7 @@ def draw_rows(
     colours: Sequence[str] = COLOURS,
     from_zero: bool = False,
     title: str = "",
+    legend_apart: bool = False,
 ) -> None:
     """Draw rows into ``ax``, the first one on top.
 
@@ -71,6 +74,8 @@ def draw_rows(
         Whether curves are never negative, and stand on the line of their row.
     title
         Stands above.
+    legend_apart
+        Whether there is room for the legend above the first row, so that it lies on no curve.
     """
     room = 1.15 if from_zero else _ROOM
     for rank, row in enumerate(rows):
@@ -83,7 +88,8 @@ def draw_rows(
     ax.set_yticks([-room * rank for rank in range(len(rows))], [row.label for row in rows])
     ax.tick_params(axis="y", length=0)
     ax.spines["left"].set_visible(False)
-    ax.set_ylim(-room * (len(rows) - 1) - (0.1 if from_zero else 1.15), 1.15)
+    top = 1.15 + (_LEGEND * room if labels and legend_apart else 0.0)
+    ax.set_ylim(-room * (len(rows) - 1) - (0.1 if from_zero else 1.15), top)
     if rows:
         ax.set_xlim(float(rows[0].x[0]), float(rows[0].x[-1]))
     if labels:

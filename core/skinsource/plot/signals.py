@@ -72,7 +72,7 @@ def traces(
     rows = _rows(1e3 * time_s, curves, looked.outputs, normalised)
     on, alone = axes_of(ax, _WIDTH_MM, _ROW_MM * len(rows) + _AROUND_MM)
     with style():
-        draw_rows(on, rows, labels=labels, title=title)
+        draw_rows(on, rows, labels=labels, title=title, legend_apart=True)
         on.set_xlabel(_time_words(looked))
         say_scale(on, _scale_words(rows, normalised, looked))
         _finish(on, designs, alone)
@@ -124,7 +124,7 @@ def spectra(
     rows = _rows(frequency[within], curves, looked.outputs, normalised)
     on, alone = axes_of(ax, _WIDTH_MM, _ROW_MM * len(rows) + _AROUND_MM)
     with style():
-        draw_rows(on, rows, labels=labels, title=title, from_zero=True)
+        draw_rows(on, rows, labels=labels, title=title, from_zero=True, legend_apart=True)
         on.set_xlabel("Frequency (Hz)")
         say_scale(on, _scale_words(rows, normalised, looked))
         _finish(on, designs, alone)

@@ -123,6 +123,19 @@ def test_several_designs_lie_over_each_other_with_a_legend():
     np.testing.assert_allclose(loud, 2 * soft, atol=1e-12)
 
 
+@pytest.mark.parametrize("draw", [ss.plot.traces, ss.plot.spectra])
+@pytest.mark.parametrize("outputs", [(30,), (19, 21, 24, 32)])
+def test_a_legend_lies_on_no_curve(draw, outputs):
+    louder = DESIGN.with_input(0, amplitude=2.0)
+    figure = draw([DESIGN, louder], outputs=outputs, labels=["soft", "loud"])
+    figure.savefig(BytesIO(), dpi=figure.dpi)
+    ax = figure.axes[0]
+    legend = ax.get_legend().get_window_extent()
+    highest = max(float(np.max(line.get_ydata())) for line in ax.lines)
+    assert legend.y0 >= ax.transData.transform((0.0, highest))[1]
+    assert legend.y1 <= ax.get_window_extent().y1 + 1.0
+
+
 def test_a_shorter_design_is_silent_at_the_end_beside_a_longer_one():
     longer = DESIGN.with_clip(1, onset_s=0.5)
     figure = ss.plot.traces([DESIGN, longer], outputs=(30,))
