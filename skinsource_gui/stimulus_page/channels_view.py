@@ -7,6 +7,7 @@ from PySide6.QtCore import QLineF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from skinsource.arrays import Floats
 from skinsource.stimulus_export import ChannelOverview, Overview
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
 
@@ -98,7 +99,7 @@ class ChannelsView(QWidget):
             if one.inputs
             else (QColor(self._theme.dim))
         )
-        low, high = np.clip(one.extremes, -1.0, 1.0)
+        low, high = joined(np.clip(one.extremes, -1.0, 1.0))
         x = area.left() + (np.arange(low.size) + 0.5) * area.width() / low.size
         width = max(area.width() / low.size, 1.0)
         painter.setPen(QPen(colour, width, c=Qt.PenCapStyle.FlatCap))
@@ -115,6 +116,18 @@ class ChannelsView(QWidget):
             painter.drawLines(
                 [QLineF(at, area.top(), at, area.top() + 5.0) for at in x[beyond].tolist()]
             )
+
+
+def joined(extremes: Floats) -> Floats:
+    """Least and largest of each stretch, (2, n_columns), up to where the stretch before it ends.
+
+    Stretches of few samples would be dots that nothing holds together.
+    """
+    low, high = extremes
+    met = extremes.copy()
+    met[0, 1:] = np.minimum(low[1:], high[:-1])
+    met[1, 1:] = np.maximum(high[1:], low[:-1])
+    return met
 
 
 def words_of(one: ChannelOverview) -> list[str]:

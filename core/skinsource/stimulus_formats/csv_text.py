@@ -16,6 +16,10 @@ from skinsource.stimulus_formats.stimulus_format import Facts, Outgoing, Stimulu
 LAYOUT = "layout"
 _BLOCK = 4096
 _MOST_KEYSIGHT = 4
+# Layouts that begin with the times.
+_TIMED = ("table", "pwl")
+# Of seventeen digits, most below 1, and what parts it from the next; a zero has two.
+_BYTES_OF_NUMBER = 21
 
 
 def number(value: float) -> str:
@@ -38,7 +42,7 @@ def write_csv(outgoing: Outgoing, path: Path) -> Facts:
         "table": ["time_s", *names],
         "keysight": [f"Y{number}" for number in range(1, n_channels + 1)],
     }.get(layout, [])
-    timed = layout in ("table", "pwl")
+    timed = layout in _TIMED
     with steadily_written(path) as file:
         if layout == "keysight":
             file.write(f"SampleRate = {outgoing.rate_hz}\n".encode())
@@ -62,8 +66,9 @@ def _rows(outgoing: Outgoing, *, timed: bool) -> Iterator[list[list[float]]]:
         outgoing.progress(start + part.shape[1], stimulus.n_times, "Writing")
 
 
-def _bytes_of(n_channels: int, n_times: int, _: Mapping[str, str]) -> int:
-    return 24 * (n_channels + 1) * n_times
+def _bytes_of(n_channels: int, n_times: int, choices: Mapping[str, str]) -> int:
+    n_columns = n_channels + (choices[LAYOUT] in _TIMED)
+    return _BYTES_OF_NUMBER * n_columns * n_times
 
 
 CSV = StimulusFormat(

@@ -2,6 +2,7 @@
 
 import json
 
+import numpy as np
 import pytest
 from PySide6.QtWidgets import QFileDialog
 
@@ -9,6 +10,7 @@ import skinsource as ss
 from skinsource.actuators import MeasuredResponse
 from skinsource.rigs import Rig, RigChannel, save_rig
 from skinsource.stimulus_formats import FORMATS
+from skinsource_gui.stimulus_page.channels_view import joined
 from skinsource_gui.stimulus_page.page import bytes_in_words, duration_words
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
 
@@ -138,3 +140,13 @@ def test_every_format_of_the_table_is_offered_and_shown(page, qtbot):
 def test_lengths_of_time_are_said_as_people_read_them():
     said = [duration_words(time_s) for time_s in (37 / 48_000, 0.2, 1.5)]
     assert said == ["0.77 ms", "200 ms", "1.5 s"]
+
+
+def test_neighbours_in_the_picture_of_a_channel_meet():
+    samples = np.array([0.0, 0.8, -0.6, -0.6, 0.1])
+    low, high = joined(np.stack((samples, samples)))
+    assert (low[1:] <= high[:-1]).all()
+    assert (high[1:] >= low[:-1]).all()
+    # Each begins where the one before is, and holds no more than both.
+    assert low.tolist() == [0.0, 0.0, -0.6, -0.6, -0.6]
+    assert high.tolist() == [0.0, 0.8, 0.8, -0.6, 0.1]

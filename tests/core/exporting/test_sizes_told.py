@@ -1,0 +1,22 @@
+"""How large a file will be is told before it is written."""
+
+import pytest
+
+import skinsource as ss
+from skinsource.stimulus_export import overview_of, prepared
+from skinsource.stimulus_formats.csv_text import CSV
+
+DESIGN = ss.Design(
+    limb="synthetic-1",
+    inputs=(ss.track(7, ss.waveforms.Tone(frequency_hz=101.0, duration_s=0.4)),),
+)
+
+
+@pytest.mark.parametrize("layout", ["table", "plain", "keysight", "pwl"])
+@pytest.mark.parametrize("rate_hz", [1300, 8000])
+def test_a_table_is_about_as_large_as_told_in_each_layout(tmp_path, layout, rate_hz):
+    options = ss.StimulusOptions(choices={"layout": layout})
+    path = tmp_path / "drive.csv"
+    told = overview_of(prepared(DESIGN, path, CSV, rate_hz, options)).n_bytes
+    ss.export_stimulus(DESIGN, path, "csv", rate_hz, options=options)
+    assert told == pytest.approx(path.stat().st_size, rel=0.15)
