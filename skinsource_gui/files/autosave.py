@@ -105,7 +105,8 @@ class Autosave(QObject):
 
     def _look(self) -> _Seen:
         document = self._document
-        return _Seen(document.design, document.view, document.path, document.modified)
+        file = document.path or document.recovered_from
+        return _Seen(document.design, document.view, file, document.modified)
 
     def _follow(self) -> None:
         before, self._seen = self._seen, self._look()

@@ -82,7 +82,7 @@ class Recovery(QObject):
                 bad.append(_words_of(copy, error))
                 continue
             self._opening = left, copy
-            self._take_over(content)
+            self._take_over(content, left.file)
             self.belonged.emit(left.file)
             words = f"Opened unsaved work on {left.name}, which was kept {left.age()}"
             if bad:
@@ -104,10 +104,10 @@ class Recovery(QObject):
         if self._opening is not None:
             left_over.mark_opened(self._opening[1])
 
-    def _take_over(self, content: DesignFile) -> None:
+    def _take_over(self, content: DesignFile, file: Path | None) -> None:
         document = self._document
         empty = type(content.design)(limb=content.design.limb)
-        document.start_over(empty, content.view, None)
+        document.start_over(empty, content.view, None, recovered_from=file)
         document.edit("Open unsaved work", content.design)
         document.look(content.view)
         self.opened.emit(content.layout)

@@ -37,8 +37,11 @@ class WindowFrame(QObject):
         self._said = design.title
         # A scene has a title, or a name among others, and no file.
         name = printable(design.title or self._document.scene).strip() or "Untitled"
+        recovered = self._document.recovered_from
         if path:
             name = path.stem
+        elif recovered:
+            name = f"{printable(recovered.stem)} (recovered)"
         # Qt puts its mark of unsaved work at one that stands alone.
         name = name.replace("[*]", "[*][*]")
         missing = missing_limb(design.limb, design.limb_digest)

@@ -13,6 +13,7 @@ from skinsource.comparing import (
     gain_words,
     loudest_db,
     matching_gain,
+    name_of,
     nothing_to_compare,
     other_than,
     reference,
@@ -106,7 +107,11 @@ class Comparison(QObject):
         document.apply(edits.store_snapshot(document.design, document.view, int(number)))
         replaced = " in place of another, which Undo brings back"
         words = replaced if document.undo_stack.index() > steps else ""
-        self.done.emit(f"Stored snapshot {number}{words}; X shows the one before, and this again")
+        other = other_than(document.view.snapshots, document.design)
+        ways = "change the design, and X goes to and fro"
+        if other is not None:
+            ways = f"X shows {name_of(other.number)}, and this again"
+        self.done.emit(f"Stored snapshot {number}{words}; {ways}")
 
     def forget_problems(self) -> None:
         """Try again what could not be predicted: limbs came or went."""

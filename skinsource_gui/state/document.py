@@ -49,6 +49,8 @@ class Document(QObject):
         self.opened: Path | None = None
         #: What it is called among the scenes it was opened from; "": it is none of them.
         self.scene = ""
+        #: The file whose unsaved work was left over and is open now, until it is saved; else None.
+        self.recovered_from: Path | None = None
         self._saved_view = self._view
         self._was_modified = self._lost = self._read_only = self._on_the_way = False
         # Whether something else than what was saved has been made since, and not taken back.
@@ -80,7 +82,7 @@ class Document(QObject):
     @property
     def modified(self) -> bool:
         """Whether there are edits, or snapshots, that no file holds; choosing outputs is none."""
-        if self._lost or not _same_snapshots(self._view, self._saved_view):
+        if self._lost or not _holds_snapshots(self._saved, self._saved_view, self._view):
             return True
         if self.undo_stack.isClean():
             return False
@@ -131,15 +133,18 @@ class Document(QObject):
         *,
         read_only: bool = False,
         scene: str = "",
+        recovered_from: Path | None = None,
     ) -> None:
         """Take over another design, with an empty history.
 
         A file that is ``read_only`` is another studio's: this one may not replace it.  ``scene`` is
-        what the design is called among the scenes it was opened from.
+        what the design is called among the scenes it was opened from; ``recovered_from`` is the
+        file that it is left-over work on.
         """
         self.undo_stack.clear()
         self._read_only = read_only
         self._saved, self._path, self.opened, self.scene = design, path, path, scene
+        self.recovered_from = recovered_from
         self._design, self._view = design, _existing(view, design)
         self._saved_view = self._view
         self._made = False
@@ -151,6 +156,7 @@ class Document(QObject):
     def mark_saved(self, path: Path | None) -> None:
         """Note that ``path`` holds the present design; None: no file shall, nothing is unsaved."""
         self._path, self._saved, self._read_only = path, self._design, False
+        self.recovered_from = None
         self._saved_view = self._view
         self.undo_stack.setClean()
         self._was_modified = self._lost = self._made = False
@@ -242,11 +248,19 @@ def _same_but_for_playhead(view: View, other: View) -> bool:
     return replace(view, playhead_s=other.playhead_s) == other
 
 
-def _same_snapshots(view: View, other: View) -> bool:
-    """Whether both keep the same designs under the same numbers, in whatever order."""
-    return view.snapshots == other.snapshots or {
-        one.number: one.design for one in view.snapshots
-    } == {one.number: one.design for one in other.snapshots}
+def _holds_snapshots(saved: Design, saved_view: View, view: View) -> bool:
+    """Whether what was saved holds the snapshots of ``view``, and ``view`` all that were saved.
+
+    One more of a design that was saved is nothing that could be lost.
+    """
+    if view.snapshots == saved_view.snapshots:
+        return True
+    then = {one.number: one.design for one in saved_view.snapshots}
+    now = {one.number: one.design for one in view.snapshots}
+    if any(now.get(number) != design for number, design in then.items()):
+        return False
+    held = (saved, *then.values())
+    return all(design in held for number, design in now.items() if number not in then)
 
 
 def _existing(view: View, design: Design) -> View:

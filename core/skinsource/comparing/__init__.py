@@ -26,6 +26,7 @@ if TYPE_CHECKING:
         alike,
         brought_back,
         louder,
+        name_of,
         nothing_to_compare,
         other_than,
         reference,
@@ -38,8 +39,8 @@ else:
             "difference": "difference_db end_db gain_words loudest_db match_words matching_gain",
             "limbs": "MOST_BESIDE limbs_beside mean_and_spread_over same_outputs",
             "snapshot": (
-                "EDITED NUMBERS Snapshot alike brought_back louder nothing_to_compare other_than "
-                "reference shown"
+                "EDITED NUMBERS Snapshot alike brought_back louder name_of nothing_to_compare "
+                "other_than reference shown"
             ),
         },
     )
@@ -60,6 +61,7 @@ __all__ = [
     "match_words",
     "matching_gain",
     "mean_and_spread_over",
+    "name_of",
     "nothing_to_compare",
     "other_than",
     "reference",

@@ -90,13 +90,16 @@ def other_than(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None
     return next(differing, None) or next(equal, None)
 
 
+def name_of(number: int) -> str:
+    """What the design under a number is called in a sentence."""
+    return "what was edited" if number == EDITED else f"snapshot {number}"
+
+
 def nothing_to_compare(snapshots: Sequence[Snapshot]) -> str:
     """Say why `other_than` found nothing, and what can be done."""
     if not snapshots:
         return "Store the design with Ctrl+1 to Ctrl+4, change it, and press X to go to and fro."
-    name = (
-        "what was edited" if snapshots[-1].number == EDITED else f"snapshot {snapshots[-1].number}"
-    )
+    name = name_of(snapshots[-1].number)
     return (
         f"The design in the window is {name}, and nothing else is stored. Change it, or store a "
         "second one with Ctrl+1 to Ctrl+4, and press X to go to and fro."

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from skinsource.comparing import EDITED, NUMBERS, Snapshot, gain_words, louder, shown
+from skinsource.comparing import EDITED, NUMBERS, Snapshot, gain_words, louder, name_of, shown
 from skinsource.design import Design
 from skinsource.edits.edit import Edit, Refusal, refused
 from skinsource.errors import InvalidInputError
@@ -66,8 +66,7 @@ def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) ->
         after = replace(view, snapshots=(*(one for one in kept if one.number != number), now))
     except InvalidInputError as error:
         return refused(error)
-    name = f"snapshot {number}" if number != EDITED else "what was edited"
-    return Edit(label=f"Show {name}", design=wanted.design, view=after)
+    return Edit(label=f"Show {name_of(number)}", design=wanted.design, view=after)
 
 
 def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
@@ -87,8 +86,9 @@ def forget_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
     left = _without(view, number)
     if len(left) == len(view.snapshots):
         return _NONE
-    name = f"snapshot {number}" if number != EDITED else "what was edited"
-    return Edit(label=f"Forget {name}", design=design, view=replace(view, snapshots=left))
+    return Edit(
+        label=f"Forget {name_of(number)}", design=design, view=replace(view, snapshots=left)
+    )
 
 
 def match_levels(design: Design, view: View, on: bool) -> Edit | Refusal:

@@ -92,6 +92,9 @@ def test_saving_left_over_work_suggests_the_file_that_it_belonged_to(
     )
     window.do("save_design")
     assert asked == [str(tmp_path / "tap.skinsource")]
+    # It has its name, and so has what would be left over of it again.
+    assert window.windowTitle().startswith("tap (recovered)[*]")
+    assert window.keeping.autosave._look().path == tmp_path / "tap.skinsource"
     window.document.mark_saved(window.document.path)
     window.do("new_design")
     window.do("save_design")
