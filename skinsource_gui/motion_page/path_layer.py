@@ -64,7 +64,7 @@ class PathLayer(QWidget):
         place = Place(
             site=site,
             centre=self._places.centre(site),
-            radius_px=self._places.radius_px,
+            radius_px=self._places.radius_in_use_px(site),
             push=self._places.push(site),
         )
         colour = self._colours.get(site, QColor(self._theme.accent))
@@ -77,8 +77,8 @@ class PathLayer(QWidget):
         length = (way.x() ** 2 + way.y() ** 2) ** 0.5
         unit = way / length
         across = QPointF(-unit.y(), unit.x())
-        start = self._places.centre(here) + unit * (self._places.radius_px + 1.0)
-        tip = self._places.centre(there) - unit * (self._places.radius_px + 1.0)
+        start = self._places.centre(here) + unit * (self._places.radius_in_use_px(here) + 1.0)
+        tip = self._places.centre(there) - unit * (self._places.radius_in_use_px(there) + 1.0)
         base = tip - unit * _ARROW_PX
         half = across * (0.5 * _ARROW_PX)
         for colour, width in ((self._theme.base, 5.0), (self._theme.accent, 2.0)):
@@ -95,7 +95,8 @@ class PathLayer(QWidget):
         font.setPixelSize(11)
         painter.setFont(font)
         width = max(painter.fontMetrics().horizontalAdvance(words) + 6.0, _BADGE_PX)
-        corner = self._places.centre(site) + QPointF(0.75, -0.75) * self._places.radius_px
+        off = 0.75 * self._places.radius_in_use_px(site)
+        corner = self._places.centre(site) + QPointF(off, -off)
         area = QRectF(corner.x() - _BADGE_PX / 2, corner.y() - _BADGE_PX / 2, width, _BADGE_PX)
         painter.setPen(QPen(QColor(self._theme.accent), 1.0))
         painter.setBrush(QColor(self._theme.base))

@@ -45,8 +45,9 @@ class HandDrawing:
         Whose places they are, for their names.
     side
         Which hand this is, in words.
-    site_px, least_px
-        Radius of a site; and that below which none goes on the screen.
+    spacing : (n_sites,)
+        How far off the nearest other site is, where markers shrink so as not to cover each other;
+        infinite where there is room for all.
     contacts
         Whether it is known how contacts push.
     fade
@@ -58,10 +59,9 @@ class HandDrawing:
     bounds: QRectF
     sites: NDArray[np.float64]
     pushes: NDArray[np.float64]
+    spacing: NDArray[np.float64]
     limb: str = ""
     side: str = "Right hand,\npalm side"
-    site_px: float = 17.0
-    least_px: float = 11.0
     contacts: bool = True
     fade: tuple[float, float] | None = (_FADE_PX, _ARM_PX)
 
@@ -92,6 +92,7 @@ def palmar_drawing(shape: HandShape) -> HandDrawing:
         bounds=QRectF(QPointF(left, top), QPointF(float(shown[:, 0].max()), _ARM_PX)),
         sites=sites,
         pushes=pushes,
+        spacing=np.full(len(sites), np.inf),
     )
 
 

@@ -1,5 +1,7 @@
 """What the hand diagram shows, and how it is painted."""
 
+from dataclasses import replace
+
 from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import QColor, QFontDatabase, QFontMetricsF, QPainter, QPixmap
 
@@ -9,6 +11,7 @@ from skinsource_gui.panels.hand.hand_layout import HandLayout
 from skinsource_gui.panels.hand.hand_state import HandState, Mark
 from skinsource_gui.panels.hand.site_marker import (
     Place,
+    has_room,
     paint_cursor,
     paint_dot,
     paint_empty,
@@ -89,13 +92,10 @@ class HandPicture:
         # Magnified, the hand would lie on the words below it.
         painter.setClipRect(self.area.adjusted(0, -2, 0, UNIT_PX / 2))
         painter.drawPixmap(0, 0, self._hand_at(_PAPER_RATIO if is_on_paper() else ratio))
-        for site in range(1, layout.n_sites + 1):
+        for site in self._in_order(state):
             self._paint_site(painter, site, state)
-        if state.selected is not None and self._layout.has(state.marks[state.selected].site):
-            # Above its neighbours, as the selected one.
-            self._paint_site(painter, state.marks[state.selected].site, state)
         if state.cursor is not None:
-            paint_cursor(painter, self._place(state.cursor), self.theme)
+            paint_cursor(painter, self._place(state.cursor, in_use=True), self.theme)
         painter.restore()
         if state.ghost is not None and state.moving is not None:
             self._paint_ghost(painter, state.ghost, state.marks[state.moving])
@@ -113,25 +113,35 @@ class HandPicture:
             self._hand = (key, drawn)
         return self._hand[1]
 
-    def _place(self, site: int) -> Place:
+    def _in_order(self, state: HandState) -> list[int]:
+        """All sites, those above others last: in use, selected, pointed at."""
+        above = [*sorted({mark.site for mark in state.marks}), state.selected_site, state.cursor]
+        above += [state.hovered, state.target]
+        # Each once, where it comes last.
+        last = dict.fromkeys(site for site in reversed(above) if site and self._layout.has(site))
+        quiet = [site for site in range(1, self._layout.n_sites + 1) if site not in last]
+        return [*quiet, *reversed(last)]
+
+    def _place(self, site: int, *, in_use: bool) -> Place:
+        radius_px = self._layout.radius_in_use_px if in_use else self._layout.radius_px
         return Place(
             site=site,
             centre=self._layout.centre(site),
-            radius_px=self._layout.radius_px,
+            radius_px=radius_px(site),
             push=self._layout.push(site),
         )
 
     def _paint_site(self, painter: QPainter, site: int, state: HandState) -> None:
         if site == state.target and state.moving is None:
             # What is held over it comes from another panel.
-            paint_cursor(painter, self._place(site), self.theme)
-        place, front = self._place(site), state.front_at(site)
-        chosen = site in (state.hovered, state.target)
+            paint_cursor(painter, self._place(site, in_use=True), self.theme)
+        front, chosen = state.front_at(site), site in (state.hovered, state.target)
+        place = self._place(site, in_use=front is not None or chosen or site == state.cursor)
         if front is None:
             small = place.radius_px < self._readable_px and site != state.cursor
             if chosen:
                 paint_hovered(painter, place, self.theme)
-            elif small and state.moving is None:
+            elif not has_room(place) or (small and state.moving is None):
                 paint_dot(painter, place, self.theme)
             else:
                 paint_empty(painter, place, self.theme, inviting=state.moving is not None)
@@ -147,10 +157,7 @@ class HandPicture:
         paint_occupied(painter, place, self.theme, colours, silent=state.marks[front].silent)
 
     def _paint_ghost(self, painter: QPainter, centre: QPointF, mark: Mark) -> None:
-        radius = self._layout.radius_px
-        ghost = Place(
-            site=mark.site, centre=centre, radius_px=radius, push=self._layout.push(mark.site)
-        )
+        ghost = replace(self._place(mark.site, in_use=True), centre=centre)
         painter.setOpacity(0.6)
         paint_occupied(painter, ghost, self.theme, [mark.colour], silent=mark.silent)
         painter.setOpacity(1.0)

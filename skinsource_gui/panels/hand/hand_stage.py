@@ -103,7 +103,7 @@ class HandStage(QObject):
 
     def site_at(self, position: QPointF) -> int | None:
         """Site under the mouse; what is magnified beyond the picture cannot be hit."""
-        inside = self._picture.area.adjusted(0, -2, 0, self.layout.radius_px)
+        inside = self._picture.area.adjusted(0, -2, 0, float(self.layout.radii_px.max()))
         return self.layout.site_at(position) if inside.contains(position) else None
 
     def marker_area(self, site: int) -> QRectF:

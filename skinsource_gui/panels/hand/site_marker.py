@@ -13,8 +13,12 @@ _TRIANGLE_RADII, _ROUNDING = 1.42, 0.3
 # How far further inputs at a site peep out behind the first, in radii.
 _STEP_RADII = 0.3
 _MOST_BEHIND = 2
-#: Size of a site without a number, in radii.
-_DOT_RADII = 0.34
+# Size of a site without a number, in radii; of one that is small anyway it is larger.
+_DOT_RADII, _DOT_PX = 0.34, 3.5
+# Of numbers: the smallest letters, and what each digit needs of the radius, in their height.
+_LETTERS_PX, _DIGIT = 9.0, 0.33
+#: Radius of the smallest site in use.
+_IN_USE_PX = 8.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,6 +55,16 @@ class Place:
         return _rounded([self.centre + self.push * size, base + half, base - half])
 
 
+def least_radius_px(site: int) -> float:
+    """The smallest radius of a site that is in use: its number fits in."""
+    return max(_IN_USE_PX, _DIGIT * len(str(site)) * _LETTERS_PX)
+
+
+def has_room(place: Place) -> bool:
+    """Whether a number fits into a marker."""
+    return place.radius_px >= max(_DIGIT * len(str(place.site)), 0.5) * _LETTERS_PX
+
+
 def paint_empty(painter: QPainter, place: Place, theme: Theme, *, inviting: bool) -> None:
     """A quiet site; ``inviting`` while something is being moved over the hand."""
     fill = QColor(theme.base)
@@ -71,7 +85,8 @@ def paint_dot(painter: QPainter, place: Place, theme: Theme) -> None:
     fill.setAlphaF(0.7)
     painter.setPen(QPen(QColor(theme.skin_line), 1.25))
     painter.setBrush(fill)
-    painter.drawPath(replace(place, radius_px=_DOT_RADII * place.radius_px).path())
+    radius = max(_DOT_RADII * place.radius_px, min(place.radius_px, _DOT_PX))
+    painter.drawPath(replace(place, radius_px=radius).path())
 
 
 def paint_hovered(painter: QPainter, place: Place, theme: Theme) -> None:
@@ -186,7 +201,9 @@ def _paint_number(painter: QPainter, place: Place, colour: QColor, *, bold: bool
     if place.push is not None:
         # The triangle is wider at its base.
         centre = centre - place.push * (0.12 * place.radius_px)
-    size = place.radius_px * (1.05 if place.push is None else 1.0)
+    # As large as its place, unless it has many digits.
+    most = 1.0 / (_DIGIT * len(str(place.site)))
+    size = place.radius_px * min(1.05 if place.push is None else 1.0, most)
     _paint_text(painter, centre, str(place.site), size, colour, bold=bold)
 
 
@@ -219,6 +236,6 @@ def _paint_text(
 
 def _number_font(painter: QPainter, size_px: float, *, bold: bool) -> QFont:
     font = tabular(painter.font())
-    font.setPixelSize(max(9, round(size_px)))
+    font.setPixelSize(max(round(_LETTERS_PX), round(size_px)))
     font.setWeight(QFont.Weight.Bold if bold else QFont.Weight.Medium)
     return font

@@ -100,7 +100,7 @@ def test_the_panel_needs_nothing_computed(studio):
 @pytest.mark.parametrize("size", [(260, 330), (260, 900), (900, 330), (700, 1200)])
 def test_all_sites_stay_inside_at_every_size(studio, size):
     studio.panel.resize(*size)
-    radius = round(studio.diagram.stage.layout.radius_px)
+    radius = round(studio.diagram.stage.layout.radius_px(20))
     for site in range(1, 21):
         area = studio.diagram.stage.layout.marker_area(site).toAlignedRect()
         assert studio.diagram.rect().contains(area.adjusted(-radius // 4, 0, radius // 4, 0))
