@@ -3,6 +3,7 @@
 from PySide6.QtCore import QPointF
 
 from skinsource.choice_words import TRIAD_SENTENCE
+from skinsource_gui.panels.skin.inputs.pointing import inputs_words
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_quantity import LEVELS
 from skinsource_gui.panels.skin.stage.map_layout import MapLayout
@@ -31,13 +32,14 @@ def pixel_readout(content: MapContent, layout: MapLayout, at: QPointF) -> str:
 
 
 def hover_words(content: MapContent, layout: MapLayout | None, at: QPointF) -> str:
-    """What a tooltip says at a screen place: of the axes, or of an output; "" elsewhere."""
+    """What a tooltip says at a screen place: of the axes, of an output, of inputs, or nothing."""
     if layout is None:
         return ""
     if layout.triad_card.contains(at):
         return tooltip(TRIAD_SENTENCE)
     number = output_at(layout.points, at)
-    return "" if number is None else output_readout(content, number)
+    lines = [] if number is None else [output_readout(content, number)]
+    return "\n".join(filter(None, [*lines, inputs_words(content, layout, at)]))
 
 
 def selection_readout(outputs: tuple[int, ...]) -> str:

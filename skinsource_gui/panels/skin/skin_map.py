@@ -14,7 +14,12 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QToolTip, QWidget
 
-from skinsource_gui.panels.skin.inputs.pointing import InputPointer, input_at, selected_inputs
+from skinsource_gui.panels.skin.inputs.pointing import (
+    InputPointer,
+    input_at,
+    input_meant,
+    selected_inputs,
+)
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_painter import MapPainter, paint_band, paint_mark, small_font
 from skinsource_gui.panels.skin.map_readout import hover_words, output_readout, pixel_readout
@@ -25,6 +30,7 @@ from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
 from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.outputs.keys import ADDS
 from skinsource_gui.widgets.outputs.picker import OutputPicker
 from skinsource_gui.widgets.outputs.picking import output_at
 from skinsource_gui.widgets.pan_zoom import WHOLE
@@ -169,21 +175,26 @@ class SkinMap(QWidget):
         self.stage.pan_zoom.release(event)
         if event.button() == Qt.MouseButton.LeftButton and self.stage.layout is not None:
             points, mouse = self.stage.layout.points, self.picker.mouse
-            meant_input = input_at(self.content, self.stage.layout, event.position())
             on_output = output_at(points, event.position()) is not None
-            self._last = "outputs" if on_output else self._last
-            if meant_input is not None and mouse.band is None and not on_output:
+            adds = bool(event.modifiers() & ADDS) and on_output
+            meant_input = input_meant(self.content, self.stage.layout, event.position(), self._last)
+            if meant_input is not None and mouse.band is None and not adds:
                 self._choose_inputs((meant_input,))
                 mouse.give_up()
+            elif on_output:
+                self._last = "outputs"
             self.picker.release(event, points)
             self.update()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton and self.stage.layout is not None:
-            if output_at(self.stage.layout.points, event.position()) is None:
-                self.stage.pan_zoom.show(WHOLE)
+            at = event.position()
+            on_input = input_at(self.content, self.stage.layout, at) is not None
+            if on_input or output_at(self.stage.layout.points, at) is not None:
+                # The second of two quick clicks.
+                self.picker.mouse.press(at)
             else:
-                self.picker.mouse.press(event.position())
+                self.stage.pan_zoom.show(WHOLE)
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QPointF
 from PySide6.QtTest import QTest
 
-from skinsource_gui.panels.skin.inputs.marks import mark_at
+from skinsource_gui.panels.skin.inputs.marks import marks_at
 
 
 def test_inputs_are_marked_on_the_map_where_they_are_behind(make_window, design):
@@ -12,9 +12,9 @@ def test_inputs_are_marked_on_the_map_where_they_are_behind(make_window, design)
     content, layout = skin.map.content, skin.map.stage.layout
     assert [mark.location for mark in content.inputs] == [7, 13]
     place = layout.frame.to_screen(content.limb_map.input_positions[[12]])[0]
-    found = mark_at(content.inputs, content.limb_map, layout, QPointF(*place))
+    [found] = marks_at(content.inputs, content.limb_map, layout, QPointF(*place))
     assert found.location == 13
-    assert mark_at(content.inputs, content.limb_map, layout, QPointF(1.0, 1.0)) is None
+    assert marks_at(content.inputs, content.limb_map, layout, QPointF(1.0, 1.0)) == ()
 
 
 def test_hand_and_map_point_at_the_same_input(make_window, design):

@@ -3,13 +3,16 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QHelpEvent
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QToolTip
 
 from skinsource.design import track
 from skinsource.edits import Refusal
 from skinsource.waveforms import Tap
-from tests.gui.skin.bench import LEFT, PLAIN, click
+from skinsource_gui.widgets.outputs.picking import output_at
+from tests.gui.skin.bench import LEFT, PLAIN, SHIFT, click
 
 KEY = Qt.Key
 
@@ -22,10 +25,20 @@ def map_(window):
     return window.panel.map
 
 
-def click_input(map_, location):
+def place_of(map_, location):
     [place] = map_.content.limb_map.input_positions[[location - 1]]
     at = map_.stage.layout.frame.to_screen(place[None])[0]
-    QTest.mouseClick(map_, LEFT, PLAIN, QPointF(*map(float, at)).toPoint())
+    return QPointF(*map(float, at)).toPoint()
+
+
+def click_input(map_, location, modifier=PLAIN):
+    QTest.mouseClick(map_, LEFT, modifier, place_of(map_, location))
+
+
+def tooltip_at(map_, point):
+    event = QHelpEvent(QEvent.Type.ToolTip, point, map_.mapToGlobal(point))
+    QApplication.sendEvent(map_, event)
+    return QToolTip.text()
 
 
 @pytest.mark.parametrize("key", [KEY.Key_Delete, KEY.Key_Backspace])
@@ -95,3 +108,57 @@ def test_escape_gives_up_what_the_mouse_began_before_it_takes_back_the_input(win
     QTest.mouseRelease(map_, LEFT, PLAIN, QPointF(10, 10).toPoint())
     assert window.view.selected_inputs == window.design.ids[1:]
     assert window.view.outputs == (29, 52)
+
+
+def test_of_inputs_at_one_place_each_click_selects_the_next(window, map_):
+    window.design = window.design.adding(track(location=16)).adding(track(location=16))
+    window.show(selected_inputs=())
+    _, *here = window.design.ids
+    chosen = []
+    for _ in range(4):
+        click_input(map_, 16)
+        chosen += window.view.selected_inputs
+    # The last one lies on top.
+    assert chosen == [here[2], here[1], here[0], here[2]]
+    # Two quick clicks are two clicks, and no wish to see the whole.
+    map_.stage.pan_zoom.step("zoom_in")
+    near = map_.stage.layout.frame
+    QTest.mouseDClick(map_, LEFT, PLAIN, place_of(map_, 16))
+    assert map_.stage.layout.frame == near
+
+
+def test_an_input_under_an_output_is_selected_by_a_second_click(window, map_):
+    window.panel.resize(240, 330)
+    # A place that lies over an output, at this size.
+    points = map_.stage.layout.points
+    under = [(k, output_at(points, QPointF(place_of(map_, k)))) for k in range(1, 21)]
+    location, output = next((k, found) for k, found in under if found is not None)
+    window.design = window.design.adding(track(location=location))
+    window.show(selected_inputs=window.design.ids[:1])
+    first, _, third = window.design.ids
+    click_input(map_, location)
+    assert (window.view.outputs, window.view.selected_inputs) == ((output,), (first,))
+    click_input(map_, location)
+    assert (window.view.outputs, window.view.selected_inputs) == ((output,), (third,))
+    click_input(map_, location)
+    assert (window.view.outputs, window.view.selected_inputs) == ((output,), (third,))
+    # With Shift outputs alone are meant.
+    click_input(map_, location, SHIFT)
+    assert (window.view.outputs, window.view.selected_inputs) == ((), (third,))
+    lines = tooltip_at(map_, place_of(map_, location)).split("\n")
+    assert lines[0].startswith(f"Output {output},")
+    assert lines[-2].startswith(f"Input 3: {location} ·")
+    assert lines[-1] == "Click again for the next one here"
+    QToolTip.hideText()
+
+
+def test_a_tooltip_names_the_inputs_at_a_place(window, map_):
+    assert tooltip_at(map_, place_of(map_, 16)).startswith("Input 2: 16 · ")
+    assert "Click again" not in QToolTip.text()
+    for _ in range(4):
+        window.design = window.design.adding(track(location=16))
+    window.show()
+    lines = tooltip_at(map_, place_of(map_, 16)).split("\n")
+    assert [line.partition(":")[0] for line in lines[:3]] == ["Input 6", "Input 5", "Input 4"]
+    assert lines[3:] == ["…", "Click again for the next one here"]
+    QToolTip.hideText()

@@ -49,18 +49,18 @@ def marks_of(design: Design, view: View) -> tuple[InputMark, ...]:
     )
 
 
-def mark_at(
+def marks_at(
     marks: tuple[InputMark, ...], limb_map: LimbMap, layout: MapLayout, at: QPointF
-) -> InputMark | None:
-    """The mark at a place of the screen: the nearest within reach, of several the last one."""
-    found, nearest = None, _REACH_PX * layout.unit
-    for one in marks:
+) -> tuple[InputMark, ...]:
+    """The marks within reach of a place of the screen, nearest first, of one place the last one."""
+    found = []
+    for rank, one in enumerate(marks):
         centre = _centre(one, limb_map, layout)
         if centre is not None:
             away = float(np.hypot(at.x() - centre.x(), at.y() - centre.y()))
-            if away <= nearest:
-                found, nearest = one, away
-    return found
+            if away <= _REACH_PX * layout.unit:
+                found.append((away, -rank, one))
+    return tuple(one for *_, one in sorted(found, key=lambda each: each[:2]))
 
 
 def paint_marks(
