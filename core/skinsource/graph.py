@@ -64,8 +64,8 @@ class Graph:
         """Quantities that a rule needs, in its order; none for what is given."""
         return tuple(need for need in self._needs.get(name, ()) if need != "stop")
 
-    def sources_of(self, names: Iterable[str]) -> frozenset[str]:
-        """What quantities depend on that no rule computes."""
+    def upstream_of(self, names: Iterable[str]) -> frozenset[str]:
+        """What quantities depend on: themselves, what rules compute, and what is given."""
         found: set[str] = set()
         waiting = set(names)
         while waiting:
@@ -73,7 +73,7 @@ class Graph:
             if name in self._rules:
                 waiting.update(need for need in self.needs_of(name) if need not in found)
             found.add(name)
-        return frozenset(found - self._rules.keys())
+        return frozenset(found)
 
     def evaluate(
         self,

@@ -10,6 +10,7 @@ from skinsource.validity import Finding
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request
+from skinsource_gui.state.predicting import too_large
 from skinsource_gui.status.validity_card import ValidityCard
 from skinsource_gui.status.validity_lamps import ValidityLamps
 from skinsource_gui.theme import LIGHT, Theme
@@ -69,7 +70,8 @@ class Validity(QObject):
     def _note(self, outcome: Outcome) -> None:
         request = outcome.request
         if request.place == (FIRST_SLOT, Purpose.SHOW):
-            self._shown = request if outcome.values is not None else None
+            judged = outcome.values is not None and not too_large(request.given["limb"])
+            self._shown = request if judged else None
             if self._shown is None:
                 self._tell(None)
             else:

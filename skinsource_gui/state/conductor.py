@@ -13,7 +13,7 @@ from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request
-from skinsource_gui.state.predicting import reason_of, too_large
+from skinsource_gui.state.predicting import FROM_THE_LIMB, reason_of, too_large
 
 #: An edit waits so long for its results, a frame of most screens: the worker is quicker when it
 #: has the interpreter to itself, and both are painted together.
@@ -57,6 +57,8 @@ class Conductor(QObject):
         self._answered: dict[Panel, tuple[frozenset[str], Mapping[str, Any]]] = {}
         # Panels whose next results have nothing to do with what they show.
         self._anew: set[Panel] = set()
+        # Those whose needs take too long on the limb of the document.
+        self._refused: list[Panel] = []
         # Those that know the present state.
         self._told: set[Panel] = set()
         document.jumped.connect(self._begin_anew)
@@ -110,15 +112,14 @@ class Conductor(QObject):
         for panel in self._panels:
             if panel not in visible:
                 self._shown.pop(panel, None)
-        wanted = frozenset().union(*(panel.needs for panel in visible))
-        if not wanted:
+        if not any(panel.needs for panel in visible):
             return
-        if refused := too_large(self._document.design.limb):
-            self._explain(visible, refused)
-            return
+        visible = self._without_refused(visible)
         design, view = self._document.design, self._document.view
         given = sources(design, view, match_gain=view.match_gain(design))
-        wanted |= self._also
+        wanted = self._also.union(*(panel.needs for panel in visible))
+        if not wanted:
+            return
         request = Request(wanted, given, perf_counter() if since_s is None else since_s)
         behind = any(panel.needs and panel not in self._shown for panel in visible)
         if self._asked == request and not behind:
@@ -131,6 +132,17 @@ class Conductor(QObject):
         self._engine.request(request)
         self._awaited = True
 
+    def _without_refused(self, visible: list[Panel]) -> list[Panel]:
+        """Those that can be shown what they need; the others are told why not."""
+        reason = too_large(self._document.design.limb)
+        self._refused = [
+            panel
+            for panel in visible
+            if reason and FROM_THE_LIMB & self._engine.upstream_of(panel.needs)
+        ]
+        self._explain(self._refused, reason)
+        return [panel for panel in visible if panel not in self._refused]
+
     def _is_stale(self, panel: Panel) -> bool:
         """Whether what a panel shows would be computed from something else now."""
         if self._asked is None or panel not in self._shown:
@@ -138,15 +150,18 @@ class Conductor(QObject):
         needs, then = self._answered[panel]
         now = self._asked.given
         return needs != panel.needs or any(
-            then[name] != now[name] for name in self._engine.sources_of(needs)
+            then[name] != now[name] for name in self._engine.upstream_of(needs) & now.keys()
         )
 
     def _deliver(self, outcome: Outcome) -> None:
         if outcome.request.place != (FIRST_SLOT, Purpose.SHOW):
             return
         visible = [panel for panel in self._panels if panel.isVisible() and panel.needs]
+        visible = [panel for panel in visible if panel not in self._refused]
         if outcome.values is None:
-            self._explain(visible, _reason(outcome.error))
+            reason = _reason(outcome.error)
+            self._explain(visible, reason)
+            self.failed.emit(reason)
             self.stale.emit(outcome.request is not self._asked)
             return
         faults = [
@@ -189,10 +204,9 @@ class Conductor(QObject):
             self._shown[panel] = held
 
     def _explain(self, visible: list[Panel], reason: str) -> None:
-        self._shown.clear()
         for panel in visible:
+            self._shown.pop(panel, None)
             panel.show_problem(reason)
-        self.failed.emit(reason)
 
 
 def _reason(error: Exception | None) -> str:

@@ -9,7 +9,7 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from skinsource.design import Design
 from skinsource.edits import Edit, Refusal, kept_selection
-from skinsource.own_limbs import missing_limb
+from skinsource.own_limbs import missing_limb, outputs_on
 from skinsource.view import View
 from skinsource_gui.history import MOST_STEPS
 from skinsource_gui.state.step_end import StepEnd
@@ -264,13 +264,14 @@ def _holds_snapshots(saved: Design, saved_view: View, view: View) -> bool:
 
 
 def _existing(view: View, design: Design) -> View:
-    """Return ``view`` with those selected inputs and clips that exist."""
+    """Return ``view`` with those selected inputs, clips and outputs that exist."""
     chosen = tuple(one for one in view.selected_inputs if one in design.ids)
     clip_ids = {one.id for one in design.clips} if view.selected_clips else set()
     clips = tuple(one for one in view.selected_clips if one in clip_ids)
-    if (chosen, clips) == (view.selected_inputs, view.selected_clips):
+    outputs = outputs_on(design.limb, view.outputs)
+    if (chosen, clips, outputs) == (view.selected_inputs, view.selected_clips, view.outputs):
         return view
-    return replace(view, selected_inputs=chosen, selected_clips=clips)
+    return replace(view, selected_inputs=chosen, selected_clips=clips, outputs=outputs)
 
 
 def _same_limb(one: Design, other: Design) -> bool:

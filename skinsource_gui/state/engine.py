@@ -103,7 +103,7 @@ class Engine(QObject):
         self._new_graph = new_graph
         self._graphs: dict[Slot, Graph] = {}
         self._plan: Graph | None = None
-        self._sources: dict[frozenset[str], frozenset[str]] = {}
+        self._upstream: dict[frozenset[str], frozenset[str]] = {}
         self._closing = Event()
         self._superseded = Event()
         self._done = Event()
@@ -124,13 +124,13 @@ class Engine(QObject):
         """Whether a request is being evaluated or waits."""
         return self._running is not None
 
-    def sources_of(self, quantities: frozenset[str]) -> frozenset[str]:
-        """Names of the values to start from that ``quantities`` depend on."""
-        if quantities not in self._sources:
+    def upstream_of(self, quantities: frozenset[str]) -> frozenset[str]:
+        """Names of all that ``quantities`` depend on, computed or given."""
+        if quantities not in self._upstream:
             # Those of the slots belong to the worker; this one computes nothing.
             self._plan = self._plan or self._new_graph()
-            self._sources[quantities] = self._plan.sources_of(quantities)
-        return self._sources[quantities]
+            self._upstream[quantities] = self._plan.upstream_of(quantities)
+        return self._upstream[quantities]
 
     def request(self, request: Request) -> None:
         """Evaluate ``request`` as soon as possible, unless a newer one takes its place."""

@@ -10,6 +10,8 @@ from skinsource.own_limbs import axes_on, facts_of
 from skinsource.quantities import sources
 from skinsource.view import View
 
+#: Of these is made what takes long on a large limb; drives and clips are not.
+FROM_THE_LIMB = frozenset({"driven_limb", "surface"})
 #: What levels depend on.
 _DEPENDS_ON = (
     "limb",

@@ -254,3 +254,27 @@ def test_the_same_results_are_shown_again_after_a_mistake(qtbot, stage):
     stage.document.edit("colour", stage.document.design.with_input(0, colour=5))
     qtbot.waitUntil(lambda: not stage.engine.busy)
     assert stage.loud.results[-1]["loudness"].tolist() == [2.0]
+
+
+def test_what_takes_too_long_on_a_limb_is_not_asked_for_and_all_else_is(qtbot, stage, monkeypatch):
+    shown = len(stage.loud.results)
+    stage.gate.clear()
+    stage.document.edit("amplitude", stage.document.design.with_input(0, amplitude=3.0))
+    module = "skinsource_gui.state.conductor"
+    monkeypatch.setattr(f"{module}.FROM_THE_LIMB", frozenset({"loudness"}))
+    monkeypatch.setattr(f"{module}.too_large", lambda limb: f"{limb} is too large")
+    runs, seen = stage.graph.runs["loudness"], len(stage.colourful.results)
+    stage.document.edit("colour", stage.document.design.with_input(0, colour=4))
+    stage.gate.set()
+    qtbot.waitUntil(lambda: not stage.engine.busy)
+    # What was on its way comes too late to take the place of the reason.
+    assert stage.graph.runs["loudness"] == runs + 1
+    assert stage.loud.problems[-1] == "synthetic-1 is too large"
+    assert len(stage.loud.results) == shown
+    assert stage.colourful.problems == []
+    assert stage.colourful.results[-1]["colours"] == (4,)
+    assert len(stage.colourful.results) > seen
+    # Another limb is shown in all panels again.
+    monkeypatch.setattr(f"{module}.too_large", lambda limb: "")
+    stage.amplitude(2.0)
+    assert list(stage.loud.results[-1]["loudness"]) == [2.0]

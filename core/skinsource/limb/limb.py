@@ -106,7 +106,13 @@ class Limb:
 
     def response_to(self, location: int) -> Floats:
         """Impulse responses to one input place, (n_outputs, n_axes, n_taps), in m/s²."""
-        check_input_location(location, self.n_inputs)
+        try:
+            check_input_location(location, self.n_inputs)
+        except InvalidInputError as error:
+            raise InvalidInputError(
+                f"{self.name} has the places 1 to {self.n_inputs}, and there is an input at place "
+                f"{quoted(location)}. Move the input, or choose another limb."
+            ) from error
         if location not in self._responses:
             response = self._read_response(location)
             expected = self.n_outputs, self.n_axes, self.n_taps

@@ -7,7 +7,7 @@ from skinsource.own_limbs.content import (
     OwnLimb,
     is_free_name,
 )
-from skinsource.own_limbs.known import axes_on, facts_of, missing_limb, own_map
+from skinsource.own_limbs.known import axes_on, facts_of, missing_limb, outputs_on, own_map
 from skinsource.own_limbs.store import (
     install_limb,
     load_own_limb,
@@ -29,6 +29,7 @@ __all__ = [
     "load_own_limb",
     "mirror_limb",
     "missing_limb",
+    "outputs_on",
     "own_limb_names",
     "own_limb_path",
     "own_map",

@@ -39,6 +39,15 @@ def axes_on(limb: str, axes: Axes) -> Axes:
         return measured
 
 
+def outputs_on(limb: str, outputs: tuple[int, ...]) -> tuple[int, ...]:
+    """Those of these outputs that a limb has; where it has none of them, as many of its first."""
+    facts = facts_of(limb)
+    if not facts.known:
+        return outputs
+    found = tuple(number for number in outputs if number <= facts.n_outputs)
+    return found or tuple(range(1, min(len(outputs), facts.n_outputs) + 1))
+
+
 def own_map(name: str) -> LimbMap | None:
     """The map of an own limb, as quickly; None of others, and of one that is not here."""
     if not facts_of(name).own:

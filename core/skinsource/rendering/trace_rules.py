@@ -22,7 +22,7 @@ def shown_outputs(outputs: tuple[int, ...], limb_data: Limb) -> tuple[int, ...]:
     if missing:
         raise InvalidInputError(
             f"{limb_data.name} has the outputs 1 to {limb_data.n_outputs}; selected are also "
-            f"{quoted(missing)}. Deselect them, or choose another limb."
+            f"{quoted(missing)}. Select others, or choose another limb."
         )
     return outputs
 

@@ -194,3 +194,42 @@ def test_a_limb_too_large_to_follow_edits_shows_its_own_places_and_why_there_is_
     qtbot.waitUntil(lambda: skin.map.content.coloured_values is not None, timeout=30_000)
     assert skin.map.content.coloured_values.shape == (N_OUTPUTS,)
     assert np.isfinite(skin.map.content.field_values).any()
+
+
+def test_outputs_that_a_limb_lacks_leave_the_selection_and_undo_brings_them_back(
+    lab, window, qtbot
+):
+    document = window.document
+    document.look(replace(document.view, outputs=(3, 52)))
+    window.findChild(ChoiceField, "limb").choose("lab-1")
+    rested(window, qtbot)
+    assert document.view.outputs == (3,)
+    assert window.notice.text == ""
+    document.undo_stack.undo()
+    assert document.view.outputs == (3, 52)
+
+
+def test_a_design_that_looks_at_no_output_of_its_limb_looks_at_the_first(lab, make_window, qtbot):
+    design = edits.change_limb(PLAYED, View(), "lab-1").design
+    window = make_window(design, View(outputs=(40, 52)))
+    rested(window, qtbot)
+    assert window.document.view.outputs == (1, 2)
+    assert window.notice.text == ""
+    window.document.start_over(design, View(outputs=(31, 32)), None)
+    assert window.document.view.outputs == (31,)
+    # Of a limb that is not here nobody knows what it has.
+    remove_limb("lab-1")
+    window.document.start_over(design, View(outputs=(80,)), None)
+    assert window.document.view.outputs == (80,)
+
+
+def test_an_input_at_a_place_that_the_limb_lacks_is_said_with_what_to_do(lab, window, qtbot):
+    document = window.document
+    document.edit("Move", document.design.with_input(0, location=12))
+    window.findChild(ChoiceField, "limb").choose("lab-1")
+    rested(window, qtbot)
+    expected = "lab-1 has the places 1 to 7, and there is an input at place 12. Move the input, or"
+    assert expected in window.panel("skin").map.content.message
+    document.edit("Move", document.design.with_input(0, location=7))
+    rested(window, qtbot)
+    assert window.panel("skin").map.content.message == ""
