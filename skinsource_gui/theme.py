@@ -164,6 +164,11 @@ CONTRAST = replace(
 THEMES = {theme.name: theme for theme in (LIGHT, DARK, CONTRAST)}
 
 
+def theme_words(name: str) -> str:
+    """What a theme, or the choice of the system's, is called in menus and lists."""
+    return "High contrast" if name == CONTRAST.name else name.capitalize()
+
+
 def apply_theme(app: QApplication, theme: Theme, text_scale: float = 1.0) -> None:
     """Give every widget of ``app`` the colours of ``theme``, and words of that size.
 

@@ -15,7 +15,7 @@ from skinsource_gui.theme import DARK, LIGHT
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.pictures.caption import caption_of, with_caption
 from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
-from skinsource_gui.widgets.pictures.picture_options import PictureDialog, PictureOptions
+from skinsource_gui.widgets.pictures.picture_options import COLOURS, PictureDialog, PictureOptions
 from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT, IN_USE
 
 DESIGN = ss.Design(
@@ -145,6 +145,13 @@ def test_pictures_are_on_light_ground_and_the_studio_stays_dark(make_window):
     assert QColor(picture.pixel(899, 599)).name() == LIGHT.base
     assert window.theme == DARK
     assert window.grab().toImage() == before
+
+
+def test_colours_of_pictures_are_called_as_the_themes_of_the_window(window):
+    offered = [words for _, words in COLOURS.options]
+    themes = [window.actions_by_name[f"use_{name}_theme"].text() for name, _ in COLOURS.options]
+    assert [f"{words} theme" for words in offered] == themes
+    assert "High contrast" in offered
 
 
 def test_what_is_in_use_is_the_panel_with_the_keyboard(make_window, qtbot):

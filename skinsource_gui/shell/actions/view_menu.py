@@ -7,6 +7,7 @@ from skinsource.edits.selection import clip_of
 from skinsource.view import View
 from skinsource_gui.shell.action_spec import ActionSpec, action
 from skinsource_gui.shell.docks.arrangements import ARRANGEMENTS
+from skinsource_gui.theme import theme_words
 
 
 def _toggle_delay(design: Design, view: View) -> Edit | Refusal:
@@ -118,7 +119,7 @@ VIEW: tuple[ActionSpec, ...] = (
         action(
             f"use_{name}_theme",
             "View",
-            f"{'High contrast' if name == 'contrast' else name.capitalize()} theme",
+            f"{theme_words(name)} theme",
             hint,
             command="appearance.use_theme",
             argument=name,

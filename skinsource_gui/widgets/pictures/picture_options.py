@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLabel, QW
 
 from skinsource import fields
 from skinsource.fields import ChoiceSpec, NumberSpec, specs_of
-from skinsource_gui.theme import LIGHT, THEMES, Theme, theme_of
+from skinsource_gui.theme import LIGHT, THEMES, Theme, theme_of, theme_words
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.fields.number_typing import FINISHERS
@@ -42,7 +42,7 @@ DPI = NumberSpec(
 )
 COLOURS = ChoiceSpec(
     label="Colours",
-    options=tuple((name, name.capitalize()) for name in THEMES),
+    options=tuple((name, theme_words(name)) for name in THEMES),
     hint="Light for paper and most slides",
 )
 
