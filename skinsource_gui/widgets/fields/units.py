@@ -17,7 +17,10 @@ EDITED_DIGITS = 12
 #: From this length on times are said in seconds.
 LONG_S = 1.0
 
-_NUMBER = re.compile(r"([+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)", re.DOTALL)
+# A number, and its unit if any: what goes on with a digit or a sign is neither.
+_NUMBER = re.compile(
+    r"([+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(|[^\s\d.,:;'’_+*/^-].*)", re.DOTALL
+)
 # A bound that was shown in a rounded form can be typed.
 _BOUND_TOLERANCE = 1e-12
 # No number of ours has an exponent beyond; to write one out as a fraction takes for ever.

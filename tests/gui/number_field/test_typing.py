@@ -60,7 +60,11 @@ def test_other_units_are_understood(text, spec, value):
     [
         ("abc", FREQUENCY, "Frequency: “abc” is not a number. Allowed: 1 to 649 Hz."),
         ("", FREQUENCY, "nothing typed"),
-        ("1.000,5", FREQUENCY, "is not one of its units"),
+        ("1.000,5", FREQUENCY, "Frequency: “1.000,5” is not a number. Allowed: 1 to 649 Hz."),
+        ("2*60", FREQUENCY, "“2*60” is not a number"),
+        ("1 000", FREQUENCY, "“1 000” is not a number"),
+        ("1:30", DURATION, "“1:30” is not a number"),
+        ("5 m", DURATION, "“m” is not one of its units"),
         ("nan", FREQUENCY, "is not a number"),
         ("700", FREQUENCY, "Frequency: 700 Hz is too high. Allowed: 1 to 649 Hz."),
         ("0", DURATION, "Duration: 0 ms is too low. Allowed: 1 ms to 600 s."),
