@@ -95,6 +95,16 @@ def test_a_fragment_lies_elsewhere_as_it_lay_here():
     assert [one.location for one in alone.inputs] == [7, 2, 11]
 
 
+@pytest.mark.parametrize("order", [(1, 2, 3), (3, 1, 2)])
+def test_what_was_copied_from_selected_tracks_is_pasted_onto_them(order):
+    fragment = edits.fragment_of(DESIGN, (1, 2, 3, 5))
+    pasted = edits.paste_fragment(DESIGN, View(selected_inputs=order), fragment, 1.0)
+    assert len(pasted.design.inputs) == len(DESIGN.inputs)
+    assert tracks(pasted.design)[:3] == [[1, 2, 6, 7], [3, 4, 8], [5, 9]]
+    again = edits.paste_fragment(pasted.design, pasted.view, fragment, 2.0)
+    assert len(again.design.inputs) == len(DESIGN.inputs)
+
+
 def test_a_fragment_travels_as_text():
     fragment = edits.fragment_of(DESIGN, (1, 4))
     words = edits.fragment_text(fragment)

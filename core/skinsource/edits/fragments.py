@@ -65,6 +65,7 @@ def cut_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
 def paste_fragment(design: Design, view: View, fragment: Fragment, at_s: float) -> Edit | Refusal:
     """Put a fragment in from a time on: its first lane on the selected track, the others below.
 
+    Of several selected tracks the uppermost counts: what was copied from them goes back to them.
     Lanes for which there is no track below get a new one, at the place that they came from; and so
     do all of them where no track is selected.
     """
@@ -94,7 +95,8 @@ def place_fragment(
     at_s
         From when on; None: from the playhead on.
     input_id
-        The track that takes its first lane; those below take the others.  None: the selected one.
+        The track that takes its first lane; those below take the others.  None: the selected one,
+        of several the uppermost.
     location
         Place of a new track for its first lane; the others get new ones too, at the places that
         they came from.  It goes before ``input_id``.
@@ -116,9 +118,9 @@ def place_fragment(
 
 
 def _selected_place(design: Design, view: View) -> int:
-    """Where in the list the selected track is; behind the last one where none is."""
-    chosen = view.selected_input
-    return design.index_of(chosen) if chosen in design.ids else len(design.inputs)
+    """Where in the list the uppermost selected track is; behind the last one where none is."""
+    chosen = (design.index_of(id) for id in view.selected_inputs if id in design.ids)
+    return min(chosen, default=len(design.inputs))
 
 
 def _put_in(
