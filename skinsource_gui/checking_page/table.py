@@ -58,15 +58,24 @@ class CheckTable(QTableWidget):
         self.setRowCount(len(rows))
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         for k, row in enumerate(rows):
-            failed = sentence(row.result) if isinstance(row.result, str) else ""
             for column, text in enumerate(_texts(row)):
                 item = QTableWidgetItem(text)
-                item.setToolTip(failed or text)
+                item.setToolTip(_hint(row, column) or text)
                 if column > 1:
                     item.setTextAlignment(right)
                 self.setItem(k, column, item)
         if rows:
             self.setCurrentCell(min(chosen, len(rows) - 1), 0)
+
+
+def _hint(row: Row, column: int) -> str:
+    """What is more to be said of a cell than is in it; "": nothing."""
+    found = row.result
+    if isinstance(found, str):
+        return sentence(found)
+    if found is None or found.agreement is None or _COLUMNS[column][0] != "Channels":
+        return ""
+    return sentence(found.noise_words)
 
 
 def _texts(row: Row) -> list[str]:

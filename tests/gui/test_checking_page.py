@@ -63,7 +63,9 @@ def test_designs_are_checked_against_recordings_of_other_rates_and_reported(page
     assert high.agreement.medians[2] > 0.99
     assert low.agreement.medians[2] == pytest.approx(1.0 / np.sqrt(1.25), abs=0.02)
     assert [round(float(label), -1) for label, _ in page.boxes[2].groups] == [50.0, 100.0]
-    assert page.list.table.item(0, 5).text() == "216 of 216"
+    channels = page.list.table.item(0, 5)
+    assert channels.text() == "216 of 216"
+    assert "noise from before the response" in channels.toolTip().lower()
     assert "above 0.5" in page.words.text()
     for box in page.boxes:
         assert not box.message

@@ -54,6 +54,15 @@ def noise_rms(
     return rms
 
 
+def quiet_rms(quiet: ArrayLike) -> Floats | None:
+    """Return the RMS of what comes before anything happens, (...,); None: too few samples."""
+    data = finite_array("quiet", quiet, "(..., n_times)")
+    if data.shape[-1] < _FEWEST:
+        return None
+    rms: Floats = np.sqrt(np.mean(np.square(data), axis=-1))
+    return rms
+
+
 def tells_noise(sample_rate_hz: float, pre_trigger_s: float) -> bool:
     """Whether there are enough samples before the pulse to tell the noise by."""
     return _quiet(sample_rate_hz, pre_trigger_s) >= _FEWEST

@@ -6,7 +6,9 @@ from typing import Any, Literal
 
 import numpy as np
 
+from skinsource.analysis.noise import QUIET_SHARE, quiet_rms
 from skinsource.analysis.statistics import dominant_frequency
+from skinsource.analysis_rules.noise_rules import place_noise
 from skinsource.arrays import Floats
 from skinsource.comparing.snapshot import louder
 from skinsource.design import Design, audible_inputs
@@ -24,7 +26,7 @@ from skinsource.validation import (
     open_recorded,
     superposition_correlation,
 )
-from skinsource.validation.report import Condition
+from skinsource.validation.report import Condition, NoiseOf
 from skinsource.view import View
 
 _LEVELS = (0.25, 0.5, 1.0, 2.0)
@@ -89,7 +91,7 @@ def condition_of(
     seen = View(axes=chosen)
     progress(0, 3, f"Predicting {name}")
     # What is compared is the prediction through the graph of the studio, not one made for it.
-    basis = _values(design, seen, stop, "limb_data", "response_samples", "noise_energy")
+    basis = _values(design, seen, stop, "limb_data", "response_samples", "stimulus_start_s")
     limb, n_times = basis["limb_data"], basis["response_samples"]
     _refuse_too_much(name, limb, len(chosen), n_times)
     every = replace(seen, outputs=tuple(range(1, limb.n_outputs + 1)))
@@ -105,20 +107,43 @@ def condition_of(
     if recorded is None:
         return found
     progress(2, 3, f"Reading {recorded.path.name}")
-    size = limb.n_outputs, len(chosen), limb.sample_rate_hz
-    how: dict[str, Any] = {"rate_hz": recorded.rate_hz, "process": process, "stop": stop}
-    measured = open_recorded(recorded.path, *size, **how)
-    noise = _noise_rms(basis["noise_energy"], limb, chosen, n_times)
+    measured = _read(recorded, limb, len(chosen), process, stop)
     shifted, shift = aligned(measured, field, round(_MOST_SHIFT_S * limb.sample_rate_hz))
-    return replace(found, agreement=agreement(field, shifted, noise), shift_samples=shift)
+    quiet = _quiet(measured, shift, basis["stimulus_start_s"], limb)
+    noise, noise_of = _noise(quiet, design, limb, chosen)
+    agrees = agreement(field, shifted, noise)
+    return replace(found, agreement=agrees, shift_samples=shift, noise_of=noise_of)
 
 
-def _noise_rms(energy: Floats | None, limb: Limb, axes: str, n_times: int) -> Floats | float:
-    """RMS of the limb's noise in each channel, (n_outputs, n_axes); 0 where none is known."""
-    if energy is None:
-        return 0.0
-    noise: Floats = np.sqrt(energy[:, [limb.axes.index(axis) for axis in axes]] / n_times)
-    return noise
+def _read(
+    recorded: Recorded, limb: Limb, n_axes: int, process: ReadingProcess | None, stop: Stop
+) -> Floats:
+    size = limb.n_outputs, n_axes, limb.sample_rate_hz
+    how: dict[str, Any] = {"rate_hz": recorded.rate_hz, "process": process, "stop": stop}
+    return open_recorded(recorded.path, *size, **how)
+
+
+def _quiet(measured: Floats, shift: int, start_s: float, limb: Limb) -> Floats:
+    """What a recording, brought onto the prediction by ``shift``, holds before its response."""
+    until_s = start_s + QUIET_SHARE * limb.pre_trigger_delay_s
+    return measured[..., : max(round(until_s * limb.sample_rate_hz) - shift, 0)]
+
+
+def _noise(quiet: Floats, design: Design, limb: Limb, axes: str) -> tuple[Floats | float, NoiseOf]:
+    """RMS of the noise of a recording, (n_outputs, n_axes), and what tells it; 0: nothing does.
+
+    Where there is too little that is ``quiet`` in it, that with which the limb was measured.
+    """
+    rms = quiet_rms(quiet)
+    if rms is not None:
+        return rms, "recording"
+    places = sorted({one.location for one in audible_inputs(design.inputs)})
+    found = [one for one in (place_noise(limb, place) for place in places) if one is not None]
+    if not found:
+        return 0.0, "nothing"
+    numbers = [limb.axes.index(axis) for axis in axes]
+    noise: Floats = np.sqrt(np.mean(np.square(found), axis=0))[:, numbers]
+    return noise, "limb"
 
 
 def _refuse_too_much(name: str, limb: Limb, n_axes: int, n_times: int) -> None:

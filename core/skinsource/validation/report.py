@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
 from math import ceil, floor, log10
+from typing import Literal
 
 import numpy as np
 
@@ -27,6 +28,15 @@ FIGURES = (
 )
 
 
+#: Whose noise tells which channels count.
+NoiseOf = Literal["recording", "limb", "nothing"]
+_NOISE_WORDS: dict[NoiseOf, str] = {
+    "recording": "noise from before the response in the recording",
+    "limb": "noise of the sensors of the limb, as the recording has none before its response",
+    "nothing": "noise not known, so every channel counts",
+}
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Condition:
     """One design.
@@ -40,6 +50,8 @@ class Condition:
         sum of its inputs and all together; NaN where there is nothing to check.
     agreement, shift_samples
         With its measurement, and by how much that was shifted; None: nothing was measured.
+    noise_of
+        What told the noise that channels are held against.
     """
 
     name: str
@@ -48,6 +60,12 @@ class Condition:
     superposed: float
     agreement: Agreement | None = None
     shift_samples: int = 0
+    noise_of: NoiseOf = "nothing"
+
+    @property
+    def noise_words(self) -> str:
+        """What told the noise, in words."""
+        return _NOISE_WORDS[self.noise_of]
 
 
 def report_html(conditions: Sequence[Condition], about: Sequence[str]) -> str:
@@ -84,7 +102,7 @@ def summary_lines(conditions: Sequence[Condition]) -> list[str]:
             counted = f"{int(one.agreement.counted.sum())} of {one.agreement.counted.size}"
             said += (
                 f"; measured: {counted} channels above twice the noise, error {_text(error)}, "
-                f"amplitude {_text(amplitude)} %, r {_text(correlation)}"
+                f"amplitude {_text(amplitude)} %, r {_text(correlation)} ({one.noise_words})"
             )
         lines.append(said)
     return lines
@@ -128,8 +146,13 @@ def _table(conditions: Sequence[Condition]) -> str:
             cells.append(str(one.shift_samples))
         inner = "".join(f"<td>{cell}</td>" for cell in cells)
         rows.append(f"<tr><td>{escape(one.name)}</td>{inner}</tr>")
-    note = "<p class='note'>Medians over the channels above twice the noise; shift in samples.</p>"
-    return f"<table>{head}{''.join(rows)}</table>{note}"
+    notes = ["Medians over the channels above twice the noise; shift in samples."]
+    measured = [one for one in conditions if one.agreement is not None]
+    for words in dict.fromkeys(one.noise_words for one in measured):
+        names = ", ".join(one.name for one in measured if one.noise_words == words)
+        notes.append(f"{names}: {words}.")
+    said = "".join(f"<p class='note'>{escape(one)}</p>" for one in notes)
+    return f"<table>{head}{''.join(rows)}</table>{said}"
 
 
 def by_frequency(conditions: Sequence[Condition], figure: int) -> list[tuple[str, Floats]]:

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource.checking import Recorded, condition_of
 from skinsource.commands.command_line import main
 from skinsource.design_file import save_design
 from skinsource.validation import report
-from skinsource.validation.report import quartiles, round_ticks
+from skinsource.validation.report import quartiles, report_html, round_ticks, summary_lines
 from skinsource.view import View
 
 
@@ -58,6 +59,43 @@ def test_a_recording_is_held_against_the_prediction_and_reported(design_file, tm
     assert page.count("<svg") == 3
     assert "<td>67</td>" in page
     assert "two.skinsource" in page
+
+
+@pytest.mark.parametrize("strength", [0.002, 3.0])
+def test_channels_count_that_are_above_twice_the_noise_of_their_recording(
+    design_file, tmp_path, strength
+):
+    _, design = design_file
+    view = View(outputs=tuple(range(1, 73)))
+    field = ss.evaluate(design, "axis_traces", view=view)["axis_traces"]
+    noise_rms = np.median(np.sqrt(np.mean(field**2, axis=-1)))
+    # A tenth of a second before the stimulus, in a unit of the lab's own.
+    field = np.pad(field, ((0, 0), (0, 0), (130, 0)))
+    noise = noise_rms * np.random.default_rng(9).normal(size=field.shape)
+    path = tmp_path / "lab.npz"
+    np.savez(path, field=strength * np.moveaxis(field + noise, -1, 0), fs=1300.0)
+    found = condition_of(design, "lab", Recorded(path=path))
+    assert (found.shift_samples, found.noise_of) == (-130, "recording")
+    rms = np.sqrt(np.mean((field + noise)[..., 130:] ** 2, axis=-1))
+    share = found.agreement.counted.mean()
+    assert 0.1 < share < 0.5
+    assert share == pytest.approx(np.mean(rms >= 2.0 * noise_rms), abs=0.03)
+
+
+def test_a_recording_without_quiet_is_held_against_the_noise_of_the_limb(measured, tmp_path):
+    tone = ss.waveforms.Tone(frequency_hz=104.0, duration_s=0.1)
+    design = ss.Design(limb="measured-1", inputs=(ss.track(8, tone),), scaling="probe")
+    view = View(outputs=tuple(range(1, 73)))
+    field = ss.evaluate(design, "axis_traces", view=view)["axis_traces"][..., 60:]
+    path = tmp_path / "lab.npz"
+    np.savez(path, field=np.moveaxis(field, -1, 0), fs=1300.0)
+    found = condition_of(design, "lab", Recorded(path=path))
+    assert (found.shift_samples, found.noise_of) == (60, "limb")
+    sensors = np.sqrt(np.mean(ss.load_limb("measured-1").response_to(8)[..., :39] ** 2, axis=-1))
+    aligned = np.sqrt(np.sum(field**2, axis=-1) / (field.shape[-1] + 60))
+    np.testing.assert_array_equal(found.agreement.counted, aligned >= 2.0 * sensors)
+    assert "noise of the sensors of the limb" in summary_lines([found])[0]
+    assert "noise of the sensors of the limb" in report_html([found], [])
 
 
 def test_recordings_that_do_not_fit_are_refused_and_nothing_is_written(
