@@ -69,7 +69,7 @@ def test_a_click_on_a_tab_takes_the_keyboard_from_the_panel_it_hides_to_the_one_
     assert active.panel("hand").isAncestorOf(QApplication.focusWidget())
 
 
-def test_the_panels_menu_ticks_what_is_in_sight_and_brings_what_is_behind(window, settle):
+def test_the_panels_menu_ticks_what_is_there_and_brings_what_is_behind(window, settle):
     menu = next(one for one in window.findChildren(QMenu) if one.title() == "Panels")
     entry = {action.text(): action for action in menu.actions()}
     assert {text for text, one in entry.items() if one.isChecked()} == {
@@ -78,14 +78,17 @@ def test_the_panels_menu_ticks_what_is_in_sight_and_brings_what_is_behind(window
     entry["Library"].trigger()
     settle()
     assert entry["Library"].isChecked()
-    assert not entry["Inspector"].isChecked()
+    assert "inspector" not in in_sight(window)
+    assert entry["Inspector"].isChecked()
     entry["Inspector"].trigger()
     settle()
     assert "inspector" in in_sight(window)
-    assert not entry["Library"].isChecked()
+    assert entry["Inspector"].isChecked()
+    assert entry["Library"].isChecked()
     entry["Inspector"].trigger()
     settle()
     assert window.docks["inspector"].isHidden()
+    assert not entry["Inspector"].isChecked()
     assert "library" in in_sight(window)
 
 

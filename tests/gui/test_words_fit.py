@@ -75,10 +75,13 @@ def painted(label, width):
     return [one for one in seen if one]
 
 
-def test_a_long_step_of_the_history_goes_before_its_time(qapp):
+def test_a_long_step_of_the_history_is_cut_beside_its_time_and_goes_before_it_in_little_room(qapp):
     assert len(painted("Add input", 300)) == 2
-    (label,) = painted("Change frequency of input at 7 (II pad)", 250)
-    assert label.startswith("Change frequency of input")
+    words = "Change frequency of input at 7 (II pad)"
+    assert any(one.startswith("Change frequency") for one in painted(words, 250))
+    assert len(painted(words, 250)) == 2
+    (label,) = painted(words, 120)
+    assert label.startswith("Change")
 
 
 def test_the_sheet_of_an_export_writes_a_minus(qapp):

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 from skinsource.decibels import decibels
 from skinsource.design import Design
 from skinsource.limb import Band
-from skinsource.loudest_window import HOLD_WINDOW_S
+from skinsource.loudest_window import HOLD_WINDOW_S, LOUDEST_WINDOW_S
 from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
@@ -21,12 +21,17 @@ from skinsource_gui.widgets.plot.curves import Curves, output_names
 from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_later
 
 _LOWEST_HZ = 10.0
+_HOLD, _LOUDEST = (f"{one * 1e3:.0f} ms" for one in (HOLD_WINDOW_S, LOUDEST_WINDOW_S))
 # What the height of a curve means, longest first.
 _SCALINGS = {
     "record": ("amplitude over the whole record", "over the whole record", "whole record"),
     "loudest": (
-        f"amplitude in the loudest {HOLD_WINDOW_S * 1e3:.0f} ms of each frequency",
-        f"loudest {HOLD_WINDOW_S * 1e3:.0f} ms",
+        # Levels say another time, and nobody would guess why.
+        f"amplitude in the loudest {_HOLD} of each frequency, which tell "
+        f"{1 / HOLD_WINDOW_S:.0f} Hz apart; the {_LOUDEST} of levels would tell "
+        f"{1 / LOUDEST_WINDOW_S:.0f} Hz",
+        f"amplitude in the loudest {_HOLD} of each frequency",
+        f"loudest {_HOLD}",
         "loudest",
     ),
 }
@@ -126,7 +131,7 @@ class SpectraPanel(SignalPanel):
                 names=output_names(results["outputs"], results["limb"]),
                 kind="level" if level else "amplitude",
                 scaling=_SCALINGS[span],
-                about=lines_later(results, f"spectrum: {_SCALINGS[span][0]}"),
+                about=lines_later(results, f"spectrum: {_SCALINGS[span][-3]}"),
                 heading=heading_of(results),
             ),
             synthetic=facts_of(results["limb"]).synthetic,

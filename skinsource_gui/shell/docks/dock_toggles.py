@@ -10,7 +10,10 @@ from skinsource_gui.shell.docks.dock import Dock
 
 
 def menu_toggles(docks: Iterable[Dock], parent: QObject) -> list[QAction]:
-    """Return an action for each dock, on while it is in sight: it brings it there, or hides it."""
+    """Return an action for each dock, on while it is in the window: in front, or behind as a tab.
+
+    It brings it into sight, or hides what is.
+    """
     actions = []
     for dock in docks:
         action = QAction(dock.windowTitle(), parent)
@@ -33,11 +36,13 @@ def toggles(docks: Iterable[Dock]) -> list[QAction]:
 
 
 def _turn(dock: Dock, action: QAction) -> None:
-    if action.isChecked():
-        dock.bring_forward()
-    else:
+    if dock.in_sight:
         dock.hide()
+    else:
+        dock.bring_forward()
+    # Qt has turned the tick of one behind others, which stays.
+    _tick(dock, action)
 
 
 def _tick(dock: Dock, action: QAction) -> None:
-    action.setChecked(dock.in_sight)
+    action.setChecked(not dock.isHidden())

@@ -42,7 +42,11 @@ def test_a_sine_reads_its_amplitude_at_its_frequency(show):
     ("span", "words"),
     [
         ("record", "amplitude over the whole record"),
-        ("loudest", "amplitude in the loudest 250 ms of each frequency"),
+        (
+            "loudest",
+            "amplitude in the loudest 250 ms of each frequency, which tell 4 Hz apart; "
+            "the 100 ms of levels would tell 10 Hz",
+        ),
     ],
 )
 def test_spectra_say_what_their_height_means(show, span, words):

@@ -11,6 +11,7 @@ from skinsource.design import Design, track
 from skinsource.view import View
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panels.history.panel import HistoryPanel
+from skinsource_gui.panels.history.step_delegate import told_in
 from skinsource_gui.panels.history.steps_model import DONE, PRESENT, TIME
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.historian import Historian
@@ -55,6 +56,19 @@ def test_each_step_is_listed_with_its_label_and_time(window, panel):
     assert rows(panel, TIME)[0] == ""
     assert all(before <= when <= after for when in rows(panel, TIME)[1:])
     assert rows(panel, PRESENT) == [False, False, True]
+
+
+def test_a_long_label_is_cut_and_leaves_room_for_its_time(panel):
+    metrics = panel.rows.fontMetrics()
+    room_px = 4 * metrics.horizontalAdvance("12:34:56")
+    long = "Change the amplitude of all inputs of the design at once"
+    label, when = told_in(metrics, long, "12:34:56", room_px)
+    assert when == "12:34:56"
+    assert label.endswith("…")
+    assert metrics.horizontalAdvance(label) + metrics.horizontalAdvance(when) < room_px
+    assert told_in(metrics, "Add", "", room_px) == ("Add", "")
+    # Where hardly anything of the label would be left, it goes before the time.
+    assert told_in(metrics, long, "12:34:56", room_px // 3)[1] == ""
 
 
 def test_a_click_goes_there_and_back(window, panel):
