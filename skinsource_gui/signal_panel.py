@@ -23,7 +23,6 @@ class SignalPanel(Panel):
 
     def __init__(self, plot_name: str, accessible_name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setMinimumSize(240, 140)
         self._plot = SignalView(plot_name, accessible_name, self)
         self.setFocusProxy(self._plot.plot)
         column = QVBoxLayout(self)

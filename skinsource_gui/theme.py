@@ -4,13 +4,15 @@ from dataclasses import dataclass, replace
 from string import Template
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QFont, QFontDatabase, QPalette, QPen
+from PySide6.QtGui import QColor, QFont, QFontDatabase, QFontMetrics, QPalette, QPen
 from PySide6.QtWidgets import QApplication
 
 from skinsource_gui.resources import read_text
 
 #: The rhythm of all distances, px.
 UNIT_PX = 8
+# Height of a line of letters of the usual size, px.
+_USUAL_LINE_PX = 14
 
 # Strokes and gaps of lines, px: whole ones, then those of outputs whose colour is taken already.
 _STROKES = ((), (5.0, 3.0), (2.0, 2.0), (7.0, 2.0, 2.0, 2.0))
@@ -196,6 +198,11 @@ def scaled(font: QFont, scale: float) -> QFont:
     else:
         copy.setPixelSize(round(copy.pixelSize() * scale))
     return copy
+
+
+def letter_scale(font: QFont) -> float:
+    """How much larger than usual letters of ``font`` are; 1 where they are smaller."""
+    return max(QFontMetrics(font).height() / _USUAL_LINE_PX, 1.0)
 
 
 def theme_of(palette: QPalette) -> Theme:

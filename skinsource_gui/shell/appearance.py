@@ -29,6 +29,8 @@ class Appearance(QObject):
         self._room_scale = 1.0
         self.theme: Theme = THEMES["light"]
         QGuiApplication.styleHints().colorSchemeChanged.connect(self._follow_desktop)
+        # Of widgets that are there before the first time some would keep their letters.
+        self.apply()
 
     @property
     def text_scale(self) -> float:

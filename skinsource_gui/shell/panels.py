@@ -16,7 +16,7 @@ from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.panels.timeline.settings import TimelineSettings
 from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.panels.transfer.settings import TransferSettings
-from skinsource_gui.shell.docks.arrangements import Behind, Place
+from skinsource_gui.shell.docks.arrangement_spec import Behind, Place
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,6 +1,7 @@
 """The long jobs of one window: cancelling them, and closing while they run."""
 
 from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMessageBox, QWidget
 
 from skinsource_gui.state.job_runner import JobRunner
@@ -27,6 +28,11 @@ class RunningJobs(QObject):
         self._runner, self._window = runner, window
         self._ended = False
         runner.changed.connect(self._tell)
+
+    def show_on(self, cancel: QAction) -> None:
+        """Let that action be chosen only while there is something to cancel."""
+        cancel.setEnabled(self._runner.current is not None)
+        self.can_cancel.connect(cancel.setEnabled)
 
     def cancel(self) -> None:
         """Stop the job that is being carried out; the next one begins."""

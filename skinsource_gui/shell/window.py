@@ -81,6 +81,7 @@ class MainWindow(QMainWindow):
         self.resize(*_LARGEST_AT_FIRST)
         self.setDockNestingEnabled(True)
         self.preferences = preferences
+        self.appearance = Appearance(preferences, self)
         self.document = Document(design, view, self)
         self.engine = FirstPaintEngine(graphs_that_share(), self)
         self.runner = JobRunner(self)
@@ -141,7 +142,6 @@ class MainWindow(QMainWindow):
             loop.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
 
     def _make_capabilities(self) -> None:
-        self.appearance = Appearance(self.preferences, self)
         places = {spec.panel.name: spec.places for spec in PANELS}
         self.arrangements = arranged = docks.Arrangements(self, self.docks, places)
         self.dock_tabs = docks.DockTabs(self, self.docks)
@@ -227,6 +227,7 @@ class MainWindow(QMainWindow):
         self.action_set.edited.connect(document.apply)
         self.appearance.changed.connect(self._show_theme)
         self.arrangements.text_scaled.connect(self.appearance.fit_room)
+        self.appearance.changed.connect(self.layout_of_docks.settling.refit)
         self.setup_bar.edited.connect(document.apply)
         # What a scene arranged goes before panels are shown that a file names.
         for left in (self.files.started_over, self.files.opened):
@@ -246,9 +247,7 @@ class MainWindow(QMainWindow):
         drops.preset_dropped.connect(self.library.place_file)
         self.playback.connect_to(self.panels, self.appearance, reports)
         self.keeping.connect_to(self.conductor, reports)
-        cancel = self.actions_by_name["cancel_job"]
-        cancel.setEnabled(False)
-        self.running_jobs.can_cancel.connect(cancel.setEnabled)
+        self.running_jobs.show_on(self.actions_by_name["cancel_job"])
         self._limb_note.help_wanted.connect(self.pages.show_dataset)
         self.conductor.failed.connect(reports.show_impossible)
         self.conductor.delivered.connect(reports.show_outcome)

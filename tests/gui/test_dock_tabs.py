@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication, QStyle, QStyleOptionFrame
 from skinsource.catalogue import available_limbs
 from skinsource.design_file import save_design
 from skinsource.view import View
-from skinsource_gui.shell.docks.arrangements import ARRANGEMENTS, Behind, Place
+from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS, Behind, Place
 from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.start_design import start_design

@@ -11,7 +11,7 @@ from skinsource import edits
 from skinsource.design import Design, track
 from skinsource.edits import Edit
 from skinsource.view import View
-from skinsource_gui.shell.docks.arrangements import ARRANGEMENTS
+from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS
 from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.widgets.plot.plot import Plot
 

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication
 from skinsource_gui.late_panel import LatePanel
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
-from skinsource_gui.shell.docks.arrangements import Place
+from skinsource_gui.shell.docks.arrangement_spec import Place
 from skinsource_gui.shell.panels import PANELS
 
 

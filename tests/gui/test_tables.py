@@ -8,7 +8,8 @@ from skinsource.view import View
 from skinsource_gui.files.exports import EXPORTS
 from skinsource_gui.shell.action_spec import ActionSpec
 from skinsource_gui.shell.actions import ACTIONS, MENUS
-from skinsource_gui.shell.docks.arrangements import ARRANGEMENTS, Place, shared
+from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS, Place
+from skinsource_gui.shell.docks.room import shared
 from skinsource_gui.shell.panels import PANELS
 
 

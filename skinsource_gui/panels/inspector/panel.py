@@ -4,8 +4,15 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel, QScrollArea, QStackedLayout, QVBoxLayout, QWidget
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtWidgets import (
+    QLabel,
+    QScrollArea,
+    QStackedLayout,
+    QStyle,
+    QVBoxLayout,
+    QWidget,
+)
 
 from skinsource.design import Design, Input, amplitude_spec, audible_inputs
 from skinsource.edits.selection import clip_of, clips_of
@@ -20,6 +27,9 @@ from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.empty_words import add_words, select_words
 from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
 from skinsource_gui.widgets.lateness import Lateness
+
+# In letters of any size, px.
+_LEAST = QSize(204, 224)
 
 
 class InspectorPanel(Panel):
@@ -53,11 +63,16 @@ class InspectorPanel(Panel):
         self._heading.mute_toggled.connect(self._selection.toggle_mute)
         self._heading.solo_toggled.connect(self._selection.toggle_solo)
         self._preview = WaveformPreview(axis=True)
-        self._preview.setMinimumHeight(64)
         self._preview.setMaximumHeight(160)
         self._lay_out()
         self._lateness = Lateness(self)
         self._lateness.changed.connect(self._preview.set_pale)
+
+    def minimumSizeHint(self) -> QSize:
+        # Fields scroll down, never sideways.
+        bar = self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollBarExtent)
+        width = self._scrolled.minimumSizeHint().width() + bar
+        return super().minimumSizeHint().expandedTo(QSize(width, 0)).expandedTo(_LEAST)
 
     @property
     def needs(self) -> frozenset[str]:
@@ -128,7 +143,7 @@ class InspectorPanel(Panel):
             self._show_look(self._selection.last)
 
     def _lay_out(self) -> None:
-        inside = QWidget()
+        self._scrolled = inside = QWidget()
         fields = QVBoxLayout(inside)
         fields.setContentsMargins(UNIT_PX, 0, UNIT_PX, UNIT_PX)
         fields.addWidget(self._fields.grid)
@@ -157,7 +172,6 @@ class InspectorPanel(Panel):
         self._stack = QStackedLayout(self)
         self._stack.addWidget(self._empty)
         self._stack.addWidget(self._editor)
-        self.setMinimumSize(204, 224)
         self.setFocusProxy(self._fields.kind)
 
     def _show_input(self, one: Input, *, silent: bool) -> None:

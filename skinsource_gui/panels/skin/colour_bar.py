@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
@@ -17,9 +17,9 @@ from skinsource_gui.panels.skin.level_range import (
     pushed_high,
     pushed_low,
 )
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, Theme, letter_scale
 
-# So much of the strip is left at least.
+# So much of the strip is left at least, in letters of the usual size.
 _STRIP_PX = 40
 
 
@@ -76,8 +76,15 @@ class ColourBar(QWidget):
         super().resizeEvent(event)
         # The numbers matter more than the switch.
         fields = (self.high_field, self.low_field, self.auto_button)
-        needed = sum(part.sizeHint().height() for part in fields) + _STRIP_PX
+        strip_px = round(_STRIP_PX * letter_scale(self.font()))
+        needed = sum(part.sizeHint().height() for part in fields) + strip_px
         self.auto_button.setVisible(self.height() >= needed)
+
+    def minimumSizeHint(self) -> QSize:
+        # Without the switch, which goes where there is no room for it.
+        parts = (self.high_field, self.strip, self.low_field)
+        least = sum(part.minimumSizeHint().height() for part in parts)
+        return QSize(self.width(), least + UNIT_PX)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

@@ -75,6 +75,12 @@ class MapToolbar(QWidget):
         self.all.setIcon(fit_icon(theme))
         self.hand.setIcon(hand_icon(theme))
 
+    def minimumSizeHint(self) -> QSize:
+        # Without the fits, which go where there is no room for them.
+        every = (self.interpolated, self.sensors_only, self.sensors)
+        width = sum(part.minimumSizeHint().width() for part in every) + UNIT_PX
+        return QSize(width, super().minimumSizeHint().height())
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         # Where there is no room for all, the fits are left to the menu and to keys.

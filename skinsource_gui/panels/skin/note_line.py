@@ -20,6 +20,7 @@ class NoteLine(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._text = self._short = ""
+        self._most_lines = _MOST_LINES
         self._theme = LIGHT
         self.setAccessibleName("Note on the map")
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
@@ -42,6 +43,13 @@ class NoteLine(QWidget):
             self.setAccessibleDescription(text)
             self.setToolTip(tooltip(text) if text else "")
             self.setVisible(bool(text))
+            self.updateGeometry()
+            self.update()
+
+    def show_lines(self, count: int) -> None:
+        """Have so many lines at most."""
+        if count != self._most_lines:
+            self._most_lines = count
             self.updateGeometry()
             self.update()
 
@@ -76,8 +84,9 @@ class NoteLine(QWidget):
     @property
     def _room_px(self) -> int:
         # Two lines hold a little less than twice one: words are not broken.
-        return round(self.width() * (_MOST_LINES - _LOST_AT_ENDS))
+        lost = _LOST_AT_ENDS if self._most_lines > 1 else 0.0
+        return round(self.width() * (self._most_lines - lost))
 
     def _n_lines(self) -> int:
         wide = self.fontMetrics().horizontalAdvance(self.shown) > self.width() > 0
-        return _MOST_LINES if wide else 1
+        return self._most_lines if wide else 1

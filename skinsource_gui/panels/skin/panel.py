@@ -111,7 +111,8 @@ class SkinPanel(Panel):
         super().resizeEvent(event)
         # In large letters the map needs the room more than the second line does.
         few = self.height() < _FEW_LINES * self.fontMetrics().lineSpacing()
-        self.readout.show_lines(1 if few else 2)
+        for part in (self.readout, self.note):
+            part.show_lines(1 if few else 2)
 
     def show_pointed_input(self, input_id: int | None) -> None:
         self._display.change(pointed_at=input_id)
@@ -162,7 +163,6 @@ class SkinPanel(Panel):
         grid.addWidget(self.readout, 5, 0, 1, 2)
         grid.setRowStretch(2, 1)
         grid.setColumnStretch(0, 1)
-        self.setMinimumSize(258, 300)
         self.setFocusProxy(self.map)
 
     def _connect(self) -> None:

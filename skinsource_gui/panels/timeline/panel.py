@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
+from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt
 from PySide6.QtWidgets import QLabel, QStackedLayout, QVBoxLayout, QWidget
 
 from skinsource.design import Design
@@ -11,7 +11,7 @@ from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.timeline.gestures.gesture import Shown
 from skinsource_gui.panels.timeline.heads.heads import Heads
-from skinsource_gui.panels.timeline.heads.row_places import HEADS_PX
+from skinsource_gui.panels.timeline.heads.row_places import heads_px, row_places
 from skinsource_gui.panels.timeline.lanes_menu import LanesMenu
 from skinsource_gui.panels.timeline.timeline_edits import TimelineEdits
 from skinsource_gui.panels.timeline.track_table import TrackTable
@@ -19,6 +19,8 @@ from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.drop_place import DropPlace
 from skinsource_gui.widgets.empty_words import add_words
 from skinsource_gui.widgets.inputs.clip_waveforms import waveforms_of
+
+_LEAST_LANES_PX, _BARS_PX = 140, 12
 
 
 class TimelinePanel(Panel):
@@ -51,9 +53,16 @@ class TimelinePanel(Panel):
         column.setSpacing(0)
         column.addLayout(self._stack, 1)
         column.addWidget(self._foot)
-        self.setMinimumSize(HEADS_PX + 140, 120)
         self.setFocusProxy(self._rows)
         self._connect()
+
+    def minimumSizeHint(self) -> QSize:
+        # One track is seen whole, below its ruler, and some of its time.
+        line = self.fontMetrics().height()
+        width, ruler = heads_px(line), self._table.lanes.ruler_px
+        row = row_places(width, line).row.height()
+        least = QSize(width + _LEAST_LANES_PX, round(ruler) + row + _BARS_PX)
+        return super().minimumSizeHint().expandedTo(least)
 
     @property
     def needs(self) -> frozenset[str]:

@@ -1,9 +1,11 @@
 """Buttons beside the ruler."""
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QEvent, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.words_in_room import fitting_font, write_in
 
 _ZOOM = 1.5
 
@@ -17,7 +19,7 @@ class TimelineToolbar(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        row = QHBoxLayout(self)
+        self._row = row = QHBoxLayout(self)
         row.setContentsMargins(4, 1, 4, 1)
         row.setSpacing(2)
         self._snap = self._button(
@@ -31,7 +33,8 @@ class TimelineToolbar(QWidget):
         self._wider.clicked.connect(self._zoom_out)
         self._all = self._button("Fit", "See all of the time (0)")
         self._all.clicked.connect(self._see_all)
-        for button in (self._snap, self._wider, self._closer, self._all):
+        self._buttons = (self._snap, self._wider, self._closer, self._all)
+        for button in self._buttons:
             row.addWidget(button)
         row.addStretch(1)
 
@@ -44,6 +47,23 @@ class TimelineToolbar(QWidget):
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
         self.setStyleSheet("QToolButton { padding: 1px 6px; }")
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
+
+    def event(self, event: QEvent) -> bool:
+        handled = super().event(event)
+        if event.type() in (QEvent.Type.LayoutRequest, QEvent.Type.FontChange):
+            self._fit()
+        return handled
+
+    def _fit(self) -> None:
+        # Heads do not become as wide as the largest letters, so that lanes have room.
+        around = self._row.contentsMargins()
+        gaps = around.left() + around.right() + self._row.spacing() * len(self._buttons)
+        room = self.width() - gaps
+        write_in(fitting_font((self._buttons,), self.font(), room), self._buttons)
 
     def _button(self, text: str, hint: str) -> QToolButton:
         button = QToolButton(self)

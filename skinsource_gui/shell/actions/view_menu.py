@@ -6,7 +6,7 @@ from skinsource.edits import Edit, Refusal
 from skinsource.edits.selection import clip_of
 from skinsource.view import View
 from skinsource_gui.shell.action_spec import ActionSpec, action
-from skinsource_gui.shell.docks.arrangements import ARRANGEMENTS
+from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS
 from skinsource_gui.theme import theme_words
 
 

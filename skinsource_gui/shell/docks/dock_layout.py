@@ -6,9 +6,10 @@ from PySide6.QtCore import QByteArray, QEvent, QObject, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QScreen
 from PySide6.QtWidgets import QMainWindow
 
-from skinsource_gui.shell.docks.arrangements import Arrangements, ArrangementSpec
+from skinsource_gui.shell.docks.arrangement_spec import ArrangementSpec
+from skinsource_gui.shell.docks.arrangements import Arrangements
 from skinsource_gui.shell.docks.dock import Dock
-from skinsource_gui.shell.docks.standing import Standing
+from skinsource_gui.shell.docks.settling import Settling
 from skinsource_gui.state.preferences import Preferences
 
 _AS_AT_FIRST = "Panels as at first; {key} again brings yours back"
@@ -26,6 +27,11 @@ class DockLayout(QObject):
         Its docks, and what arranges them.
     preferences
         Where it is remembered between sessions.
+
+    Attributes
+    ----------
+    settling
+        Knows whether somebody has moved the docks.
     """
 
     #: How the panels stand now, where that may surprise.
@@ -41,6 +47,7 @@ class DockLayout(QObject):
         super().__init__(window)
         self._window, self._docks, self._preferences = window, docks, preferences
         self._arrangements = arrangements
+        self.settling = Settling(window, docks, arrangements)
         arrangements.chosen.connect(self._note_arrangement)
         self._present: ArrangementSpec | None = None
         # By arrangement, what the user made of it.
@@ -50,11 +57,6 @@ class DockLayout(QObject):
         self._before_scene: tuple[str, bytes] | None = None
         # Place of the window, arrangement and docks before they were presented; None: they are not.
         self._held: tuple[QByteArray, str, bytes] | None = None
-        # How the docks stand where nobody has moved them; None: they may have been.
-        self._untouched: Standing | None = None
-        # Qt shares the room a moment after it was told how.
-        self._settled = QTimer(self, singleShot=True, interval=0)
-        self._settled.timeout.connect(self._note_untouched)
 
     def choose(self, name: str) -> None:
         """Take up an arrangement as it was left; the present one as at first, and again as left.
@@ -110,8 +112,7 @@ class DockLayout(QObject):
         """Put the docks where they stood in this very window, if anything is said about it."""
         if content:
             self._window.restoreState(QByteArray(content))
-            self._settled.stop()
-            self._untouched = None
+            self.settling.forget()
 
     def show_panels(self, content: bytes) -> None:
         """Show and hide the panels that were shown and hidden, if anything is said about it.
@@ -173,7 +174,7 @@ class DockLayout(QObject):
 
     def _kept(self) -> bytes:
         """Keep what the user made of the present arrangement; empty where nothing was moved."""
-        if self._present is None or self._is_untouched():
+        if self._present is None or self.settling.untouched:
             return b""
         content = self._own[self._present.name] = self.content()
         return content
@@ -181,7 +182,6 @@ class DockLayout(QObject):
     def _note_arrangement(self, spec: ArrangementSpec) -> None:
         self._preferences.arrangement = spec.name
         self._present = spec
-        self._settled.start()
 
     def _show_floating(self) -> None:
         """Show panels out of the window once more, now that there is one to be in front of.
@@ -192,15 +192,8 @@ class DockLayout(QObject):
             if dock.isFloating() and dock.isVisible():
                 dock.hide()
                 dock.show()
-
-    def _note_untouched(self) -> None:
-        self._untouched = Standing.of(self._window, self._docks)
-
-    def _is_untouched(self) -> bool:
-        if self._settled.isActive():
-            return True
-        now = Standing.of(self._window, self._docks)
-        return self._untouched is not None and now.is_like(self._untouched)
+        # The window is as large as its screen lets it be.
+        self.settling.refit()
 
 
 def screen_words(screen: QScreen) -> str:

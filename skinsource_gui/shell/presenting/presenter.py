@@ -96,10 +96,10 @@ class Presenter(QObject):
         self._layout.hold()
         self._before, self._arranged = window.saveState(), self._preferences.arrangement
         self._size, self._focused = window.size(), window.focusWidget()
-        self._arrangements.show(_ARRANGEMENT)
-        _bring_forward(self._docks, self._panels)
         for bar in self._bars():
             bar.hide()
+        self._arrangements.show(_ARRANGEMENT)
+        _bring_forward(self._docks, self._panels)
         # Keys of menus that are away would be dead.
         window.addActions(list(self._actions().values()))
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)

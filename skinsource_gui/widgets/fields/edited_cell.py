@@ -1,6 +1,6 @@
 """A labelled field with room for a remark under it."""
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from skinsource.fields import Spec
@@ -11,11 +11,28 @@ from skinsource_gui.widgets.tooltips import tooltip
 
 #: Height of a label, and of one line of a field.
 LABEL_PX = 26
+# Above and below its letters.
+_AROUND_LINE_PX = 12
 
 _DIFFERS = tooltip(
     "The selected inputs differ here; shown is the one that was selected last. Typing sets all, "
     "dragging moves all by as much."
 )
+
+
+class _FieldLabel(QLabel):
+    """As high as one line of the field beside it, in letters of any size."""
+
+    def __init__(self, words: str) -> None:
+        super().__init__(words)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+
+    def sizeHint(self) -> QSize:
+        height = max(self.fontMetrics().height() + _AROUND_LINE_PX, LABEL_PX)
+        return QSize(super().sizeHint().width(), height)
+
+    def minimumSizeHint(self) -> QSize:
+        return self.sizeHint()
 
 
 class LabelledCell(QWidget):
@@ -32,9 +49,7 @@ class LabelledCell(QWidget):
     def __init__(self, words: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.across = False
-        self.label = QLabel(words)
-        self.label.setMinimumHeight(LABEL_PX)
-        self.label.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.label: QLabel = _FieldLabel(words)
         self.stack = QVBoxLayout(self)
         self.stack.setContentsMargins(0, 0, 0, 0)
         self.stack.setSpacing(2)

@@ -1,6 +1,6 @@
 """A number with its unit, that can be typed, dragged, turned and stepped."""
 
-from PySide6.QtCore import QEvent, QRectF, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QColor,
     QFocusEvent,
@@ -17,7 +17,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from skinsource.fields import NumberSpec
-from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.theme import LIGHT, Theme, letter_scale, tabular
 from skinsource_gui.widgets.fields.number_gestures import NumberGestures
 from skinsource_gui.widgets.fields.number_typing import (
     FINISHERS,
@@ -33,6 +33,8 @@ from skinsource_gui.widgets.tooltips import show_tip_below
 
 #: Fields that stand below each other leave the same room for units, so that digits align.
 WIDEST_UNIT = "m/s²"
+# Width that it needs in letters of the usual size.
+_LEAST_PX = 72
 # Of letters, and of what the style leaves around them.
 _OTHER_SIZES = (QEvent.Type.FontChange, QEvent.Type.StyleChange)
 _TEMPORARY_LOSSES = frozenset(
@@ -91,8 +93,11 @@ class NumberField(QLineEdit):
         self.setAcceptDrops(False)  # files are dropped on the window
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self.setFont(tabular(self.font()))
-        self.setMinimumWidth(72)
         self._take_spec()
+
+    def minimumSizeHint(self) -> QSize:
+        least_px = round(_LEAST_PX * letter_scale(self.font()))
+        return QSize(least_px, super().minimumSizeHint().height())
 
     @property
     def spec(self) -> NumberSpec:

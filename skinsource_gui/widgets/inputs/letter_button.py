@@ -4,7 +4,7 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import LIGHT, Theme, letter_scale
 from skinsource_gui.widgets.inputs.swatch import words_on
 from skinsource_gui.widgets.key_tables.key_table import key_text
 
@@ -43,7 +43,8 @@ class LetterButton(QAbstractButton):
         self.update()
 
     def sizeHint(self) -> QSize:
-        return QSize(BUTTON_PX, BUTTON_PX)
+        side = round(BUTTON_PX * letter_scale(self.font()))
+        return QSize(side, side)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() in _ARROWS:

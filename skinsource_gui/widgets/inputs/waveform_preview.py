@@ -5,13 +5,13 @@ from functools import partial
 
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
-from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
 from skinsource.resampling import finer
-from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.theme import LIGHT, Theme, letter_scale, tabular
 from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.paper import dots_in_px, is_on_paper, thin_pen
@@ -19,8 +19,9 @@ from skinsource_gui.widgets.plot.curve_points import course_of
 from skinsource_gui.widgets.plot.decimation import KeptColumns
 from skinsource_gui.widgets.tooltips import show_tooltip
 
-_AXIS_PX = 18
+_AXIS_PX, _CURVE_PX = 18, 46
 _MARGIN_PX = 4
+# Between ticks, in letters of the usual size.
 _TICK_SPACING_PX = 52
 # Strokes of this mean length, of 2, make a block, whose edge needs no smoothing.
 _BLOCK = 0.8
@@ -59,6 +60,13 @@ class WaveformPreview(QWidget):
         # With an axis all of it is painted: nothing behind needs to be.
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent, axis)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(0, _CURVE_PX + self._axis_px if self._has_axis else 0)
+
+    @property
+    def _axis_px(self) -> int:
+        return round(_AXIS_PX * letter_scale(self.font()))
 
     @property
     def words(self) -> str:
@@ -120,7 +128,7 @@ class WaveformPreview(QWidget):
             return
         plot = QRectF(self.rect()).adjusted(_MARGIN_PX, 2, -_MARGIN_PX, -2)
         if self._has_axis:
-            plot.setBottom(plot.bottom() - _AXIS_PX)
+            plot.setBottom(plot.bottom() - self._axis_px)
             span_s = self._span_s(self._samples)
             shown = (self._theme, span_s)
             self._axis.paint(
@@ -181,7 +189,8 @@ class WaveformPreview(QWidget):
     def _paint_axis(self, painter: QPainter, plot: QRectF, span_s: float) -> None:
         unit, per_s = axis_unit(span_s)
         span = span_s * per_s
-        step = tick_step(span, int(plot.width() / _TICK_SPACING_PX))
+        spacing_px = _TICK_SPACING_PX * letter_scale(self.font())
+        step = tick_step(span, int(plot.width() / spacing_px))
         unit_px = self.fontMetrics().horizontalAdvance(f" {unit}") + 2
         for k in range(int(span / step * (1 + 1e-9)) + 1):
             x = plot.left() + k * step / span * plot.width()

@@ -159,8 +159,12 @@ class Axis(pyqtgraph.AxisItem):
         return self.mapRectFromItem(view, view.rect())
 
     def _below(self, at: float, width: float, line: float) -> QRectF:
-        left = min(max(at - width / 2, 0.0), self.rect().width() - width)
-        return QRectF(left, 2, width, line)
+        left = at - width / 2
+        start = self._view_rect(self._views[0]).left()
+        if left < start <= at:
+            # Beside the lowest number of the axis on the left, not below it.
+            left = start
+        return QRectF(min(max(left, 0.0), self.rect().width() - width), 2, width, line)
 
     def _beside(self, at: float, width: float, line: float) -> QRectF:
         return QRectF(0, at - line / 2, self.rect().width() - _GAP_PX, line)

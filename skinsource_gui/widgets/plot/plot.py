@@ -22,7 +22,7 @@ from skinsource_gui.widgets.plot.curves import Curves
 from skinsource_gui.widgets.plot.decimation import KeptColumns
 from skinsource_gui.widgets.plot.navigation import Navigation
 from skinsource_gui.widgets.plot.playhead import Playhead
-from skinsource_gui.widgets.plot.plot_layout import Content, PlotLayout, Words, laid_out
+from skinsource_gui.widgets.plot.plot_layout import Content, PlotLayout, Words, laid_out, least_size
 from skinsource_gui.widgets.plot.ranges import HeldRange, Range
 from skinsource_gui.widgets.plot.stack import Stack
 from skinsource_gui.widgets.plot.value_scale import EDGE, ValueScale, row_count
@@ -81,7 +81,6 @@ class Plot(Canvas):
     def __init__(self, parent: QWidget | None = None, *, on_paper: bool = False) -> None:
         super().__init__(parent)
         self._on_paper = on_paper
-        self.setMinimumSize(160, 90)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setCursor(Qt.CursorShape.CrossCursor)
         self.scene().setMoveDistance(_DRAG_PX)
@@ -114,10 +113,14 @@ class Plot(Canvas):
     def sizeHint(self) -> QSize:
         return QSize(256, 192)
 
+    def minimumSizeHint(self) -> QSize:
+        return least_size(QFontMetricsF(self.words_font))
+
     def set_theme(self, theme: Theme) -> None:
         """Take over colours."""
         self.set_ground(theme)
         self.words_font = scaled(tabular(self.font()), _TEXT)
+        self.updateGeometry()
         self.stack.set_look(theme, self.words_font, self.font())
         self.playhead.show_theme(theme)
         self._colour()

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from math import ceil
 
-from PySide6.QtCore import QRectF
+from PySide6.QtCore import QRectF, QSize
 from PySide6.QtGui import QFontMetricsF
 
 from skinsource_gui.theme import UNIT_PX
@@ -175,6 +175,13 @@ def laid_out(content: Content, metrics: QFontMetricsF, old_left_px: float) -> Pl
             badge=_SYNTHETIC if words.synthetic else "",
         ),
     )
+
+
+def least_size(metrics: QFontMetricsF) -> QSize:
+    """Room in which two ticks of each axis can be read."""
+    line, number = ceil(metrics.height()), metrics.horizontalAdvance("\u2212100.0")
+    around = line + 4 + 2 * line + 5
+    return QSize(ceil(4 * number), around + ceil(2 * _AIRY * line))
 
 
 def fitting(texts: tuple[str, ...], metrics: QFontMetricsF, room_px: float) -> str:

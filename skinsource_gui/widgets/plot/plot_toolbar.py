@@ -3,14 +3,21 @@
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QFontMetrics, QResizeEvent
-from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QSizePolicy, QToolButton, QWidget
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import (
+    QBoxLayout,
+    QButtonGroup,
+    QHBoxLayout,
+    QSizePolicy,
+    QToolButton,
+    QWidget,
+)
 
-from skinsource_gui.theme import UNIT_PX, scaled
+from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.widgets.words_in_room import fitting_font, smallest_of, width_in, write_in
 
 TOOLBAR_HEIGHT_PX = 28
-# How much smaller words may be where there is too little room.
-_SCALES = (1.0, 0.9, 0.8, 0.7, 0.6)
+_BESIDE, _BELOW = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
 _LAYOUTS = (
     ("overlaid", "Overlaid", "All curves over each other"),
     ("stacked", "Stacked", "Each curve in its own row, all with the same scale"),
@@ -20,7 +27,8 @@ _LAYOUTS = (
 class PlotToolbar(QWidget):
     """Overlaid or stacked, switches of one plot, and the way out of a zoom.
 
-    Buttons say what the user wants; what they show is set from outside.
+    Buttons say what the user wants; what they show is set from outside.  Where there is too little
+    room they are written smaller, and where even that does not do, switches go below.
     """
 
     #: ``"overlaid"`` or ``"stacked"``.
@@ -32,8 +40,10 @@ class PlotToolbar(QWidget):
         # As high as its words need, where they are large.
         self.setMinimumHeight(TOOLBAR_HEIGHT_PX)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self._row = QHBoxLayout(self)
-        self._row.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
+        self._rows = QBoxLayout(_BESIDE, self)
+        self._rows.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
+        self._rows.setSpacing(UNIT_PX // 2)
+        self._row = QHBoxLayout()
         self._row.setSpacing(UNIT_PX // 2)
         self._layouts = QButtonGroup(self)
         self._layout_buttons: dict[str, QToolButton] = {}
@@ -46,7 +56,9 @@ class PlotToolbar(QWidget):
             self._layout_buttons[name] = button
             self._last_before_switches = button
         self._layouts.buttonClicked.connect(self._choose_layout)
-        self._row.addLayout(segments)
+        segments.addStretch(1)
+        self._rows.addLayout(segments)
+        self._rows.addLayout(self._row, 1)
         self._row.addStretch(1)
         self._everything = self._button("show-all", "Show all", "Leave the zoom (key 0)")
         self._everything.setCheckable(False)
@@ -85,24 +97,21 @@ class PlotToolbar(QWidget):
 
     def _fit(self) -> None:
         """Write smaller where there is too little room: cut words say less than small ones."""
-        buttons = [one for one in self.findChildren(QToolButton) if one.isVisibleTo(self)]
-        around = self._row.contentsMargins()
-        room = self.width() - around.left() - around.right() - self._row.spacing() * len(buttons)
-        for scale in _SCALES:
-            font = scaled(self.font(), scale)
-            metrics = QFontMetrics(font)
-            # What the style leaves around words does not depend on them.
-            needed = sum(
-                metrics.horizontalAdvance(one.text())
-                + one.sizeHint().width()
-                - one.fontMetrics().horizontalAdvance(one.text())
-                for one in buttons
-            )
-            if needed <= room:
-                break
-        for one in buttons:
-            if one.font() != font:
-                one.setFont(font)
+        first = list(self._layout_buttons.values())
+        shown = [one for one in self.findChildren(QToolButton) if one.isVisibleTo(self)]
+        others = [one for one in shown if one not in first]
+        around, gap = self._rows.contentsMargins(), self._rows.spacing()
+        room = self.width() - around.left() - around.right() - gap * len(shown)
+        smallest = smallest_of(self.font())
+        folds = bool(others) and width_in(smallest, shown) > room
+        rows = (first, others) if folds else (shown,)
+        write_in(fitting_font(rows, self.font(), room), shown)
+        direction = _BELOW if folds else _BESIDE
+        if direction != self._rows.direction():
+            self._rows.setDirection(direction)
+            self._rows.activate()
+        least = max(width_in(smallest, row) for row in (first, others))
+        self.setMinimumWidth(least + around.left() + around.right() + gap * len(shown))
 
     def _button(self, name: str, text: str, hint: str) -> QToolButton:
         button = QToolButton(self)

@@ -87,7 +87,7 @@ from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.panels.loudest.settings import LoudestSettings
 from skinsource_gui.shell.app import make_application
-from skinsource_gui.shell.docks.arrangements import ARRANGEMENTS
+from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS
 from skinsource_gui.shell.palette import Palette
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences

@@ -11,7 +11,7 @@ from skinsource.figures.gallery import MARK, mark_of, page_of, synthetic_scene
 from skinsource.panel_settings import settings_of
 from skinsource_gui.resources import resource_folder
 from skinsource_gui.scenes_page.page import picture_of
-from skinsource_gui.shell.docks.arrangements import ARRANGEMENTS
+from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS
 from skinsource_gui.shell.panels import PANELS
 
 every = pytest.mark.parametrize("name", ss.scenes.names())

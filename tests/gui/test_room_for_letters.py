@@ -1,0 +1,199 @@
+"""In letters of any size, on small and large screens, each panel has room, scrolls, or is a tab."""
+
+import pytest
+from PySide6.QtCore import QSize
+from PySide6.QtGui import QFontMetrics
+from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel
+
+from skinsource.design import Design, track
+from skinsource.view import View
+from skinsource.waveforms import Tone
+from skinsource_gui.shell.docks.arrangement_spec import ArrangementSpec, Place
+from skinsource_gui.shell.docks.room import Folded, Needs, folded, room_of
+from skinsource_gui.widgets.fields.field_grid import FieldGrid
+from skinsource_gui.widgets.plot.axis import Axis
+from skinsource_gui.widgets.plot.plot import Plot
+
+SCREENS = ((1366, 768), (1920, 1080))
+FIELDS = View(selected_inputs=(1,), outputs=(29, 30, 33, 35))
+
+
+@pytest.fixture
+def studio(make_window):
+    tone = Tone(frequency_hz=120.0, duration_s=0.4)
+    window = make_window(Design(limb="synthetic-1", inputs=(track(7, tone),)), FIELDS)
+    yield window
+    window.appearance.reset_text()
+    window.appearance.fit_room(1.0)
+
+
+def in_sight(window):
+    return [dock for dock in window.docks.values() if dock.isVisible() and dock.in_sight]
+
+
+def too_wide(dock):
+    return dock.panel.width() > dock.widget().viewport().width()
+
+
+def numbers(plot):
+    """How many numbers are written at each axis."""
+    axes = [one for one in plot.scene().items() if isinstance(one, Axis) and one.isVisible()]
+    return [len(one.generateDrawSpecs(None)[2]) for one in axes]
+
+
+def cut(window):
+    """Words of buttons and labels of panels in sight that have too little room."""
+    found = []
+    for dock in in_sight(window):
+        for one in dock.panel.findChildren(QAbstractButton):
+            if one.isVisible() and QFontMetrics(one.font()).horizontalAdvance(one.text()) > max(
+                one.width(), 1
+            ):
+                found.append(one.text())
+        for grid in dock.panel.findChildren(FieldGrid):
+            found += [
+                one.text()
+                for one in grid.findChildren(QLabel)
+                if one.isVisible() and one.text() and one.height() < one.fontMetrics().height()
+            ]
+    return found
+
+
+@pytest.mark.parametrize("screen", SCREENS)
+@pytest.mark.parametrize("scale", [1.0, 1.5, 2.0, 3.0])
+@pytest.mark.parametrize("arrangement", ["design", "presentation", "analysis"])
+def test_nothing_is_cut_or_scrolls_sideways(studio, settle, arrangement, scale, screen):
+    window = studio
+    window.resize(*screen)
+    window.appearance._scale_text(scale)
+    window.do(f"arrange_{arrangement}")
+    settle()
+    settle()
+    assert [dock.objectName() for dock in in_sight(window) if too_wide(dock)] == []
+    assert cut(window) == []
+
+    for name in ("traces", "spectra"):
+        window.docks[name].bring_forward()
+        settle()
+        (plot,) = window.panel(name).findChildren(Plot)
+
+        assert min(numbers(plot)) >= 2, name
+
+
+def test_what_is_turned_is_whole_while_it_is_presented_in_the_largest_letters(studio, settle):
+    window = studio
+    window.resize(1366, 768)
+    window.appearance._scale_text(3.0)
+    window.do("present")
+    window.showNormal()
+    window.resize(1366, 768)
+    settle()
+    settle()
+    for name in ("hand", "skin", "frequency_and_amplitude"):
+        dock = window.docks[name]
+        assert dock.in_sight
+        assert dock.widget().verticalScrollBar().maximum() == 0, name
+    window.do("present")
+
+
+def test_panels_that_nobody_moved_become_tabs_with_larger_letters_and_come_back(studio, settle):
+    window = studio
+    window.resize(1366, 768)
+    window.do("arrange_design")
+    settle()
+    assert {"traces", "spectra", "timeline"} <= {dock.objectName() for dock in in_sight(window)}
+    window.appearance._scale_text(3.0)
+    settle()
+    shown = {dock.objectName() for dock in in_sight(window)}
+    assert {"hand", "skin", "inspector"} <= shown
+    assert not {"traces", "spectra"} & shown
+    window.appearance.reset_text()
+    settle()
+    assert {"traces", "spectra", "timeline"} <= {dock.objectName() for dock in in_sight(window)}
+
+
+def test_panels_that_somebody_moved_stay_where_they_are(studio, settle):
+    window = studio
+    window.resize(1366, 768)
+    window.do("arrange_design")
+    settle()
+    window.docks["hand"].hide()
+    settle()
+    window.appearance._scale_text(3.0)
+    settle()
+    shown = {dock.objectName() for dock in in_sight(window)}
+    assert {"skin", "inspector", "traces", "spectra", "timeline"} <= shown
+    assert "hand" not in shown
+
+
+def test_large_letters_of_the_last_session_are_those_of_all_words(
+    qapp, preferences, make_window, settle
+):
+    sheet, font = qapp.styleSheet(), qapp.font()
+    # As a program begins.
+    qapp.setStyleSheet("")
+    qapp.setFont(font)
+    preferences.text_scale = 2.0
+    try:
+        window = make_window()
+        settle()
+        wanted = QApplication.font().pointSizeF()
+        assert wanted == pytest.approx(2.0 * font.pointSizeF())
+        parts = [window.menuBar(), window.statusBar(), window.setup_bar]
+        for one in (*parts, *window.docks.values(), *window.panels):
+            assert one.font().pointSizeF() == wanted, one.objectName()
+    finally:
+        window.appearance.reset_text()
+        qapp.setStyleSheet(sheet)
+
+
+SPEC = ArrangementSpec(
+    name="a", text="a", hint="", keys=(), columns=(1, 1, 1), host="mid", yields=("right", "left")
+)
+PLACES = {
+    "left": Place(0),
+    "mid": Place(1),
+    "right": Place(2, 50),
+    "under": Place(2, 50),
+    "foot": Place(0, 30, at_foot=True),
+}
+COLUMNS = (("left",), ("mid",), ("right", "under"))
+
+
+def needs(width, height, spec=SPEC):
+    least = dict.fromkeys(PLACES, QSize(100, 100))
+    return Needs(
+        room=QSize(width, height), spec=spec, places=PLACES, least=least, tab_px=20, gap_px=5
+    )
+
+
+def test_where_there_is_room_for_all_panels_none_is_a_tab():
+    assert folded(COLUMNS, ("foot",), needs(310, 310)) == Folded(
+        ((("left",),), (("mid",),), (("right",), ("under",))), ("foot",)
+    )
+
+
+def test_panels_of_a_column_that_is_too_low_are_tabs():
+    found = folded(COLUMNS, ("foot",), needs(310, 309))
+    assert found == Folded(((("left",),), (("mid",),), (("right", "under"),)), ("foot",))
+    assert found.tabs == (("right", "under"),)
+
+
+def test_what_is_below_all_columns_is_a_tab_where_columns_are_too_low_for_it():
+    found = folded(COLUMNS, ("foot",), needs(310, 224))
+    assert found.foot == ()
+    assert ("mid", "foot") in found.tabs
+
+
+def test_columns_that_are_too_narrow_yield_in_their_order():
+    narrow = folded(COLUMNS, (), needs(309, 310))
+    assert narrow.columns == ((("left",),), (("mid", "right", "under"),))
+    assert folded(COLUMNS, (), needs(150, 310)).columns == ((("mid", "right", "under", "left"),),)
+
+
+def test_gaps_between_panels_are_no_room_of_theirs():
+    wanted = needs(400, 310)
+    widths, (height, below), heights = room_of(folded(COLUMNS, ("foot",), wanted), wanted)
+    assert sum(widths) + 2 * 5 in (399, 400)
+    assert height + below + 5 in (309, 310)
+    assert sum(heights[2]) + 5 <= height
