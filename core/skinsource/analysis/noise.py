@@ -99,14 +99,19 @@ def predicted_noise_energy(
     InvalidInputError
         There is no drive, or none but of places whose noise is not given.
     """
-    missing = sorted(drives.keys() - noise.keys())
-    if missing or not drives:
-        raise InvalidInputError(
-            f"the noise at place {missing[0]} is not given" if missing else "there is no drive"
-        )
+    refuse_unknown(drives, noise)
     parts = [
         n_taps * float(np.vdot(played, played)) * np.square(noise[place])
         for place, played in drives.items()
     ]
     energy: Floats = np.sum(parts, axis=0)
     return energy
+
+
+def refuse_unknown(drives: Mapping[int, Floats], noise: Mapping[int, Floats]) -> None:
+    """Raise `InvalidInputError` where there is no drive, or one at a place of unknown noise."""
+    missing = sorted(drives.keys() - noise.keys())
+    if missing or not drives:
+        raise InvalidInputError(
+            f"the noise at place {missing[0]} is not given" if missing else "there is no drive"
+        )

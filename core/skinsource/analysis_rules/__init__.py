@@ -12,6 +12,7 @@ from skinsource.analysis_rules import (
     perception_rules,
     validity_rules,
     wave_rules,
+    window_noise_rules,
 )
 from skinsource.panel_settings import settings_of
 from skinsource.perception.settings import PerceptionSettings
@@ -19,6 +20,7 @@ from skinsource.view import View
 
 _MODULES = (
     noise_rules,
+    window_noise_rules,
     output_rules,
     axis_rules,
     wave_rules,

@@ -44,12 +44,10 @@ def noise_energy(
 
     None where there is none to tell: in silence, and where `place_noise` knows of none.
     """
-    found = {place: place_noise(driven_limb, place) for place, _ in place_drives}
-    noise = {place: one for place, one in found.items() if one is not None}
-    if not noise or len(noise) < len(found):
+    noise = noise_of_places(place_drives, driven_limb)
+    if noise is None:
         return None
-    divided = divided_by_pulse(driven_limb, scaling)
-    drives = {place: _shaped(played, driven_limb, divided) for place, played in place_drives}
+    drives = shaped_drives(place_drives, driven_limb, scaling)
     return match_gain**2 * predicted_noise_energy(drives, noise, driven_limb.n_taps)
 
 
@@ -59,10 +57,7 @@ def output_noise_rms(
     """RMS over the whole response of what is noise in each projected signal, (n_outputs,)."""
     if noise_energy is None:
         return None
-    chosen = noise_energy[:, list(projection.axis_numbers)]
-    if projection.directions is not None:
-        chosen = chosen * np.square(projection.directions)
-    return np.sqrt(chosen.sum(axis=1) / response_samples)
+    return projected_rms(noise_energy, projection, response_samples)
 
 
 def above_noise_db(record_rms: Floats, output_noise_rms: Floats | None) -> Floats | None:
@@ -91,6 +86,23 @@ def place_noise(limb: Limb, place: int) -> Floats | None:
     return noise_rms(limb.response_to(place), rate, before_s)
 
 
+def noise_of_places(
+    place_drives: tuple[tuple[int, Floats], ...], limb: Limb
+) -> dict[int, Floats] | None:
+    """Noise of the responses to each place that plays; None: nothing does, or one is not known."""
+    found = {place: place_noise(limb, place) for place, _ in place_drives}
+    noise = {place: one for place, one in found.items() if one is not None}
+    return noise if noise and len(noise) == len(found) else None
+
+
+def projected_rms(energy: Floats, projection: Projection, n_times: int) -> Floats:
+    """RMS over ``n_times`` along a projection, of energies along the axes, (..., n_axes)."""
+    chosen = energy[..., list(projection.axis_numbers)]
+    if projection.directions is not None:
+        chosen = chosen * np.square(projection.directions)
+    return np.sqrt(chosen.sum(axis=-1) / n_times)
+
+
 def divided_by_pulse(limb: Limb, scaling: Scaling) -> bool:
     """Whether responses are divided by the measuring pulse, their noise with them."""
     return scaling == "probe" and not limb.per_unit_drive
@@ -103,10 +115,14 @@ def probe_inverse(n_taps: int, sample_rate_hz: float) -> Floats:
     return per_probe_acceleration(pulse, sample_rate_hz)
 
 
-def _shaped(played: Floats, limb: Limb, divided: bool) -> Floats:
-    """What the noise is convolved with: in probe scaling it went through the inverse pulse."""
-    if not divided:
-        return played
+def shaped_drives(
+    place_drives: tuple[tuple[int, Floats], ...], limb: Limb, scaling: Scaling
+) -> dict[int, Floats]:
+    """What the noise is convolved with: in probe scaling it went through the inverse pulse.
+
+    That one has its middle at half of its length: what went through it comes later by so much.
+    """
+    if not divided_by_pulse(limb, scaling):
+        return dict(place_drives)
     inverse = probe_inverse(limb.n_taps, limb.sample_rate_hz)
-    whole: Floats = scipy.signal.oaconvolve(played, inverse)
-    return whole
+    return {place: scipy.signal.oaconvolve(played, inverse) for place, played in place_drives}

@@ -1,6 +1,7 @@
 """RMS in consecutive windows as CSV."""
 
 import math
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,7 @@ from skinsource.export.figures import (
 )
 from skinsource.export.output_file import output_file
 from skinsource.job import Progress, Stop, never, silent
+from skinsource.validity.judging import listed
 from skinsource.view import View
 
 _MEASURES = (
@@ -45,7 +47,9 @@ def export_windows(
     errors are those of `export_traces`.
     """
     exported = ExportedDesign(design, view, progress, stop)
-    wanted = exported.values({"windows", "rms_of_windows", "extents_of_windows"})
+    wanted = exported.values(
+        {"windows", "rms_of_windows", "extents_of_windows", "windows_in_noise"}
+    )
     rms, extents = wanted["rms_of_windows"], wanted["extents_of_windows"]
     loudest = int(np.argmax(rms.max(axis=0, initial=0.0))) + 1
     error = exported.error((loudest,), view.axes)
@@ -57,6 +61,7 @@ def export_windows(
         f"windows: {windows.window_samples} samples each, the first from sample "
         f"{windows.first_sample} of the response on",
         "extent: over the outputs with a place on the map, from the nearest input that is heard",
+        *_about_noise(wanted["windows_in_noise"]),
         *about_method(exported),
         about_error(error, f"the traces of output {loudest}, the loudest"),
     ]
@@ -71,6 +76,14 @@ def export_windows(
         table = CsvTable(file, about, header, stop)
         table.add(np.array(rows).reshape(-1, len(header)))
         progress(1, 1, "Writing")
+
+
+def _about_noise(in_noise: Sequence[bool]) -> list[str]:
+    noisy = [number for number, one in enumerate(in_noise, start=1) if one]
+    if not noisy:
+        return []
+    words = f"{'window' if len(noisy) == 1 else 'windows'} {listed(noisy)}"
+    return [f"validity, windows: CAUTION: {words}: mostly noise, and so is the extent"]
 
 
 def _measures(extent: Extent | None) -> list[float]:

@@ -8,7 +8,7 @@ from skinsource.evaluation import evaluate
 from skinsource.figures.sheet import WIDTH_MM, Drawn, Sheet, Table
 from skinsource.figures.values import field_of, frequency_of, normal_of, with_values
 from skinsource.own_limbs import facts_of
-from skinsource.plot.maps import Bar, draw_map
+from skinsource.plot.maps import HATCHED, Bar, draw_map
 from skinsource.plot.paper import INK, style
 from skinsource.plot.strips import WindowedLevels, draw_extent, draw_strip, windowed_levels
 from skinsource.scenes import OpenedScene
@@ -52,7 +52,7 @@ def train_windows(opened: OpenedScene) -> Drawn:
     window_s = opened.view.window_s
     found = windowed_levels(opened.design, opened.view, count=None, window_s=window_s)
     n = found.windows.count
-    sheet = Sheet(opened, 132.0)
+    sheet = Sheet(opened, 132.0, f"{HATCHED}." if any(found.noisy) else "")
     left_mm, width_mm = 22.0, WIDTH_MM - 44.0
     with style():
         train = sheet.axes(left_mm, 113.0, width_mm, 16.0)

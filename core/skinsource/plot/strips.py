@@ -13,7 +13,7 @@ from skinsource.errors import InvalidInputError
 from skinsource.evaluation import evaluate
 from skinsource.limb import Limb
 from skinsource.plot.levels import Levels, Range, common_range
-from skinsource.plot.maps import draw_map
+from skinsource.plot.maps import HATCHED, draw_map
 from skinsource.plot.paper import COLOURS, DIM, SYNTHETIC, new_figure, style
 from skinsource.quoting import quoted
 from skinsource.view import View
@@ -28,6 +28,8 @@ _QUANTITIES = (
     "sample_rate_hz",
     "rms_of_windows",
     "extents_of_windows",
+    "noisy_outputs_of_windows",
+    "windows_in_noise",
 )
 #: More maps side by side cannot be read.
 MOST_MAPS = 12
@@ -51,6 +53,8 @@ class WindowedLevels:
         In m/s².
     extents
         How far each window reaches; None where nothing moves in it.
+    noisy, in_noise
+        Outputs of each window that are mostly noise, and whether all of it is.
     """
 
     limb: Limb
@@ -60,6 +64,8 @@ class WindowedLevels:
     sample_rate_hz: float
     rms: Floats
     extents: tuple[Extent | None, ...]
+    noisy: tuple[tuple[int, ...], ...]
+    in_noise: tuple[bool, ...]
 
 
 def windowed_levels(
@@ -86,6 +92,8 @@ def windowed_levels(
         sample_rate_hz=found["sample_rate_hz"],
         rms=found["rms_of_windows"],
         extents=found["extents_of_windows"],
+        noisy=found["noisy_outputs_of_windows"],
+        in_noise=found["windows_in_noise"],
     )
 
 
@@ -166,8 +174,9 @@ def _drawn(found: WindowedLevels, n: int, range_db: Range | None, title: str) ->
         draw_extent(figure.add_subplot(grid[1, :]), found, n)
         if title:
             figure.suptitle(title, fontsize=9)
-        if found.limb.synthetic:
-            figure.text(0.99, 0.01, SYNTHETIC, ha="right", color=DIM, fontsize=6)
+        words = SYNTHETIC if found.limb.synthetic else HATCHED if any(found.noisy[:n]) else ""
+        if words:
+            figure.text(0.99, 0.01, words, ha="right", color=DIM, fontsize=6)
     return figure
 
 
@@ -179,7 +188,11 @@ def draw_strip(figure: Any, maps: list[Any], found: WindowedLevels, range_db: Ra
     image = None
     for k, ax in enumerate(maps):
         levels = Levels(
-            limb=found.limb, surface=found.surface, values=levels_db[k], places=found.places
+            limb=found.limb,
+            surface=found.surface,
+            values=levels_db[k],
+            places=found.places,
+            noisy=found.noisy[k],
         )
         begin, end = (1e3 * one for one in bounds[k])
         title = f"{begin:.0f} to {end:.0f} ms"
@@ -201,7 +214,9 @@ def draw_extent(ax: Any, found: WindowedLevels, n: int) -> None:
         d90_mm=np.nan,
         participation=np.nan,
     )
-    extents = [one or nothing for one in found.extents[:n]]
+    # How noise is spread says nothing of what is played.
+    pairs = zip(found.extents[:n], found.in_noise, strict=False)
+    extents = [nothing if one is None or in_noise else one for one, in_noise in pairs]
     middles = np.arange(n) + 0.5
     curves = (
         ("mean distance", [one.mean_distance_mm for one in extents]),

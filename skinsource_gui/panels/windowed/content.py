@@ -27,6 +27,8 @@ class WindowedContent:
         The interpolated maps.
     extents
         Of each window; None where it is silent.
+    noisy, in_noise
+        Outputs of each window that are mostly noise, and whether all of it is: noise has no extent.
     synthetic
         Whether the responses are computed, not measured.
     traces_late_s
@@ -41,6 +43,8 @@ class WindowedContent:
     field_levels_db: Floats
     extents: tuple[Extent | None, ...]
     synthetic: bool
+    noisy: tuple[tuple[int, ...], ...] = ()
+    in_noise: tuple[bool, ...] = ()
     traces_late_s: float = 0.0
 
     @property
@@ -54,6 +58,20 @@ class WindowedContent:
             f"Stimulus time; traces {late} later",
             f"Traces: +{late}",
         )
+
+    @property
+    def told_extents(self) -> tuple[Extent | None, ...]:
+        """Extents of the windows that are more than noise."""
+        if not any(self.in_noise):
+            return self.extents
+        pairs = zip(self.extents, self.in_noise, strict=True)
+        return tuple(None if in_noise else one for one, in_noise in pairs)
+
+    def extent_words(self, window: int) -> str:
+        """The measures of a window, for a tooltip."""
+        if self.in_noise and self.in_noise[window]:
+            return "Mostly noise of the measurement: its extent means nothing"
+        return _extent_words(self.extents[window])
 
     @property
     def range_db(self) -> Range:
@@ -71,6 +89,7 @@ class WindowedContent:
             self.small,
             levels_db=self.levels_db[window],
             field_levels_db=self.field_levels_db[window],
+            noisy=self.noisy[window] if self.noisy else (),
         )
 
     def window_at(self, time_s: float) -> int | None:
@@ -87,8 +106,7 @@ def window_words(bounds_s: tuple[float, float]) -> str:
     return f"{begin}–{end} ms"
 
 
-def extent_words(extent: Extent | None) -> str:
-    """The measures of a window, for a tooltip."""
+def _extent_words(extent: Extent | None) -> str:
     if extent is None:
         return "Silent: nothing has an extent"
     return (

@@ -74,6 +74,8 @@ class WindowedPanel(Panel):
                 "levels_of_windows_db",
                 "surface_of_windows_db",
                 "extents_of_windows",
+                "noisy_outputs_of_windows",
+                "windows_in_noise",
             }
         )
 
@@ -104,6 +106,8 @@ class WindowedPanel(Panel):
             levels_db=levels,
             field_levels_db=results["surface_of_windows_db"],
             extents=results["extents_of_windows"],
+            noisy=results["noisy_outputs_of_windows"],
+            in_noise=results["windows_in_noise"],
             synthetic=results["limb_data"].synthetic,
             traces_late_s=self._traces_late_s,
         )

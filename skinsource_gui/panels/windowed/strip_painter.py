@@ -63,7 +63,7 @@ def paint_strip(
 
 def _paint_extent(painter: QPainter, area: QRectF, content: WindowedContent, theme: Theme) -> None:
     """Mean distance and the distance of 90 % of the energy, a dot for each window."""
-    known = [one for one in content.extents if one is not None]
+    known = [one for one in content.told_extents if one is not None]
     top = _rounded_up(max((max(one.mean_distance_mm, one.d90_mm) for one in known), default=1.0))
     line = painter.fontMetrics().height()
     _paint_axis(painter, area, top, theme)
@@ -73,7 +73,7 @@ def _paint_extent(painter: QPainter, area: QRectF, content: WindowedContent, the
         painter.setPen(QPen(colour, 1.5))
         painter.setBrush(colour)
         before: QPointF | None = None
-        for window, one in enumerate(content.extents):
+        for window, one in enumerate(content.told_extents):
             if one is None:
                 before = None
                 continue

@@ -13,7 +13,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QToolTip, QWidget
 
-from skinsource_gui.panels.windowed.content import WindowedContent, extent_words, window_words
+from skinsource_gui.panels.windowed.content import WindowedContent, window_words
 from skinsource_gui.panels.windowed.strip_layout import StripLayout, strip_layout
 from skinsource_gui.panels.windowed.strip_painter import paint_strip
 from skinsource_gui.theme import LIGHT, Theme, tabular
@@ -129,7 +129,7 @@ class StripView(QWidget):
         window = self.window_under(point)
         if window is None or self.content is None or self.message:
             return ""
-        about = extent_words(self.content.extents[window])
+        about = self.content.extent_words(window)
         return f"{window_words(self.content.bounds_s[window])}\n{about}"
 
     def mousePressEvent(self, event: QMouseEvent) -> None:

@@ -65,6 +65,17 @@ def test_any_number_of_windows_fits(panel, studio, qtbot, count):
     panel.strip.grab()
 
 
+def test_windows_that_are_noise_are_hatched_and_have_no_extent(panel, studio):
+    content = panel.strip.content
+    assert content.told_extents == content.extents
+    assert content.map_of(0).noisy == ()
+    noisy = replace(content, noisy=((4, 5), *[()] * 4), in_noise=(True, *[False] * 4))
+    assert noisy.told_extents == (None, *content.extents[1:])
+    assert noisy.map_of(0).noisy == (4, 5)
+    assert noisy.extent_words(0) == "Mostly noise of the measurement: its extent means nothing"
+    assert "Mean distance" in noisy.extent_words(1)
+
+
 def test_it_follows_a_drag(panel, studio, qtbot):
     before = panel.strip.content
     studio.document.edit("Later", TRAIN.with_clip(1, onset_s=0.2), gesture=1)
