@@ -6,6 +6,7 @@ from math import ceil, floor
 from skinsource.arguments import positive_number, real_number, whole_number
 from skinsource.errors import InvalidInputError
 from skinsource.limb import PRE_TRIGGER_DELAY_S
+from skinsource.sampling import NEAR
 
 #: Windows that are looked at together.
 MOST_WINDOWS = 60
@@ -75,7 +76,7 @@ def windows_over(
         raise InvalidInputError(
             f"count is {count} and window_s is {window_s}: expected one of them, and no other"
         )
-    first = floor(real_number("delay_s", delay_s, least=0.0) * rate_hz)
+    first = floor(real_number("delay_s", delay_s, least=0.0) * rate_hz + NEAR)
     if count is not None:
         most = whole_number("count", count, 1, MOST_WINDOWS)
         length = max(samples // most, 1)

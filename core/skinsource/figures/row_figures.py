@@ -20,6 +20,7 @@ from skinsource.plot.paper import COLOURS, style
 from skinsource.plot.rows import Row, common_size, draw_rows, say_scale
 from skinsource.plot.signals import averaged
 from skinsource.resampling import finer
+from skinsource.sampling import NEAR
 from skinsource.scenes import OpenedScene
 
 _ROW_MM, _AXIS_MM = 11.0, 12.0
@@ -78,7 +79,7 @@ def _instants(opened: OpenedScene) -> list[int]:
     """Samples at which the pulse is shown, as late as the responses of the limb are."""
     facts = facts_of(opened.design.limb)
     rate_hz, delay_s = facts.sample_rate_hz, facts.pre_trigger_delay_s
-    return [floor((delay_s + one) * rate_hz) for one in _INSTANTS_S]
+    return [floor((delay_s + one) * rate_hz + NEAR) for one in _INSTANTS_S]
 
 
 def axis_spectra(opened: OpenedScene) -> Drawn:

@@ -16,6 +16,15 @@ def test_windows_of_a_length_begin_with_the_first_arrival_and_cover_the_stimulus
     assert found.bounds_s(RATE_HZ)[-1] == pytest.approx((0.48, 0.6))
 
 
+@pytest.mark.parametrize(
+    ("delay_s", "rate_hz", "sample"),
+    [(0.086, 2500.0, 215), (0.043, 5000.0, 215), (0.052, 1300.0, 67)],
+)
+def test_a_delay_of_whole_samples_is_as_many_however_it_is_rounded(delay_s, rate_hz, sample):
+    found = windows_over(780, 1301, rate_hz, count=2, delay_s=delay_s)
+    assert found.first_sample == sample
+
+
 def test_a_stimulus_that_ends_within_a_window_has_it_too():
     assert windows_over(781, 1302, RATE_HZ, window_s=0.12).count == 6
 
