@@ -100,6 +100,8 @@ class Keeping(QObject):
             for log in logs:
                 note_offered(log)
         if sentences:
+            # As of a file that could not be opened at the start.
+            sentences = [said for said in (notice.text,) if said] + sentences
             notice.say(" ".join(sentences), "warning", choices, picture)
 
     def show(self) -> None:

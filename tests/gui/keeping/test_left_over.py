@@ -166,6 +166,20 @@ def test_several_are_offered_in_a_list(window, leave, qtbot, user_data):
     assert not page.isVisible()
 
 
+def test_a_file_that_could_not_be_opened_at_the_start_is_said_with_the_offer(
+    window, leave, tmp_path
+):
+    leave(2.5)
+    window.files.open(tmp_path / "gone.skinsource")
+    complaint = window.notice.text
+    assert "gone.skinsource" in complaint
+    window.keeping.offer(window.notice)
+    assert window.notice.text.startswith(complaint)
+    assert "A copy was kept" in window.notice.text
+    choose(window, "Open it")
+    assert window.document.design.inputs[0].amplitude == 2.5
+
+
 def test_without_left_over_work_the_page_says_so(window):
     window.do("show_left_over")
     (page,) = window.findChildren(LeftOverPage)
