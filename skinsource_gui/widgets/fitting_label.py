@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 
 class FittingLabel(QLabel):
-    """Shows the first of some phrasings that fits; never one that is cut off."""
+    """Shows the first of some phrasings that fits; where none does, dots end the last one."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -18,7 +18,7 @@ class FittingLabel(QLabel):
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
 
     def show_phrases(self, phrases: Sequence[str]) -> None:
-        """Take over phrasings, longest first; the last is shown where none fits."""
+        """Take over phrasings, longest first."""
         if tuple(phrases) != self._phrases:
             self._phrases = tuple(phrases) or ("",)
             self._choose()
@@ -36,7 +36,9 @@ class FittingLabel(QLabel):
 
     def _choose(self) -> None:
         fitting = (one for one in self._phrases if self._width_of(one) <= self.width())
-        words = next(fitting, self._phrases[-1])
+        words = next(fitting, None) or self.fontMetrics().elidedText(
+            self._phrases[-1], Qt.TextElideMode.ElideRight, self.contentsRect().width()
+        )
         if words != self.text():
             self.setText(words)
 

@@ -32,3 +32,14 @@ def test_a_fitting_label_shows_the_longest_phrasing_that_fits(qtbot):
     assert one.text() == "a short one"
     one.resize(one.minimumSizeHint().width(), 20)
     assert one.text() == "short"
+
+
+def test_words_of_which_no_phrasing_fits_end_in_dots(qtbot):
+    one = FittingLabel()
+    qtbot.addWidget(one)
+    one.show_phrases(("a clip with a very long name, and more", "a clip with a very long name"))
+    one.resize(one.minimumSizeHint().width() // 2, 20)
+    one.show()
+    assert one.text().startswith("a clip")
+    assert one.text().endswith("…")
+    assert one.fontMetrics().horizontalAdvance(one.text()) <= one.width()

@@ -58,6 +58,7 @@ class OutputRow(QObject):
         self.level = QLabel()
         self.level.setFont(tabular(self.level.font()))
         self.level.setObjectName(f"level_of_{place}")
+        self.level.hide()
         # Below each other: beside its words there would be no room for the bar in a narrow panel.
         self.loudness = QWidget()
         below = QVBoxLayout(self.loudness)
@@ -90,11 +91,11 @@ class OutputRow(QObject):
         levels = played.levels
         if levels is None or index >= levels.rms_db.size:
             self.meter.show_level(_SILENT_DB, _SILENT_DB)
-            self.level.setText("")
+            self._say_level("")
             return
         self.meter.show_level(float(levels.rms_db[index]), float(levels.peak_db[index]))
         highest_db = float(levels.highest_db[index])
-        self.level.setText(
+        self._say_level(
             "silent"
             if highest_db <= _SILENT_DB
             else f"{highest_db:z.1f} dBFS".replace("-", "\u2212")
@@ -107,6 +108,11 @@ class OutputRow(QObject):
 
     def _choose(self, output: float, _gesture: int | None) -> None:
         self.output_wanted.emit(self.place, round(output))
+
+    def _say_level(self, words: str) -> None:
+        # Alone, the bar stands in the middle.
+        self.level.setText(words)
+        self.level.setVisible(bool(words))
 
     def _offer_tone(self, missing: str) -> None:
         self.tone.setEnabled(not missing)
