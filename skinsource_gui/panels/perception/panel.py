@@ -97,6 +97,11 @@ class PerceptionPanel(Panel):
     def sizeHint(self) -> QSize:
         return QSize(380, 320)
 
+    def heightForWidth(self, width: int) -> int:
+        # The table gives way before words below it have to be scrolled for.
+        layout = self.layout()
+        return -1 if layout is None else layout.minimumHeightForWidth(width)
+
     def show_state(self, design: Design, view: View) -> None:
         self._view = view
         self._settings = settings_of(view, self.name, PerceptionSettings)

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QApplication, QScrollArea
 
 from skinsource.analysis_rules.perception_rules import Sensation
 from skinsource.edits import Edit
@@ -133,3 +134,25 @@ def test_what_is_not_felt_has_no_strength():
     silent, felt = rows(found, (1, 2))
     assert silent[1:] == ["–"] * 4
     assert felt[1:] == ["12.0", "12.0", "3.0", "1.5"]
+
+
+def test_the_limits_of_the_numbers_need_no_scrolling_in_a_small_window(window, settle):
+    document = window.document
+    document.look(replace(document.view, outputs=(30, 33, 35, 38, 52)))
+    window.do("arrange_analysis")
+    window.docks["perception"].bring_forward()
+    settle()
+    panel = window.panel("perception")
+    area = next(
+        one
+        for one in window.findChildren(QScrollArea)
+        if one.widget() is not None and one.widget().isAncestorOf(panel)
+    )
+    QApplication.processEvents()
+    limits = panel.limits.mapTo(area.viewport(), panel.limits.rect().bottomLeft())
+    assert window.height() <= 768
+    assert limits.y() <= area.viewport().height()
+    assert area.verticalScrollBar().maximum() == 0
+    assert panel.limits.height() >= panel.limits.heightForWidth(panel.limits.width())
+    # Rows of the table are seen.
+    assert panel.table.viewport().height() > 3 * panel.table.rowHeight(0)
