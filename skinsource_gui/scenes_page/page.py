@@ -4,7 +4,7 @@ from collections.abc import Collection
 from html import escape
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QIcon, QPainter, QPixmap
+from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
@@ -17,16 +17,22 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource.choice_words import limb_word
-from skinsource.scenes import Scene, all_scenes, open_scene
+from skinsource.fields import ChoiceSpec
+from skinsource.own_limbs import facts_of
+from skinsource.scenes import Scene, all_scenes, open_scene, why_not_on
 from skinsource_gui.resources import resource_folder
 from skinsource_gui.scenes_page.picture import ScenePicture
+from skinsource_gui.state.predicting import too_large
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
 
 TITLE = "Scenes"
 _SIZE_PX = (1120, 650)
 _ICON_PX = (72, 44)
 _LIST_PX = 360
 _WORDS_LINES = 8
+_OF_THE_PAPER = "The limbs of the paper"
+_PLAYED_ON = "On which limb the scenes are played: those of the paper, or one of your own"
 _PICTURES = "Pictures are computed on synthetic limbs."
 
 
@@ -37,17 +43,25 @@ class ScenesPage(QDialog):
     ----------
     limbs
         Names of the limbs that there are.
+    limb
+        The limb of a lab that scenes are to be played on, at first; empty: those of the paper.
     selected
         Name of the scene that is selected at first; the first one where it is not known.
     theme
         Colours.
     """
 
-    #: Name of a scene.
-    chosen = Signal(str)
+    #: Name of a scene, and of the limb that it is to be played on; empty: those of the paper.
+    chosen = Signal(str, str)
 
     def __init__(
-        self, limbs: Collection[str], selected: str, theme: Theme, parent: QWidget
+        self,
+        limbs: Collection[str],
+        selected: str,
+        theme: Theme,
+        parent: QWidget,
+        *,
+        limb: str = "",
     ) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -55,6 +69,14 @@ class ScenesPage(QDialog):
         self.setWindowTitle(TITLE)
         self.resize(*_SIZE_PX)
         self._limbs, self._theme, self._scenes = frozenset(limbs), theme, all_scenes()
+        own = [name for name in limbs if facts_of(name).own]
+        titles = tuple((name, limb_word(name).title) for name in own)
+        self.played_on = ChoiceField(
+            ChoiceSpec(label="Played on", options=(("", _OF_THE_PAPER), *titles), hint=_PLAYED_ON)
+        )
+        self.played_on.setObjectName("scene_limb")
+        self.played_on.set_value(limb if limb in own else "")
+        self._any_own = bool(own)
         self.list = QListWidget()
         self.list.setObjectName("scenes_list")
         self.list.setAccessibleName("Scenes of the paper")
@@ -78,9 +100,10 @@ class ScenesPage(QDialog):
         self.list.currentRowChanged.connect(self._show)
         # Not itemActivated: Return would count twice, for the list and for the button.
         self.list.itemDoubleClicked.connect(self._choose)
+        self.played_on.chosen.connect(self._show_limb)
         self.buttons.accepted.connect(self._choose)
         self.buttons.rejected.connect(self.reject)
-        self._show(self.list.currentRow())
+        self._show_limb()
         self.list.setFocus()
 
     @property
@@ -95,7 +118,17 @@ class ScenesPage(QDialog):
         right.addWidget(self.words)
         columns = QHBoxLayout()
         columns.setSpacing(2 * UNIT_PX)
-        columns.addWidget(self.list)
+        left = QVBoxLayout()
+        left.setSpacing(UNIT_PX)
+        left.addWidget(self.list, 1)
+        limb = QHBoxLayout()
+        title = QLabel(self.played_on.accessibleName())
+        limb.addWidget(title)
+        limb.addWidget(self.played_on, 1)
+        left.addLayout(limb)
+        for part in (title, self.played_on):
+            part.setVisible(self._any_own)
+        columns.addLayout(left)
         columns.addLayout(right, 1)
         rows = QVBoxLayout(self)
         rows.addLayout(columns, 1)
@@ -108,29 +141,53 @@ class ScenesPage(QDialog):
         for one in self._scenes:
             item = QListWidgetItem(one.heading)
             item.setIcon(_icon_of(one))
-            item.setToolTip(one.sentence)
             self.list.addItem(item)
         names = [one.name for one in self._scenes]
         self.list.setCurrentRow(names.index(selected) if selected in names else 0)
 
+    def _show_limb(self) -> None:
+        """Dim the scenes that do not apply on the chosen limb."""
+        limb = self.played_on.value
+        self._reasons = {
+            one.name: why_not_on(one.name, limb) if limb else "" for one in self._scenes
+        }
+        for row, one in enumerate(self._scenes):
+            reason = self._reasons[one.name]
+            item = self.list.item(row)
+            item.setForeground(QColor(self._theme.dim if reason else self._theme.text))
+            item.setToolTip(f"{one.sentence}\n{reason}".strip())
+        self._show(self.list.currentRow())
+
     def _show(self, row: int) -> None:
         if row < 0:
             return
-        one = self.scene
+        one, reason = self.scene, self._reasons[self.scene.name]
+        self.buttons.button(QDialogButtonBox.StandardButton.Open).setEnabled(not reason)
         self.picture.show_picture(picture_of(one), one.title)
         lines = [f"<b>{escape(one.heading)}</b>", escape(one.sentence), _dim(self._theme, one)]
-        opened = open_scene(one.name, available=self._limbs)
+        lines.append(self._not_there(reason) if reason else self._there(one))
+        self.words.setText("<br>".join(lines))
+
+    def _not_there(self, reason: str) -> str:
+        words = f"Does not apply on {limb_word(self.played_on.value).title}: {reason}"
+        return f'<span style="color: {self._theme.error}">{escape(words)}</span>'
+
+    def _there(self, one: Scene) -> str:
+        """On which limbs it opens, and what must be said of them."""
+        limb = self.played_on.value
+        opened = open_scene(one.name, available=self._limbs, limb=limb)
         limbs = dict.fromkeys(each.design.limb for each in opened.conditions)
         titles = ", ".join(limb_word(limb).title for limb in limbs)
-        note = f"Opens on {titles}. {opened.note} {_PICTURES}"
-        lines.append(f'<span style="color: {self._theme.dim}">{escape(note)}</span>')
-        self.words.setText("<br>".join(lines))
+        note = f"Opens on {titles}. {opened.note} {too_large(limb) if limb else ''} {_PICTURES}"
+        return f'<span style="color: {self._theme.dim}">{escape(" ".join(note.split()))}</span>'
 
     def _choose(self) -> None:
         name = self.scene.name
+        if self._reasons[name]:
+            return
         # The question about unsaved work stands in front of the window, not of this page.
         self.accept()
-        self.chosen.emit(name)
+        self.chosen.emit(name, self.played_on.value)
 
 
 def picture_of(scene: Scene) -> QPixmap:

@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
 from skinsource import scenes
+from skinsource.choice_words import limb_word
 from skinsource.design_file import SUFFIX
 from skinsource.errors import SkinSourceError
 from skinsource_gui import scenes_page
@@ -59,19 +60,24 @@ class SceneActions(QObject):
         self._document, self._files, self._limbs = document, files, limbs
         self._preferences, self._arrange, self._docks = preferences, arrange, docks
         self._theme, self._window = theme, window
-        self._last = ""
+        self._last = self._last_limb = ""
 
     def show(self) -> "ScenesPage":
         """Open the gallery; the scene that was opened last is selected."""
-        page = scenes_page.ScenesPage(self._limbs.names, self._last, self._theme(), self._window)
+        page = scenes_page.ScenesPage(
+            self._limbs.names, self._last, self._theme(), self._window, limb=self._last_limb
+        )
         page.chosen.connect(self.open)
         page.open()
         return page
 
-    def open(self, name: str) -> None:
-        """Open a scene in place of what is open, which is asked for if it is not saved."""
+    def open(self, name: str, limb: str = "") -> None:
+        """Open a scene in place of what is open, which is asked for if it is not saved.
+
+        ``limb`` is the one that it is played on; empty: those of the paper.
+        """
         try:
-            opened = scenes.open_scene(name, available=self._limbs.names)
+            opened = scenes.open_scene(name, available=self._limbs.names, limb=limb)
         except SkinSourceError as error:
             self.failed.emit(str(error))
             return
@@ -80,11 +86,15 @@ class SceneActions(QObject):
         self._document.start_over(opened.design, opened.view, None, scene=opened.scene.title)
         self._files.leave_file()
         self._files.suggested = self._preferences.folder / f"{opened.scene.name}{SUFFIX}"
-        self._last = opened.scene.name
+        self._last, self._last_limb = opened.scene.name, limb
         self._bring(opened)
         self.opened.emit(name)
         words = f"Opened {opened.scene.heading}"
-        self.done.emit(f"{words}, on a SYNTHETIC limb" if opened.synthetic else words)
+        if opened.synthetic:
+            words += ", on a SYNTHETIC limb"
+        elif limb:
+            words += f", on {limb_word(limb).title}"
+        self.done.emit(words)
 
     def _bring(self, opened: "OpenedScene") -> None:
         self._arrange(opened.scene.arrangement)

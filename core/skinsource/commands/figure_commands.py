@@ -9,6 +9,7 @@ from skinsource.catalogue import available_limbs
 from skinsource.dataset.progress_bar import ProgressBar
 from skinsource.figures import write_figures
 from skinsource.plot.paper import SYNTHETIC
+from skinsource.scenes import names, why_not_on
 
 
 def add_to(subparsers: Any) -> None:
@@ -26,13 +27,23 @@ def add_to(subparsers: Any) -> None:
     parser.add_argument(
         "--only", nargs="+", default=(), metavar="NAME", help="only these scenes, such as 2F"
     )
+    parser.add_argument(
+        "--limb",
+        default="",
+        metavar="NAME",
+        help="draw them on this limb, such as one that was imported: those that apply there",
+    )
     parser.set_defaults(run=_figures)
 
 
 def _figures(arguments: argparse.Namespace) -> int:
     with ProgressBar(sys.stderr) as bar:
-        written = write_figures(arguments.out, arguments.only, progress=bar)
-    if not any(name.startswith("measured") for name in available_limbs()):
+        written = write_figures(arguments.out, arguments.only, limb=arguments.limb, progress=bar)
+    for name in names() if arguments.limb and not arguments.only else ():
+        reason = why_not_on(name, arguments.limb)
+        if reason:
+            sys.stderr.write(f"skinsource: {name} was not drawn. {reason}\n")
+    if not arguments.limb and not any(name.startswith("measured") for name in available_limbs()):
         sys.stderr.write(f"skinsource: {SYNTHETIC}; see skinsource dataset fetch\n")
     for path in written:
         sys.stdout.write(f"{path}\n")

@@ -127,6 +127,8 @@ def _foot(opened: OpenedScene, note: str) -> list[tuple[str, str]]:
     if known.inferred:
         said.append((f"Inferred: {'; '.join(known.inferred)}.", DIM))
     said += [(words, DIM) for words in (setup_words(opened), left_words(opened), note) if words]
+    if opened.chosen:
+        said.append((opened.chosen, INK))
     if opened.synthetic:
         words = f"{SYNTHETIC}; they need not do what the sentence says."
         said.append((words, "#B00020"))

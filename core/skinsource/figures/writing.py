@@ -16,7 +16,7 @@ from skinsource.files import named, write_bytes
 from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.plot.figure_file import METADATA, figure_content
 from skinsource.plot.paper import SYNTHETIC, module
-from skinsource.scenes import OpenedScene, names, open_scene, scene
+from skinsource.scenes import OpenedScene, names, open_scene, scene, why_not_on
 from skinsource.version import __version__
 
 
@@ -24,6 +24,7 @@ def write_figures(
     folder: Path,
     only: Sequence[str] = (),
     *,
+    limb: str = "",
     progress: Progress = silent,
     stop: Stop = never,
 ) -> tuple[Path, ...]:
@@ -38,6 +39,8 @@ def write_figures(
         An existing folder.
     only
         Names of scenes; all where none is given.
+    limb
+        A limb that they shall be drawn on, those that apply there; empty: those of the paper.
     progress
         Called with (done, total, what is being done).
     stop
@@ -50,13 +53,14 @@ def write_figures(
     Raises
     ------
     InvalidInputError
-        There is no such scene.
+        There is no such scene, or one of ``only`` does not apply on ``limb``.
     StorageError
         There is no such folder, or it cannot be written.
     MissingExtraError
         matplotlib is not installed.
     """
-    wanted = [scene(name).name for name in only] or list(names())
+    wanted = [scene(name).name for name in only]
+    wanted = wanted or [name for name in names() if not limb or not why_not_on(name, limb)]
     module("matplotlib")
     if not folder.is_dir():
         raise StorageError(f"{named(folder)} is no folder. Make it, or name another one.")
@@ -64,7 +68,7 @@ def write_figures(
     for k, name in enumerate(wanted):
         stop_if(stop)
         progress(k, len(wanted), name)
-        opened = open_scene(name)
+        opened = open_scene(name, limb=limb)
         written += _write(folder, opened, draw_figure(opened), stop)
     progress(len(wanted), len(wanted), "")
     return tuple(written)
@@ -87,7 +91,9 @@ def about(opened: OpenedScene) -> list[str]:
     lines = [f"SkinSource studio: {known.heading}", known.sentence, f"after {known.source}"]
     lines += [f"inferred: {words}" for words in known.inferred]
     if opened.synthetic:
-        lines += [SYNTHETIC, opened.note]
+        lines.append(SYNTHETIC)
+    if opened.note:
+        lines.append(opened.note)
     limbs = (f"{limb_word(one).title} ({one})" for one in limbs_of(opened))
     lines.append(f"limb: {', '.join(limbs)}")
     lines.append(f"scaling: {word_of(SCALINGS, opened.design.scaling).both}")

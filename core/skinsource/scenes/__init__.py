@@ -19,13 +19,20 @@ from skinsource.late import late_names
 
 if TYPE_CHECKING:
     from skinsource.scenes.paper_scene import Condition, OpenedScene, Scene
-    from skinsource.scenes.shelf import all_scenes, names, open_scene, scene, scenes_folder
+    from skinsource.scenes.shelf import (
+        all_scenes,
+        names,
+        open_scene,
+        scene,
+        scenes_folder,
+        why_not_on,
+    )
 else:
     __getattr__, __dir__ = late_names(
         __name__,
         {
             "paper_scene": "Condition OpenedScene Scene",
-            "shelf": "all_scenes names open_scene scene scenes_folder",
+            "shelf": "all_scenes names open_scene scene scenes_folder why_not_on",
         },
     )
 
@@ -38,4 +45,5 @@ __all__ = [
     "open_scene",
     "scene",
     "scenes_folder",
+    "why_not_on",
 ]

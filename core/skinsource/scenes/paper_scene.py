@@ -88,6 +88,8 @@ class OpenedScene:
         Its designs, in the order of the figure.
     synthetic
         Whether synthetic limbs stand in for measured ones.
+    chosen
+        Of a limb that was chosen for it, what must be said; empty: it is on those of the paper.
     """
 
     scene: Scene
@@ -95,12 +97,13 @@ class OpenedScene:
     view: View
     conditions: tuple[Condition, ...]
     synthetic: bool
+    chosen: str = ""
 
     @property
     def note(self) -> str:
         """What must be said beside it; empty where the limbs are those of the paper."""
-        if not self.synthetic:
-            return ""
+        if self.chosen or not self.synthetic:
+            return self.chosen
         return (
             f"{NOT_INSTALLED} This is computed on a SYNTHETIC limb, which need not do what the "
             "sentence says."

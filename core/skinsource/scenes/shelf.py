@@ -11,6 +11,7 @@ from skinsource.design_file import SUFFIX, DesignFile, open_design
 from skinsource.errors import InvalidInputError
 from skinsource.files.assets import data_folder
 from skinsource.quoting import quoted
+from skinsource.scenes.on_limb import opened_on, reason_against
 from skinsource.scenes.paper_scene import Condition, OpenedScene, Scene
 from skinsource.scenes.shipped import SHIPPED
 
@@ -54,17 +55,8 @@ def path_of(name: str) -> Path:
     return scenes_folder() / f"{name}{SUFFIX}"
 
 
-def open_scene(name: str, *, available: Collection[str] | None = None) -> OpenedScene:
-    """Open a scene on the limbs that there are.
-
-    Parameters
-    ----------
-    name
-        Of the panel: ``"2F"``.
-    available
-        Limbs that can be used, `skinsource.available_limbs` unless given.  Where a measured one is
-        not among them, the synthetic one of its number stands in for it, and `OpenedScene.note`
-        says so.
+def why_not_on(name: str, limb: str) -> str:
+    """Why a scene does not apply on a limb, in a sentence; empty if it does.
 
     Raises
     ------
@@ -75,6 +67,37 @@ def open_scene(name: str, *, available: Collection[str] | None = None) -> Opened
     """
     known = scene(name)
     content = open_design(path_of(known.name))
+    return reason_against(known, compared(content), content.view, limb)
+
+
+def open_scene(
+    name: str, *, available: Collection[str] | None = None, limb: str = ""
+) -> OpenedScene:
+    """Open a scene on the limbs that there are, or on one that is chosen for it.
+
+    Parameters
+    ----------
+    name
+        Of the panel: ``"2F"``.
+    available
+        Limbs that can be used, `skinsource.available_limbs` unless given.  Where a measured one is
+        not among them, the synthetic one of its number stands in for it, and `OpenedScene.note`
+        says so.
+    limb
+        A limb that all of it shall be played on, such as one that was imported; empty: those of the
+        paper.
+
+    Raises
+    ------
+    InvalidInputError
+        There is no such scene, or it does not apply on ``limb``.
+    DesignFileError, StorageError
+        The installation is damaged.
+    """
+    known = scene(name)
+    content = open_design(path_of(known.name))
+    if limb:
+        return opened_on(known, compared(content), content.design, content.view, limb)
     limbs = frozenset(available_limbs() if available is None else available)
     snapshots = tuple(
         Snapshot(number=one.number, design=_on_limbs(one.design, limbs))
