@@ -72,11 +72,13 @@ class PanelPictures:
         return WholePicture(draw=with_caption(draw, caption), size_px=size, seen=seen)
 
     def _in_use(self) -> Panel:
-        """The panel that has the keyboard, or else the first one in sight."""
-        focused = QApplication.focusWidget()
+        """The panel that has the keyboard, or had it before a page or the palette; or the first."""
         in_sight = [panel for panel in self._panels if panel.isVisible()]
-        with_focus = [one for one in in_sight if focused is not None and one.isAncestorOf(focused)]
-        return (with_focus or in_sight or list(self._panels))[0]
+        for focused in (QApplication.focusWidget(), self._frame.focusWidget()):
+            for panel in in_sight:
+                if focused is not None and panel.isAncestorOf(focused):
+                    return panel
+        return (in_sight or list(self._panels))[0]
 
     def _draw_one(
         self, panel: Panel, painter: QPainter, width: int, height: int, theme: Theme = LIGHT

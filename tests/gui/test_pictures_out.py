@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtGui import QColor, QFont, QImage
+from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 
 import skinsource as ss
 from skinsource.chain import Actuation, ActuatorAt
@@ -162,6 +163,21 @@ def test_what_is_in_use_is_the_panel_with_the_keyboard(make_window, qtbot):
     qtbot.waitUntil(lambda: panel.isAncestorOf(window.focusWidget()))
     size = window.pictures.picture_of(IN_USE).size_px
     assert size == (2 * panel.width(), 2 * panel.height())
+
+
+def test_what_is_in_use_is_so_too_where_it_was_asked_for_in_the_palette(make_window, qtbot):
+    window = make_window(DESIGN)
+    window.activateWindow()
+    panel = window.panel("timeline")
+    panel.findChild(QWidget, "lanes").setFocus()
+    qtbot.waitUntil(lambda: panel.isAncestorOf(QApplication.focusWidget()))
+    elsewhere = QLineEdit()
+    qtbot.addWidget(elsewhere)
+    elsewhere.show()
+    elsewhere.activateWindow()
+    elsewhere.setFocus()
+    qtbot.waitUntil(elsewhere.hasFocus)
+    assert window.pictures.picture_of(IN_USE).size_px[0] == 2 * panel.width()
 
 
 def test_the_bar_is_the_longest_round_length_in_a_quarter_of_the_room():
