@@ -11,9 +11,9 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 import skinsource as ss
 from skinsource.chain import Actuation, ActuatorAt
 from skinsource.equalising import RegularisedInverse
-from skinsource_gui.panels.skin.length_bar import bar_length_mm
 from skinsource_gui.theme import DARK, LIGHT
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.map.length_bar import bar_length_mm
 from skinsource_gui.widgets.pictures.caption import caption_of, with_caption
 from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
 from skinsource_gui.widgets.pictures.picture_options import COLOURS, PictureDialog, PictureOptions

@@ -59,4 +59,4 @@ def _texts(found: Sensation, output: int) -> list[str]:
 
 
 def _text(value: float) -> str:
-    return "–" if value <= SILENT_DB else f"{value:.1f}".replace("-", "−")
+    return "–" if value <= SILENT_DB else f"{value:z.1f}".replace("-", "−")

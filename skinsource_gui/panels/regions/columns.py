@@ -35,7 +35,7 @@ class Column:
     def texts(self) -> list[str]:
         """As they are shown: a dash where there is no number, as for silence."""
         return [
-            "–" if not np.isfinite(one) or one <= FLOOR_DB else f"{one:.1f}".replace("-", "−")
+            "–" if not np.isfinite(one) or one <= FLOOR_DB else f"{one:z.1f}".replace("-", "−")
             for one in self.numbers
         ]
 

@@ -2,14 +2,15 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPen
 
 from skinsource_gui.panels.side_by_side.content import Cell, Content
-from skinsource_gui.panels.side_by_side.headings import bold, paint_heading
+from skinsource_gui.panels.side_by_side.headings import bold, paint_heading, places_for
 from skinsource_gui.panels.side_by_side.layout import CellPlace, Places
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.map.colour_maps import colour_table
+from skinsource_gui.widgets.map.length_bar import paint_small_bar
 from skinsource_gui.widgets.map.scale_row import paint_scale_row
 from skinsource_gui.widgets.map.small_map import (
     SmallMap,
@@ -52,6 +53,20 @@ def paint_content(
         paint_scale_row(painter, places.scale, common, theme)
 
 
+def paint_page(painter: QPainter, content: Content, room: QRectF, theme: Theme) -> None:
+    """Draw ``content`` into ``room``, with a line that says of what it is."""
+    painter.setPen(QColor(theme.text))
+    line = painter.fontMetrics().height()
+    if content.message or not content.cells:
+        painter.drawText(room, _CENTRE, content.message)
+        return
+    synthetic = any(cell.synthetic for cell in content.cells)
+    words = f"{content.about} · SYNTHETIC" if synthetic else content.about
+    painter.drawText(QRectF(0, 0, room.width(), 1.5 * line), _CENTRE, words)
+    below = room.adjusted(0, 1.5 * line, 0, 0)
+    paint_content(painter, content, places_for(below, content, painter.font()), theme)
+
+
 def _paint_cell(
     painter: QPainter,
     cell: Cell,
@@ -76,6 +91,7 @@ def _paint_cell(
     table = colour_table(cell.scale.colours)
     paint_small_map(painter, place.map, cell.small, cell.design, theme, cell.scale.range_db, table)
     _paint_rings(painter, cell.small, place, content, theme, pointed_at)
+    paint_small_bar(painter, place.map, cell.small, cell.limb, theme)
 
 
 def fitting(painter: QPainter, wordings: Sequence[str], width: float) -> str:

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any, ClassVar
 
-from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtCore import QRectF, QSize
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
@@ -16,15 +16,15 @@ from skinsource_gui.panel import Panel
 from skinsource_gui.panels.side_by_side.cells import Cells
 from skinsource_gui.panels.side_by_side.choices_bar import ChoicesBar
 from skinsource_gui.panels.side_by_side.content import Cell, Content
-from skinsource_gui.panels.side_by_side.headings import places_for
 from skinsource_gui.panels.side_by_side.kinds import KINDS
-from skinsource_gui.panels.side_by_side.painter import paint_content
+from skinsource_gui.panels.side_by_side.painter import paint_page
 from skinsource_gui.panels.side_by_side.table import tab_separated
 from skinsource_gui.panels.side_by_side.view import MapsView
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
 from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 from skinsource_gui.widgets.lateness import Lateness
+from skinsource_gui.widgets.paper import on_paper
 
 
 class SideBySidePanel(Panel):
@@ -131,20 +131,17 @@ class SideBySidePanel(Panel):
         self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
     ) -> None:
         """Draw the maps and their scale for a page or a slide; size in px."""
-        content, room = self.maps.content, QRectF(0, 0, width, height)
-        painter.fillRect(room, QColor(theme.base))
-        painter.setFont(tabular(self.font()))
-        painter.setPen(QColor(theme.text))
-        line = painter.fontMetrics().height()
-        if content.message or not content.cells:
-            painter.drawText(room, Qt.AlignmentFlag.AlignCenter, content.message)
-            return
-        synthetic = any(cell.synthetic for cell in content.cells)
-        words = f"{content.about} · SYNTHETIC" if synthetic else content.about
-        painter.drawText(QRectF(0, 0, width, 1.5 * line), Qt.AlignmentFlag.AlignCenter, words)
-        room.setTop(1.5 * line)
-        places = places_for(room, content, painter.font())
-        paint_content(painter, content, places, theme)
+        painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
+        # Words grow with the picture, and are no smaller than on the screen.
+        scale = min(width / max(self.width(), 1), height / max(self.height(), 1))
+        scale = max(scale, 1.0)
+        painter.save()
+        painter.scale(scale, scale)
+        with on_paper():
+            painter.setFont(tabular(self.font()))
+            room = QRectF(0, 0, width / scale, height / scale)
+            paint_page(painter, self.maps.content, room, theme)
+        painter.restore()
 
     def _show_own(self) -> None:
         """Draw what is known of the design in the window."""

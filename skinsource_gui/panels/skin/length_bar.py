@@ -1,20 +1,11 @@
-"""A bar on the map that says how long some millimetres are."""
+"""The bar on the skin map that says how long some millimetres are."""
 
 from PySide6.QtCore import QLineF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from skinsource_gui.panels.skin.stage.map_layout import MapLayout
 from skinsource_gui.theme import Theme
-
-_LENGTHS_MM = (100, 50, 20, 10, 5, 2, 1)
-# It takes at most this part of the width.
-_MOST = 0.25
-
-
-def bar_length_mm(px_per_mm: float, width_px: float) -> int:
-    """The longest round length that fits, mm."""
-    fitting = (length for length in _LENGTHS_MM if length * px_per_mm <= _MOST * width_px)
-    return next(fitting, _LENGTHS_MM[-1])
+from skinsource_gui.widgets.map.length_bar import bar_length_mm
 
 
 def paint_length_bar(painter: QPainter, layout: MapLayout, px_per_mm: float, theme: Theme) -> None:

@@ -24,6 +24,7 @@ from skinsource_gui.widgets.beside_or_below import BesideOrBelow
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.lateness import Lateness
 from skinsource_gui.widgets.map.small_map import SmallMaps
+from skinsource_gui.widgets.paper import on_paper
 
 _SILENT = "Silent: nothing is driven"
 _TOO_SHORT = "No whole window fits into the response. Choose shorter ones."
@@ -148,7 +149,8 @@ class WindowedPanel(Panel):
             painter.drawText(QRectF(line, 5 * line, width, line), 0, self.strip.message)
             return
         room = QRectF(0.0, 4.0 * line, width, height - 4.5 * line)
-        paint_strip(painter, content, strip_layout(room, content.windows.count, line), theme)
+        with on_paper():
+            paint_strip(painter, content, strip_layout(room, content.windows.count, line), theme)
 
     @property
     def _traces_late_s(self) -> float:

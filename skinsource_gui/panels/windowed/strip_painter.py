@@ -10,10 +10,13 @@ from skinsource_gui.panels.windowed.content import WindowedContent, window_words
 from skinsource_gui.panels.windowed.strip_layout import StripLayout
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.map.colour_maps import colour_table
+from skinsource_gui.widgets.map.length_bar import paint_small_bar
 from skinsource_gui.widgets.map.scale_row import Scale, paint_scale_row
 from skinsource_gui.widgets.map.small_map import paint_small_map
 
 _DOT_PX = 2.5
+# Marks of inputs at fingertips stand beyond the map.
+_RING_PX = 4.0
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 #: Names of the curves of the extent, longer and shorter, and which colour of outputs each has.
@@ -48,10 +51,13 @@ def paint_strip(
     for window, (cell, words) in enumerate(zip(layout.cells, titles, strict=True)):
         painter.setPen(QColor(theme.text))
         painter.drawText(QRectF(cell.left(), cell.top(), cell.width(), line), _CENTRE, words)
-        area = cell.adjusted(2.0, line, -2.0, -2.0)
+        area = cell.adjusted(2.0, line + _RING_PX, -2.0, -2.0)
         paint_small_map(
             painter, area, content.map_of(window), content.design, theme, content.range_db, table
         )
+        if window == len(titles) - 1:  # one for all: they are alike
+            limb = content.design.limb
+            paint_small_bar(painter, area, content.map_of(window), limb, theme)
         if window == chosen:
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.setPen(QPen(QColor(theme.accent), 1.5))

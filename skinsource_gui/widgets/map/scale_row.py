@@ -45,7 +45,7 @@ class Scale:
 
     def text(self, value_db: float) -> str:
         """``"−12.3 dB"``; with a sign where it is one of a difference."""
-        return minus(f"{value_db:+.1f} dB" if self.signed else f"{value_db:.1f} dB")
+        return minus(f"{value_db:+z.1f} dB" if self.signed else f"{value_db:z.1f} dB")
 
 
 def scale_row_px(line_px: float) -> float:

@@ -1,0 +1,82 @@
+"""Maps in rows have a bar of millimetres where they are printed."""
+
+import re
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QColor, QImage, QPainter
+
+import skinsource as ss
+from skinsource_gui.panels.side_by_side import panel as side_by_side
+from skinsource_gui.theme import LIGHT
+from skinsource_gui.widgets.map.length_bar import paint_small_bar
+from skinsource_gui.widgets.map.scale_row import Scale
+from skinsource_gui.widgets.map.small_map import SmallMap
+from skinsource_gui.widgets.paper import on_paper
+from skinsource_gui.widgets.pictures.picture_file import save_drawing
+from tests.gui.pages_of_paper import Paper
+
+DESIGN = ss.Design(
+    limb="synthetic-1",
+    inputs=(ss.track(7, ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.5)),),
+)
+
+
+@pytest.mark.parametrize(("name", "bars"), [("side_by_side", 4), ("windowed", 1)])
+def test_each_limb_has_a_bar_on_paper(make_window, settle, tmp_path, name, bars):
+    window = make_window(DESIGN)
+    settle()
+    picture = window.pictures.picture_of(name)
+    save_drawing(tmp_path / "a.pdf", picture.draw, 900, 600)
+    assert len(re.findall(r"0 mm(?!\))", Paper(tmp_path / "a.pdf").text())) == bars
+
+
+@pytest.mark.parametrize(("limb", "hand_mm"), [("synthetic-1", 175.0), ("synthetic-3", 185.0)])
+def test_the_bar_is_as_long_as_it_says_and_on_paper_alone(qapp, limb, hand_mm):
+    limb_map = ss.load_limb(limb).map
+    area = QRectF(0, 0, 300, 900)
+
+    def painted():
+        image = QImage(300, 900, QImage.Format.Format_RGB32)
+        image.fill(QColor(LIGHT.base))
+        painter = QPainter(image)
+        paint_small_bar(painter, area, SmallMap(limb_map=limb_map), limb, LIGHT)
+        painter.end()
+        return [
+            x for x in range(300) if QColor(image.pixel(x, 897)).name() == QColor(LIGHT.text).name()
+        ]
+
+    assert painted() == []
+    with on_paper():
+        dark = painted()
+    # The arm is as wide as the area.
+    px_per_mm = 300 / np.ptp(limb_map.outline[:, 0]) * limb_map.hand_length_px / hand_mm
+    lengths_mm = np.array([100, 50, 20, 10])
+    assert np.abs(lengths_mm * px_per_mm - len(dark)).min() <= 1.5
+    assert 20 < len(dark) <= 75
+
+
+def test_words_beside_maps_grow_with_the_picture_and_are_never_smaller_than_on_the_screen(
+    make_window, settle, monkeypatch
+):
+    window = make_window(DESIGN)
+    settle()
+    panel = window.panel("side_by_side")
+    panel.resize(400, 300)
+    for width, expected in ((200, 1.0), (400, 1.0), (1600, 4.0)):
+        image = QImage(width, width * 3 // 4, QImage.Format.Format_RGB32)
+        painter = QPainter(image)
+        asked = []
+        monkeypatch.setattr(
+            side_by_side, "paint_page", lambda on, *_, to=asked: to.append(on.transform().m11())
+        )
+        panel.draw_picture(painter, width, width * 3 // 4, LIGHT)
+        painter.end()
+        assert asked == [expected]
+
+
+def test_a_level_of_no_decibels_has_no_sign():
+    scale = Scale(range_db=(-50.0, 0.0), words="dB")
+    assert scale.text(-0.04) == "0.0 dB"
+    assert scale.text(-0.06) == "−0.1 dB"
