@@ -8,7 +8,7 @@ from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QTextBrowser, QWidget
 
 from skinsource_gui.panels.hand.site_keys import SiteKeys
-from skinsource_gui.panels.skin.colour_strip import key_step_db
+from skinsource_gui.panels.skin.scale.range_handle import key_step_db
 from skinsource_gui.panels.timeline.heads.list_keys import ListKeys
 from skinsource_gui.widgets.fields.number_gestures import NumberGestures
 from skinsource_gui.widgets.fields.number_typing import begins_typing

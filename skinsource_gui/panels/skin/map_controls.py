@@ -1,10 +1,10 @@
 """The controls around the map: they show the settings, and what they tell is chosen."""
 
 from skinsource.view import View
-from skinsource_gui.panels.skin.colour_bar import ColourBar
 from skinsource_gui.panels.skin.map_choices import MapChoices
 from skinsource_gui.panels.skin.map_quantity import Z
 from skinsource_gui.panels.skin.map_toolbar import MapToolbar
+from skinsource_gui.panels.skin.scale.colour_bar import ColourBar
 from skinsource_gui.panels.skin.time.time_view import TimeView
 
 

@@ -6,11 +6,11 @@ from typing import Any
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
-from skinsource_gui.panels.skin.colour_bar import ColourBar
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_readout import selection_readout
 from skinsource_gui.panels.skin.note_line import NoteLine
 from skinsource_gui.panels.skin.readout_lines import ReadoutLines
+from skinsource_gui.panels.skin.scale.colour_bar import ColourBar
 from skinsource_gui.panels.skin.skin_map import SkinMap
 from skinsource_gui.panels.skin.still_values import in_short
 from skinsource_gui.theme import LIGHT, Theme

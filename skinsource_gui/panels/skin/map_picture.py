@@ -10,11 +10,11 @@ from skinsource.design import Design
 from skinsource.limb import LimbMap
 from skinsource.own_limbs import facts_of
 from skinsource.view import View
-from skinsource_gui.panels.skin.colour_scale import paint_colour_scale
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_painter import MapPainter, small_font
 from skinsource_gui.panels.skin.map_quantity import SENSATION, MapQuantity
 from skinsource_gui.panels.skin.map_words import paint_words
+from skinsource_gui.panels.skin.scale.colour_scale import paint_colour_scale
 from skinsource_gui.panels.skin.stage.map_layout import ALL, MapLayout, SeenPart, map_layout
 from skinsource_gui.theme import Theme, tabular
 from skinsource_gui.widgets.kept_picture import PaintedAnew

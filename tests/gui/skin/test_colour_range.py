@@ -5,9 +5,9 @@ from PySide6.QtGui import QFontMetrics
 from PySide6.QtTest import QTest
 
 from skinsource.map_range import map_range_db
-from skinsource_gui.panels.skin.colour_scale import fitting_title
-from skinsource_gui.panels.skin.level_range import tick_levels
 from skinsource_gui.panels.skin.map_quantity import MapQuantity
+from skinsource_gui.panels.skin.scale.colour_scale import fitting_title
+from skinsource_gui.panels.skin.scale.level_range import tick_levels
 from tests.gui.skin.bench import (
     CONTROL,
     LEFT,

@@ -5,8 +5,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from skinsource.choice_words import TRIAD_SENTENCE
-from skinsource_gui.panels.skin.colour_strip import ColourStrip
 from skinsource_gui.panels.skin.map_picture import heading_of
+from skinsource_gui.panels.skin.scale.colour_strip import ColourStrip
 from skinsource_gui.theme import DARK, LIGHT
 from tests.gui.skin.bench import LEFT, pixel, place
 

@@ -12,8 +12,8 @@ from skinsource.decibels import decibels
 from skinsource.map_range import map_range_db
 from skinsource.rendering.in_time import Moving, SlidingEnergy, block_of
 from skinsource.view import View
-from skinsource_gui.panels.skin.level_range import Range
 from skinsource_gui.panels.skin.map_quantity import MAGNITUDE, RMS, MapQuantity, Z
+from skinsource_gui.panels.skin.scale.level_range import Range
 from skinsource_gui.panels.skin.settings import SkinSettings
 
 #: What each quantity is made from.

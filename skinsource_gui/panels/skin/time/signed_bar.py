@@ -5,10 +5,10 @@ from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from skinsource.fields import NumberSpec
-from skinsource_gui.panels.skin.colour_scale import paint_colour_scale
-from skinsource_gui.panels.skin.level_range import Range
 from skinsource_gui.panels.skin.map_painter import small_font
 from skinsource_gui.panels.skin.map_quantity import MapQuantity, Z
+from skinsource_gui.panels.skin.scale.colour_scale import paint_colour_scale
+from skinsource_gui.panels.skin.scale.level_range import Range
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.kept_picture import KeptPicture

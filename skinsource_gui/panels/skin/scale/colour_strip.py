@@ -1,10 +1,9 @@
 """A colour scale whose ends can be dragged."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from functools import reduce
 
-from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QKeyEvent,
@@ -17,88 +16,29 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QWidget
 
-from skinsource_gui.panels.skin.colour_scale import level_y, paint_colour_scale
-from skinsource_gui.panels.skin.level_range import SILENT_RANGE, Range, moved, with_high, with_low
 from skinsource_gui.panels.skin.map_painter import small_font
 from skinsource_gui.panels.skin.map_quantity import MapQuantity
+from skinsource_gui.panels.skin.scale.colour_scale import level_y, paint_colour_scale
+from skinsource_gui.panels.skin.scale.level_range import (
+    SILENT_RANGE,
+    Range,
+    moved,
+    with_high,
+    with_low,
+)
+from skinsource_gui.panels.skin.scale.pulled_range import Change, PulledRange
+from skinsource_gui.panels.skin.scale.range_handle import (
+    HANDLE_HEIGHT,
+    HANDLE_WIDTH,
+    RangeHandle,
+    key_step_db,
+)
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.kept_picture import KeptPicture
-from skinsource_gui.widgets.key_tables.key_table import meant
 from skinsource_gui.widgets.map.colour_maps import VIRIDIS, colour_table
 
 _RAMP_LEFT, _RAMP_WIDTH = 10, 14
-_HANDLE_WIDTH, _HANDLE_HEIGHT = 26, 12
 _END_PX = 8
-# The scale goes on this part of its range beyond either end, so that handles can be pulled out.
-_BEYOND = 0.12
-_KEY_STEPS_DB = {
-    Qt.Key.Key_Up: 1.0,
-    Qt.Key.Key_Right: 1.0,
-    Qt.Key.Key_Down: -1.0,
-    Qt.Key.Key_Left: -1.0,
-    Qt.Key.Key_PageUp: 10.0,
-    Qt.Key.Key_PageDown: -10.0,
-}
-
-Change = Callable[[Range, float], Range]
-
-
-class RangeHandle(QWidget):
-    """One end of the scale: dragged, or moved with the arrow keys."""
-
-    #: How far it was pulled since the press, px, upwards.
-    pulled = Signal(float)
-    pressed = Signal()
-    released = Signal()
-    #: A step by a key, dB.
-    stepped = Signal(float)
-
-    def __init__(self, name: str, words: str, parent: QWidget) -> None:
-        super().__init__(parent)
-        self._theme = LIGHT
-        self._grip: QPoint | None = None
-        self.setObjectName(name)
-        self.setAccessibleName(words)
-        self.setToolTip(f"{words}: drag, or arrow keys (Ctrl: 0.1 dB)")
-        self.setFixedSize(_HANDLE_WIDTH, _HANDLE_HEIGHT)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setCursor(Qt.CursorShape.SizeVerCursor)
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        edge = self._theme.accent if self.hasFocus() else self._theme.dim
-        painter.setPen(QPen(QColor(edge), 2.0 if self.hasFocus() else 1.2))
-        painter.setBrush(QColor(self._theme.raised))
-        painter.drawRoundedRect(QRectF(self.rect()).adjusted(1.5, 2, -1.5, -2), 3, 3)
-        painter.drawLine(QPointF(9, self.height() / 2), QPointF(17, self.height() / 2))
-        painter.end()
-
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        if event.button() == Qt.MouseButton.LeftButton:
-            self._grip = event.globalPosition().toPoint()
-            self.pressed.emit()
-
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if self._grip is not None:
-            self.pulled.emit(float(self._grip.y() - event.globalPosition().toPoint().y()))
-
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        if self._grip is not None:
-            self._grip = None
-            self.released.emit()
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        step = key_step_db(event)
-        if step:
-            self.stepped.emit(step)
-        else:
-            super().keyPressEvent(event)
 
 
 class ColourStrip(QWidget):
@@ -114,11 +54,9 @@ class ColourStrip(QWidget):
         super().__init__(parent)
         self._theme = LIGHT
         self._colours = VIRIDIS
-        self._range: Range = SILENT_RANGE
-        self._axis = _axis_of(self._range)
+        self._pulled = PulledRange(SILENT_RANGE)
         self._marks: tuple[tuple[float, QColor], ...] = ()
         self._quantity = MapQuantity()
-        self._at_press: Range | None = None
         self._grip_y: float | None = None
         self._scale = KeptPicture()
         self.setObjectName("colour_strip")
@@ -140,10 +78,8 @@ class ColourStrip(QWidget):
 
     def show_range(self, range_db: Range) -> None:
         """Show a range; the scale stays where it is while a handle is dragged."""
-        if range_db != self._range:
-            self._range = range_db
-            if self._at_press is None:
-                self._axis = _axis_of(range_db)
+        if range_db != self._pulled.range_db:
+            self._pulled.show(range_db)
             self._place_handles()
 
     def show_marks(self, marks: tuple[tuple[float, QColor], ...]) -> None:
@@ -175,7 +111,8 @@ class ColourStrip(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(tabular(small_font(self.font())))
         ramp = self._ramp()
-        scale = (self._axis, self._range, self._theme, self._quantity, self._colours)
+        pulled = self._pulled
+        scale = (pulled.axis_db, pulled.range_db, self._theme, self._quantity, self._colours)
         ground = self.palette().window().color()
         self._scale.paint(painter, QRectF(self.rect()), scale, self._paint_scale, ground)
         painter.setPen(QPen(QColor(self._theme.base), 0.5))
@@ -195,15 +132,15 @@ class ColourStrip(QWidget):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
             self._grip_y = event.position().y()
-            self._start_drag()
+            self._pulled.hold()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if self._grip_y is not None:
-            self._drag(moved, self._grip_y - event.position().y())
+            self._pull(moved, self._grip_y - event.position().y())
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         self._grip_y = None
-        self._end_drag()
+        self._let_go()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         self.range_chosen.emit(None)
@@ -211,12 +148,12 @@ class ColourStrip(QWidget):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         step = key_step_db(event)
         if step:
-            self.range_chosen.emit(moved(self._range, step))
+            self.range_chosen.emit(moved(self._pulled.range_db, step))
         else:
             super().keyPressEvent(event)
 
     def _paint_scale(self, painter: QPainter) -> None:
-        axis, levels, theme = self._axis, self._range, self._theme
+        axis, levels, theme = self._pulled.axis_db, self._pulled.range_db, self._theme
         table = colour_table(self._colours)
         paint_colour_scale(painter, self._ramp(), axis, levels, table, theme, self._quantity)
 
@@ -227,33 +164,25 @@ class ColourStrip(QWidget):
         def pull(by_db: Range, pulled_db: float) -> Range:
             return change_end(by_db, by_db[end] + pulled_db)
 
-        handle.pressed.connect(self._start_drag)
-        handle.released.connect(self._end_drag)
-        handle.pulled.connect(lambda px: self._drag(pull, px))
-        handle.stepped.connect(lambda db: self.range_chosen.emit(pull(self._range, db)))
+        handle.pressed.connect(self._pulled.hold)
+        handle.released.connect(self._let_go)
+        handle.pulled.connect(lambda px: self._pull(pull, px))
+        handle.stepped.connect(lambda db: self.range_chosen.emit(pull(self._pulled.range_db, db)))
         return handle
 
-    def _start_drag(self) -> None:
-        self._at_press = self._range
+    def _pull(self, change: Change, up_px: float) -> None:
+        wanted = self._pulled.pulled(change, up_px / self._ramp().height())
+        if wanted is not None:
+            self.range_chosen.emit(wanted)
 
-    def _drag(self, change: Change, up_px: float) -> None:
-        if self._at_press is None:
-            return
-        low, high = self._axis
-        by_db = round(up_px * (high - low) / self._ramp().height(), 1)
-        if by_db or self._range != self._at_press:
-            low, high = change(self._at_press, by_db)
-            self.range_chosen.emit((round(low, 1), round(high, 1)))
-
-    def _end_drag(self) -> None:
-        self._at_press = None
-        self._axis = _axis_of(self._range)
+    def _let_go(self) -> None:
+        self._pulled.let_go()
         self._place_handles()
 
     def _mark_at(self, level_db: float) -> QPolygonF:
         """A triangle beside the ramp."""
         ramp = self._ramp()
-        y = min(max(level_y(level_db, self._axis, ramp), ramp.top()), ramp.bottom())
+        y = min(max(level_y(level_db, self._pulled.axis_db, ramp), ramp.top()), ramp.bottom())
         tip, back = ramp.left() - 1, ramp.left() - 8
         return QPolygonF([QPointF(tip, y), QPointF(back, y - 4), QPointF(back, y + 4)])
 
@@ -263,28 +192,9 @@ class ColourStrip(QWidget):
 
     def _place_handles(self) -> None:
         ramp = self._ramp()
-        left = round(ramp.center().x() - _HANDLE_WIDTH / 2)
-        for handle, level in ((self.low, self._range[0]), (self.high, self._range[1])):
-            y = level_y(level, self._axis, ramp)
+        left = round(ramp.center().x() - HANDLE_WIDTH / 2)
+        for handle, level in zip((self.low, self.high), self._pulled.range_db, strict=True):
+            y = level_y(level, self._pulled.axis_db, ramp)
             y = min(max(y, ramp.top()), ramp.bottom())
-            handle.move(left, round(y - _HANDLE_HEIGHT / 2))
+            handle.move(left, round(y - HANDLE_HEIGHT / 2))
         self.update()
-
-
-def _axis_of(range_db: Range) -> Range:
-    """Levels of the ends of the scale."""
-    low, high = range_db
-    beyond = max(_BEYOND * (high - low), 2.0)
-    return low - beyond, high + beyond
-
-
-def key_step_db(event: QKeyEvent) -> float:
-    """Step that a key asks for, dB; 0 for none."""
-    if not meant("colour_bar", event):
-        return 0.0
-    step = _KEY_STEPS_DB[Qt.Key(event.key())]
-    if event.modifiers() & Qt.KeyboardModifier.ControlModifier:
-        return step / 10
-    if event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
-        return step * 5
-    return step

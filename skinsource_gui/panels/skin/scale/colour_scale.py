@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QImage, QPainter, QPen
 
-from skinsource_gui.panels.skin.level_range import Range, tick_levels
 from skinsource_gui.panels.skin.map_quantity import MapQuantity
+from skinsource_gui.panels.skin.scale.level_range import Range, tick_levels
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.level_text import minus
 

@@ -9,9 +9,9 @@ from PySide6.QtGui import QColor, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from skinsource.map_range import MAP_RANGE_DB, MAP_ROUND_TO_DB, map_range_db
-from skinsource_gui.panels.skin.colour_strip import ColourStrip
-from skinsource_gui.panels.skin.level_field import high_field, low_field
-from skinsource_gui.panels.skin.level_range import (
+from skinsource_gui.panels.skin.scale.colour_strip import ColourStrip
+from skinsource_gui.panels.skin.scale.level_field import high_field, low_field
+from skinsource_gui.panels.skin.scale.level_range import (
     SILENT_RANGE,
     Range,
     pushed_high,
