@@ -75,7 +75,7 @@ def _hint(row: Row, column: int) -> str:
         return sentence(found)
     if found is None or found.agreement is None or _COLUMNS[column][0] != "Channels":
         return ""
-    return sentence(found.noise_words)
+    return f"{found.noise_words[0].upper()}{found.noise_words[1:]}"
 
 
 def _texts(row: Row) -> list[str]:

@@ -65,7 +65,7 @@ def test_designs_are_checked_against_recordings_of_other_rates_and_reported(page
     assert [round(float(label), -1) for label, _ in page.boxes[2].groups] == [50.0, 100.0]
     channels = page.list.table.item(0, 5)
     assert channels.text() == "216 of 216"
-    assert "noise from before the response" in channels.toolTip().lower()
+    assert channels.toolTip() == "Noise from before the response in the recording"
     assert "above 0.5" in page.words.text()
     for box in page.boxes:
         assert not box.message
