@@ -1,16 +1,22 @@
 """A snapshot and what is predicted for it."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from skinsource.comparing import EDITED, Snapshot
+from skinsource.comparing import EDITED, Snapshot, match_words
+from skinsource.decibels import FLOOR_DB
+from skinsource.design import Design
+from skinsource.view import View
 
 #: What is said where designs are shown as loud as each other.
 LEVELS_MATCHED = "levels matched"
+#: What stands where one would be shown that drives nothing.
+SILENT = "Silent: nothing is driven"
 #: Why two designs have no difference map.
+SILENCE = "One of them is silent: there is no difference in dB."
 ELSEWHERE = "Their limbs have their outputs at other places: there is no difference."
 
 
@@ -45,6 +51,24 @@ class Compared:
     def name(self) -> str:
         """What a card calls it."""
         return "Edited" if self.snapshot.number == EDITED else str(self.snapshot.number)
+
+
+def is_silent(compared: Compared) -> bool:
+    """Whether it is known that nothing moves: no other one can be matched to it, or minus it."""
+    values = compared.values
+    return values is not None and float(np.max(values["output_levels_db"])) <= FLOOR_DB
+
+
+def alike_in_level(compared: Sequence[Compared], *, matched: bool) -> bool:
+    """Whether designs that shall be ``matched`` are: what they are matched to has a level."""
+    first = min(compared, key=lambda one: one.snapshot.number, default=None)
+    return matched and first is not None and not (is_silent(first) or first.problem)
+
+
+def shown_words(design: Design | None, view: View) -> str:
+    """What is said where the design in the window is shown louder or softer than it is."""
+    words = "" if design is None else match_words(view.match_gain(design))
+    return f"{words[:1].lower()}{words[1:]}"
 
 
 def gain_db(compared: Compared) -> float:

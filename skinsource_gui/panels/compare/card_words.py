@@ -6,7 +6,7 @@ from skinsource.choice_words import short_limb_title
 from skinsource.comparing import EDITED, alike, gain_words, louder, loudest_db
 from skinsource.decibels import FLOOR_DB
 from skinsource.quoting import printable
-from skinsource_gui.compared import LEVELS_MATCHED, Compared, gain_db
+from skinsource_gui.compared import LEVELS_MATCHED, Compared, alike_in_level, gain_db
 from skinsource_gui.widgets.fields.level_text import minus
 
 #: Levels that differ by less are shown as the same.
@@ -44,10 +44,10 @@ def matching_words(compared: Sequence[Compared], *, matched: bool) -> str:
         return ""
     if not matched:
         return "As loud as they were stored"
-    silent = played_db(known[0])
-    if silent is not None and silent <= FLOOR_DB:
-        words = title(known[0])
-        return f"{words[:1].upper()}{words[1:]} is silent: levels cannot be matched to it"
+    if not alike_in_level(compared, matched=matched):
+        name = title(compared[0])
+        why = "cannot be predicted" if compared[0].problem else "is silent"
+        return f"{name[:1].upper()}{name[1:]} {why}: levels cannot be matched to it"
     return f"Alike at the loudest output: {level_words(known[0])[:-3]} {_UNIT}"
 
 

@@ -30,7 +30,14 @@ from skinsource.comparing import (
 from skinsource.design import Design
 from skinsource.map_range import map_range_db
 from skinsource.view import View
-from skinsource_gui.compared import ELSEWHERE, Compared, gain_db
+from skinsource_gui.compared import (
+    ELSEWHERE,
+    SILENCE,
+    Compared,
+    alike_in_level,
+    gain_db,
+    is_silent,
+)
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.compare.card import Card
 from skinsource_gui.panels.compare.card_words import (
@@ -183,8 +190,11 @@ class ComparePanel(Panel):
             return Difference(words="" if other is None else other.problem or present.problem)
         if not same_outputs(other.snapshot.design.limb, present.snapshot.design.limb):
             return Difference(words=ELSEWHERE)
+        if is_silent(other) != is_silent(present):
+            return Difference(words=SILENCE)
         minus = self._minus(present, other)
-        heading, words = difference_words(present, other, matched=self._view.levels_matched)
+        matched = alike_in_level(compared, matched=self._view.levels_matched)
+        heading, words = difference_words(present, other, matched=matched)
         if minus.levels_db is not None and np.abs(minus.levels_db).max() < LEAST_DB:
             heading, words = equal_words(present, other)
         if present.values["limb_data"].synthetic or other.values["limb_data"].synthetic:

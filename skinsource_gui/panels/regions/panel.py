@@ -19,7 +19,7 @@ from skinsource.comparing import limbs_beside
 from skinsource.design import Design
 from skinsource.limb import PUBLISHED
 from skinsource.view import View
-from skinsource_gui.compared import LEVELS_MATCHED, Compared
+from skinsource_gui.compared import LEVELS_MATCHED, Compared, alike_in_level, shown_words
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.regions.columns import (
     NO_REGIONS,
@@ -99,7 +99,9 @@ class RegionsPanel(Panel):
             self._say_about()
             return
         words = signal_words(view.axes, view.method)
-        self._about = f"RMS in dB, {words} · {span_words(view.span)} · no sensor on the palm"
+        people = shown_words(design, view)
+        parts = f"RMS in dB, {words}", span_words(view.span), "no sensor on the palm"
+        self._about = " · ".join([*parts, *([f"people: {people}"] if people else [])])
         self._say_about()
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
@@ -126,7 +128,8 @@ class RegionsPanel(Panel):
         self.about.show_theme(theme)
 
     def _show_columns(self) -> None:
-        stored = columns_of(self._snapshots, matched=self._matched)
+        matched = alike_in_level(self._snapshots, matched=self._matched)
+        stored = columns_of(self._snapshots, matched=matched)
         people = columns_of_people(self._on_limbs)
         self.columns = [*stored, *people]
         self.stored.show_columns(stored)

@@ -10,7 +10,7 @@ from skinsource.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.arrays import Floats
 from skinsource.comparing import difference_db, end_db, mean_and_spread_over, same_outputs
 from skinsource.map_range import map_range_db
-from skinsource_gui.compared import ELSEWHERE, Compared, gain_db
+from skinsource_gui.compared import ELSEWHERE, SILENCE, Compared, gain_db, is_silent
 from skinsource_gui.panels.side_by_side.content import Cell
 from skinsource_gui.widgets.map.colour_maps import DIVERGING
 from skinsource_gui.widgets.map.scale_row import Scale
@@ -66,15 +66,19 @@ class Cells:
         limb = _limb(base)
         pairs = zip(compared, names, strict=True)
         alike = [(one, words) for one, words in pairs if same_outputs(limb, _limb(one))]
-        known = [one for one, _ in alike if one.values is not None]
+        # Silence is no level that others could lie about.
+        felt = [(one, words) for one, words in alike if one.values and not is_silent(one)]
+        known = [one for one, _ in felt]
         # A mean of those that happen to be known already would change by itself.
         computing = any(one.values is None and not one.problem for one, _ in alike)
         if base.values is None or computing or len(known) < 2:
-            few = "A mean takes two at least that have outputs at the same places."
-            problem = next((one.problem for one, _ in alike if one.problem), few)
+            few = (
+                "A mean takes two at least that are not silent and have outputs at the same places."
+            )
+            problem = base.problem or next((one.problem for one, _ in alike if one.problem), few)
             return (Cell(headings=("",), limb=limb, words="" if computing else problem),)
         mean, spread = mean_and_spread_over([_levels_db(one) for one in known])
-        called = [words for one, words in alike if one.values is not None]
+        called = [words for _, words in felt]
         what = _of_all(called, len(compared))
         late = any(one.late for one in known)
         noisy = _noisy(*known)
@@ -108,10 +112,14 @@ class Cells:
 
     def _difference(self, one: Compared, headings: Names, base: Compared) -> Cell:
         cell = Cell(headings=headings, limb=_limb(one), late=one.late or base.late)
+        if problem := one.problem or base.problem:
+            return replace(cell, words=problem)
         if not same_outputs(_limb(one), _limb(base)):
             return replace(cell, words=ELSEWHERE)
         if one.values is None or base.values is None:
-            return replace(cell, words=one.problem or base.problem)
+            return cell
+        if is_silent(one) or is_silent(base):
+            return replace(cell, words=SILENCE)
         levels = difference_db(_levels_db(one), _levels_db(base))
         both = _synthetic(one) or _synthetic(base)
         small = self._map(headings[0], one, levels, _noisy(one, base))

@@ -3,18 +3,14 @@
 from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar
 
-import numpy as np
-
 from skinsource.choice_words import signal_words, span_words
-from skinsource.decibels import FLOOR_DB
 from skinsource.design import Design
 from skinsource.view import View
-from skinsource_gui.compared import Compared
+from skinsource_gui.compared import SILENT, Compared, is_silent, shown_words
 from skinsource_gui.panels.side_by_side.cells import Cells, Names
 from skinsource_gui.panels.side_by_side.content import Cell
 from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 
-SILENT = "Silent: nothing is driven"
 #: What a map of levels takes.
 LEVELS = frozenset(
     {
@@ -70,13 +66,14 @@ class Kind:
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
         """Why nothing can be compared, in a sentence; empty where something can."""
         del view
-        known = [one.values["output_levels_db"] for one in compared if one.values is not None]
-        silent = bool(known) and all(float(np.max(levels)) <= FLOOR_DB for levels in known)
-        return SILENT if silent else ""
+        known = [one for one in compared if one.values is not None]
+        return SILENT if known and all(is_silent(one) for one in known) else ""
 
-    def about(self, view: View) -> str:
+    def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
         """What the levels are."""
-        return f"RMS of {signal_words(view.axes, view.method)} · {span_words(view.span)}"
+        del compared
+        words = f"RMS of {signal_words(view.axes, view.method)} · {span_words(view.span)}"
+        return " · ".join(part for part in (words, shown_words(design, view)) if part)
 
     def drawn(
         self,

@@ -7,7 +7,7 @@ from skinsource.choice_words import span_words
 from skinsource.comparing import Snapshot
 from skinsource.design import Design
 from skinsource.view import View
-from skinsource_gui.compared import Compared
+from skinsource_gui.compared import Compared, shown_words
 from skinsource_gui.panels.side_by_side.cells import Names
 from skinsource_gui.panels.side_by_side.kind import Kind
 
@@ -45,5 +45,6 @@ class OfAxes(Kind):
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
         return [(f"Along {one.axes}", one.axes) for one in compared]
 
-    def about(self, view: View) -> str:
-        return f"RMS along each axis of the sensors · {span_words(view.span)}"
+    def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
+        words = f"RMS along each axis of the sensors · {span_words(view.span)}"
+        return " · ".join(part for part in (words, shown_words(design, view)) if part)

@@ -41,4 +41,6 @@ class OfLimbs(Kind):
         return found.index(True) if True in found else 0
 
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
-        return ALONE if len(compared) == 1 else super().hindrance(compared, view)
+        if len(compared) == 1:
+            return compared[0].problem or ALONE
+        return super().hindrance(compared, view)

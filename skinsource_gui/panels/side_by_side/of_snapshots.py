@@ -10,7 +10,7 @@ from skinsource.limb import Axes
 from skinsource.own_limbs import axes_on
 from skinsource.quoting import printable
 from skinsource.view import View
-from skinsource_gui.compared import LEVELS_MATCHED, Compared
+from skinsource_gui.compared import LEVELS_MATCHED, Compared, alike_in_level
 from skinsource_gui.panels.side_by_side.cells import Names
 from skinsource_gui.panels.side_by_side.kind import LEVELS, Kind
 
@@ -35,9 +35,11 @@ class OfSnapshots(Kind):
             return nothing_to_compare(view.snapshots)
         return super().hindrance(compared, view)
 
-    def about(self, view: View) -> str:
-        words = super().about(view)
-        return f"{words} · {LEVELS_MATCHED}" if view.levels_matched else words
+    def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
+        # Each has its own gain.
+        words = super().about(compared, None, view)
+        matched = alike_in_level(compared, matched=view.levels_matched)
+        return f"{words} · {LEVELS_MATCHED}" if matched else words
 
 
 def snapshot_names(

@@ -161,7 +161,7 @@ class SideBySidePanel(Panel):
             cells=cells,
             outputs=view.outputs,
             message=message,
-            about=kind.about(view),
+            about=kind.about(compared, design, view),
         )
         self._lateness.set_stale(self._stale if kind.own else content.late)
         self.copy.setEnabled(any(cell.small is not None for cell in content.cells))

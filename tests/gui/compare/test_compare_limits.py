@@ -1,10 +1,13 @@
 """Snapshots that cannot be predicted yet, or that are silent."""
 
+from dataclasses import replace
+
 import pytest
 from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication
 
 from skinsource.design import Design, track
+from skinsource_gui.compared import SILENCE
 from skinsource_gui.panels.compare.card_words import matching_words
 
 
@@ -37,6 +40,17 @@ def test_a_snapshot_on_a_limb_that_was_missing_is_predicted_once_it_is_installed
     assert card(panel, 1).compared.values is not None
 
 
+def test_what_cannot_be_predicted_is_not_said_to_be_as_loud(window, settle, panel):
+    here = window.document.design
+    window.do("store_snapshot_2")
+    window.document.edit("a", replace(here, inputs=(track(18),)))
+    window.do("store_snapshot_3")
+    window.document.edit("b", Design(limb="measured-2", inputs=(track(7),)))
+    window.do("store_snapshot_1")
+    settle()
+    assert panel.words.text() == "Snapshot 1 cannot be predicted: levels cannot be matched to it"
+
+
 def test_what_is_silent_is_not_said_to_be_as_loud(window, settle, panel):
     window.document.edit("a", Design(limb="synthetic-1"))
     window.do("store_snapshot_1")
@@ -46,4 +60,7 @@ def test_what_is_silent_is_not_said_to_be_as_loud(window, settle, panel):
     words = panel.words.text()
     assert "sil " not in words
     assert words == "Snapshot 1 is silent: levels cannot be matched to it"
+    # 60 dB below the other one, as if that were its level, would be said of it.
+    assert panel.map.difference.shown is None
+    assert panel.map.difference.words == SILENCE
     assert matching_words((), matched=True) == ""

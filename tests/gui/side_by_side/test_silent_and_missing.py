@@ -1,0 +1,95 @@
+"""Sides that are silent, or cannot be predicted, and a design that is shown with a gain."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from skinsource.design import Design, track
+from skinsource.panel_settings import settings_of, with_settings
+from skinsource_gui.compared import SILENCE
+from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
+from tests.gui.compare.compare_bench import levels, two_places
+
+
+@pytest.fixture
+def choose(window, settle):
+    """Choose what stands side by side; return the panel."""
+    window.docks["side_by_side"].bring_forward()
+
+    def chosen(**changes):
+        view = window.document.view
+        settings = replace(settings_of(view, "side_by_side", SideBySideSettings), **changes)
+        window.document.look(with_settings(view, "side_by_side", settings))
+        settle()
+        return window.panel("side_by_side")
+
+    return chosen
+
+
+@pytest.fixture
+def one_silent(window, settle):
+    """Two snapshots that sound; what is edited does not."""
+    window.do("store_snapshot_1")
+    two_places(window)
+    window.do("store_snapshot_2")
+    window.document.edit("Remove all", Design(limb="synthetic-1"))
+    settle()
+    return [one.design for one in window.document.view.snapshots]
+
+
+def test_between_silence_and_sound_there_is_no_difference(choose, one_silent):
+    panel = choose(of="snapshots", shown="difference")
+    assert [cell.words for cell in panel.maps.content.cells] == [SILENCE, SILENCE]
+    assert all(cell.small is None for cell in panel.maps.content.cells)
+
+
+def test_silence_is_no_level_that_a_mean_is_over(choose, one_silent):
+    mean, spread = choose(of="snapshots", shown="mean").maps.content.cells
+    felt = np.array([levels(one) for one in one_silent])
+    felt = np.maximum(felt, felt.max() - 60.0)
+    np.testing.assert_allclose(mean.values_db, felt.mean(axis=0), atol=1e-9)
+    np.testing.assert_allclose(spread.values_db, felt.std(axis=0, ddof=1), atol=1e-9)
+    assert mean.headings[-2] == "Mean of 2 of 3"
+
+
+def test_what_is_matched_to_silence_is_not_said_to_be_matched(choose, one_silent, window, settle):
+    assert "matched" not in choose(of="snapshots", shown="levels").maps.content.about
+    window.docks["regions"].bring_forward()
+    settle()
+    assert "matched" not in window.panel("regions").about.text
+
+
+def test_a_limb_that_is_not_here_is_the_reason_that_is_given(choose, window, settle):
+    window.do("store_snapshot_1")
+    window.document.edit("Limb", Design(limb="lab-nowhere", inputs=(track(7),)))
+    settle()
+    assert "lab-nowhere" in choose(of="limbs").maps.content.message
+    (cell,) = choose(of="snapshots", shown="difference").maps.content.cells
+    assert "lab-nowhere" in cell.words
+    assert "is not available" in cell.words
+    (cell,) = choose(of="snapshots", shown="mean").maps.content.cells
+    assert "is not available" in cell.words
+
+
+def test_a_design_that_is_shown_with_a_gain_has_it_on_every_limb_and_axis(choose, window, settle):
+    window.do("store_snapshot_1")
+    two_places(window)
+    window.do("store_snapshot_2")
+    for _ in range(2):
+        window.do("toggle_snapshots")
+        settle()
+    design = window.document.design
+    gain_db = 20 * np.log10(window.document.view.match_gain(design))
+    panel = choose(of="limbs", shown="levels")
+    for number, cell in enumerate(panel.maps.content.cells, 1):
+        stored = levels(replace(design, limb=f"synthetic-{number}"))
+        np.testing.assert_allclose(cell.values_db, stored + gain_db, atol=1e-9)
+    said = "levels of snapshots matched"
+    assert said in panel.maps.content.about
+    assert said in choose(of="axes").maps.content.about
+    window.docks["regions"].bring_forward()
+    settle()
+    assert f"people: shown {gain_db:.1f} dB".replace("-", "\N{MINUS SIGN}") in (
+        window.panel("regions").about.text
+    )
