@@ -20,8 +20,8 @@ from skinsource_gui.theme import Theme, tabular
 from skinsource_gui.widgets.kept_picture import PaintedAnew
 from skinsource_gui.widgets.map.colour_maps import colour_table
 
-# Lines of text in the height of the picture, and the limits of a line, px.
-_LINES = 48
+# Lines of text in the height of the picture, also of one that is wide; the limits of a line, px.
+_LINES, _WIDE_LINES = 48, 32
 _SMALLEST_FONT_PX, _LARGEST_FONT_PX = 9, 64
 # Each part of a heading may take this part of the height; where it needs more, its font shrinks.
 _HEADING_LINE = 0.06
@@ -81,7 +81,9 @@ def paint_picture(
     whole = QRectF(0, 0, size.width(), size.height())
     painter.fillRect(whole, QColor(theme.base))
     font = QFont(family)
-    pixels = min(whole.height() / _LINES, whole.width() / _LINES * 1.6)
+    # The map is narrow: where the picture is wide, as a slide is, words have more room.
+    lines = _LINES if whole.width() <= whole.height() else _WIDE_LINES
+    pixels = min(whole.height() / lines, whole.width() / _LINES * 1.6)
     font.setPixelSize(round(min(max(pixels, _SMALLEST_FONT_PX), _LARGEST_FONT_PX)))
     font = tabular(font)
     line = QFontMetricsF(font).height()

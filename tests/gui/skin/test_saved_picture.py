@@ -85,3 +85,12 @@ def test_pictures_of_lines_look_like_those_of_pixels(window, tmp_path):
     # 600 x 900 px at 96 to the inch, in points.
     box = re.search(rb"/MediaBox \[([\d. ]+)\]", pdf)
     assert [float(side) for side in box[1].split()] == pytest.approx([0, 0, 450, 675], abs=1)
+
+
+@pytest.mark.parametrize(("size", "least_px"), [((1280, 720), 20), ((336, 504), 9)])
+def test_words_on_a_slide_are_read_from_afar(window, tmp_path, size, least_px):
+    save_drawing(tmp_path / "a.svg", window.panel.draw_picture, *size)
+    drawing = (tmp_path / "a.svg").read_text("utf-8")
+    sizes = [float(one) for one in re.findall(r'<text[^>]*font-size="([\d.]+)"', drawing)]
+    assert max(sizes) >= least_px
+    assert min(sizes) >= 0.7 * least_px
