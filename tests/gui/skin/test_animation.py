@@ -54,6 +54,32 @@ def test_a_file_holds_every_frame_in_its_order(tmp_path, ending):
     assert frames_of(path, 64 * 48) == pytest.approx(greys, abs=6)
 
 
+@pytest.mark.parametrize("ending", [".mp4", ".webm", ".gif"])
+def test_frames_are_written_as_they_come_and_not_all_held_until_the_end(tmp_path, qtbot, ending):
+    noise = np.random.default_rng(1).integers(0, 255, (8, 96, 128, 3), np.uint8)
+    with video_file(tmp_path / f"a{ending}", (128, 96), "", never) as add:
+        for number in range(240):
+            add(noise[number % 8])
+        [part] = tmp_path.iterdir()
+        qtbot.waitUntil(lambda: part.stat().st_size > 0, timeout=30_000)
+
+
+def test_colours_of_a_gif_that_come_late_are_those_of_the_bar(tmp_path):
+    frame = np.zeros((64, 64, 3), np.uint8)
+    frame[:, -8:] = (4 * np.arange(64))[:, None, None]  # a colour bar
+    with video_file(tmp_path / "a.gif", (64, 64), "", never) as add:
+        for _ in range(60):
+            add(frame)
+        for grey in (100, 200):
+            late = frame.copy()
+            late[:, :-8] = grey
+            add(late)
+    *_, first, second = frames_of(tmp_path / "a.gif", 64 * 64)
+    bar = 8 * 126.0
+    assert first == pytest.approx((56 * 100 + bar) / 64, abs=2.0)
+    assert second == pytest.approx((56 * 200 + bar) / 64, abs=2.0)
+
+
 def test_what_is_no_animation_is_refused_and_nothing_is_left(tmp_path):
     with pytest.raises(InvalidInputError, match=r"a\.avi.*\.mp4, \.webm, \.gif"):
         export_animation(tmp_path / "a.avi", DESIGN, VIEW)

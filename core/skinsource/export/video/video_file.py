@@ -43,14 +43,16 @@ _KINDS = {
         codec="libvpx-vp9",
         options=("-crf", "24", "-b:v", "0", "-row-mt", "1", "-cpu-used", "4"),
     ),
-    # A GIF counts in hundredths of a second; its colours are chosen for the whole of it.
+    # A GIF counts in hundredths of a second.  Its colours are those of its first second, in which
+    # the colour bar stands: of all frames, an encoder would hold them all until the end.
     ".gif": _Kind(
         frames_per_s=50,
         format="gif",
         codec="gif",
         options=(
             "-filter_complex",
-            "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=none",
+            "split[a][b];[a]trim=end_frame=50,palettegen=stats_mode=full[p];"
+            "[b][p]paletteuse=dither=none",
         ),
     ),
 }

@@ -1,6 +1,7 @@
 """Where the parts of the map lie on the screen."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSizeF
@@ -162,7 +163,7 @@ def map_layout(limb_map: LimbMap, frame: Frame, room: QRectF, metrics: QFontMetr
                 card.center().x() + aside * 0.95 * line,
                 card.top() + (2.1 + 1.75 * row) * line,
             )
-    spacing = smallest_spacing(limb_map.output_positions) * frame.scale
+    spacing = smallest_spacing(limb_map) * frame.scale
     return MapLayout(
         room=room,
         frame=frame,
@@ -178,8 +179,10 @@ def map_layout(limb_map: LimbMap, frame: Frame, room: QRectF, metrics: QFontMetr
     )
 
 
-def smallest_spacing(positions: Floats) -> float:
+@lru_cache(maxsize=8)
+def smallest_spacing(limb_map: LimbMap) -> float:
     """Smallest distance between two outputs on the map, in outline pixels; 0: there are no two."""
+    positions = limb_map.output_positions
     dorsal = positions[np.isfinite(positions[:, 0])]
     apart = np.linalg.norm(dorsal[:, None] - dorsal[None], axis=-1)
     return float(apart[apart > 0].min(initial=np.inf)) if apart.any() else 0.0
