@@ -13,7 +13,7 @@ from skinsource.catalogue import available_limbs, default_limb
 from skinsource.files import make_folder
 from skinsource.files.assets import user_folder
 from skinsource.keeping.crash_log import CrashLog
-from skinsource_gui.shell.ending import EndSignals
+from skinsource_gui.shell.ending import EndSignals, end_if_stuck
 from skinsource_gui.shell.first_hints import FirstHints
 from skinsource_gui.shell.garbage import take_over_collection
 from skinsource_gui.shell.screen_fit import ScreenFit
@@ -59,7 +59,8 @@ def run(path: Path | None) -> int:
     make_folder(user_folder())
     log = CrashLog(user_folder())
     log.open()
-    window = make_window(path, Preferences(settings_path()))
+    preferences = Preferences(settings_path())
+    window = make_window(path, preferences)
     ScreenFit(window).guess()
     end_signals = EndSignals(window)
 
@@ -84,4 +85,6 @@ def run(path: Path | None) -> int:
     window.engine.finished.connect(settle_soon)
     result = application.exec()
     log.close()
+    preferences.flush()
+    end_if_stuck(result)
     return result

@@ -1,9 +1,13 @@
-"""Ending the studio from outside: by a signal, as when one logs out or a terminal closes."""
+"""Ending the studio: by a signal, as when one logs out or a terminal closes, and for good."""
 
+import os
 import signal
 import socket
+import sys
 
 from PySide6.QtCore import QObject, QSocketNotifier, Signal
+
+from skinsource_gui.state.playing.sound_thread import one_is_stuck
 
 _SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")
 
@@ -35,6 +39,17 @@ class EndSignals(QObject):
     def _hear(self) -> None:
         self._ours.recv(64)
         self.received.emit()
+
+
+def end_if_stuck(result: int) -> None:
+    """End the process where a device is stuck: Python, and PortAudio, would wait for it for ever.
+
+    What is to be kept must have been written.
+    """
+    if one_is_stuck():
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(result)
 
 
 def _leave_it_to_the_socket(_number: int, _frame: object) -> None:

@@ -1,15 +1,24 @@
 """One thread for all that may wait for a device."""
 
+import threading
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, wait
 from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
 
 from skinsource.errors import SkinSourceError
 
+_NAME = "skinsource-sound"
+#: How long the end waits for a device; one that is stuck may never answer.
+LONGEST_END_S = 3.0
 #: Told the result, or the error where there is none.
 Then = Callable[[Any, SkinSourceError | None], None]
+
+
+def one_is_stuck() -> bool:
+    """Whether a thread still waits for its device, though nobody plays any more."""
+    return any(one.name.startswith(_NAME) for one in threading.enumerate())
 
 
 class SoundThread(QObject):
@@ -29,18 +38,18 @@ class SoundThread(QObject):
         if self._ended:
             return
         if self._worker is None:
-            self._worker = ThreadPoolExecutor(1, thread_name_prefix="skinsource-sound")
+            self._worker = ThreadPoolExecutor(1, thread_name_prefix=_NAME)
         self._worker.submit(self._work, work, then)
 
     def end(self, last: Callable[[], Any]) -> None:
-        """Carry out ``last``, wait for it, and tell nobody anything more."""
+        """Carry out ``last``, wait for it unless the device is stuck, and tell nobody any more."""
         if self._ended:
             return
         self._ended = True
         self._landed.disconnect(self._land)
         if self._worker is not None:
-            self._worker.submit(last)
-            self._worker.shutdown(wait=True)
+            ended = wait([self._worker.submit(last)], LONGEST_END_S).done
+            self._worker.shutdown(wait=bool(ended))
             self._worker = None
 
     def _work(self, work: Callable[[], Any], then: Then) -> None:

@@ -1,0 +1,51 @@
+"""A device that never answers keeps the studio from ending for a while only."""
+
+import threading
+
+import pytest
+from PySide6.QtCore import QObject
+
+from skinsource_gui.shell import ending
+from skinsource_gui.state.playing import sound_thread
+from skinsource_gui.state.playing.sound_thread import SoundThread, one_is_stuck
+
+
+@pytest.fixture
+def device(qtbot):
+    """Answers once it is set, at the latest at the end of the test."""
+    answers = threading.Event()
+    yield answers
+    answers.set()
+    qtbot.waitUntil(lambda: not one_is_stuck())
+
+
+def test_the_end_does_not_wait_for_a_device_that_is_stuck(device, monkeypatch, qtbot):
+    monkeypatch.setattr(sound_thread, "LONGEST_END_S", 0.01)
+    parent, closed = QObject(), threading.Event()
+    thread = SoundThread(parent)
+    thread.do(device.wait, lambda *_: None)
+    thread.end(closed.set)
+    assert not closed.is_set()
+    assert one_is_stuck()
+    # One that answers after all is closed in order.
+    device.set()
+    assert closed.wait(20)
+    qtbot.waitUntil(lambda: not one_is_stuck())
+
+
+def test_the_end_waits_for_a_device_that_answers(device):
+    parent, done = QObject(), []
+    thread = SoundThread(parent)
+    thread.do(lambda: done.append("played"), lambda *_: None)
+    thread.end(lambda: done.append("closed"))
+    assert done == ["played", "closed"]
+    assert not one_is_stuck()
+
+
+@pytest.mark.parametrize("stuck", [True, False])
+def test_only_a_stuck_device_ends_the_process_at_once(monkeypatch, stuck):
+    ended = []
+    monkeypatch.setattr(ending, "one_is_stuck", lambda: stuck)
+    monkeypatch.setattr(ending.os, "_exit", ended.append)
+    ending.end_if_stuck(3)
+    assert ended == ([3] if stuck else [])
