@@ -111,6 +111,9 @@ def test_energy_outside_the_band_lights_a_lamp_and_a_band_limit_mends_it():
     assert found(design_of(tone(100.0), tone(15.0, place=8)))["band"].state == "left"
     muted = replace(tone(15.0, place=8), muted=True)
     assert found(design_of(tone(100.0), muted))["band"].state == "kept"
+    # What is not heard stays as it is.
+    beside = edits.mend(design_of(tone(15.0), muted), View(), one).design
+    assert [len(each.clips[0].effects) for each in beside.inputs] == [1, 0]
 
 
 def test_above_three_hundred_hertz_the_outputs_stand_too_far_apart():

@@ -49,3 +49,9 @@ def test_all_outputs_one_after_the_other_are_no_line():
     assert every.wave.straight < 0.5
     assert np.isnan(every.wave.speed_m_per_s)
     assert wave_words(every.wave).startswith("No speed: the selected outputs do not go one way")
+
+
+def test_one_output_above_the_noise_has_neither_speed_nor_attenuation():
+    counted = np.array([True, False, False, False])
+    words = wave_words(replace(the_wave(), counted=counted, timed=counted))
+    assert words == "fewer than two outputs are more than noise"
