@@ -19,6 +19,9 @@ from skinsource_gui.limb_page.draft import Draft
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 
 _RADIUS_PX, _DOT_PX = 8.0, 4.0
+# In a crowd a mark takes this share of the way to the nearest one of its kind, but stays to be
+# seen; numbers stand in those that are not smaller than this.
+_OF_SPACING, _CROWDED_PX, _NUMBERED_PX = 0.44, 2.0, 7.0
 _NOTHING = "Outline and places appear here. Open a photograph to click them."
 
 
@@ -116,13 +119,15 @@ class PlacesCanvas(QWidget):
         self, painter: QPainter, transform: QTransform, points: Floats, fill: QColor, radius: float
     ) -> None:
         painter.setPen(QPen(QColor(self._theme.base), 1.0))
-        for number, (x, y) in enumerate(points, start=1):
+        painter.setBrush(fill)
+        scale = abs(transform.m11())
+        radii = np.clip(_OF_SPACING * scale * spacing_of(points), _CROWDED_PX, radius)
+        for number, ((x, y), own) in enumerate(zip(points, radii, strict=True), start=1):
             if not np.isfinite((x, y)).all():
                 continue
             centre = transform.map(QPointF(x, y))
-            painter.setBrush(fill)
-            painter.drawEllipse(centre, radius, radius)
-            if radius == _RADIUS_PX:
+            painter.drawEllipse(centre, float(own), float(own))
+            if own >= _NUMBERED_PX:
                 area = QRectF(centre.x() - 12, centre.y() - 7, 24, 14)
                 painter.drawText(area, Qt.AlignmentFlag.AlignCenter, str(number))
 
@@ -150,3 +155,11 @@ class PlacesCanvas(QWidget):
         found.scale(scale, up * scale)
         found.translate(-centre.x(), -centre.y())
         return found
+
+
+def spacing_of(points: Floats) -> Floats:
+    """From each point to the nearest other one, (n,); infinite where there is none."""
+    apart = np.linalg.norm(points[:, None] - points[None], axis=-1)
+    apart[np.isnan(apart)] = np.inf
+    np.fill_diagonal(apart, np.inf)
+    return np.asarray(apart.min(axis=1, initial=np.inf))

@@ -83,7 +83,9 @@ class Draft:
         """What is still to be done, in a sentence; empty: it can be tried."""
         if self.responses is None:
             return "Choose the file of the responses."
-        if self.in_layout:
+        placed = (self.inputs, self.outputs, self.outline, self.hand)
+        if self.in_layout and self.y_down and not any(map(len, placed)):
+            # Nothing was clicked on the photograph: what the file says stands.
             return ""
         if not self.values.get("name"):
             return "Give the limb a name."
@@ -95,6 +97,8 @@ class Draft:
             n, wanted = len(getattr(self, what)), self.shape[index] if self.shape else 0
             if wanted and n != wanted:
                 return f"{n} of {wanted} {what} have a place: click them, or open a table."
+        if self.in_layout and len(self.outline) < 3:
+            return "Click the corners of the outline: the file's has another unit."
         if self.y_down and len(self.hand) != 2:
             return "Click both ends of the hand's length: fingertip and wrist."
         return ""

@@ -83,9 +83,10 @@ class OwnList(QWidget):
         self._show_chosen()
 
     def _turn(self) -> None:
+        # All of it is written again.
         name = self.chosen
-        self._try(lambda: mirror_limb(name, not facts_of(name).mirrored))
-        self.show_limbs(name)
+        turned = not facts_of(name).mirrored
+        self.job_wanted.emit(Job(f"Mirroring {name}", partial(mirror_limb, name, turned)))
 
     def _delete(self) -> None:
         self._try(lambda: remove_limb(self.chosen))

@@ -28,6 +28,7 @@ from skinsource_gui.limb_page.canvas import PlacesCanvas
 from skinsource_gui.limb_page.draft import Draft
 from skinsource_gui.limb_page.limb_form import LimbForm
 from skinsource_gui.limb_page.own_list import OwnList
+from skinsource_gui.limb_page.page_jobs import PageJobs
 from skinsource_gui.limb_page.reader import LimbReader
 from skinsource_gui.limb_page.title import IMPORTING, TITLE
 from skinsource_gui.state.installed_limbs import InstalledLimbs
@@ -78,7 +79,7 @@ class LimbPage(QDialog):
         self.setObjectName("limb_page")
         self.setWindowTitle(TITLE)
         self.resize(940, 640)
-        self._runner, self._limbs = runner, limbs
+        self._limbs, self._jobs = limbs, PageJobs(runner, self)
         self.draft = Draft()
         self.reader = LimbReader(self)
         self.form, self.canvas, self.own = LimbForm(self), PlacesCanvas(), OwnList()
@@ -90,6 +91,7 @@ class LimbPage(QDialog):
         self._words.setObjectName("limb_words")
         self._words.setWordWrap(True)
         self._import = page_button("import_limb", "Import", "Check all of it, and keep it")
+        self._cancel = page_button("cancel_import", "Cancel", "Stop it; nothing is kept of it")
         self._close = page_button("close_page", "Close", "Close; an import goes on")
         self._lay_out()
         self._connect()
@@ -110,6 +112,7 @@ class LimbPage(QDialog):
         ends = QHBoxLayout()
         ends.addStretch(1)
         ends.addWidget(self._import)
+        ends.addWidget(self._cancel)
         ends.addWidget(self._close)
         right = QVBoxLayout()
         right.addLayout(clicks)
@@ -136,9 +139,13 @@ class LimbPage(QDialog):
         self._close.clicked.connect(self.close)
         self.own.changed.connect(self._limbs.look)
         self.own.failed.connect(self._complain)
-        self.own.job_wanted.connect(self._runner.add)
-        self._runner.done.connect(self._note_done)
-        self._runner.failed.connect(self._note_failed)
+        self.own.job_wanted.connect(self._jobs.add)
+        self._cancel.clicked.connect(self._jobs.cancel)
+        self._jobs.changed.connect(self._show)
+        self._jobs.told.connect(self._say)
+        self._jobs.done.connect(self._note_done)
+        self._jobs.failed.connect(self._complain)
+        self._jobs.cancelled.connect(lambda: self._say("Cancelled. Nothing was changed."))
         self.finished.connect(lambda _: self.reader.end())
 
     def open_file(self, path: Path, what: str) -> None:
@@ -150,7 +157,6 @@ class LimbPage(QDialog):
             self._words.setText(f"Reading {path.name}…")
             self.reader.look(path)
         else:
-            self.form.show_file(what, path.name)
             self.reader.read_points(path, what)
 
     def _ask(self, what: str) -> None:
@@ -182,7 +188,8 @@ class LimbPage(QDialog):
         self.form.show_plain(in_layout, path)
         self._show()
 
-    def _take_points(self, what: str, points: Points) -> None:
+    def _take_points(self, path: Path, what: str, points: Points) -> None:
+        self.form.show_file(what, path.name)
         flip = (1.0, -1.0) if points.y_down != self.draft.y_down else (1.0, 1.0)
         found: dict[str, Any] = {what: points.points * flip}
         if points.names and what != "outline":
@@ -217,8 +224,10 @@ class LimbPage(QDialog):
         self.canvas.show_draft(draft)
         missing = draft.missing()
         self._back.setEnabled(len(getattr(draft, self.click.value)) > 0)
-        self._import.setEnabled(not missing)
-        self._say(missing or "Ready to import.")
+        self._import.setEnabled(not missing and not self._jobs.busy)
+        self._cancel.setVisible(self._jobs.busy)
+        if not self._jobs.busy:
+            self._say(missing or "Ready to import.")
 
     def _say(self, words: str, colour: str = "") -> None:
         self._words.setStyleSheet(f"color: {colour};" if colour else "")
@@ -228,21 +237,15 @@ class LimbPage(QDialog):
         self._say(sentence(reason), self._error)
 
     def _start(self) -> None:
-        self._import.setEnabled(False)
-        self._say("Importing…")
-        self._runner.add(Job(IMPORTING, partial(import_limb, self.draft.source())))
+        self._jobs.add(Job(IMPORTING, partial(import_limb, self.draft.source())))
 
     def _note_done(self, job: Job[Any], result: object) -> None:
-        if job.title == IMPORTING and isinstance(result, LimbFacts):
-            self._limbs.look()
-            self.own.show_limbs(result.name)
-            self._show()
+        self._limbs.look()
+        self.own.show_limbs(result.name if isinstance(result, LimbFacts) else self.own.chosen)
+        if isinstance(result, LimbFacts):
             self._say(f"Imported as {result.name}. Choose it at the left of the bar.")
-
-    def _note_failed(self, job: Job[Any], error: Exception) -> None:
-        if job.title == IMPORTING:
-            self._show()
-            self._complain(str(error))
+        else:
+            self._say(f"{job.title}: done.")
 
 
 def _points_of(rows: list[Any]) -> np.ndarray:

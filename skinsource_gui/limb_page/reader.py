@@ -18,8 +18,8 @@ class LimbReader(QObject):
 
     #: Path, and what the file says: ``header`` and ``arrays``.
     looked = Signal(object, object)
-    #: What it is for ("outline", "inputs", "outputs"), and `Points`.
-    read = Signal(str, object)
+    #: Path, what it is for ("outline", "inputs", "outputs"), and `Points`.
+    read = Signal(object, str, object)
     #: Path of a photograph, and the picture, `QImage`.
     pictured = Signal(object, object)
     #: A sentence.
@@ -50,7 +50,7 @@ class LimbReader(QObject):
 
     def read_points(self, path: Path, what: str) -> None:
         """Read an outline, or places."""
-        self._do(lambda: (self.read, (what, read_points(path, self._process))))
+        self._do(lambda: (self.read, (path, what, read_points(path, self._process))))
 
     def read_photograph(self, path: Path) -> None:
         """Read a picture."""

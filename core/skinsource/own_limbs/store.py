@@ -77,11 +77,17 @@ def load_own_limb(name: str) -> Limb:
     )
 
 
-def mirror_limb(name: str, mirrored: bool) -> None:
-    """Show a limb the other way round, as a right hand, or as it is; raises as `load_own_limb`."""
+def mirror_limb(
+    name: str, mirrored: bool, *, progress: Progress = silent, stop: Stop = never
+) -> None:
+    """Show a limb the other way round, as a right hand, or as it is.
+
+    Raises as `load_own_limb`, and `Stopped` where ``stop`` said so: it is as it was then.
+    """
     file = _opened(name)
     limb = file.limb.shown_mirrored(mirrored)
-    write_limb_file(file.path, limb, map(file.response, range(1, limb.n_inputs + 1)))
+    responses = map(file.response, range(1, limb.n_inputs + 1))
+    write_limb_file(file.path, limb, responses, progress=progress, stop=stop)
 
 
 def remove_limb(name: str) -> None:

@@ -1,5 +1,7 @@
 """The page that imports a limb: from a file in the layout, and by clicks on a photograph."""
 
+from threading import Event
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
@@ -7,8 +9,10 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QDialog, QLabel, QPushButton
 
 from skinsource.catalogue import load_limb
+from skinsource.job import Job, stop_if
 from skinsource.limb_import import export_limb
 from skinsource.own_limbs import facts_of, own_limb_names, remove_limb
+from skinsource_gui.limb_page.canvas import spacing_of
 from tests.core.own_limbs.lab_bench import N_TAPS, RATE_HZ, installed
 
 
@@ -59,7 +63,9 @@ def test_a_file_in_the_layout_is_imported_and_can_be_chosen_at_once(
     assert "lab-1" in window.limbs.names
     assert page.own.chosen == "lab-1"
     button(page, "mirror_limb").click()
+    qtbot.waitUntil(lambda: words(page) == "Mirroring lab-1: done.", timeout=60_000)
     assert facts_of("lab-1").mirrored
+    assert button(page, "mirror_limb").text() == "Do not mirror"
     button(page, "remove_limb").click()
     assert own_limb_names() == ()
 
@@ -111,3 +117,83 @@ def test_what_cannot_be_read_is_said_and_nothing_is_kept(user_data, tmp_path, pa
     assert "row 2" in words(page)
     assert not button(page, "import_limb").isEnabled()
     assert own_limb_names() == ()
+
+
+def test_a_file_that_is_refused_is_not_named_as_the_chosen_one(user_data, tmp_path, page, qtbot):
+    (tmp_path / "line.csv").write_text("0,0\n9,0\n9,9\n")
+    (tmp_path / "bad.svg").write_text("<svg><path")
+    opened(page, tmp_path / "line.csv", "outline", qtbot)
+    assert page.findChild(QLabel, "chosen_outline").text() == "line.csv"
+    opened(page, tmp_path / "bad.svg", "outline", qtbot)
+    assert "bad.svg" in words(page)
+    assert page.findChild(QLabel, "chosen_outline").text() == "line.csv"
+    assert len(page.draft.outline) == 3
+
+
+def test_a_table_of_too_few_places_is_said_before_a_file_in_the_layout_is_imported(
+    user_data, tmp_path, page, qtbot
+):
+    installed()
+    export_limb("lab-1", tmp_path / "lab.h5")
+    (tmp_path / "in.csv").write_text("1,2\n3,4\n")
+    opened(page, tmp_path / "lab.h5", "responses", qtbot)
+    assert button(page, "import_limb").isEnabled()
+    opened(page, tmp_path / "in.csv", "inputs", qtbot)
+    assert words(page) == "2 of 7 inputs have a place: click them, or open a table."
+    assert not button(page, "import_limb").isEnabled()
+
+
+def test_on_a_photograph_all_of_a_file_in_the_layout_is_clicked_or_nothing(
+    user_data, tmp_path, page, qtbot
+):
+    installed()
+    export_limb("lab-1", tmp_path / "lab.h5")
+    picture = QImage(200, 300, QImage.Format.Format_RGB32)
+    picture.save(str(tmp_path / "hand.png"))
+    opened(page, tmp_path / "lab.h5", "responses", qtbot)
+    opened(page, tmp_path / "hand.png", "photograph", qtbot)
+    assert words(page) == "Ready to import."
+    for what, points, said in (
+        ("inputs", 7, "0 of 31 outputs"),
+        ("outputs", 31, "Click the corners of the outline"),
+        ("outline", 3, "Click both ends of the hand's length"),
+        ("hand", 2, "Ready to import."),
+    ):
+        for k in range(points):
+            page._take(page.draft.with_point(what, (10.0 * k, 7.0 * k * k)))
+        assert words(page).startswith(said)
+
+
+def test_a_job_of_the_page_is_cancelled_on_the_page_that_covers_the_bar(user_data, window, qtbot):
+    window.pages.show_limbs()
+    page = window.findChild(QDialog, "limb_page")
+    begun, ended = Event(), Event()
+
+    def work(progress, stop):
+        progress(1, 4, "")
+        begun.set()
+        while True:
+            ended.wait(0.01)
+            stop_if(stop)
+
+    assert button(page, "cancel_import").isHidden()
+    page._jobs.add(Job("Importing a limb", work))
+    qtbot.waitUntil(begun.is_set)
+    assert not button(page, "cancel_import").isHidden()
+    assert not button(page, "import_limb").isEnabled()
+    qtbot.waitUntil(lambda: words(page) == "Importing a limb: 25 %")
+    # Whoever closes the page and opens it again can cancel it too.
+    page.close()
+    window.pages.show_limbs()
+    again = window.findChildren(QDialog, "limb_page")[-1]
+    assert again is not page
+    button(again, "cancel_import").click()
+    qtbot.waitUntil(lambda: words(again) == "Cancelled. Nothing was changed.")
+    assert button(again, "cancel_import").isHidden()
+    again.close()
+
+
+def test_marks_of_many_places_make_room_for_each_other(page):
+    points = np.array([(0.0, 0.0), (1.0, 0.0), (9.0, 0.0), (np.nan, np.nan)])
+    assert spacing_of(points).tolist() == [1.0, 1.0, 8.0, np.inf]
+    assert spacing_of(points[:0]).size == 0
