@@ -10,6 +10,7 @@ import skinsource as ss
 from skinsource.analysis import Windows
 from skinsource.analysis.noise import predicted_noise_energy
 from skinsource.analysis.windowed_noise import windowed_noise_energy
+from skinsource.analysis_rules.window_noise_rules import noise_rms_of_windows, windows_in_noise
 from skinsource.errors import InvalidInputError
 from skinsource.export import export_windows
 
@@ -71,6 +72,24 @@ def test_twice_as_loud_is_as_far_above_the_noise(measured):
     )
     assert twice["noise_rms_of_windows"] == pytest.approx(2.0 * once["noise_rms_of_windows"])
     assert twice["noisy_outputs_of_windows"] == once["noisy_outputs_of_windows"]
+
+
+def test_the_noise_of_a_snapshot_that_is_matched_is_as_much_louder(measured):
+    names = ("place_drives", "driven_limb", "projection", "windows")
+    given = ss.evaluate(LATE, *names, view=VIEW)
+    once, thrice = (
+        noise_rms_of_windows(**given, scaling=LATE.scaling, match_gain=gain) for gain in (1.0, 3.0)
+    )
+    assert thrice == pytest.approx(3.0 * once)
+
+
+def test_outputs_without_a_place_on_the_map_do_not_make_a_window_more_than_noise():
+    limb = ss.load_limb("synthetic-1")
+    noise, rms = np.full((2, 72), 0.1), np.full((2, 72), 0.1)
+    rms[0, 60:66] = 5.0
+    rms[1, 30] = 5.0
+    assert windows_in_noise(rms, noise, limb) == (True, False)
+    assert windows_in_noise(rms, None, limb) == (False, False)
 
 
 def test_a_synthetic_limb_and_silence_have_no_noise_in_windows():
