@@ -14,7 +14,6 @@ from skinsource.files import make_folder
 from skinsource.files.assets import user_folder
 from skinsource.keeping.crash_log import CrashLog
 from skinsource_gui.shell.ending import EndSignals, end_if_stuck
-from skinsource_gui.shell.first_hints import FirstHints
 from skinsource_gui.shell.garbage import take_over_collection
 from skinsource_gui.shell.screen_fit import ScreenFit
 from skinsource_gui.shell.window import MainWindow
@@ -72,7 +71,7 @@ def run(path: Path | None) -> int:
     end_signals.received.connect(end)
     window.keeping.offer(window.notice)
     window.show()
-    FirstHints(window.preferences, window.notice, window.document).offer()
+    window.hints.offer()
     settled = QTimer(window, singleShot=True, interval=_SETTLED_ANYWAY_MS)
     settled.timeout.connect(partial(take_over_collection, window))
     settled.start()

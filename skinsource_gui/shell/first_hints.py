@@ -1,4 +1,4 @@
-"""Three hints on the first start, which never come back."""
+"""Three hints on the first start, which come back only when they are asked for."""
 
 from collections.abc import Callable
 
@@ -46,8 +46,13 @@ class FirstHints(QObject):
         """Begin, unless it was done before or there is something more urgent to say."""
         if self._preferences.hinted or self._notice.text:
             return
+        self.show()
+
+    def show(self) -> None:
+        """Begin with the first one, whatever was shown before."""
         self._preferences.hinted = True
         self._preferences.flush()
+        self._end()
         self._notice.closed.connect(self._end)
         self._document.settled.connect(self._follow)
         self._say(0)

@@ -24,6 +24,7 @@ from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.bars import StudioBar
 from skinsource_gui.shell.clip_drops import ClipDrops
+from skinsource_gui.shell.first_hints import FirstHints
 from skinsource_gui.shell.focus.clip_drawing import ClipDrawing
 from skinsource_gui.shell.focus.focus_order import move_focus
 from skinsource_gui.shell.focus.panel_focus import PanelFocus
@@ -90,13 +91,13 @@ class MainWindow(QMainWindow):
         self.docks = {name: docks.Dock(name, titles[name], self.panels, self) for name in titles}
         self.limbs = InstalledLimbs(tuple(available_limbs), self)
         self.notice = Notice(self)
+        self.hints = FirstHints(preferences, self.notice, self.document)
         self.setup_bar = SetupBar()
         self.status_line = StatusLine(self, self.engine)
         self.job_bar = JobBar(self.runner)
         self.accuracy = Accuracy(self.engine, self)
-        self.reports = Reports(
-            self.document, self.notice, self.statusBar(), self.status_line, self.accuracy
-        )
+        said_in = self.notice, self.statusBar(), self.status_line
+        self.reports = Reports(self.document, *said_in, self.accuracy)
         self._limb_note = LimbNote()
         self._make_capabilities()
         self.action_set = ActionSet(ACTIONS, self.document, self._capabilities(), self)
@@ -146,9 +147,8 @@ class MainWindow(QMainWindow):
         self.arrangements = arranged = docks.Arrangements(self, self.docks, places)
         self.dock_tabs = docks.DockTabs(self, self.docks)
         self.layout_of_docks = docks.DockLayout(self, self.docks, arranged, self.preferences)
-        self.files = FileActions(
-            self.document, self.preferences, self, self.layout_of_docks.content
-        )
+        content = self.layout_of_docks.content
+        self.files = FileActions(self.document, self.preferences, self, content)
         saving = self.document, self.preferences, self.files
         own = self.document, self.panels, self.appearance, self.catch_up, self.docks
         self.pictures = PanelPictures(self, *own)
@@ -202,6 +202,7 @@ class MainWindow(QMainWindow):
             "pages": self.pages,
             "frame": WindowFrame(self, self.document),
             "presenter": self.presenter,
+            "hints": self.hints,
         }
 
     def _build(self) -> None:
@@ -284,9 +285,9 @@ class MainWindow(QMainWindow):
         self._limb_note.show_available(self.limbs.names)
 
     def focusNextPrevChild(self, forward: bool) -> bool:
-        bars = self.setup_bar, self.playback.bar, self._bar
-        regions = (self.notice.buttons, *bars, *self.panels)
-        return move_focus(self, (*regions, self.statusBar()), forward=forward)
+        bars = self.notice.buttons, self.setup_bar, self.playback.bar, self._bar
+        regions = (*bars, *self.panels, self.statusBar())
+        return move_focus(self, regions, forward=forward)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if not (self.files.may_lose_changes() and self.running_jobs.may_close()):

@@ -1,4 +1,4 @@
-"""The three hints of the first start, which never come back."""
+"""The three hints of the first start, which come back only when they are asked for."""
 
 from dataclasses import replace
 
@@ -98,3 +98,17 @@ def test_hints_that_were_closed_do_not_come_back_with_an_edit(qtbot, tmp_path):
     window.findChild(QToolButton, "close_notice").click()
     apply(done, inputs=(ss.track(7, ss.waveforms.Impulse()),))
     assert notice.text == ""
+
+
+def test_who_asks_for_the_first_steps_has_them_again_from_the_first_one(window, settle):
+    for _ in range(2):
+        window.do("show_first_steps")
+        settle()
+        assert window.notice.text == f"1 of 3: {HINTS[0]}"
+        press(window, "Next")
+        settle()
+        assert window.notice.text == f"2 of 3: {HINTS[1]}"
+    window.do("show_first_steps")
+    settle()
+    press(window, "No more hints")
+    assert window.notice.text == ""

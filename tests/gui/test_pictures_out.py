@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtGui import QColor, QFont, QImage
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage
 from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 
 import skinsource as ss
@@ -14,7 +14,7 @@ from skinsource.equalising import RegularisedInverse
 from skinsource_gui.theme import DARK, LIGHT
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.map.length_bar import bar_length_mm
-from skinsource_gui.widgets.pictures.caption import caption_of, with_caption
+from skinsource_gui.widgets.pictures.caption import caption_of, lines_of, with_caption
 from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
 from skinsource_gui.widgets.pictures.picture_options import COLOURS, PictureDialog, PictureOptions
 from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT, IN_USE
@@ -195,3 +195,16 @@ def test_the_map_knows_how_long_a_millimetre_is(window):
 def test_what_to_cite_is_copied(window, qapp):
     window.do("copy_citation")
     assert "10.1109/HAPTICS59260.2024.10520852" in qapp.clipboard().text()
+
+
+def test_a_line_of_a_caption_ends_between_words_but_neither_before_nor_in_a_unit(qapp):
+    metrics = QFontMetricsF(qapp.font())
+    words = "Place 7, 1 m/s\u00b2: Tone, 100 Hz, 600 ms at 100 ms; Place 3, 12 m/s\u00b2: Tap."
+    for room in range(60, 400, 7):
+        lines = lines_of(words, metrics, float(room))
+        assert " ".join(lines) == words
+        for line in lines[1:]:
+            assert not line.startswith(("m/s", "s\u00b2", "Hz", "ms")), lines
+        assert all(
+            metrics.horizontalAdvance(line) <= room or len(line.split()) <= 2 for line in lines
+        )

@@ -2,14 +2,16 @@
 
 import pytest
 from PySide6.QtCore import QSize
-from PySide6.QtGui import QFontMetrics
+from PySide6.QtGui import QColor, QFontMetrics, QFontMetricsF
 from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel
 
 from skinsource.design import Design, track
 from skinsource.view import View
 from skinsource.waveforms import Tone
+from skinsource_gui.panels.side_by_side.painter import shrunk
 from skinsource_gui.shell.docks.arrangement_spec import ArrangementSpec, Place
 from skinsource_gui.shell.docks.room import Folded, Needs, folded, room_of
+from skinsource_gui.theme import THEMES
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
 from skinsource_gui.widgets.plot.axis import Axis
 from skinsource_gui.widgets.plot.plot import Plot
@@ -145,6 +147,58 @@ def test_large_letters_of_the_last_session_are_those_of_all_words(
     finally:
         window.appearance.reset_text()
         qapp.setStyleSheet(sheet)
+
+
+def test_maps_side_by_side_are_drawn_in_the_largest_letters_and_the_rest_scrolls(
+    studio, settle, qtbot
+):
+    window = studio
+    window.resize(1366, 768)
+    window.appearance._scale_text(3.0)
+    settle()
+    dock = window.docks["side_by_side"]
+    dock.bring_forward()
+    settle()
+    settle()
+    panel = window.panel("side_by_side")
+    qtbot.waitUntil(lambda: len(panel.maps.content.cells) == 4, timeout=60_000)
+    places = panel.maps.places
+    assert all(place.map.height() >= 60 for place in places.cells)
+    assert all(place.map.bottom() <= places.scale.top() for place in places.cells)
+    assert all(place.value.bottom() <= place.map.top() for place in places.cells)
+    assert not too_wide(dock)
+    assert dock.widget().verticalScrollBar().maximum() > 0
+
+
+def test_words_in_a_narrow_map_are_written_smaller_rather_than_cut(qapp):
+    font = qapp.font()
+    room = 0.6 * QFontMetricsF(font).horizontalAdvance("Computing…")
+    found = shrunk(font, ("Computing…",), room)
+    assert QFontMetricsF(found).horizontalAdvance("Computing…") <= 1.05 * room
+    assert shrunk(font, ("Computing…",), 1000.0) is font
+
+
+@pytest.mark.parametrize("theme", ["light", "dark", "contrast"])
+def test_buttons_of_docks_are_as_light_or_dark_as_words(window, settle, theme):
+    window.appearance.use_theme(theme)
+    settle()
+    wanted = QColor(THEMES[theme].text)
+    try:
+        for name in ("close", "float"):
+            (button,) = window.docks["skin"].findChildren(
+                QAbstractButton, f"qt_dockwidget_{name}button"
+            )
+            image = button.icon().pixmap(48, 48).toImage()
+            drawn = [
+                image.pixelColor(x, y)
+                for x in range(image.width())
+                for y in range(image.height())
+                if image.pixelColor(x, y).alpha() == 255
+            ]
+            assert drawn
+            assert set(map(QColor.name, drawn)) == {wanted.name()}
+    finally:
+        window.appearance.use_theme("light")
 
 
 SPEC = ArrangementSpec(

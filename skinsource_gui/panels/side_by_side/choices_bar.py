@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QToolButton, QVBoxLayout, QWidget
 
 from skinsource.design import Design
 from skinsource.panel_settings import settings_of, with_settings
@@ -14,6 +14,7 @@ from skinsource_gui.panels.side_by_side.limbs_menu import LimbsButton
 from skinsource_gui.panels.side_by_side.settings import OF, SHOWN, SideBySideSettings
 from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.folding_row import FoldingRow
 
 
 class ChoicesBar(QWidget):
@@ -49,11 +50,10 @@ class ChoicesBar(QWidget):
         self.file.setToolTip("Keep the design of a file as a snapshot, and show it here")
         self.file.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.file.clicked.connect(self.file_wanted)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
-        row.setSpacing(UNIT_PX // 2)
-        for part, stretch in ((self.of, 3), (self.shown, 4), (self.limbs, 0), (self.file, 0)):
-            row.addWidget(part, stretch)
+        self._row = FoldingRow((self.of, self.shown, self.limbs, self.file), UNIT_PX // 2)
+        around = QVBoxLayout(self)
+        around.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
+        around.addWidget(self._row)
 
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view."""
@@ -64,6 +64,7 @@ class ChoicesBar(QWidget):
         fields = KINDS[settings.of].fields
         for name, part in (("shown", self.shown), ("limbs", self.limbs), ("file", self.file)):
             part.setVisible(name in fields)
+        self._row.fold()
         if "limbs" in fields:
             usual = not settings.limbs.strip()
             self.limbs.show_chosen(settings.chosen(design.limb), usual=usual)

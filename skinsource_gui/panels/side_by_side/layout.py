@@ -9,6 +9,7 @@ from skinsource_gui.widgets.map.scale_row import scale_row_px
 
 # Height of a map over its width: hand and arm.
 _HIGH = 2.3
+_LEAST_MAP_PX = 70.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -95,6 +96,11 @@ def places_of(room: QRectF, n: int, line: float, *, common: bool, heading_lines:
         for k in range(n)
     )
     return Places(head=head, cells=cells, scale=scale)
+
+
+def least_height(line: float) -> float:
+    """Height in which maps in one row can be told apart, with lines of that height."""
+    return 1.2 * line + 3.0 * line + 0.9 * line + scale_row_px(line) + _LEAST_MAP_PX
 
 
 def _rows(room: QRectF, n: int, beside: float) -> int:

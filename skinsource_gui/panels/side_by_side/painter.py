@@ -3,12 +3,12 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QPainter, QPen
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from skinsource_gui.panels.side_by_side.content import Cell, Content
 from skinsource_gui.panels.side_by_side.headings import bold, paint_heading, places_for
 from skinsource_gui.panels.side_by_side.layout import CellPlace, Places
-from skinsource_gui.theme import Theme
+from skinsource_gui.theme import Theme, scaled
 from skinsource_gui.widgets.map.colour_maps import colour_table
 from skinsource_gui.widgets.map.length_bar import paint_small_bar
 from skinsource_gui.widgets.map.scale_row import paint_scale_row
@@ -23,6 +23,8 @@ from skinsource_gui.widgets.outputs.picking import is_placed
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 _RING_PX, _WIDE_PX = 4.0, 7.0
 _FEW_RINGS = 12
+# No smaller than that part of the letters around them.
+_LEAST_SHRUNK = 0.4
 
 
 def paint_content(
@@ -83,15 +85,26 @@ def _paint_cell(
     if cell.small is None or cell.scale is None:
         painter.setPen(QColor(theme.dim))
         flags = _CENTRE | Qt.TextFlag.TextWordWrap
-        painter.drawText(place.map, flags, cell.words or "Computing…")
+        words = cell.words or "Computing…"
+        painter.setFont(shrunk(plain, words.split(), place.map.width()))
+        painter.drawText(place.map, flags, words)
+        painter.setFont(plain)
         return
     painter.setPen(QColor(theme.text if pointed_at is not None else theme.dim))
-    value = fitting(painter, cell.value_texts(pointed_at), place.value.width())
-    painter.drawText(place.value, _CENTRE, value)
+    values, width = cell.value_texts(pointed_at), place.value.width()
+    painter.setFont(shrunk(plain, values[-1:], width - 0.5 * painter.fontMetrics().height()))
+    painter.drawText(place.value, _CENTRE, fitting(painter, values, width))
+    painter.setFont(plain)
     table = colour_table(cell.scale.colours)
     paint_small_map(painter, place.map, cell.small, cell.design, theme, cell.scale.range_db, table)
     _paint_rings(painter, cell.small, place, content, theme, pointed_at)
     paint_small_bar(painter, place.map, cell.small, cell.limb, theme)
+
+
+def shrunk(font: QFont, words: Sequence[str], room_px: float) -> QFont:
+    """The font, or a smaller one, in which each of some words has room: numbers are not cut."""
+    widest = max((QFontMetricsF(font).horizontalAdvance(one) for one in words), default=0.0)
+    return scaled(font, max(room_px / widest, _LEAST_SHRUNK)) if widest > room_px else font
 
 
 def fitting(painter: QPainter, wordings: Sequence[str], width: float) -> str:

@@ -26,6 +26,9 @@ from skinsource_gui.widgets.figure.words_label import WordsLabel
 from skinsource_gui.widgets.lateness import Lateness
 from skinsource_gui.widgets.paper import on_paper
 
+# In letters of any size, px.
+_LEAST = QSize(240, 230)
+
 
 class SideBySidePanel(Panel):
     """Levels, differences, or mean and spread, of two to four limbs, of snapshots or of axes.
@@ -41,7 +44,6 @@ class SideBySidePanel(Panel):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setMinimumSize(240, 230)
         self._design: Design | None = None
         self._view = View()
         self._compared: Sequence[Compared] = ()
@@ -88,6 +90,9 @@ class SideBySidePanel(Panel):
 
     def sizeHint(self) -> QSize:
         return QSize(560, 520)
+
+    def minimumSizeHint(self) -> QSize:
+        return super().minimumSizeHint().expandedTo(_LEAST)
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view

@@ -1,14 +1,16 @@
 """Maps side by side as a widget: what is pointed at in one of them is marked in all."""
 
+from math import ceil
+
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from skinsource.arrays import Floats
 from skinsource_gui.panels.side_by_side.content import Content
 from skinsource_gui.panels.side_by_side.headings import places_for
-from skinsource_gui.panels.side_by_side.layout import Places
+from skinsource_gui.panels.side_by_side.layout import Places, least_height
 from skinsource_gui.panels.side_by_side.painter import paint_content
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
@@ -55,7 +57,6 @@ class MapsView(QWidget):
         )
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setMinimumSize(200, 150)
 
     @property
     def output(self) -> int | None:
@@ -66,6 +67,9 @@ class MapsView(QWidget):
     def places(self) -> Places:
         """Where everything is."""
         return places_for(QRectF(self.rect()), self.content, tabular(self.font()))
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(200, ceil(least_height(self.fontMetrics().height())))
 
     def show_content(self, content: Content) -> None:
         """Draw ``content``."""

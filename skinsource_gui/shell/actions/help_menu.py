@@ -32,6 +32,14 @@ HELP: tuple[ActionSpec, ...] = (
         keywords="help shortcuts keyboard manual",
     ),
     action(
+        "show_first_steps",
+        "Help",
+        "First steps",
+        "Three hints to begin with, as on the first start",
+        command="hints.show",
+        keywords="tutorial introduction begin start help hints",
+    ),
+    action(
         "show_dataset",
         "Help",
         f"{TITLE}…",

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QHideEvent, QMoveEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -16,11 +16,20 @@ from PySide6.QtWidgets import (
 
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
+from skinsource_gui.shell.docks.dock_icons import close_icon, float_icon
+from skinsource_gui.theme import theme_of
 
 _BUTTONS = {
-    "qt_dockwidget_closebutton": "Hide this panel; View > Panels brings it back",
-    "qt_dockwidget_floatbutton": "Take this panel out of the window, or back into it",
+    "qt_dockwidget_closebutton": (
+        "Hide this panel; View > Panels brings it back",
+        close_icon,
+    ),
+    "qt_dockwidget_floatbutton": (
+        "Take this panel out of the window, or back into it",
+        float_icon,
+    ),
 }
+_OTHER_LOOK = (QEvent.Type.StyleChange, QEvent.Type.PaletteChange)
 
 
 class Dock(QDockWidget):
@@ -55,9 +64,7 @@ class Dock(QDockWidget):
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         area.setWidgetResizable(True)
         self.setWidget(area)
-        for name, hint in _BUTTONS.items():
-            for button in self.findChildren(QAbstractButton, name):
-                button.setToolTip(hint)
+        _draw_buttons(self)
         self.topLevelChanged.connect(self._follow)
         # The menu of Qt, with the right button on a title, would leave it behind others.
         self.toggleViewAction().triggered.connect(self._raise_shown)
@@ -109,6 +116,11 @@ class Dock(QDockWidget):
         if self._tabbed and not self.isFloating():
             option.title = ""
 
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in _OTHER_LOOK:
+            _draw_buttons(self)
+
     def moveEvent(self, event: QMoveEvent) -> None:
         super().moveEvent(event)
         self._follow()
@@ -122,6 +134,8 @@ class Dock(QDockWidget):
         self.sight_changed.emit()
 
     def _follow(self) -> None:
+        # Qt puts its own icons there, now and then.
+        _draw_buttons(self)
         # Qt says whether a dock is behind another one for some of the ways to get there; where it
         # puts those behind is the same for all of them.
         behind = not self.isFloating() and self.geometry().right() < 0
@@ -139,3 +153,13 @@ class Dock(QDockWidget):
     def _raise_shown(self) -> None:
         if not self.isHidden():
             self.raise_()
+
+
+def _draw_buttons(dock: QDockWidget) -> None:
+    """Say what the buttons of the title do; those of the style are grey, whatever is behind."""
+    theme = theme_of(dock.palette())
+    for name, (hint, icon) in _BUTTONS.items():
+        for button in dock.findChildren(QAbstractButton, name):
+            button.setToolTip(hint)
+            if button.icon().cacheKey() != icon(theme).cacheKey():
+                button.setIcon(icon(theme))

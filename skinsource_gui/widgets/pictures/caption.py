@@ -1,5 +1,6 @@
 """What stands below a picture: the stimulus that it belongs to."""
 
+import re
 from collections.abc import Callable, Sequence
 from functools import partial
 
@@ -24,7 +25,9 @@ _MOST_CLIPS, _MOST_INPUTS = 3, 6
 _PART, _SMALLEST_PX, _LARGEST_PX = 1 / 45, 8, 40
 # It takes at most this part of the height: where it needs more, its letters are smaller.
 _MOST_HEIGHT = 0.16
-_FLAGS = int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap)
+_FLAGS = int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
+# Where a line may end: a number stays with its unit, and a unit is not broken at its slash.
+_BREAKS = re.compile(r"(?<!\d) | (?![^\W\d]|°)")
 
 
 def caption_of(design: Design, match_gain: float = 1.0) -> str:
@@ -47,6 +50,18 @@ def caption_of(design: Design, match_gain: float = 1.0) -> str:
     return minus(f"{title}{stimulus}. Limb: {limb}; scaling: {scaling}{driven}.{shown}")
 
 
+def lines_of(words: str, metrics: QFontMetricsF, room_px: float) -> list[str]:
+    """Break ``words`` into lines that have room; a number and its unit stay together."""
+    lines: list[str] = []
+    for part in _BREAKS.split(words):
+        longer = f"{lines[-1]} {part}" if lines else part
+        if lines and metrics.horizontalAdvance(longer) <= room_px:
+            lines[-1] = longer
+        else:
+            lines.append(part)
+    return lines
+
+
 def with_caption(draw: Draw, words: str) -> Draw:
     """Return what draws a picture with ``words`` below."""
     return partial(_draw, draw, words)
@@ -65,21 +80,26 @@ def _draw(
     room = QRectF(edge, 0.0, width - 2 * edge, _MOST_HEIGHT * height)
     pixels = min(max(round(min(width, height) * _PART), _SMALLEST_PX), _LARGEST_PX)
     font.setPixelSize(pixels)
-    needed = QFontMetricsF(font).boundingRect(room, _FLAGS, words)
-    while needed.height() > room.height() and font.pixelSize() > 4:
+    lines = lines_of(words, QFontMetricsF(font), room.width())
+    while _height(lines, font) > room.height() and font.pixelSize() > 4:
         font.setPixelSize(font.pixelSize() - 1)
-        needed = QFontMetricsF(font).boundingRect(room, _FLAGS, words)
-    while needed.height() > room.height() and len(words) > 1:
+        lines = lines_of(words, QFontMetricsF(font), room.width())
+    while _height(lines, font) > room.height() and len(words) > 1:
         words = f"{words[: int(0.9 * len(words)) - 1].rstrip('…')}…"
-        needed = QFontMetricsF(font).boundingRect(room, _FLAGS, words)
-    left = max(int(height - needed.height() - 1.5 * edge), 1)
+        lines = lines_of(words, QFontMetricsF(font), room.width())
+    left = max(int(height - _height(lines, font) - 1.5 * edge), 1)
     painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
     painter.save()
     draw(painter, width, left, theme)
     painter.restore()
     painter.setFont(font)
     painter.setPen(QColor(theme.dim))
-    painter.drawText(QRectF(edge, left + edge / 2, room.width(), height - left), _FLAGS, words)
+    below = QRectF(edge, left + edge / 2, room.width(), height - left)
+    painter.drawText(below, _FLAGS, "\n".join(lines))
+
+
+def _height(lines: Sequence[str], font: QFont) -> float:
+    return len(lines) * QFontMetricsF(font).lineSpacing()
 
 
 def _input_words(one: Input, unit: str) -> str:
