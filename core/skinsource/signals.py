@@ -218,9 +218,14 @@ def white_noise(
     rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
     band = finite_array("band_hz", band_hz, "two frequencies")
     one_of("window", window_name, WINDOWS)
-    if band.shape != (2,) or not 0 <= band[0] < band[1] <= rate_hz / 2:
+    if band.shape != (2,) or not 0 <= band[0] < band[1]:
         raise InvalidInputError(
             f"band_hz is {quoted(band_hz)}, expected 0 <= low < high <= {rate_hz / 2:g}"
+        )
+    if band[1] > rate_hz / 2:
+        raise InvalidInputError(
+            f"band_hz goes up to {band[1]:g} Hz, expected at most {rate_hz / 2:g} Hz (half the "
+            f"sample rate of {rate_hz:g} Hz); higher noise would alias"
         )
     low, high = band.tolist()
     seed = whole_number("seed", seed, 0, _LARGEST_SEED)

@@ -1,6 +1,6 @@
 """What is looked at: an immutable value, saved with the design."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from skinsource import choice_words, fields
@@ -21,6 +21,7 @@ from skinsource.fields import (
 from skinsource.fields.spec import Misfit
 from skinsource.limb import MOST_PLACES
 from skinsource.loudest_window import Span
+from skinsource.own_limbs import outputs_on
 from skinsource.projection import Axes, Method
 from skinsource.quoting import quoted
 
@@ -210,3 +211,9 @@ def _is_table(pairs: Any) -> bool:
         return False
     names = [name for name, _ in pairs]
     return all(isinstance(name, str) and name for name in names) and len(set(names)) == len(names)
+
+
+def view_on(limb: str, view: View) -> View:
+    """A view as it can be looked at on a limb: of its outputs, those that the limb has."""
+    outputs = outputs_on(limb, view.outputs)
+    return view if outputs == view.outputs else replace(view, outputs=outputs)

@@ -17,7 +17,7 @@ from skinsource.files import make_folder
 from skinsource.locations import input_words, output_words
 from skinsource.own_limbs import facts_of
 from skinsource.quoting import escaped
-from skinsource.view import View
+from skinsource.view import View, view_on
 
 
 def add_to(subparsers: Any) -> None:
@@ -72,7 +72,7 @@ def _render(arguments: argparse.Namespace) -> int:
     if content.view.outputs:
         writers["traces.csv"] = export_traces
     for name, write in writers.items():
-        write(folder / name, content.design, content.view)
+        write(folder / name, content.design, view_on(content.design.limb, content.view))
         sys.stdout.write(f"{folder / name}\n")
     return 0
 

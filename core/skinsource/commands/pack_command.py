@@ -8,6 +8,7 @@ from typing import Any
 from skinsource.design_file import open_design
 from skinsource.packing import pack
 from skinsource.rigs import open_rig
+from skinsource.view import view_on
 
 
 def add_to(subparsers: Any) -> None:
@@ -27,6 +28,7 @@ def add_to(subparsers: Any) -> None:
 def _pack(arguments: argparse.Namespace) -> int:
     content = open_design(arguments.design)
     rig = None if arguments.rig is None else open_rig(arguments.rig)
-    pack(arguments.out, content.design, content.view, rig=rig)
+    view = view_on(content.design.limb, content.view)
+    pack(arguments.out, content.design, view, rig=rig)
     sys.stdout.write(f"{arguments.out}\n")
     return 0

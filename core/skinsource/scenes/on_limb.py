@@ -13,7 +13,6 @@ from skinsource.design import Design
 from skinsource.edits import Refusal, change_limb
 from skinsource.errors import InvalidInputError
 from skinsource.limb import LimbFacts, words
-from skinsource.limb.published import PRE_TRIGGER_DELAY_S
 from skinsource.own_limbs import facts_of, own_map
 from skinsource.quoting import quoted
 from skinsource.scenes.paper_scene import Condition, OpenedScene, Scene
@@ -136,7 +135,7 @@ def _seen(view: View, design: Design, facts: LimbFacts, places: Mapping[int, int
     view = view if isinstance(edit, Refusal) else edit.view
     if not facts.own:
         return view
-    later_s = facts.pre_trigger_delay_s - PRE_TRIGGER_DELAY_S
+    later_s = facts.pre_trigger_delay_s - facts_of(design.limb).pre_trigger_delay_s
     shown = view.time_range_s
     if shown is not None:
         shown = (max(round(shown[0] + later_s, 6), 0.0), round(shown[1] + later_s, 6))

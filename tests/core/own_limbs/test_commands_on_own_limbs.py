@@ -1,0 +1,42 @@
+"""Commands on designs of a limb that lacks outputs which the usual view looks at."""
+
+import pytest
+
+import skinsource as ss
+from skinsource.commands.command_line import main
+from skinsource.design import Design, track
+from skinsource.design_file import save_design
+from skinsource.errors import InvalidInputError
+from skinsource.view import View, view_on
+from skinsource.waveforms import Noise, Tone
+from tests.core.own_limbs.lab_bench import installed
+
+
+def test_a_design_is_rendered_and_packed_that_was_saved_without_a_view(user_data, tmp_path, capsys):
+    installed()
+    path = tmp_path / "lab.skinsource"
+    save_design(path, Design(limb="lab-1", inputs=(track(2, Tone(duration_s=0.02)),)))
+    assert View().outputs == (29, 52)
+    assert main(["render", str(path), "--out", str(tmp_path)]) == 0
+    lines = (tmp_path / "traces.csv").read_text().splitlines()
+    (header,) = [line for line in lines if line.startswith("time_s")]
+    assert header == "time_s,output_29_m_per_s2"
+    assert main(["pack", str(path), "--out", str(tmp_path / "lab.zip")]) == 0
+    assert capsys.readouterr().err == ""
+
+
+def test_a_view_on_a_limb_looks_at_outputs_that_it_has(user_data):
+    installed()
+    view = View(outputs=(3, 31, 52))
+    assert view_on("lab-1", view).outputs == (3, 31)
+    assert view_on("lab-1", View(outputs=(52,))).outputs == (1,)
+    assert view_on("lab-1", View(outputs=())).outputs == ()
+    assert view_on("synthetic-1", view) is view
+    assert view_on("lab-9", View(outputs=(80,))).outputs == (80,)
+
+
+def test_noise_that_a_slow_limb_cannot_play_is_said_as_of_tones():
+    for waveform in (Noise(), Tone(frequency_hz=600.0)):
+        with pytest.raises(InvalidInputError, match=r"500 Hz \(half the sample rate of 1000 Hz\)"):
+            waveform.samples(1000.0)
+    assert ss.waveforms.Noise(high_hz=500.0).samples(1000.0).size == 200
