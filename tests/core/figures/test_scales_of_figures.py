@@ -1,0 +1,47 @@
+"""What the numbers of figures are relative to, smoothed over, and cut to."""
+
+import numpy as np
+
+import skinsource as ss
+from skinsource.figures.writing import draw_figure
+
+
+def table_of(name):
+    opened = ss.scenes.open_scene(name, available=())
+    shown = draw_figure(opened).tables[""]
+    return opened, dict(zip(shown.header, np.asarray(shown.rows).T, strict=True))
+
+
+def test_maps_of_axes_are_relative_to_the_loudest_of_all_of_them():
+    _, columns = table_of("1E")
+    loudest = sorted(levels.max() for name, levels in columns.items() if name != "output")
+    assert loudest[-1] == 0.0
+    assert loudest[0] < -0.1
+
+
+def test_maps_of_places_are_relative_to_the_loudest_of_each():
+    _, columns = table_of("1F")
+    assert [levels.max() for name, levels in columns.items() if name != "output"] == [0.0] * 3
+
+
+def test_traces_are_cut_to_the_times_of_the_scene():
+    opened, columns = table_of("1C")
+    low, high = opened.view.time_range_s
+    assert low <= columns["time_s"].min() < low + 1 / 1300
+    assert high - 1 / 1300 < columns["time_s"].max() <= high
+
+
+def test_spectra_of_noise_are_means_over_ten_bins():
+    opened, columns = table_of("2D")
+    raw_hz, raw = ss.evaluate(opened.design, "selected_spectra", view=opened.view)[
+        "selected_spectra"
+    ]
+    smooth = columns["output_1_x_m_per_s2"]
+    at = int(np.searchsorted(raw_hz, columns["frequency_hz"][200]))
+    means = [raw[0, at + shift - 5 : at + shift + 5].mean() for shift in (0, 1)]
+    assert np.isclose(smooth[200], means, rtol=1e-9).any()
+
+
+def test_a_moment_is_not_hatched_for_the_noise_of_the_whole_record(measured):
+    figure = draw_figure(ss.scenes.open_scene("4A")).figure
+    assert not any(one.get_hatch() for ax in figure.axes for one in ax.patches)
