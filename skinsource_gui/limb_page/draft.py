@@ -9,7 +9,7 @@ import numpy as np
 from skinsource.arrays import Floats
 from skinsource.limb_import import LimbSource
 
-_NO_POINTS = np.empty((0, 2))
+_NO_POINTS, _TURN = np.empty((0, 2)), np.array((1.0, -1.0))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -30,6 +30,9 @@ class Draft:
         The two ends of the length of the hand, (n, 2), clicked on a photograph.
     y_down
         Whether y points down: points are pixels of a photograph.
+    tables, turned
+        What of these points comes from files; whether y was turned in it, since the outline is an
+        SVG, where y points down, and the tables beside it are taken to do as it does.
     input_names, output_names
         From tables.
     values
@@ -44,6 +47,8 @@ class Draft:
     outputs: Floats = field(default_factory=_NO_POINTS.copy)
     hand: Floats = field(default_factory=_NO_POINTS.copy)
     y_down: bool = False
+    tables: frozenset[str] = frozenset()
+    turned: bool = False
     order: str = ""
     input_names: tuple[str, ...] = ()
     output_names: tuple[str, ...] = ()
@@ -54,6 +59,18 @@ class Draft:
         points = np.vstack((getattr(self, what), [point]))
         changed: dict[str, Any] = {what: points[-2:] if what == "hand" else points}
         return replace(self, **changed)
+
+    def with_file(self, what: str, points: Floats, *, y_down: bool) -> "Draft":
+        """With the points of a file, whose y points down or, as far as it says, up."""
+        if self.y_down:
+            # Pixels of the photograph.
+            as_clicked: dict[str, Any] = {what: points}
+            return replace(self, **as_clicked)
+        turned = y_down if what == "outline" else self.turned
+        changed: dict[str, Any] = {what: points * _TURN if turned else points}
+        if turned != self.turned:
+            changed |= {one: getattr(self, one) * _TURN for one in self.tables - {what}}
+        return replace(self, tables=self.tables | {what}, turned=turned, **changed)
 
     def without_last(self, what: str) -> "Draft":
         """Without the last point of ``what``."""

@@ -111,8 +111,9 @@ class LimbPage(QDialog):
         clicks.addWidget(self._back)
         ends = QHBoxLayout()
         ends.addStretch(1)
-        ends.addWidget(self._import)
+        # Left of it, so that a double click on Import does not cancel it.
         ends.addWidget(self._cancel)
+        ends.addWidget(self._import)
         ends.addWidget(self._close)
         right = QVBoxLayout()
         right.addLayout(clicks)
@@ -190,11 +191,11 @@ class LimbPage(QDialog):
 
     def _take_points(self, path: Path, what: str, points: Points) -> None:
         self.form.show_file(what, path.name)
-        flip = (1.0, -1.0) if points.y_down != self.draft.y_down else (1.0, 1.0)
-        found: dict[str, Any] = {what: points.points * flip}
+        found: dict[str, Any] = {}
         if points.names and what != "outline":
             found[f"{what[:-1]}_names"] = points.names
-        self.draft = replace(self.draft, **found)
+        draft = self.draft.with_file(what, points.points, y_down=points.y_down)
+        self.draft = replace(draft, **found)
         self._show()
 
     def _take_photograph(self, path: Path, image: QImage) -> None:
@@ -205,6 +206,8 @@ class LimbPage(QDialog):
             self.draft = replace(
                 self.draft,
                 y_down=True,
+                tables=nothing.tables,
+                turned=nothing.turned,
                 outline=nothing.outline,
                 inputs=nothing.inputs,
                 outputs=nothing.outputs,

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDialog, QLabel, QPushButton
 
 from skinsource.catalogue import load_limb
 from skinsource.job import Job, stop_if
-from skinsource.limb_import import export_limb
+from skinsource.limb_import import LimbSource, export_limb, import_limb
 from skinsource.own_limbs import facts_of, own_limb_names, remove_limb
 from skinsource_gui.limb_page.canvas import spacing_of
 from tests.core.own_limbs.lab_bench import N_TAPS, RATE_HZ, installed
@@ -181,6 +181,8 @@ def test_a_job_of_the_page_is_cancelled_on_the_page_that_covers_the_bar(user_dat
     qtbot.waitUntil(begun.is_set)
     assert not button(page, "cancel_import").isHidden()
     assert not button(page, "import_limb").isEnabled()
+    # The second click of two on Import does not hit it.
+    assert button(page, "cancel_import").x() < button(page, "import_limb").x()
     qtbot.waitUntil(lambda: words(page) == "Importing a limb: 25 %")
     # Whoever closes the page and opens it again can cancel it too.
     page.close()
@@ -191,6 +193,37 @@ def test_a_job_of_the_page_is_cancelled_on_the_page_that_covers_the_bar(user_dat
     qtbot.waitUntil(lambda: words(again) == "Cancelled. Nothing was changed.")
     assert button(again, "cancel_import").isHidden()
     again.close()
+
+
+@pytest.mark.parametrize(
+    "order", [("outline", "inputs", "outputs"), ("inputs", "outputs", "outline")]
+)
+def test_an_svg_and_the_tables_beside_it_lie_on_each_other_as_the_command_has_them(
+    user_data, tmp_path, page, qtbot, order
+):
+    np.save(tmp_path / "plain.npy", np.ones((2, 3, 1, 9)))
+    (tmp_path / "line.svg").write_text('<svg><path d="M0 0 L60 0 L60 90 L0 100 Z"/></svg>')
+    (tmp_path / "in.csv").write_text("10,20\n15,60\n")
+    (tmp_path / "out.csv").write_text("12,25\n17,33\n,\n")
+    files = {"outline": "line.svg", "inputs": "in.csv", "outputs": "out.csv"}
+    opened(page, tmp_path / "plain.npy", "responses", qtbot)
+    for what in order:
+        opened(page, tmp_path / files[what], what, qtbot)
+    imported(page, "plain", qtbot)
+    import_limb(
+        LimbSource(
+            responses=tmp_path / "plain.npy",
+            **{what: tmp_path / name for what, name in files.items()},
+            values={**page.form.values(), "name": "beside"},
+        )
+    )
+    here, there = load_limb("plain").map, load_limb("beside").map
+    for field in ("outline", "input_positions", "output_positions"):
+        np.testing.assert_allclose(getattr(here, field), getattr(there, field))
+    # Another outline, whose y points up, turns the tables back.
+    (tmp_path / "line.csv").write_text("0,0\n60,0\n60,90\n")
+    opened(page, tmp_path / "line.csv", "outline", qtbot)
+    np.testing.assert_allclose(page.draft.inputs, [(10, 20), (15, 60)])
 
 
 def test_marks_of_many_places_make_room_for_each_other(page):
