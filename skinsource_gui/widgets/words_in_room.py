@@ -2,8 +2,9 @@
 
 from collections.abc import Sequence
 
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QFont, QFontMetrics
-from PySide6.QtWidgets import QAbstractButton
+from PySide6.QtWidgets import QAbstractButton, QToolButton
 
 from skinsource_gui.theme import scaled
 
@@ -19,15 +20,24 @@ def fitting_font(rows: Sequence[Sequence[QAbstractButton]], font: QFont, room_px
 
 
 def width_in(font: QFont, buttons: Sequence[QAbstractButton]) -> int:
-    """Width of buttons that are written in ``font``, px."""
+    """Width of buttons that are written in ``font``, px, whatever they are written in now.
+
+    Did it depend on that, words would change to and fro without end.
+    """
     metrics = QFontMetrics(font)
     # What the style leaves around words does not depend on them.
     return sum(
-        metrics.horizontalAdvance(one.text())
-        + one.sizeHint().width()
-        - one.fontMetrics().horizontalAdvance(one.text())
+        _words_px(one, metrics) + one.sizeHint().width() - _words_px(one, one.fontMetrics())
         for one in buttons
     )
+
+
+def _words_px(button: QAbstractButton, metrics: QFontMetrics) -> int:
+    """What Qt counts as words: around those of a tool button there are blanks as well."""
+    words_px = metrics.size(int(Qt.TextFlag.TextShowMnemonic), button.text()).width()
+    if isinstance(button, QToolButton):
+        words_px += 2 * metrics.horizontalAdvance(" ")
+    return words_px
 
 
 def smallest_of(font: QFont) -> QFont:
