@@ -99,6 +99,7 @@ class Monkey:
         self.tally, self._watch = Tally(), Watch()
         self._file = folder / "round trip.skinsource"
         self._base = self.document.design
+        self.document.jumped.connect(self._remember_start)
 
     def play(self, count: int) -> Tally:
         """Do ``count`` deeds; the tally tells what was wrong."""
@@ -128,7 +129,6 @@ class Monkey:
         hands = self.hands
         deed = fields.import_recording if k % _IMPORTED_EVERY == 0 else hands.one_of(DEEDS)
         hands.done.append((k, deed.__name__))
-        before = self.document.undo_stack.count()
         told = deed(hands)
         hands.done[-1] = (k, deed.__name__, told)
         self.tally.deeds[deed.__name__] += 1
@@ -137,9 +137,12 @@ class Monkey:
         hands.close_what_opened()
         if k % _TIDIED_EVERY == 0:
             self.window.do("arrange_design")
-        if self.document.undo_stack.count() == 0 and (before or self.document.design != self._base):
-            self._base = self.document.design
         self._keep_small()
+
+    def _remember_start(self) -> None:
+        # One deed may open a file and edit it: where a history begins is told when it begins.
+        if self.document.undo_stack.count() == 0:
+            self._base = self.document.design
 
     def _keep_small(self) -> None:
         """Take back what makes the design long or large; begin anew where that is no edit."""
@@ -156,7 +159,6 @@ class Monkey:
         # Nobody is asked about what was saved.
         self.document.mark_saved(self.document.path)
         self.window.files.new()
-        self._base = self.document.design
 
     def _large(self) -> bool:
         design = self.document.design
@@ -263,7 +265,6 @@ class Monkey:
         self._begin_anew()
         # The inspector keeps the fields of what it showed last: of a tone, each time.
         self.document.start_over(start_design(self._base.limb), View(), None)
-        self._base = self.document.design
         self._settle()
         for _ in range(3):
             QApplication.processEvents()
