@@ -28,7 +28,7 @@ def plain_levels(design: ss.Design, view: ss.View):
         limb,
         [np.pad(one, (0, n_times - one.size)) for one in drives],
         [one.location for one in heard],
-        [one.amplitude for one in heard],
+        [view.match_gain(design) * one.amplitude for one in heard],
         design.scaling,
         design.actuated,
     )
