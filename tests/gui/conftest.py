@@ -34,6 +34,13 @@ def _makes_widgets(request):
     return "qtbot" in request.fixturenames
 
 
+@pytest.fixture(autouse=True, scope="session")
+def _nothing_of_ours_outlives_python(qapp):
+    """What was copied is kept by Qt, offscreen until after Python has ended, and then destroyed."""
+    yield
+    QApplication.clipboard().clear()
+
+
 @pytest.fixture(autouse=True)
 def _garbage_is_collected_in_this_thread(qapp, request):
     """As in the studio: elsewhere, widgets would be destroyed while this thread paints them.
