@@ -212,7 +212,7 @@ class Measurer:
 
 
 def _levels_db(kind: str | None, level: float | None, factor: float) -> Metrics:
-    found = np.nan if level is None else float(decibels(level * factor))
+    found = float(decibels(level * factor)) if level else np.nan
     return {
         "level_100ms_db": found if kind == "loudest_100ms" else np.nan,
         "level_above_threshold_db": found if kind == "above_threshold" else np.nan,

@@ -10,6 +10,7 @@ from skinsource.view import View
 from skinsource_gui.figure_panel import FigurePanel
 from skinsource_gui.panels.main_axis.picture import MainAxisPicture, Shown
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.copied_numbers import copied
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 
 _SINGLE = "A single axis has no main axis: choose two or three axes above"
@@ -83,5 +84,5 @@ class MainAxisPanel(FigurePanel):
         for rank, output in enumerate(shown.outputs):
             numbers = (*found.direction[rank], *found.deviation[rank], found.share[rank])
             said = "no" if found.none[rank] else "yes"
-            lines.append("\t".join((str(output), *(repr(float(one)) for one in numbers), said)))
+            lines.append("\t".join((str(output), *map(copied, numbers), said)))
         return "\n".join(lines) + "\n"

@@ -2,6 +2,7 @@
 
 from skinsource.analysis_rules.perception_rules import SILENT_DB, Sensation
 from skinsource.locations import output_words
+from skinsource_gui.widgets.copied_numbers import copied_level
 
 _TITLES = {"P": "P\ndB", "NP I": "NP I\ndB", "own": "Own\ndB"}
 _HINTS = {
@@ -26,20 +27,20 @@ def rows(found: Sensation, outputs: tuple[int, ...], limb: str = "") -> list[lis
     return [
         [
             f"{output}  {output_words(output, limb).short_name}",
-            *_texts(found, output),
+            *map(_text, _numbers(found, output)),
         ]
         for output in outputs
     ]
 
 
 def tab_separated(found: Sensation, outputs: tuple[int, ...], limb: str = "") -> str:
-    """The table for a spreadsheet."""
+    """The table for a spreadsheet; empty where a dash is shown."""
     names = ["output", "place", "above_threshold_db"]
     names += [f"{name.replace(' ', '_').lower()}_db" for name in found.by_channel]
     names += ["strength"] if found.strength is not None else []
     lines = ["\t".join(names)]
     for output in outputs:
-        numbers = (repr(float(one)) for one in _numbers(found, output))
+        numbers = (copied_level(one) for one in _numbers(found, output))
         lines.append("\t".join((str(output), output_words(output, limb).short_name, *numbers)))
     return "\n".join(lines) + "\n"
 
@@ -47,15 +48,11 @@ def tab_separated(found: Sensation, outputs: tuple[int, ...], limb: str = "") ->
 def _numbers(found: Sensation, output: int) -> list[float]:
     k = output - 1
     numbers = [float(found.level_db[k]), *(float(one[k]) for one in found.by_channel.values())]
-    return numbers if found.strength is None else [*numbers, float(found.strength[k])]
-
-
-def _texts(found: Sensation, output: int) -> list[str]:
-    texts = [_text(one) for one in _numbers(found, output)]
+    if found.strength is None:
+        return numbers
     # What is not felt at all has no strength either.
-    if found.strength is not None and found.level_db[output - 1] <= SILENT_DB:
-        texts[-1] = _text(SILENT_DB)
-    return texts
+    felt = found.level_db[k] > SILENT_DB
+    return [*numbers, float(found.strength[k]) if felt else SILENT_DB]
 
 
 def _text(value: float) -> str:

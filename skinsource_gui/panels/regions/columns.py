@@ -11,6 +11,7 @@ from skinsource.comparing.regions import REGION_OUTPUTS, mean_and_spread, region
 from skinsource.decibels import FLOOR_DB
 from skinsource.limb import PUBLISHED
 from skinsource_gui.compared import LEVELS_MATCHED, Compared, gain_db
+from skinsource_gui.widgets.copied_numbers import copied_level
 from skinsource_gui.widgets.fields.level_text import minus
 
 #: What is said of own limbs.
@@ -119,10 +120,10 @@ def _column(title: str, head: str, one: Compared) -> Column:
 
 
 def tab_separated(columns: Sequence[Column]) -> str:
-    """The table for a spreadsheet."""
+    """The table for a spreadsheet; empty where a dash is shown."""
     lines = [
         "\t".join(("region_db_re_1_m_per_s2", *(f"{one.title}{one.copied}" for one in columns)))
     ]
     for row, region in enumerate(REGION_OUTPUTS):
-        lines.append("\t".join((region, *(repr(one.numbers[row]) for one in columns))))
+        lines.append("\t".join((region, *(copied_level(one.numbers[row]) for one in columns))))
     return "\n".join(lines) + "\n"

@@ -8,7 +8,7 @@ import numpy as np
 from skinsource.arrays import Floats
 from skinsource.design import Design
 from skinsource_gui.widgets.fields.level_text import output_text
-from skinsource_gui.widgets.map.scale_row import Scale
+from skinsource_gui.widgets.map.scale_row import SILENT, Scale
 from skinsource_gui.widgets.map.small_map import SmallMap
 
 
@@ -71,6 +71,8 @@ class Cell:
             return value, value.removesuffix(" dB")
         largest = int(np.argmax(np.abs(values) if self.scale.signed else values))
         value = self.scale.text(float(values[largest]))
+        if value == SILENT:
+            return (SILENT,)
         return f"{value} at {largest + 1}", value, value.removesuffix(" dB")
 
 
@@ -111,5 +113,8 @@ class Content:
         drawn = [cell for cell in self.cells if cell.small is not None]
         if output is None or not drawn:
             return self.about
-        values = " · ".join(cell.value_text(output).removesuffix(" dB") for cell in drawn)
-        return f"{output_text(output, drawn[0].limb)}: {values} dB"
+        texts = [cell.value_text(output) for cell in drawn]
+        values = " · ".join(texts)
+        if all(text.endswith(" dB") for text in texts):
+            values = f"{values.replace(' dB', '')} dB"
+        return f"{output_text(output, drawn[0].limb)}: {values}"

@@ -8,6 +8,7 @@ from skinsource.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.analysis.statistics import BEGUN_SHARE, Statistics
 from skinsource.arrays import Floats
 from skinsource.locations import output_words
+from skinsource_gui.widgets.copied_numbers import copied
 
 #: Titles, as narrow as they can be, and what they mean.
 COLUMNS = (
@@ -87,6 +88,6 @@ def tab_separated(rows: tuple[Row, ...]) -> str:
     header += ("crest", "dominant_hz", "delay_ms", "mostly_noise")
     lines = ["\t".join(header)]
     for row in rows:
-        numbers = ("" if np.isnan(one) else repr(float(one)) for one in row.shown)
+        numbers = map(copied, row.shown)
         lines.append("\t".join((str(row.number), row.name, *numbers, "yes" if row.noisy else "no")))
     return "\n".join(lines) + "\n"

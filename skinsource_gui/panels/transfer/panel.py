@@ -17,6 +17,7 @@ from skinsource_gui.figure_panel import FigurePanel
 from skinsource_gui.panels.transfer.picture import Shown, TransferPicture
 from skinsource_gui.panels.transfer.settings import TransferSettings
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.copied_numbers import copied
 from skinsource_gui.widgets.empty_words import add_words
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 
@@ -96,7 +97,7 @@ class TransferPanel(FigurePanel):
             header += [f"{name}_{output}" for output in outputs]
         columns = (found.frequency_hz[None], found.magnitude, found.noise, found.coherence)
         lines = ["\t".join(header)]
-        lines += ["\t".join(map(repr, row)) for row in np.vstack(columns).T.tolist()]
+        lines += ["\t".join(map(copied, row)) for row in np.vstack(columns).T.tolist()]
         return "\n".join(lines) + "\n"
 
     def _say_empty(self) -> None:

@@ -13,6 +13,7 @@ from skinsource.view import View
 from skinsource_gui.figure_panel import SILENT, FigurePanel
 from skinsource_gui.panels.wave.picture import WavePicture
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.copied_numbers import copied, copied_level
 from skinsource_gui.widgets.empty_words import SKIN
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 
@@ -86,9 +87,10 @@ class WavePanel(FigurePanel):
         wave = shown.wave
         header = ("output", "way_mm", "delay_ms", f"level_{shown.axis}_db", "alike")
         lines = ["\t".join((*header, "counted", "timed"))]
-        columns = (wave.distance_m * 1e3, wave.delay_s * 1e3, wave.level_db, wave.alike)
+        ways = wave.distance_m * 1e3, wave.delay_s * 1e3
         for k, output in enumerate(shown.outputs):
-            numbers = (repr(float(column[k])) for column in columns)
+            way, delay = (copied(one[k]) for one in ways)
+            numbers = way, delay, copied_level(wave.level_db[k]), copied(wave.alike[k])
             used = ("yes" if one[k] else "no" for one in (wave.counted, wave.timed))
             lines.append("\t".join((str(output), *numbers, *used)))
         return "\n".join(lines) + "\n"

@@ -6,12 +6,15 @@ import numpy as np
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
+from skinsource.decibels import FLOOR_DB
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.map.colour_maps import VIRIDIS, colour_table
 from skinsource_gui.widgets.map.scale_ticks import tick_text
 from skinsource_gui.widgets.map.small_map import Range
 
+#: What stands in the place of a level that there is not.
+SILENT = "silent"
 _RAMP_PX, _ABOVE_PX = 9.0, 2.0
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 # Of the levels that a map spans, of differences with zero in their middle, and of narrow scales.
@@ -44,7 +47,9 @@ class Scale:
     reached_db: Range | None = None
 
     def text(self, value_db: float) -> str:
-        """``"−12.3 dB"``; with a sign where it is one of a difference."""
+        """``"−12.3 dB"``; with a sign where it is one of a difference, which silence has not."""
+        if not self.signed and value_db <= FLOOR_DB:
+            return SILENT
         return minus(f"{value_db:+z.1f} dB" if self.signed else f"{value_db:z.1f} dB")
 
 

@@ -122,6 +122,10 @@ def test_of_silence_nothing_is_said():
     assert found["factor"] == 1.0
     for name in ("share_outside_band", "loudest_output", "mean_distance_mm", "participation"):
         assert math.isnan(found[name])
+    for level in ("loudest_100ms", "above_threshold"):
+        found = measured(silent, level=level, level_db=0.0)
+        assert math.isnan(found["level_100ms_db"])
+        assert math.isnan(found["level_above_threshold_db"])
 
 
 def test_numbers_do_not_depend_on_what_was_measured_before():

@@ -13,7 +13,7 @@ from skinsource.panel_settings import settings_of, with_settings
 from skinsource.perception import LIMITS
 from skinsource.perception.settings import PerceptionSettings
 from skinsource_gui.panels.perception.contact import contact_list, contact_table, contact_words
-from skinsource_gui.panels.perception.rows import rows
+from skinsource_gui.panels.perception.rows import rows, tab_separated
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.state.engine import FIRST_SLOT
 
@@ -134,6 +134,16 @@ def test_what_is_not_felt_has_no_strength():
     silent, felt = rows(found, (1, 2))
     assert silent[1:] == ["–"] * 4
     assert felt[1:] == ["12.0", "12.0", "3.0", "1.5"]
+    _, silent, felt = (line.split("\t") for line in tab_separated(found, (1, 2)).splitlines())
+    assert silent[2:] == [""] * 4
+    assert felt[2:] == ["12.0", "12.0", "3.0", "1.5"]
+
+
+def test_a_channel_that_plays_no_part_is_copied_as_nothing():
+    levels = {"P": np.array([-200.0]), "NP I": np.array([3.0])}
+    found = Sensation(level_db=np.array([3.0]), by_channel=levels, strength=np.array([0.5]))
+    assert rows(found, (1,))[0][1:] == ["3.0", "–", "3.0", "0.5"]
+    assert tab_separated(found, (1,)).splitlines()[1].split("\t")[2:] == ["3.0", "", "3.0", "0.5"]
 
 
 def test_the_limits_of_the_numbers_need_no_scrolling_in_a_small_window(window, settle):

@@ -13,7 +13,7 @@ from skinsource.design import Design
 from skinsource.edits import Edit
 from skinsource.evaluation import evaluate
 from skinsource_gui.compared import Compared
-from skinsource_gui.panels.regions.columns import columns_of_people
+from skinsource_gui.panels.regions.columns import columns_of_people, tab_separated
 from skinsource_gui.state.engine import Slot
 
 
@@ -113,5 +113,7 @@ def test_silence_has_no_spread():
     quiet, loud = np.zeros(72), np.ones(72)
     *_, mean, spread = columns_of_people([person(1, quiet), person(2, quiet)])
     assert set(mean.texts()) == set(spread.texts()) == {"–"}
+    copied = tab_separated([mean, spread]).splitlines()[1:]
+    assert {tuple(line.split("\t")[1:]) for line in copied} == {("", "")}
     *_, mean, spread = columns_of_people([person(1, loud), person(2, loud)])
     assert set(mean.texts()) == set(spread.texts()) == {"0.0"}

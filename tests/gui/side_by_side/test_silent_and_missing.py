@@ -9,6 +9,7 @@ from skinsource.design import Design, track
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource_gui.compared import SILENCE
 from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
+from skinsource_gui.panels.side_by_side.table import tab_separated
 from tests.gui.compare.compare_bench import levels, two_places
 
 
@@ -42,6 +43,19 @@ def test_between_silence_and_sound_there_is_no_difference(choose, one_silent):
     panel = choose(of="snapshots", shown="difference")
     assert [cell.words for cell in panel.maps.content.cells] == [SILENCE, SILENCE]
     assert all(cell.small is None for cell in panel.maps.content.cells)
+
+
+def test_silence_is_called_so_and_copied_as_nothing(choose, one_silent):
+    content = choose(of="snapshots", shown="levels").maps.content
+    silent, one, two = sorted(content.cells, key=lambda cell: cell.values_db.max())
+    assert silent.value_text(None) == silent.value_text(3) == "silent"
+    said = content.readout(3).rpartition(": ")[2]
+    told = (one.value_text(3), two.value_text(3))
+    assert set(said.split(" · ")) == {"silent", *told}
+    place = 1 + content.cells.index(silent)
+    rows = [line.split("\t") for line in tab_separated(content).splitlines()[1:]]
+    assert {row[place] for row in rows} == {""}
+    assert all(number for row in rows for k, number in enumerate(row) if k != place)
 
 
 def test_silence_is_no_level_that_a_mean_is_over(choose, one_silent):
