@@ -12,7 +12,8 @@ from skinsource.analysis_rules.noise_rules import place_noise
 from skinsource.arrays import Floats
 from skinsource.comparing.snapshot import louder
 from skinsource.design import Design, audible_inputs
-from skinsource.errors import InvalidInputError
+from skinsource.errors import InvalidInputError, RecordingError
+from skinsource.files import named
 from skinsource.job import Progress, Stop, never, silent
 from skinsource.limb import N_AXES, N_OUTPUTS, Axes, Limb
 from skinsource.own_limbs import facts_of
@@ -83,7 +84,7 @@ def condition_of(
     InvalidInputError
         The limb has no such axes, or the design is too long for all channels to be compared.
     RecordingError, StorageError
-        The recording does not fit, or cannot be read.
+        The recording does not fit, is silent, or cannot be read.
     Stopped
         ``stop`` said so.
     """
@@ -120,7 +121,14 @@ def _read(
 ) -> Floats:
     size = limb.n_outputs, n_axes, limb.sample_rate_hz
     how: dict[str, Any] = {"rate_hz": recorded.rate_hz, "process": process, "stop": stop}
-    return open_recorded(recorded.path, *size, **how)
+    measured = open_recorded(recorded.path, *size, **how)
+    if not measured.any():
+        # Here it is known which file of many it is.
+        raise RecordingError(
+            f"{named(Path(recorded.path.name))}: it is silent throughout, so there is nothing to "
+            "compare. Choose another recording."
+        )
+    return measured
 
 
 def _quiet(measured: Floats, shift: int, start_s: float, limb: Limb) -> Floats:

@@ -9,6 +9,7 @@ import skinsource as ss
 from skinsource.checking import Recorded, condition_of
 from skinsource.commands.command_line import main
 from skinsource.design_file import save_design
+from skinsource.errors import RecordingError
 from skinsource.validation import report
 from skinsource.validation.report import quartiles, report_html, round_ticks, summary_lines
 from skinsource.view import View
@@ -33,6 +34,14 @@ def test_a_design_is_linear_and_its_inputs_add_up(design_file, capsys):
     assert "adjusted R² 1" in said
     assert "superposition: r 1" in said
     assert "measured" not in said
+
+
+def test_which_recording_is_silent_is_said(design_file, tmp_path):
+    _, design = design_file
+    recording = tmp_path / "quiet lab.npz"
+    np.savez(recording, field=np.zeros((300, 72, 3)), fs=1300.0)
+    with pytest.raises(RecordingError, match=r"quiet lab\.npz.*silent throughout"):
+        condition_of(design, "two", Recorded(path=recording))
 
 
 def test_a_recording_is_held_against_the_prediction_and_reported(design_file, tmp_path, capsys):
