@@ -1,6 +1,8 @@
 """Has it judged, when there is time for it, what the present prediction is not good for."""
 
+from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 from PySide6.QtCore import QObject, QPoint, QTimer
 from PySide6.QtWidgets import QStatusBar
@@ -10,7 +12,7 @@ from skinsource.validity import Finding
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request
-from skinsource_gui.state.predicting import too_large
+from skinsource_gui.state.predicting import sources_shown, too_large
 from skinsource_gui.status.validity_card import ValidityCard
 from skinsource_gui.status.validity_lamps import ValidityLamps
 from skinsource_gui.theme import LIGHT, Theme
@@ -51,6 +53,8 @@ class Validity(QObject):
         panels.each(lambda panel: panel.show_noisy(self._noisy))
         self._theme: Theme = LIGHT
         self._shown: Request | None = None
+        # What the lamps were lit from; None: they are not.
+        self._judged: Mapping[str, Any] | None = None
         self.lamps = ValidityLamps()
         status_bar.addPermanentWidget(self.lamps)
         self._idle = QTimer(self, singleShot=True, interval=_IDLE_MS)
@@ -65,7 +69,12 @@ class Validity(QObject):
         self.lamps.show_theme(theme)
 
     def _follow(self) -> None:
-        self.lamps.set_stale(True)
+        """Say whether what is lit would be judged from something else now."""
+        if self._judged is None:
+            return
+        now = sources_shown(self._document.design, self._document.view)
+        names = self._engine.upstream_of(_WANTED) & now.keys()
+        self.lamps.set_stale(any(self._judged[name] != now[name] for name in names))
 
     def _note(self, outcome: Outcome) -> None:
         request = outcome.request
@@ -89,6 +98,9 @@ class Validity(QObject):
     def _tell(self, outcome: Outcome | None) -> None:
         found = () if outcome is None or outcome.values is None else outcome.values["validity"]
         self.lamps.show_findings(found)
+        self._judged = None if outcome is None else outcome.request.given
+        # There may have been edits since.
+        self._follow()
         self._noisy = next((one.outputs for one in found if one.name == "noise"), ())
         for panel in self._panels:
             panel.show_noisy(self._noisy)

@@ -8,12 +8,11 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from skinsource.errors import SkinSourceError
-from skinsource.quantities import sources
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request
-from skinsource_gui.state.predicting import FROM_THE_LIMB, reason_of, too_large
+from skinsource_gui.state.predicting import FROM_THE_LIMB, reason_of, sources_shown, too_large
 
 #: An edit waits so long for its results, a frame of most screens: the worker is quicker when it
 #: has the interpreter to itself, and both are painted together.
@@ -115,8 +114,7 @@ class Conductor(QObject):
         if not any(panel.needs for panel in visible):
             return
         visible = self._without_refused(visible)
-        design, view = self._document.design, self._document.view
-        given = sources(design, view, match_gain=view.match_gain(design))
+        given = sources_shown(self._document.design, self._document.view)
         wanted = self._also.union(*(panel.needs for panel in visible))
         if not wanted:
             return

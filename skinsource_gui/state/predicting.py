@@ -27,6 +27,11 @@ _DEPENDS_ON = (
 )
 
 
+def sources_shown(design: Design, view: View) -> dict[str, Any]:
+    """What evaluation of the design in the window starts from: as loud as it is shown."""
+    return sources(design, view, match_gain=view.match_gain(design))
+
+
 def sources_of_levels(design: Design, view: View, *, match_gain: float = 1.0) -> dict[str, Any]:
     """What evaluation starts from: of the view only what levels depend on.
 

@@ -53,6 +53,31 @@ def test_lamps_are_explained_and_mended_with_one_click(window, qtbot):
     qtbot.waitUntil(lambda: window.findChild(ValidityCard) is None)
 
 
+def awaits(lamps):
+    """Whether lamps are pale, or will be: they wait for what replaces them."""
+    return lamps._lateness.late or lamps._lateness._timer.isActive()
+
+
+def test_lamps_are_pale_only_until_what_they_depend_on_is_judged_anew(window, qtbot, settle):
+    lamps, document = window.validity.lamps, window.document
+    qtbot.waitUntil(lambda: state_of(window, "drive") == "kept", timeout=30_000)
+    settle()
+    assert not awaits(lamps)
+    window.do("store_snapshot_1")
+    assert not awaits(lamps)
+    document.look(replace(document.view, outputs=(3, 4)))
+    assert not awaits(lamps)
+    loud = document.design.with_input(0, amplitude=60.0)
+    document.apply(Edit(label="Louder", design=loud, view=document.view))
+    assert awaits(lamps)
+    document.undo_stack.undo()
+    assert not awaits(lamps)
+    document.undo_stack.redo()
+    assert awaits(lamps)
+    qtbot.waitUntil(lambda: state_of(window, "drive") == "left", timeout=30_000)
+    assert not awaits(lamps)
+
+
 def test_hidden_lamps_cost_nothing_and_the_map_hatches_noise(window, qtbot, settle):
     qtbot.waitUntil(lambda: bool(window.validity.lamps.findings), timeout=30_000)
     runs = window.engine._graphs[FIRST_SLOT].runs
