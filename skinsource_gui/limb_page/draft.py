@@ -72,6 +72,14 @@ class Draft:
             changed |= {one: getattr(self, one) * _TURN for one in self.tables - {what}}
         return replace(self, tables=self.tables | {what}, turned=turned, **changed)
 
+    def with_array(self, path: Path) -> "Draft":
+        """With an array for responses: what a file in the layout said of its own ones goes."""
+        nothing: dict[str, Any] = {"responses": path, "shape": None, "in_layout": False}
+        if self.in_layout and not self.y_down:
+            for what in {"outline", "inputs", "outputs"} - self.tables:
+                nothing[what] = _NO_POINTS.copy()
+        return replace(self, **nothing)
+
     def without_last(self, what: str) -> "Draft":
         """Without the last point of ``what``."""
         return replace(self, **{what: getattr(self, what)[:-1]})

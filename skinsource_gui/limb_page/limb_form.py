@@ -95,6 +95,8 @@ class LimbForm(QObject):
         self.axes = ChoiceField(_AXES)
         self.axes.set_value("z")
         self.numbers = {name: NumberField(spec) for name, spec in _NUMBERS.items()}
+        # What a file said, by its field: it goes with that file, unless it was changed since.
+        self._said: dict[QLineEdit | NumberField, str | float] = {}
         self.left, self.mirrored = QCheckBox("Left hand"), QCheckBox("Show mirrored")
         self.mirrored.setToolTip(tooltip("Show mirrored", "A left hand as a right one"))
         self._lay_out()
@@ -119,13 +121,28 @@ class LimbForm(QObject):
         for name, field in self.numbers.items():
             field.set_value(float(said[name]) * (_METRES if name == "hand_length_mm" else 1.0))
         self.left.setChecked(header["hand"] == "left")
+        self._said = {field: field.text() for field in (self.name, self.title, self.note)}
+        self._said |= {field: field.value_si for field in self.numbers.values()}
 
     def show_plain(self, in_layout: bool, path: Path) -> None:
         """Ask for what an array does not say."""
         self._rows.setRowVisible(self.order, not in_layout)
-        if not in_layout and not self.name.text():
+        if in_layout:
+            return
+        self._forget_file()
+        if not self.name.text():
             stem = "".join(one if one.isalnum() else "-" for one in path.stem.lower())
             self.name.setText(stem.strip("-0123456789")[:40])
+            self._said[self.name] = self.name.text()
+
+    def _forget_file(self) -> None:
+        for field in (self.name, self.title, self.note):
+            if field.text() == self._said.get(field):
+                field.clear()
+        for name, number in self.numbers.items():
+            if number.value_si == self._said.get(number):
+                number.set_value(_STARTS.get(name, 0.0))
+        self._said = {}
 
     def values(self) -> dict[str, Any]:
         """Fields of `skinsource.own_limbs.OwnLimb` as they are typed."""

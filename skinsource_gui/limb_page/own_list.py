@@ -18,6 +18,7 @@ from skinsource.errors import SkinSourceError
 from skinsource.job import Job
 from skinsource.limb_import import export_limb
 from skinsource.own_limbs import facts_of, mirror_limb, own_limb_names, remove_limb
+from skinsource_gui.limb_page.asking import may_remove
 from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.page_button import page_button
 
@@ -89,7 +90,10 @@ class OwnList(QWidget):
         self.job_wanted.emit(Job(f"Mirroring {name}", partial(mirror_limb, name, turned)))
 
     def _delete(self) -> None:
-        self._try(lambda: remove_limb(self.chosen))
+        name = self.chosen
+        if not may_remove(self, name):
+            return
+        self._try(lambda: remove_limb(name))
         self.show_limbs()
 
     def _ask_and_export(self) -> None:

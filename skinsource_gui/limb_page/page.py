@@ -23,7 +23,9 @@ from skinsource.job import Job
 from skinsource.limb import LimbFacts
 from skinsource.limb_import import import_limb
 from skinsource.limb_import.importing import Points
+from skinsource.own_limbs import own_limb_names
 from skinsource.quoting import sentence
+from skinsource_gui.limb_page.asking import may_replace
 from skinsource_gui.limb_page.canvas import PlacesCanvas
 from skinsource_gui.limb_page.draft import Draft
 from skinsource_gui.limb_page.limb_form import LimbForm
@@ -180,7 +182,7 @@ class LimbPage(QDialog):
             self.draft = replace(Draft(), responses=path, shape=shape, in_layout=True, **places)
             self.form.show_header(header)
         else:
-            self.draft = replace(self.draft, responses=path, shape=None, in_layout=False)
+            self.draft = self.draft.with_array(path)
         largest = max(about["arrays"], key=lambda one: np.prod(one["shape"]), default=None)
         if largest is not None:
             self._array_shape = tuple(largest["shape"])
@@ -240,7 +242,11 @@ class LimbPage(QDialog):
         self._say(sentence(reason), self._error)
 
     def _start(self) -> None:
-        self._jobs.add(Job(IMPORTING, partial(import_limb, self.draft.source())))
+        name = self.draft.values["name"]
+        taken = name in own_limb_names()
+        if not taken or may_replace(self, name):
+            work = partial(import_limb, self.draft.source(), replace=taken)
+            self._jobs.add(Job(IMPORTING, work))
 
     def _note_done(self, job: Job[Any], result: object) -> None:
         self._limbs.look()

@@ -93,6 +93,9 @@ def _add_import(actions: Any) -> None:
         action="store_true",
         help="responses to the pulse of the published limbs, not to one sample of the drive",
     )
+    one.add_argument(
+        "--replace", action="store_true", help="take the place of an own limb of the same name"
+    )
     one.set_defaults(run=_import)
 
 
@@ -121,7 +124,7 @@ def _import(arguments: argparse.Namespace) -> int:
         },
     )
     with ProgressBar(sys.stderr) as bar:
-        facts = import_limb(source, progress=bar)
+        facts = import_limb(source, replace=arguments.replace, progress=bar)
     sys.stdout.write(f"Imported {_words(facts.name)}\n")
     return 0
 

@@ -7,22 +7,20 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import scipy
 
 from skinsource.arrays import Floats
 from skinsource.errors import FileFormatError, InvalidInputError
-from skinsource.files import named
+from skinsource.files import is_file, named
 from skinsource.job import Progress, Stop, never, silent
 from skinsource.limb import LimbFacts
+from skinsource.limb_import.hull import hull_around
 from skinsource.limb_import.refusing import refusal
-from skinsource.own_limbs import OwnLimb, facts_of, install_limb
+from skinsource.own_limbs import OwnLimb, facts_of, install_limb, own_limb_path
 from skinsource.quoting import quoted
 from skinsource.recordings.reading_process import ReadingProcess
 
 #: An array of three dimensions, and one of four, if nobody says what they are.
 USUAL_ORDERS = {3: "iot", 4: "ioat"}
-#: How far a hull that is drawn around places stays away from them, in their extent.
-_HULL_MARGIN = 0.12
 _HULL_NOTE = "the outline is a hull around the places, not measured"
 
 
@@ -66,9 +64,22 @@ class Prepared:
 
 
 def import_limb(
-    source: LimbSource, *, progress: Progress = silent, stop: Stop = never
+    source: LimbSource,
+    *,
+    replace: bool = False,
+    progress: Progress = silent,
+    stop: Stop = never,
 ) -> LimbFacts:
-    """Read, check and keep a limb; one of the same name is replaced.
+    """Read, check and keep a limb.
+
+    Parameters
+    ----------
+    source
+        What it is made of.
+    replace
+        Whether an own limb of the same name goes; it cannot be had back.
+    progress, stop
+        Told how far it is; asked whether to go on.
 
     Raises
     ------
@@ -83,12 +94,23 @@ def import_limb(
     """
     with ReadingProcess() as process:
         found = prepared(source, process, stop=stop)
+        if not replace:
+            _refuse_taken(found.limb.name)
         responses = _responses(source.responses, found, process, stop)
         try:
             install_limb(found.limb, responses, progress=progress, stop=stop)
         except InvalidInputError as error:
             raise FileFormatError(f"{named(Path(source.responses.name))}: {error}") from error
     return facts_of(found.limb.name)
+
+
+def _refuse_taken(name: str) -> None:
+    """A damaged limb counts too: what is left of it may be all that there is."""
+    if is_file(own_limb_path(name)):
+        raise InvalidInputError(
+            f"an own limb is called {quoted(name)} already, and would be lost: give this one "
+            "another name, or say that it takes its place (--replace; replace=True in Python)"
+        )
 
 
 def prepared(source: LimbSource, process: ReadingProcess, *, stop: Stop = never) -> Prepared:
@@ -246,25 +268,13 @@ def _complete(values: dict[str, Any], shape: tuple[int, int, int, int]) -> None:
                 f"{name} has shape {np.shape(points)}, expected ({n}, 2): the responses have {n}"
             )
     if values["outline"] is None:
-        values["outline"] = _hull(
+        values["outline"] = hull_around(
             np.vstack((values["input_positions"], values["output_positions"]))
         )
         note = values.get("note") or ""
         values["note"] = f"{note}; {_HULL_NOTE}" if note else _HULL_NOTE
     if values.get("hand_length_px") is None:
         values["hand_length_px"] = values["hand_length_mm"]
-
-
-def _hull(places: Floats) -> Floats:
-    """The convex hull of places, moved outwards."""
-    points = places[np.isfinite(places).all(axis=1)]
-    if len(points) < 1:
-        raise InvalidInputError("no place is known, expected some, or an outline")
-    reach = _HULL_MARGIN * max(float(np.ptp(points, axis=0).max()), 1.0)
-    around = np.linspace(0, 2 * np.pi, 24, endpoint=False)
-    ring = reach * np.column_stack((np.cos(around), np.sin(around)))
-    spread = (points[:, None] + ring[None]).reshape(-1, 2)
-    return np.asarray(spread[scipy.spatial.ConvexHull(spread).vertices])
 
 
 def _responses(

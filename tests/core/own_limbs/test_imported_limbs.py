@@ -12,7 +12,7 @@ from skinsource.commands.command_line import main
 from skinsource.errors import SkinSourceError
 from skinsource.limb_import import LimbSource, export_limb, import_limb
 from skinsource.limb_import.svg_path import outline_of, path_lines
-from skinsource.own_limbs import facts_of, own_limb_names
+from skinsource.own_limbs import facts_of, own_limb_names, own_limb_path
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, RATE_HZ, response
 
 OUTLINE = [[0, 0], [60, 0], [60, 100], [0, 100]]
@@ -252,6 +252,32 @@ def test_the_command_imports_lists_mirrors_exports_and_removes(user_data, tmp_pa
     assert "no own limb is called 'ours'; there are none" in capsys.readouterr().err
     assert main(["limb", "import", str(tmp_path / "again.h5"), "--name", "BAD"]) == 1
     assert "expected small letters" in capsys.readouterr().err
+
+
+def test_an_own_limb_is_replaced_only_where_that_is_asked_for(user_data, tmp_path, capsys):
+    path = layout_file(tmp_path / "ours.h5")
+    assert main(["limb", "import", str(path)]) == 0
+    before = facts_of("ours").digest
+    with h5py.File(path, "r+") as file:
+        file["responses"][0, 0, 0, 0] += 1.0
+    capsys.readouterr()
+    assert main(["limb", "import", str(path)]) == 1
+    said = capsys.readouterr().err
+    assert "an own limb is called 'ours' already, and would be lost" in said
+    assert "--replace" in said
+    assert facts_of("ours").digest == before
+    assert main(["limb", "import", str(path), "--name", "another"]) == 0
+    assert main(["limb", "import", str(path), "--replace"]) == 0
+    assert facts_of("ours").digest == facts_of("another").digest != before
+
+
+def test_a_damaged_limb_too_is_replaced_only_where_that_is_asked_for(user_data, tmp_path):
+    source = LimbSource(responses=layout_file(tmp_path / "ours.h5"))
+    import_limb(source)
+    own_limb_path("ours").write_bytes(b"cut")
+    with pytest.raises(SkinSourceError, match="would be lost"):
+        import_limb(source)
+    assert import_limb(source, replace=True).known
 
 
 def test_the_largest_limb_is_computed_as_a_job(user_data, tmp_path):

@@ -2,11 +2,12 @@
 
 from threading import Event
 
+import h5py
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QImage
-from PySide6.QtWidgets import QDialog, QLabel, QPushButton
+from PySide6.QtWidgets import QDialog, QLabel, QMessageBox, QPushButton
 
 from skinsource.catalogue import load_limb
 from skinsource.job import Job, stop_if
@@ -14,6 +15,8 @@ from skinsource.limb_import import LimbSource, export_limb, import_limb
 from skinsource.own_limbs import facts_of, own_limb_names, remove_limb
 from skinsource_gui.limb_page.canvas import spacing_of
 from tests.core.own_limbs.lab_bench import N_TAPS, RATE_HZ, installed
+
+YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.No
 
 
 @pytest.fixture
@@ -43,9 +46,19 @@ def imported(page, name, qtbot):
     assert name in own_limb_names()
 
 
+def answering(monkeypatch, answer):
+    """What is asked from now on, a list that grows; each is answered alike."""
+    asked = []
+    monkeypatch.setattr(
+        QMessageBox, "question", lambda *words: asked.append((words[2], words[4])) or answer
+    )
+    return asked
+
+
 def test_a_file_in_the_layout_is_imported_and_can_be_chosen_at_once(
-    user_data, tmp_path, window, page, qtbot
+    user_data, tmp_path, window, page, qtbot, monkeypatch
 ):
+    monkeypatch.setattr(QMessageBox, "question", lambda *_: pytest.fail("asked"))
     installed(band_hz=(40.0, 1500.0))
     digest = facts_of("lab-1").digest
     export_limb("lab-1", tmp_path / "lab.h5")
@@ -66,8 +79,73 @@ def test_a_file_in_the_layout_is_imported_and_can_be_chosen_at_once(
     qtbot.waitUntil(lambda: words(page) == "Mirroring lab-1: done.", timeout=60_000)
     assert facts_of("lab-1").mirrored
     assert button(page, "mirror_limb").text() == "Do not mirror"
+    asked = answering(monkeypatch, NO)
+    button(page, "remove_limb").click()
+    assert own_limb_names() == ("lab-1",)
+    answering(monkeypatch, YES)
     button(page, "remove_limb").click()
     assert own_limb_names() == ()
+    assert asked == [
+        (
+            "Remove “Lab 1” (lab-1)? Its responses cannot be had back from here, and its designs "
+            "open read-only.",
+            NO,
+        )
+    ]
+
+
+def test_a_limb_of_the_same_name_is_replaced_after_a_question(
+    user_data, tmp_path, page, qtbot, monkeypatch
+):
+    installed()
+    page.own.show_limbs()
+    export_limb("lab-1", tmp_path / "lab.h5")
+    with h5py.File(tmp_path / "lab.h5", "r+") as file:
+        file["responses"][0, 0, 0, 0] += 1.0
+    before = facts_of("lab-1").digest
+    opened(page, tmp_path / "lab.h5", "responses", qtbot)
+    asked = answering(monkeypatch, NO)
+    button(page, "import_limb").click()
+    assert [(words[:30], default) for words, default in asked] == [
+        ("Replace “Lab 1” (lab-1)? Its r", NO)
+    ]
+    assert not page._jobs.busy
+    assert facts_of("lab-1").digest == before
+    answering(monkeypatch, YES)
+    imported(page, "lab-1", qtbot)
+    assert facts_of("lab-1").digest != before
+
+
+def test_what_a_file_said_goes_with_it_and_what_was_typed_stays(user_data, tmp_path, page, qtbot):
+    installed(note="cold hands", band_hz=(40.0, 1500.0))
+    export_limb("lab-1", tmp_path / "lab.h5")
+    for name in ("first", "second"):
+        np.save(tmp_path / f"{name}.npy", np.zeros((7, 31, 2, 9)))
+    opened(page, tmp_path / "lab.h5", "responses", qtbot)
+    page.form.title.setText("My title")
+    opened(page, tmp_path / "first.npy", "responses", qtbot)
+    form = page.form
+    assert (form.name.text(), form.title.text(), form.note.text()) == ("first", "My title", "")
+    assert form.values()["band_hz"] is None
+    assert words(page) == "0 of 7 inputs have a place: click them, or open a table."
+    opened(page, tmp_path / "second.npy", "responses", qtbot)
+    assert form.name.text() == "second"
+    form.name.setText("mine")
+    opened(page, tmp_path / "first.npy", "responses", qtbot)
+    assert form.name.text() == "mine"
+
+
+def test_tables_that_were_opened_stay_when_an_array_takes_the_place_of_a_file_in_the_layout(
+    user_data, tmp_path, page, qtbot
+):
+    installed()
+    export_limb("lab-1", tmp_path / "lab.h5")
+    np.save(tmp_path / "plain.npy", np.zeros((7, 31, 2, 9)))
+    (tmp_path / "in.csv").write_text("1,2\n" * 7)
+    opened(page, tmp_path / "lab.h5", "responses", qtbot)
+    opened(page, tmp_path / "in.csv", "inputs", qtbot)
+    opened(page, tmp_path / "plain.npy", "responses", qtbot)
+    assert words(page) == "0 of 31 outputs have a place: click them, or open a table."
 
 
 def test_places_are_clicked_on_a_photograph(user_data, tmp_path, window, page, qtbot):
