@@ -33,6 +33,11 @@ class Column:
     synthetic: bool = False
     copied: str = ""
 
+    @property
+    def has_levels(self) -> bool:
+        """Whether there is any number: there is none of a limb that is missing, or of silence."""
+        return any(np.isfinite(one) and one > FLOOR_DB for one in self.numbers)
+
     def texts(self) -> list[str]:
         """As they are shown: a dash where there is no number, as for silence."""
         return [
@@ -50,7 +55,7 @@ def columns_of(snapshots: Sequence[Compared], *, matched: bool) -> list[Column]:
         return found
     said = [f", {LEVELS_MATCHED} ({minus(f'{gain_db(one):+z.1f}')} dB)" for one in snapshots]
     return [
-        replace(column, hint=f"{column.hint}{words}", copied=words)
+        replace(column, hint=f"{column.hint}{words}", copied=words) if column.has_levels else column
         for column, words in zip(found, said, strict=True)
     ]
 

@@ -18,6 +18,7 @@ from skinsource.choice_words import signal_words, span_words
 from skinsource.comparing import limbs_beside
 from skinsource.design import Design
 from skinsource.limb import PUBLISHED
+from skinsource.own_limbs import missing_limb
 from skinsource.view import View
 from skinsource_gui.compared import LEVELS_MATCHED, Compared, alike_in_level, shown_words
 from skinsource_gui.panel import Panel
@@ -95,7 +96,8 @@ class RegionsPanel(Panel):
         if self._on_limbs and not self._limbs:
             self.show_on_limbs(())
         if not self._limbs:
-            self._about = NO_REGIONS
+            missing = missing_limb(design.limb, design.limb_digest).rstrip(".")
+            self._about = missing or NO_REGIONS
             self._say_about()
             return
         words = signal_words(view.axes, view.method)

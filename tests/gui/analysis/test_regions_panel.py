@@ -9,7 +9,7 @@ from PySide6.QtGui import QGuiApplication
 from skinsource.comparing import Snapshot
 from skinsource.comparing.regions import region_levels_db
 from skinsource.decibels import decibels
-from skinsource.design import Design
+from skinsource.design import Design, track
 from skinsource.edits import Edit
 from skinsource.evaluation import evaluate
 from skinsource_gui.compared import Compared
@@ -103,6 +103,27 @@ def test_matched_levels_of_snapshots_are_said_above_the_table_and_in_what_is_cop
     window.do("match_levels")
     qtbot.waitUntil(lambda: seen("1, synthetic", "2, synthetic"), timeout=12_000)
     assert "levels matched" not in panel.about.text
+
+
+def test_a_limb_that_is_missing_is_said_to_be_so_and_has_no_level_that_is_matched(
+    window, qtbot, settle
+):
+    document = window.document
+    document.look(replace(document.view, levels_matched=True))
+    window.docks["regions"].bring_forward()
+    panel = window.panel("regions")
+    window.do("store_snapshot_1")
+    document.edit("Limb", Design(limb="lab-nowhere", inputs=(track(7),)))
+    window.do("store_snapshot_2")
+    qtbot.waitUntil(lambda: len(panel.columns) == 2 and "limb" in panel.columns[1].hint)
+    settle()
+    assert "'lab-nowhere' of this design is not here" in panel.about.text
+    assert "own limb it is not known" not in panel.about.text
+    here, missing = panel.columns
+    assert here.copied == ", levels matched (+0.0 dB)"
+    assert missing.copied == ""
+    assert "not available" in missing.hint
+    assert "matched" not in missing.hint
 
 
 def test_silence_has_no_spread():
