@@ -9,8 +9,11 @@ _MOST_SAID = 3
 _UNIT = "m\u2060/\u2060s²"
 
 
-def contact_words(weighted: Weighted) -> str:
-    """A sentence; of many places it says the largest, and of the skin elsewhere nothing."""
+def contact_words(weighted: Weighted, *, as_stored: bool = False) -> str:
+    """A sentence; of many places it says the largest, and of the skin elsewhere nothing.
+
+    ``as_stored``: what else is shown has a gain that these have not.
+    """
     if weighted is None:
         return _NO_WEIGHTED
     if not weighted:
@@ -20,7 +23,8 @@ def contact_words(weighted: Weighted) -> str:
     else:
         place, most = max(weighted, key=lambda one: one[1])
         said = f"largest {most:.3g} {_UNIT} RMS at place {place}, of {len(weighted)} places"
-    return f"ISO 5349-1 Wh, a health weighting, not perception, of the probe itself: {said}"
+    stored = ", with the amplitudes that were stored" if as_stored else ""
+    return f"ISO 5349-1 Wh, a health weighting, not perception, of the probe itself: {said}{stored}"
 
 
 def contact_list(weighted: Weighted) -> str:

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource.analysis_rules.perception_rules import Sensation
+from skinsource.comparing import match_words
 from skinsource.design import Design
 from skinsource.errors import SkinSourceError
 from skinsource.panel_settings import settings_of, with_settings
@@ -61,6 +62,8 @@ class PerceptionPanel(Panel):
         self._found: Sensation | None = None
         self._outputs: tuple[int, ...] = ()
         self._limb = ""
+        # What is said where levels are those of a design that is shown louder or softer.
+        self._matched = ""
         self._weighted: Weighted = None
         self._folder = Path()
         self.area = NumberField(AREA, widest_unit="cm²")
@@ -92,7 +95,8 @@ class PerceptionPanel(Panel):
 
     @property
     def needs(self) -> frozenset[str]:
-        return frozenset({"sensation", "shown_outputs", "contact_weighted_rms", "limb_data"})
+        shown = {"sensation", "shown_outputs", "contact_weighted_rms"}
+        return frozenset(shown | {"limb_data", "match_gain"})
 
     def sizeHint(self) -> QSize:
         return QSize(380, 320)
@@ -114,7 +118,7 @@ class PerceptionPanel(Panel):
         short = self.fontMetrics().elidedText(name, middle, _MOST_NAME_PX)
         self.own.setText(short if own else "Own thresholds…")
         self.own.setToolTip(f"{name}. {_TAKE_OWN}" if own else _TAKE_OWN)
-        self.limits.setText(_limits(self._settings, self._found))
+        self.limits.setText(_limits(self._settings, self._found, self._matched))
         if not view.outputs:
             self._say(output_words(self.in_sight))
         elif self.message.text() == output_words(self.in_sight):
@@ -124,13 +128,14 @@ class PerceptionPanel(Panel):
         self._lateness.set_stale(False)
         found, outputs = results["sensation"], results["shown_outputs"]
         self._weighted = results["contact_weighted_rms"]
-        self.contact.setText(contact_words(self._weighted))
+        self._matched = match_words(results["match_gain"])
+        self.contact.setText(contact_words(self._weighted, as_stored=bool(self._matched)))
         self.contact.setToolTip(contact_list(self._weighted))
         if found.problem or not outputs:
             self._say(found.problem or output_words(self.in_sight))
             return
         self._found, self._outputs, self._limb = found, outputs, results["limb_data"].name
-        self.limits.setText(_limits(self._settings, self._found))
+        self.limits.setText(_limits(self._settings, self._found, self._matched))
         self.table.fill(header(found), outputs, rows(found, outputs, self._limb))
         loudest = int(np.argmax(found.level_db))
         synthetic = " Synthetic limb." if results["limb_data"].synthetic else ""
@@ -198,7 +203,8 @@ class PerceptionPanel(Panel):
             self.take_thresholds(Path(chosen))
 
     def _say(self, message: str) -> None:
-        self._found = None
+        self._found, self._matched = None, ""
+        self.limits.setText(_limits(self._settings, self._found, self._matched))
         self.table.hide()
         self.message.setText(message)
         self.message.show()
@@ -225,9 +231,10 @@ def _button(parent: QWidget, name: str, words: str) -> QToolButton:
     return button
 
 
-def _limits(settings: PerceptionSettings, found: Sensation | None) -> str:
-    """What such numbers are not good for, and which frequencies count."""
+def _limits(settings: PerceptionSettings, found: Sensation | None, matched: str) -> str:
+    """What such numbers are not good for, and which frequencies count; first their gain."""
     words = _OWN_LIMITS if settings.thresholds else LIMITS
+    words = f"{matched}. {words}" if matched else words
     if found is None or found.band_hz is None:
         return words
     low_hz, high_hz = found.band_hz

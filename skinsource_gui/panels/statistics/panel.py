@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource.choice_words import signal_words, span_words
+from skinsource.comparing import match_words
 from skinsource.design import Design
 from skinsource.view import View
 from skinsource_gui.figure_panel import COMPUTING
@@ -82,7 +83,7 @@ class StatisticsPanel(Panel):
     @property
     def needs(self) -> frozenset[str]:
         drawn = {"output_statistics", "shown_outputs", "above_noise_db", "limb_data"}
-        return frozenset(drawn | {"axes", "method", "span"})
+        return frozenset(drawn | {"axes", "match_gain", "method", "span"})
 
     @property
     def no_outputs(self) -> str:
@@ -107,9 +108,14 @@ class StatisticsPanel(Panel):
         found = results["output_statistics"], results["above_noise_db"]
         rows = rows_of(outputs, *found, limb=results["limb_data"].name)
         self.model.show_rows(rows)
-        words = signal_words(results["axes"], results["method"])
-        noisy = f" · {NOISE_WORDS}" if any(row.noisy for row in rows) else ""
-        self.about.say(f"{words} · RMS: {span_words(results['span'])}{noisy}")
+        matched = match_words(results["match_gain"])
+        parts = (
+            signal_words(results["axes"], results["method"]),
+            f"RMS: {span_words(results['span'])}",
+            f"{matched[:1].lower()}{matched[1:]}",
+            NOISE_WORDS if any(row.noisy for row in rows) else "",
+        )
+        self.about.say(" · ".join(filter(None, parts)))
         self.copy.setEnabled(True)
         self._stack.setCurrentWidget(self.table)
 

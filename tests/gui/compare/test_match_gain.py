@@ -6,8 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.comparing import louder
+from skinsource.comparing import louder, match_words
 from skinsource.design_file import open_design
+from skinsource.evaluation import evaluate
 from skinsource_gui.state.playing.played_of import played_of
 from tests.gui.compare.compare_bench import edit, levels, shown_levels, two_places
 
@@ -99,6 +100,30 @@ def test_it_stays_as_loud_where_levels_are_taken_otherwise(window, settle, match
     settle()
     assert document.view.match_gain(document.design) == gain
     assert shown_levels(window).max() == pytest.approx(loudest, abs=1e-6)
+
+
+def test_tables_of_figures_say_the_gain_that_their_numbers_have(window, settle, matched):
+    document = window.document
+    document.look(replace(document.view, outputs=(20, 33)))
+    window.docks["statistics"].bring_forward()
+    settle()
+    said = match_words(matched)
+    statistics = window.panel("statistics")
+    assert f" · s{said[1:]}" in statistics.about.text
+    rms = evaluate(louder(document.design, matched), "output_rms", view=document.view)["output_rms"]
+    assert statistics.model.rows[0].values[0] == pytest.approx(rms[19], rel=1e-9)
+    window.docks["perception"].bring_forward()
+    settle()
+    perception = window.panel("perception")
+    assert perception.limits.text().startswith(f"{said}. ")
+    assert perception.contact.text().endswith("with the amplitudes that were stored")
+    edit(window, 2.0)
+    settle()
+    assert "matched" not in perception.limits.text()
+    assert "stored" not in perception.contact.text()
+    window.docks["statistics"].bring_forward()
+    settle()
+    assert "matched" not in statistics.about.text
 
 
 def test_an_edit_is_shown_as_it_is(window, settle, matched):
