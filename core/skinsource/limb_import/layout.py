@@ -39,6 +39,7 @@ NUMBERS = {
     "hand_length_mm": None,
     "synthetic": 0.0,
 }
+_ONLY_OF_LIMBS = ("format_version", "hand_length_mm")
 _POINTS = {"outline": "outline", "inputs": "input_positions", "outputs": "output_positions"}
 _NAMES = {"inputs": "input_names", "outputs": "output_names"}
 _LONGEST_TEXT, _MOST_NAMES, _MOST_ROWS = 4000, 512, 20_001
@@ -46,9 +47,20 @@ _BESIDE_BYTES = 2**20
 
 
 def is_limb_file(path: Path) -> bool:
-    """Whether an HDF5 file says that it holds a limb; for the child process."""
+    """Whether an HDF5 file says that it holds a limb; for the child process.
+
+    Raises
+    ------
+    RecordingError
+        It says what only limbs do, but not that it is one: as an array it would lose the rest.
+    """
     with hdf5.File(path, "r", locking=False) as file:
-        return "format" in file.attrs and _text(file, path, "format", "") == FORMAT
+        if "format" in file.attrs and _text(file, path, "format", "") == FORMAT:
+            return True
+        if any(name in file.attrs for name in _ONLY_OF_LIMBS):
+            found = _text(file, path, "format", None)
+            raise refusal(path, f"the attribute 'format' is {quoted(found)}", quoted(FORMAT))
+        return False
 
 
 def header_of(path: Path) -> dict[str, Any]:
@@ -197,7 +209,7 @@ def _band(group: Any, path: Path) -> list[float] | None:
 def _attribute(group: Any, path: Path, name: str, default: Any) -> Any:
     if name not in group.attrs:
         if default is None:
-            raise refusal(path, f"it has no attribute {quoted(name)}", "one, see docs/limbs.md")
+            raise refusal(path, f"it has no attribute {quoted(name)}", "one")
         return default
     if group.attrs.get_id(name).get_storage_size() > 4 * _LONGEST_TEXT:
         raise refusal(path, f"the attribute {quoted(name)} is very long", "a text or a number")

@@ -63,6 +63,22 @@ def test_a_file_in_the_layout_becomes_a_limb(user_data, tmp_path):
     assert limb.map.hand_length_px == 180.0
 
 
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [(None, "it has no attribute 'format'"), ("limb", "the attribute 'format' is 'limb'")],
+)
+def test_a_file_in_the_layout_that_does_not_say_so_is_told_what_is_missing(
+    user_data, tmp_path, value, words
+):
+    path = layout_file(tmp_path / "ours.h5")
+    with h5py.File(path, "r+") as file:
+        del file.attrs["format"]
+        if value is not None:
+            file.attrs["format"] = value
+    with pytest.raises(SkinSourceError, match=words):
+        import_limb(LimbSource(responses=path))
+
+
 def test_what_is_exported_is_imported_again_with_the_same_digest(lab, tmp_path):
     before = facts_of("lab-1")
     export_limb("lab-1", tmp_path / "lab.h5")
