@@ -13,13 +13,11 @@ from skinsource.map_range import map_range_db
 from skinsource_gui.compared import ELSEWHERE, SILENCE, Compared, gain_db, is_silent
 from skinsource_gui.panels.side_by_side.content import Cell
 from skinsource_gui.widgets.map.colour_maps import DIVERGING
-from skinsource_gui.widgets.map.scale_row import Scale
+from skinsource_gui.widgets.map.scale_row import Scale, scale_of_levels
 from skinsource_gui.widgets.map.small_map import Range, SmallMap, SmallMaps
 
 #: What something is called, in ever fewer words.
 Names = tuple[str, ...]
-
-_UNIT = "dB re 1 m/s²"
 
 
 class Cells:
@@ -29,12 +27,14 @@ class Cells:
         self._maps: dict[str, SmallMaps] = {}
         self._before: dict[str, SmallMaps] = {}
 
-    def of_levels(self, compared: Sequence[Compared], names: Sequence[Names]) -> tuple[Cell, ...]:
-        """A map of the levels of each, in the same colours."""
+    def of_levels(
+        self, compared: Sequence[Compared], names: Sequence[Names], fixed_db: Range | None = None
+    ) -> tuple[Cell, ...]:
+        """A map of the levels of each, in the same colours; over ``fixed_db`` where it is given."""
         self._begin()
         known = [_levels_db(one) for one in compared if one.values is not None]
         loudest = np.array([levels.max() for levels in known])
-        scale = Scale(range_db=map_range_db(loudest), words=_UNIT)
+        scale = _scale(loudest, fixed_db)
         return tuple(
             self._levels(one, name, scale) for one, name in zip(compared, names, strict=True)
         )
@@ -58,7 +58,11 @@ class Cells:
         return tuple(cell if cell.small is None else replace(cell, scale=scale) for cell in cells)
 
     def of_spread(
-        self, compared: Sequence[Compared], names: Sequence[Names], reference: int
+        self,
+        compared: Sequence[Compared],
+        names: Sequence[Names],
+        reference: int,
+        fixed_db: Range | None = None,
     ) -> tuple[Cell, ...]:
         """Mean and standard deviation over all whose outputs are at the places of ``reference``."""
         self._begin()
@@ -87,7 +91,7 @@ class Cells:
             "late": late,
             "synthetic": any(_synthetic(one) for one in known),
         }
-        of_mean = Scale(range_db=map_range_db(mean), words=_UNIT)
+        of_mean = _scale(mean, fixed_db)
         of_spread = Scale(
             range_db=(0.0, end_db(spread)), words="dB", reached_db=_reached_db([spread])
         )
@@ -153,6 +157,11 @@ class Cells:
             values["surface_levels_db"] = values["surface_levels_db"] + gain_db(one)
         self._maps[kept] = maps = self._before.pop(kept, None) or SmallMaps()
         return replace(maps.map_of(values), noisy=noisy)
+
+
+def _scale(levels_db: Floats, fixed_db: Range | None) -> Scale:
+    """Of levels: over the range that was chosen, or over that of the loudest."""
+    return scale_of_levels(fixed_db or map_range_db(levels_db), fixed=fixed_db is not None)
 
 
 def _of_all(called: Sequence[Names], n_compared: int) -> Names:

@@ -11,10 +11,10 @@ from skinsource_gui.panels.skin.map_painter import small_font
 from skinsource_gui.panels.skin.map_quantity import time_text
 from skinsource_gui.panels.skin.stage.map_layout import MapLayout
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.map.fixed_range import FIXED_MARK
 
 SYNTHETIC_MARK = "SYNTHETIC"
 OUTDATED_MARK = "updating…"
-FIXED_MARK = "range fixed"
 # Places that are tried for a message: so many steps across, and so many down.
 _STEPS = 24
 # Into so many lines a message is broken, rather than that it hides something.

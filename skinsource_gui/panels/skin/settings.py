@@ -6,6 +6,7 @@ from skinsource import fields
 from skinsource.fields import ChoiceSpec, NumberSpec, Range, RangeSpec, SwitchSpec
 from skinsource_gui.panels.skin.map_quantity import LEVELS, MAGNITUDE, RMS, SENSATION, Z
 from skinsource_gui.widgets.map.colour_maps import VIRIDIS
+from skinsource_gui.widgets.map.fixed_range import MAP_RANGE, LevelRangeSettings
 
 QUANTITY = ChoiceSpec(
     label="Shown",
@@ -46,22 +47,18 @@ MAP_STYLE = ChoiceSpec(
     label="Style", options=(("interpolated", "Interpolated"), ("sensors", "Sensors only"))
 )
 SENSORS_SHOWN = SwitchSpec(label="Sensors", hint="Mark the outputs on the interpolated map")
-MAP_RANGE = RangeSpec(label="Range", unit="dB")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class SkinSettings:
+class SkinSettings(LevelRangeSettings):
     """What the map shows, and how.
 
     Attributes
     ----------
     map_style, sensors_shown
         ``"interpolated"`` or ``"sensors"``; whether sensors are marked on the interpolated map.
-    map_range_db
-        Levels of the ends of the colour bar; ``None``: they follow the loudest output
-        (`skinsource.map_range.map_range_db`).
     sensation_range_db
-        The same of levels above threshold.
+        As ``map_range_db``, of levels above threshold.
     quantity
         What is shown: levels, or what the skin does at the playhead.
     rms_window_s
@@ -74,14 +71,9 @@ class SkinSettings:
 
     map_style: str = fields.choice("interpolated", MAP_STYLE)
     sensors_shown: bool = fields.switch(True, SENSORS_SHOWN)
-    map_range_db: Range | None = fields.interval(None, MAP_RANGE)
-
     sensation_range_db: Range | None = fields.interval(None, MAP_RANGE)
     quantity: str = fields.choice(LEVELS, QUANTITY)
     rms_window_s: float = fields.number(0.02, RMS_WINDOW)
     moving_range_db: Range | None = fields.interval(None, MAP_RANGE)
     z_limits: Range | None = fields.interval(None, Z_LIMITS)
     colours: str = fields.choice(VIRIDIS, COLOURS)
-
-    def __post_init__(self) -> None:
-        fields.check(self)

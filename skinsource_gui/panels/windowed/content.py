@@ -6,6 +6,7 @@ from skinsource.analysis import Extent, Windows
 from skinsource.arrays import Floats
 from skinsource.design import Design
 from skinsource.map_range import map_range_db
+from skinsource_gui.widgets.map.scale_row import Scale, scale_of_levels
 from skinsource_gui.widgets.map.small_map import Range, SmallMap
 
 
@@ -33,6 +34,8 @@ class WindowedContent:
         Whether the responses are computed, not measured.
     traces_late_s
         How much later than here the traces show what is shown; 0 where they do not.
+    fixed_range_db
+        Ends of the colours that were chosen on the skin map; None: they follow the loudest.
     """
 
     design: Design
@@ -46,6 +49,7 @@ class WindowedContent:
     noisy: tuple[tuple[int, ...], ...] = ()
     in_noise: tuple[bool, ...] = ()
     traces_late_s: float = 0.0
+    fixed_range_db: Range | None = None
 
     @property
     def time_phrases(self) -> tuple[str, ...]:
@@ -76,7 +80,12 @@ class WindowedContent:
     @property
     def range_db(self) -> Range:
         """Levels of the lowest and the highest colour of all maps."""
-        return map_range_db(self.levels_db)
+        return self.fixed_range_db or map_range_db(self.levels_db)
+
+    @property
+    def scale(self) -> Scale:
+        """What the colours of all maps mean."""
+        return scale_of_levels(self.range_db, fixed=self.fixed_range_db is not None)
 
     @property
     def bounds_s(self) -> list[tuple[float, float]]:

@@ -23,6 +23,7 @@ from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.beside_or_below import BesideOrBelow
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.lateness import Lateness
+from skinsource_gui.widgets.map.fixed_range import fixed_range_db
 from skinsource_gui.widgets.map.small_map import SmallMaps
 from skinsource_gui.widgets.paper import on_paper
 
@@ -84,10 +85,12 @@ class WindowedPanel(Panel):
         self._design, self._view = design, view
         self._show_view()
         content = self.strip.content
-        if content is not None and content.traces_late_s != self._traces_late_s:
-            # Only the words on it change: nothing is computed for it.
-            late = replace(content, traces_late_s=self._traces_late_s)
-            self.strip.show_content(late, self.strip.message)
+        if content is None:
+            return
+        looks = self._looks
+        if any(getattr(content, name) != value for name, value in looks.items()):
+            # Only its words and colours change: nothing is computed for it.
+            self.strip.show_content(replace(content, **looks), self.strip.message)
 
     def show_playhead(self, view: View) -> None:
         self._view = view
@@ -110,7 +113,7 @@ class WindowedPanel(Panel):
             noisy=results["noisy_outputs_of_windows"],
             in_noise=results["windows_in_noise"],
             synthetic=results["limb_data"].synthetic,
-            traces_late_s=self._traces_late_s,
+            **self._looks,
         )
         message = ""
         if content.windows.count == 0:
@@ -153,10 +156,12 @@ class WindowedPanel(Panel):
             paint_strip(painter, content, strip_layout(room, content.windows.count, line), theme)
 
     @property
-    def _traces_late_s(self) -> float:
-        if self._design is None or self._view.delay_removed:
-            return 0.0
-        return facts_of(self._design.limb).pre_trigger_delay_s
+    def _looks(self) -> dict[str, Any]:
+        """What the content has from the view alone."""
+        late_s = 0.0
+        if self._design is not None and not self._view.delay_removed:
+            late_s = facts_of(self._design.limb).pre_trigger_delay_s
+        return {"traces_late_s": late_s, "fixed_range_db": fixed_range_db(self._view)}
 
     def _heading(self) -> str:
         if self._design is None:

@@ -11,7 +11,7 @@ from skinsource_gui.panels.windowed.strip_layout import StripLayout
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.map.colour_maps import colour_table
 from skinsource_gui.widgets.map.length_bar import paint_small_bar
-from skinsource_gui.widgets.map.scale_row import Scale, paint_scale_row
+from skinsource_gui.widgets.map.scale_row import paint_scale_row
 from skinsource_gui.widgets.map.small_map import paint_small_map
 
 _DOT_PX = 2.5
@@ -62,8 +62,7 @@ def paint_strip(
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.setPen(QPen(QColor(theme.accent), 1.5))
             painter.drawRoundedRect(cell.adjusted(1.0, 0.5, -1.0, -1.0), 3.0, 3.0)
-    scale = Scale(range_db=content.range_db, words="dB re 1 m/s²")
-    paint_scale_row(painter, layout.scale, scale, theme)
+    paint_scale_row(painter, layout.scale, content.scale, theme)
     _paint_extent(painter, layout.plot, content, theme)
 
 

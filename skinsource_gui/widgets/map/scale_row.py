@@ -10,11 +10,13 @@ from skinsource.decibels import FLOOR_DB
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.map.colour_maps import VIRIDIS, colour_table
+from skinsource_gui.widgets.map.fixed_range import FIXED_MARK
 from skinsource_gui.widgets.map.scale_ticks import tick_text
 from skinsource_gui.widgets.map.small_map import Range
 
 #: What stands in the place of a level that there is not.
 SILENT = "silent"
+_LEVELS = "dB re 1 m/s²"
 _RAMP_PX, _ABOVE_PX = 9.0, 2.0
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 # Of the levels that a map spans, of differences with zero in their middle, and of narrow scales.
@@ -51,6 +53,12 @@ class Scale:
         if not self.signed and value_db <= FLOOR_DB:
             return SILENT
         return minus(f"{value_db:+z.1f} dB" if self.signed else f"{value_db:z.1f} dB")
+
+
+def scale_of_levels(range_db: Range, *, fixed: bool) -> Scale:
+    """The scale of RMS levels, which says so where its range was ``fixed`` by hand."""
+    words = f"{_LEVELS} · {FIXED_MARK}" if fixed else _LEVELS
+    return Scale(range_db=range_db, words=words)
 
 
 def scale_row_px(line_px: float) -> float:

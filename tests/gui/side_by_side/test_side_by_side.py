@@ -16,6 +16,7 @@ from skinsource.map_range import map_range_db
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.side_by_side.painter import fitting
 from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
+from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.state.engine import Purpose
 from tests.core.own_limbs.lab_bench import installed
 
@@ -276,3 +277,26 @@ def test_silence_is_said(window, panel, qtbot):
     window.do("clear_inputs")
     qtbot.waitUntil(lambda: panel.maps.content.message.startswith("Silent"), timeout=30_000)
     assert not panel.grab().isNull()
+
+
+def test_a_range_that_is_fixed_on_the_skin_map_holds_for_maps_in_the_same_unit(
+    window, panel, qtbot
+):
+    shown(panel, qtbot, 4)
+    fixed = SkinSettings(map_range_db=(-60.0, -20.0))
+    window.document.look(with_settings(window.document.view, "skin", fixed))
+
+    def scales():
+        return [cell.scale for cell in panel.maps.content.cells if cell.scale is not None]
+
+    def all_fixed():
+        return {scale.range_db for scale in scales()} == {(-60.0, -20.0)}
+
+    qtbot.waitUntil(all_fixed, timeout=60_000)
+    assert {scale.words for scale in scales()} == {"dB re 1 m/s² · range fixed"}
+    choose(window, shown="mean")
+    qtbot.waitUntil(lambda: len(scales()) == 2, timeout=60_000)
+    mean, spread = scales()
+    assert mean.range_db == (-60.0, -20.0)
+    assert spread.range_db[0] == 0.0
+    assert spread.words == "dB"

@@ -8,8 +8,10 @@ from PySide6.QtGui import QImage, QPainter
 
 import skinsource as ss
 from skinsource.design import Design, track
+from skinsource.panel_settings import with_settings
 from skinsource.rendering.in_windows import rules
 from skinsource.waveforms import WaveletTrain
+from skinsource_gui.panels.skin.settings import SkinSettings
 
 TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))
 
@@ -194,3 +196,24 @@ def test_its_head_says_that_the_traces_show_it_later_unless_their_delay_is_taken
     panel.strip.resize(220, 400)
     metrics = panel.strip.fontMetrics()
     assert metrics.horizontalAdvance(panel.strip.head_words + "SYNTHETIC") < 220
+
+
+def test_a_range_that_is_fixed_on_the_skin_map_holds_here_too(panel, studio, qtbot):
+    followed = panel.strip.content.range_db
+    computed = panel.strip.content.levels_db
+    skin = with_settings(studio.document.view, "skin", SkinSettings(map_range_db=(-60.0, -20.0)))
+    studio.document.look(skin)
+    settle(studio, qtbot)
+    assert panel.strip.content.levels_db is computed
+    assert panel.strip.content.range_db == (-60.0, -20.0)
+    studio.document.edit("Softer", TRAIN.with_input(0, amplitude=0.05))
+    settle(studio, qtbot)
+    assert panel.strip.content.levels_db is not computed
+    assert panel.strip.content.range_db == (-60.0, -20.0)
+    assert panel.strip.content.scale.words == "dB re 1 m/s² · range fixed"
+
+    studio.document.edit("As before", TRAIN)
+    studio.document.look(with_settings(studio.document.view, "skin", SkinSettings()))
+    settle(studio, qtbot)
+    assert panel.strip.content.range_db == followed
+    assert panel.strip.content.scale.words == "dB re 1 m/s²"
