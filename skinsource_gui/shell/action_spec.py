@@ -24,6 +24,8 @@ class ActionSpec:
         Name of the action, the same for ever.
     menu, text
         Menu it stands in; what the menu says.
+    submenu
+        The one in that menu it stands in; in the menu itself where there is none.
     short
         What its button says in the bar, where that is less.
     hint
@@ -53,6 +55,7 @@ class ActionSpec:
     text: str
     hint: str
     keys: tuple[str, ...] = ()
+    submenu: str = ""
     short: str = ""
     keywords: str = ""
     command: str = ""

@@ -34,10 +34,16 @@ def fill_menu_bar(
     """
     # A letter of its own for each: Alt and the letter open it, F10 the first.
     menus = {title: bar.addMenu(f"&{title}") for title in MENUS}
+    within: dict[tuple[str, str], QMenu] = {}
     for spec in specs:
         menu = menus[spec.menu]
         if spec.separated:
             menu.addSeparator()
+        if spec.submenu:
+            place = spec.menu, spec.submenu
+            if place not in within:
+                within[place] = menu.addMenu(spec.submenu)
+            menu = within[place]
         menu.addAction(actions[spec.name])
         if spec.name == "open_design":
             menu.addMenu(recent)

@@ -7,6 +7,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QDialog, QMenu, QStyleOptionViewItem, QTextBrowser, QWidget
 
+from skinsource.panel_settings import settings_of, with_settings
+from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.shell.action_set import ActionSet
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.palette import Palette, matching, score
@@ -65,7 +67,7 @@ def test_every_action_of_the_table_stands_in_its_menu_under_its_words(window):
     menus = {menu.title().replace("&", ""): menu for menu in window.menuBar().findChildren(QMenu)}
     for spec in ACTIONS:
         action = window.actions_by_name[spec.name]
-        assert action in menus[spec.menu].actions(), spec.name
+        assert action in menus[spec.submenu or spec.menu].actions(), spec.name
         assert action.text() == spec.text or spec.name in ("undo", "redo")
         assert spec.hint in action.toolTip()
         assert [keys.toString() for keys in action.shortcuts()] == [
@@ -219,3 +221,28 @@ def test_names_are_elided_and_keys_never_are(qtbot):
         keys = option.fontMetrics.horizontalAdvance("Ctrl+Shift+Alt+S")
         assert option.fontMetrics.horizontalAdvance(option.text) + keys < room
     assert not palette.list.horizontalScrollBar().isVisible()
+
+
+@pytest.mark.parametrize(
+    ("typed", "found"), [("viridis", "Viridis"), ("colormap", "Magma"), ("matlab's", "Turbo")]
+)
+def test_colours_of_levels_are_found_by_their_names_and_used(window, qtbot, typed, found):
+    palette = Palette([window.actions_by_name[spec.name] for spec in ACTIONS])
+    qtbot.addWidget(palette)
+    palette.line.setText(typed)
+    listed = [palette.list.item(k).text() for k in range(palette.list.count())]
+    assert any(f"Colours: {found}" in words for words in listed), listed
+
+
+def test_the_colours_in_use_are_checked_however_they_were_chosen(window):
+    actions = window.actions_by_name
+    assert actions["use_viridis_colours"].isChecked()
+    window.do("use_magma_colours")
+    view = window.document.view
+    assert settings_of(view, "skin", SkinSettings).colours == "magma"
+    assert not window.document.undo_stack.canUndo()
+    assert actions["use_magma_colours"].isChecked()
+    assert not actions["use_viridis_colours"].isChecked()
+    grey = SkinSettings(colours="CET-L1")
+    window.document.look(with_settings(view, "skin", grey))
+    assert actions["use_cet_l1_colours"].isChecked()

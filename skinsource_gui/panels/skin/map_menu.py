@@ -5,7 +5,7 @@ from functools import partial
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QActionGroup, QGuiApplication, QImage
-from PySide6.QtWidgets import QMenu
+from PySide6.QtWidgets import QMenu, QWidget
 
 from skinsource_gui.panels.skin.settings import COLOURS
 from skinsource_gui.panels.skin.skin_map import SkinMap
@@ -46,6 +46,17 @@ def open_map_menu(
     menu.addAction("Copy picture", partial(_copy, picture))
     menu.addAction("Save picture as…", save)
     menu.addAction("Export data…", export)
+    menu.popup(at)
+
+
+def open_colours_menu(
+    over: QWidget, at: QPoint, chosen: str, choose: Callable[[str], None]
+) -> None:
+    """Offer the colour maps of levels over a widget, at a point of the screen."""
+    menu = QMenu(over)
+    menu.setObjectName("colours_menu")
+    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    _add_colours(menu, chosen, choose)
     menu.popup(at)
 
 

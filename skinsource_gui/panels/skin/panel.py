@@ -21,6 +21,7 @@ from skinsource_gui.panels.skin.map_menu import open_map_menu
 from skinsource_gui.panels.skin.map_picture import heading_of, paint_picture
 from skinsource_gui.panels.skin.map_results import MapResults
 from skinsource_gui.panels.skin.map_toolbar import MapToolbar
+from skinsource_gui.panels.skin.settings import SKIN
 from skinsource_gui.panels.skin.time.time_view import TimeView
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 
@@ -40,7 +41,7 @@ class SkinPanel(Panel):
     """
 
     title: ClassVar[str] = "Skin"
-    name: ClassVar[str] = "skin"
+    name: ClassVar[str] = SKIN
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -1,13 +1,19 @@
 """What only the skin map looks at."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from skinsource import fields
+from skinsource.design import Design
+from skinsource.edits import Edit
 from skinsource.fields import ChoiceSpec, NumberSpec, Range, RangeSpec, SwitchSpec
+from skinsource.panel_settings import settings_of, with_settings
+from skinsource.view import View
 from skinsource_gui.panels.skin.map_quantity import LEVELS, MAGNITUDE, RMS, SENSATION, Z
 from skinsource_gui.widgets.map.colour_maps import VIRIDIS
 from skinsource_gui.widgets.map.fixed_range import MAP_RANGE, LevelRangeSettings
 
+#: Name of the panel, under which a view keeps its settings.
+SKIN = "skin"
 QUANTITY = ChoiceSpec(
     label="Shown",
     options=(
@@ -77,3 +83,15 @@ class SkinSettings(LevelRangeSettings):
     moving_range_db: Range | None = fields.interval(None, MAP_RANGE)
     z_limits: Range | None = fields.interval(None, Z_LIMITS)
     colours: str = fields.choice(VIRIDIS, COLOURS)
+
+
+def has_colours(name: str, design: Design, view: View) -> bool:
+    """Whether levels are shown in these colours."""
+    del design
+    return settings_of(view, SKIN, SkinSettings).colours == name
+
+
+def use_colours(name: str, design: Design, view: View) -> Edit:
+    """Show levels in other colours."""
+    settings = replace(settings_of(view, SKIN, SkinSettings), colours=name)
+    return Edit(label="Change colours", design=design, view=with_settings(view, SKIN, settings))

@@ -1,10 +1,13 @@
 """What the View menu does."""
 
+from functools import partial
+
 from skinsource import edits
 from skinsource.design import Design
 from skinsource.edits import Edit, Refusal
 from skinsource.edits.selection import clip_of
 from skinsource.view import View
+from skinsource_gui.panels.skin.settings import COLOURS, has_colours, use_colours
 from skinsource_gui.shell.action_spec import ActionSpec, action
 from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS
 from skinsource_gui.theme import theme_words
@@ -136,6 +139,20 @@ VIEW: tuple[ActionSpec, ...] = (
             ),
             ("system", "As the desktop has it"),
         )
+    ),
+    *(
+        ActionSpec(
+            name=f"use_{colours.lower().replace('-', '_')}_colours",
+            menu="View",
+            submenu="Colours of levels",
+            text=f"Colours: {title}",
+            hint=COLOURS.hint,
+            keywords="color map colormap colour scale heatmap perceptually uniform",
+            edit=partial(use_colours, colours),
+            checked=partial(has_colours, colours),
+            group="colours",
+        )
+        for colours, title in COLOURS.options
     ),
     action(
         "enlarge_text",

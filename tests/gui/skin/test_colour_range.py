@@ -1,13 +1,15 @@
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QFontMetrics
+from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtGui import QContextMenuEvent, QFontMetrics
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource.map_range import map_range_db
 from skinsource_gui.panels.skin.map_quantity import MapQuantity
 from skinsource_gui.panels.skin.scale.colour_scale import fitting_title
 from skinsource_gui.panels.skin.scale.level_range import tick_levels
+from skinsource_gui.panels.skin.settings import COLOURS
 from tests.gui.skin.bench import (
     CONTROL,
     LEFT,
@@ -170,3 +172,19 @@ def test_a_title_that_has_no_room_is_shortened_and_never_cut(qapp):
             assert metrics.horizontalAdvance(title) <= room_px
             assert title in quantity.titles or title.endswith("…")
         assert title == quantity.titles[0]
+
+
+def test_the_right_button_on_the_colour_bar_offers_the_colours(window):
+    strip = window.panel.colour_bar.strip
+    at = strip.rect().center()
+    reason = QContextMenuEvent.Reason.Mouse
+    QApplication.sendEvent(strip, QContextMenuEvent(reason, at, strip.mapToGlobal(at)))
+    [menu] = strip.findChildren(QMenu, "colours_menu")
+    offered = {action.text(): action for action in menu.actions()}
+    assert list(offered) == [title for _, title in COLOURS.options]
+    assert [words for words, action in offered.items() if action.isChecked()] == ["Viridis"]
+    offered["Magma"].trigger()
+    assert window.settings.colours == "magma"
+    menu.close()
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    assert not strip.findChildren(QMenu, "colours_menu")
