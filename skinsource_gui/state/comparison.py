@@ -134,7 +134,10 @@ class Comparison(QObject):
         document = self._document
         asked = document.design, document.view
         if not document.view.levels_matched:
-            document.apply(edits.show_snapshot(*asked, number), self._going)
+            outcome = edits.show_snapshot(*asked, number)
+            document.apply(outcome, self._going)
+            if isinstance(outcome, Edit):
+                self.done.emit(_shown_words(number, document))
             return
 
         def show_matched() -> None:
@@ -145,6 +148,8 @@ class Comparison(QObject):
                 words = gain_words(gain)
                 if isinstance(outcome, Edit) and words:
                     self.done.emit(f"{outcome.label}, {words} to match the others. {_AS_STORED}")
+                elif isinstance(outcome, Edit) and outcome.design != asked[0]:
+                    self.done.emit(_shown_words(number, document))
 
         self._then = show_matched
         self._ask()
@@ -255,6 +260,14 @@ class Comparison(QObject):
             if known is None or known.values is None
             else loudest_db(known.values["output_levels_db"])
         )
+
+
+def _shown_words(number: int, document: Document) -> str:
+    """What is seen now, and the way back: words about what was seen before would be wrong."""
+    name = name_of(number)
+    words = f"{name[:1].upper()}{name[1:]} is shown"
+    other = other_than(document.view.snapshots, document.design)
+    return words if other is None else f"{words}; X shows {name_of(other.number)}"
 
 
 def _slot(number: int) -> Slot:

@@ -288,3 +288,23 @@ def test_a_snapshot_that_another_replaces_comes_back_with_undo_and_later_ones_st
     window.do("redo")
     assert document.view.snapshots[0].design.inputs[0].amplitude == 2.0
     assert {one.number for one in document.view.snapshots} == {1, 3}
+
+
+@pytest.mark.parametrize("matched", [True, False])
+def test_what_is_said_after_going_to_and_fro_is_of_the_snapshot_that_is_shown_now(
+    window, settle, matched
+):
+    window.do("store_snapshot_1")
+    edit(window, 2.0)
+    window.do("store_snapshot_2")
+    if not matched:
+        window.do("match_levels")
+    settle()
+    window.do("toggle_snapshots")
+    settle()
+    # The one that others are matched to is shown as it is.
+    assert window.statusBar().currentMessage() == "Snapshot 1 is shown; X shows snapshot 2"
+    window.do("toggle_snapshots")
+    settle()
+    said = "Show snapshot 2, " if matched else "Snapshot 2 is shown; X shows snapshot 1"
+    assert window.statusBar().currentMessage().startswith(said)
