@@ -103,7 +103,8 @@ class ExportActions(QObject):
             return
         besides: dict[str, Any] = {}
         if SIZED in spec.wants:
-            options = self._ask_options(spec, spec.size_px, most_px=MOST_PX)
+            remark = "" if spec.remark is None else spec.remark(design, view)
+            options = self._ask_options(spec, spec.size_px, most_px=MOST_PX, remark=remark)
             if options is None:
                 return
             besides[SIZED] = options
@@ -124,7 +125,10 @@ class ExportActions(QObject):
 
     def _ask_where(self, spec: ExportSpec) -> Path | None:
         title = f"Export {spec.title.removesuffix('…')}"
-        start = self._preferences.folder / spec.file_name
+        document, name = self._document, spec.file_name
+        if spec.named is not None:
+            name = spec.named(document.design, document.view)
+        start = self._preferences.folder / name
         return self._files.ask_where(title, start, spec.filter, spec.endings)
 
     def _export_picture(self, spec: ExportSpec) -> None:

@@ -17,6 +17,7 @@ from skinsource.export import (
 from skinsource.job import Progress, Stop
 from skinsource.view import View
 from skinsource_gui.panels.skin.time.animation import SIZE_PX, export_animation
+from skinsource_gui.panels.skin.time.film_words import film_name, film_words
 from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT, IN_USE
 
 #: By name, what a function that writes may want besides: `PictureOptions`, the part of the skin map
@@ -44,12 +45,16 @@ class ExportSpec:
     file_name, kinds
         Suggested name of the file; what can be written, as words and ending, first that of the
         suggested name.
+    named
+        The name that is suggested instead, of what is open.
     hint
         What is written, in a sentence.
     write
         Computes and writes the file.
     wants
         What ``write`` is given besides: `SIZED` is asked of the user before, the others are known.
+    remark
+        What is said where that is asked, of what is open.
     panel, size_px
         The panel whose picture is saved, and width and height of that.
     package
@@ -66,7 +71,9 @@ class ExportSpec:
     kinds: tuple[tuple[str, str], ...]
     hint: str
     write: Write | None = None
+    named: Callable[[Design, View], str] | None = None
     wants: frozenset[str] = frozenset()
+    remark: Callable[[Design, View], str] | None = None
     panel: str = ""
     size_px: tuple[int, int] = (1200, 1800)
     package: tuple[str, str] | None = None
@@ -146,10 +153,12 @@ EXPORTS: tuple[ExportSpec, ...] = (
         name="animation",
         title="animation of the skin map…",
         file_name="skin-map.mp4",
+        named=film_name,
         kinds=(("MP4", ".mp4"), ("WebM", ".webm"), ("GIF", ".gif")),
         hint="Save the skin map in time, in slow motion, as MP4, WebM or GIF",
         write=export_animation,
         wants=frozenset({SIZED, SEEN}),
+        remark=film_words,
         size_px=SIZE_PX,
         package=("imageio_ffmpeg", "video"),
         keywords="video film movie wave gif mp4 webm slow motion time",

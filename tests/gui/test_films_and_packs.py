@@ -23,7 +23,8 @@ def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_this_machine(
     write_with("animation", lambda *_, options, seen, **more: given.append((options, seen.fit)))
     wanted = PictureOptions(width_px=640, height_px=480, colours="dark")
 
-    def ask(_window, usual, *, kinds, most_px):
+    def ask(_window, usual, *, kinds, most_px, remark):
+        assert "along z" in remark
         asked.append((usual.width_px, usual.height_px, kinds, most_px))
         return answers.get("options", wanted)
 

@@ -208,3 +208,17 @@ def test_a_line_of_a_caption_ends_between_words_but_neither_before_nor_in_a_unit
         assert all(
             metrics.horizontalAdvance(line) <= room or len(line.split()) <= 2 for line in lines
         )
+
+
+def test_the_page_says_how_many_pixels_the_file_will_have(qtbot):
+    dialog = PictureDialog(PictureOptions(width_px=1200, height_px=1800))
+    qtbot.addWidget(dialog)
+    assert dialog.pixels.text() == "In pixels: 1200 × 1800"
+    dialog.findChild(ChoiceField, "layout_field").choose("column")
+    image = drawn_image(
+        lambda *_: None, dialog.options.width_px, dialog.options.height_px, dialog.options.dpi
+    )
+    assert dialog.pixels.text() == f"In pixels: {image.width()} × {image.height()}"
+    assert image.width() == 1050
+    dialog._take("dpi", 96.0, None)
+    assert dialog.pixels.text() == "In pixels: 336 × 504"

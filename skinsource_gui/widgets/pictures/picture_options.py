@@ -77,6 +77,12 @@ class PictureOptions:
         """The colours."""
         return THEMES[self.colours]
 
+    @property
+    def pixels_words(self) -> str:
+        """How many pixels it has where it is made of pixels."""
+        across, down = (round(one * self.dpi / PER_INCH) for one in (self.width_px, self.height_px))
+        return f"In pixels: {across} × {down}"
+
 
 class PictureDialog(QDialog):
     """Lets the user change `PictureOptions`.
@@ -89,11 +95,15 @@ class PictureDialog(QDialog):
         What can be written, in words.
     most_px
         Pixels that the longer side may have: the resolution of a layout is lowered to it.
+    remark
+        What else is to be known before it is written.
 
     Attributes
     ----------
     options
         As they are in the fields.
+    pixels
+        Says how many pixels the file has: width and height are those of an inch of a page.
     """
 
     def __init__(
@@ -103,6 +113,7 @@ class PictureDialog(QDialog):
         *,
         kinds: str = "PNG, SVG or PDF",
         most_px: int | None = None,
+        remark: str = "",
     ) -> None:
         super().__init__(parent)
         self.options, self._most_px = options, most_px
@@ -118,6 +129,12 @@ class PictureDialog(QDialog):
             cell.field.installEventFilter(self)
             form.addRow(cell.label, cell)
             self._cells[name] = cell
+        self.pixels = QLabel(options.pixels_words)
+        form.addRow(self.pixels)
+        if remark:
+            said = QLabel(remark)
+            said.setWordWrap(True)
+            form.addRow(said)
         form.addRow(QLabel(f"The next step asks where to, and whether as {kinds}."))
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         save = buttons.addButton("Save as…", QDialogButtonBox.ButtonRole.AcceptRole)
@@ -162,6 +179,7 @@ class PictureDialog(QDialog):
         self.options = replace(self.options, **changes)
         for other in changes.keys() - {name}:
             self._cells[other].set_value(getattr(self.options, other))
+        self.pixels.setText(self.options.pixels_words)
 
 
 def ask_picture_options(

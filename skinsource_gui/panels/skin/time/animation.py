@@ -1,8 +1,6 @@
 """The skin map in time as a file: MP4, WebM or GIF."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from itertools import count as counted
 from pathlib import Path
 
 import numpy as np
@@ -18,15 +16,15 @@ from skinsource.export.video import frames_per_s, video_file
 from skinsource.job import Progress, Stop, never, silent
 from skinsource.limb import LimbFacts
 from skinsource.own_limbs import facts_of
-from skinsource.panel_settings import settings_of
 from skinsource.rendering.in_time import block_of
 from skinsource.view import View
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_picture import Heading, heading_of, paint_picture
-from skinsource_gui.panels.skin.map_quantity import LEVELS, MAGNITUDE, RMS, Z
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.stage.map_layout import ALL, SeenPart
+from skinsource_gui.panels.skin.time.film_words import filmed
 from skinsource_gui.panels.skin.time.frames import NEEDS, Frames
+from skinsource_gui.panels.skin.time.pace import pace_of
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.map.colour_maps import DIVERGING
 from skinsource_gui.widgets.map.field_image import field_image
@@ -61,26 +59,6 @@ class Film:
     def time_s(self, number: int) -> float:
         """Instant of a frame, from 0 on."""
         return self.begin_s + number / (self.frames_per_s * self.slow_motion)
-
-
-def pace_of(view: View, settings: SkinSettings, per_s: int, limb: LimbFacts) -> float:
-    """How many times slower it is shown: as the view says, or as slowly as it can be followed.
-
-    Fewer than two instants in a period of the fastest motion would show waves that there are not:
-    of a limb that is sampled quickly a film runs more slowly than the window plays.
-    """
-    highest_hz = limb.band_hz[1] if limb.band_hz else limb.sample_rate_hz / 2.0
-    # A length of a vector moves twice as fast.
-    fastest_hz = {Z: highest_hz, MAGNITUDE: 2.0 * highest_hz, RMS: 1.0 / settings.rms_window_s}
-    needed = 2.0 * fastest_hz[settings.quantity] / per_s
-    if view.slow_motion >= needed:
-        return view.slow_motion
-    return next(pace for pace in _paces() if pace >= needed)
-
-
-def _paces() -> Iterator[float]:
-    """Round ones, 1, 2, 5, 10, 20, 50 and so on, without end."""
-    return (digit * 10.0**power for power in counted() for digit in (1.0, 2.0, 5.0))
 
 
 def film_of(view: View, settings: SkinSettings, end_s: float, per_s: int, limb: LimbFacts) -> Film:
@@ -137,8 +115,9 @@ def export_animation(
     """Write the skin map in time, each frame computed at its instant, the stimulus below it.
 
     What is shown, over which colours and how slowly is as the skin panel has it; where that shows
-    levels, the acceleration along z.  The piece is that of the time axes.  ``options`` say how
-    large it is and on which ground, ``seen`` which part of the map; all of it unless given.
+    what is the same at any time, the acceleration along z.  The piece is that of the time axes.
+    ``options`` say how large it is and on which ground, ``seen`` which part of the map; all of it
+    unless given.
 
     Raises
     ------
@@ -151,9 +130,7 @@ def export_animation(
     """
     # Frames are no numbers that anyone computes with.
     del largest_error
-    settings = settings_of(view, "skin", SkinSettings)
-    if settings.quantity == LEVELS:
-        settings = replace(settings, quantity=Z)
+    settings = filmed(view)
     per_s = frames_per_s(path)
     camera = _Camera(ExportedDesign(design, view, progress, stop), settings, options, seen)
     film = film_of(view, settings, camera.end_s, per_s, facts_of(design.limb))
