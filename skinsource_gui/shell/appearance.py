@@ -20,6 +20,8 @@ class Appearance(QObject):
         Where they are remembered.
     """
 
+    #: Theme or size of words is about to be another one.
+    changing = Signal()
     #: The `Theme` in use is another one, or the size of words is.
     changed = Signal(object)
 
@@ -62,6 +64,7 @@ class Appearance(QObject):
 
     def apply(self) -> None:
         """Give the whole application theme and size of words."""
+        self.changing.emit()
         dark = QGuiApplication.styleHints().colorScheme() == Qt.ColorScheme.Dark
         system = THEMES["dark" if dark else "light"]
         self.theme = THEMES.get(self._preferences.theme_name, system)

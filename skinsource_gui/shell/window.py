@@ -228,7 +228,7 @@ class MainWindow(QMainWindow):
         self.action_set.edited.connect(document.apply)
         self.appearance.changed.connect(self._show_theme)
         self.arrangements.text_scaled.connect(self.appearance.fit_room)
-        self.appearance.changed.connect(self.layout_of_docks.settling.refit)
+        self.layout_of_docks.settling.follow(self.appearance)
         self.setup_bar.edited.connect(document.apply)
         # What a scene arranged goes before panels are shown that a file names.
         for left in (self.files.started_over, self.files.opened):

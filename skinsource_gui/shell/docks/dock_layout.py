@@ -98,7 +98,7 @@ class DockLayout(QObject):
 
     def hold(self) -> None:
         """Remember how all is now for the next session; what comes is for an audience."""
-        self._held = self._window.saveGeometry(), self._preferences.arrangement, self.content()
+        self._held = self._window.saveGeometry(), self._preferences.arrangement, self.own()
 
     def release(self) -> None:
         """Remember again what comes."""
@@ -107,6 +107,10 @@ class DockLayout(QObject):
     def content(self) -> bytes:
         """What `put` and `show_panels` take back."""
         return bytes(self._window.saveState().data())
+
+    def own(self) -> bytes:
+        """What `put` takes back; empty where nobody moved a dock: it will be arranged again."""
+        return b"" if self.settling.untouched else self.content()
 
     def put(self, content: bytes) -> None:
         """Put the docks where they stood in this very window, if anything is said about it."""
@@ -158,7 +162,7 @@ class DockLayout(QObject):
 
     def close(self) -> None:
         """Remember this session for the next one; the window closes."""
-        now = self._window.saveGeometry(), self._preferences.arrangement, self.content()
+        now = self._window.saveGeometry(), self._preferences.arrangement, self.own()
         # The next session begins without an audience, and without a scene.
         geometry, arrangement, content = self._held or now
         arrangement, content = self._before_scene or (arrangement, content)

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping
 
-from PySide6.QtCore import QByteArray, QEvent, QObject, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction, QKeySequence, QShortcut
 from PySide6.QtWidgets import QMainWindow, QToolBar, QWidget
 from shiboken6 import isValid
@@ -70,7 +70,7 @@ class Presenter(QObject):
         self._files, self._actions = files, actions
         self._docks, self._arrangements, self._layout = docks, arrangements, layout
         self.presenting = self.covered = False
-        self._before, self._size = QByteArray(), window.size()
+        self._before, self._size = b"", window.size()
         self._focused: QWidget | None = None
         self._arranged = ""
         self._steps: tuple[Step, ...] = ()
@@ -94,7 +94,7 @@ class Presenter(QObject):
         self.presenting = True
         self._is_scene = self._at >= 0 and not self._document.modified
         self._layout.hold()
-        self._before, self._arranged = window.saveState(), self._preferences.arrangement
+        self._before, self._arranged = self._layout.own(), self._preferences.arrangement
         self._size, self._focused = window.size(), window.focusWidget()
         for bar in self._bars():
             bar.hide()
@@ -177,7 +177,8 @@ class Presenter(QObject):
             self._window.removeEventFilter(self)
         elif self._window.size() == self._size:
             self._window.removeEventFilter(self)
-            self._layout.put(bytes(self._before.data()))
+            self._layout.put(self._before)
+            self._layout.settling.refit()
 
     def _bars(self) -> list[QWidget]:
         window = self._window
