@@ -24,10 +24,10 @@ from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.bars import StudioBar
 from skinsource_gui.shell.clip_drops import ClipDrops
+from skinsource_gui.shell.clips_and_clipboard import ClipsAndClipboard
 from skinsource_gui.shell.first_hints import FirstHints
-from skinsource_gui.shell.focus.clip_drawing import ClipDrawing
+from skinsource_gui.shell.focus.capabilities import focus_capabilities
 from skinsource_gui.shell.focus.focus_order import move_focus
-from skinsource_gui.shell.focus.panel_focus import PanelFocus
 from skinsource_gui.shell.installations import Installations
 from skinsource_gui.shell.keeping.keeping import Keeping
 from skinsource_gui.shell.kind_choices import kind_choices
@@ -179,7 +179,6 @@ class MainWindow(QMainWindow):
         )
 
     def _capabilities(self) -> dict[str, QObject]:
-        focus = PanelFocus(self.panels, self.arrangements.bring, self)
         # By the names that the table of actions has for them.
         return {
             "files": self.files,
@@ -196,8 +195,8 @@ class MainWindow(QMainWindow):
             "steps": self.document.undo_stack,
             "layout_of_docks": self.layout_of_docks,
             "dock_tabs": self.dock_tabs,
-            "panel_focus": focus,
-            "clip_drawing": ClipDrawing(self.panels, focus, self),
+            **focus_capabilities(self.panels, self.arrangements.bring, self),
+            "clips": ClipsAndClipboard(self.document, self),
             "appearance": self.appearance,
             "pages": self.pages,
             "frame": WindowFrame(self, self.document),

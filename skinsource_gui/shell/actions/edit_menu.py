@@ -7,6 +7,7 @@ from skinsource.design import Design, Input
 from skinsource.edits import Edit, Refusal
 from skinsource.view import View
 from skinsource_gui.shell.action_spec import ActionSpec, action
+from skinsource_gui.shell.actions.clipboard_actions import CLIPBOARD
 from skinsource_gui.shell.actions.snapshot_actions import SNAPSHOTS
 from skinsource_gui.state.wavelet_levelling import selected_train
 from skinsource_gui.widgets.empty_words import ADD_KEY
@@ -77,6 +78,7 @@ def _key(name: str) -> str:
 EDIT: tuple[ActionSpec, ...] = (
     action("undo", "Edit", "Undo", "Take the last edit back", "Ctrl+Z", command="steps.undo"),
     action("redo", "Edit", "Redo", "Do it again", "Ctrl+Shift+Z", "Ctrl+Y", command="steps.redo"),
+    *CLIPBOARD,
     action(
         "make_motion",
         "Edit",

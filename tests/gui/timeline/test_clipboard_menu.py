@@ -1,0 +1,85 @@
+"""Cut, copy and paste of clips stand in the Edit menu; their keys are those of who has them."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu
+
+from skinsource_gui.widgets.fields.number_field import NumberField
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+
+
+@pytest.fixture
+def active(window, qtbot):
+    """The window, with the keyboard and an empty clipboard."""
+    QGuiApplication.clipboard().clear()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    (clip,) = window.document.design.clips
+    window.document.look(replace(window.document.view, selected_clips=(clip.id,)))
+    return window
+
+
+def waveforms(window):
+    return [one.waveform for one in window.document.design.clips]
+
+
+def test_they_stand_in_the_menu_and_say_the_keys_of_the_timeline(active):
+    menus = [one for one in active.findChildren(QMenu) if one.title().replace("&", "") == "Edit"]
+    hints = {one.text(): one.statusTip() for menu in menus for one in menu.actions()}
+    for words, key in (
+        ("Cut clips", "Ctrl+X"),
+        ("Copy clips", "Ctrl+C"),
+        ("Paste clips at playhead", "Ctrl+V"),
+    ):
+        assert f"({key}, in the timeline)" in hints[words]
+
+
+@pytest.mark.parametrize("shown", [True, False])
+def test_selected_clips_are_copied_cut_and_pasted_wherever_the_keyboard_is(active, shown):
+    if not shown:
+        active.docks["timeline"].toggleViewAction().trigger()
+    assert active.panel("timeline").isVisible() == shown
+    active.panel("hand").setFocus()
+    (waveform,) = waveforms(active)
+    active.do("copy_clips")
+    active.do("paste_clips")
+    assert waveforms(active) == [waveform, waveform]
+    active.do("cut_clips")
+    assert waveforms(active) == [waveform]
+    active.do("undo")
+    assert waveforms(active) == [waveform, waveform]
+
+
+def test_of_no_clips_and_an_empty_clipboard_they_say_so(active):
+    said = []
+    active.document.refused.connect(said.append)
+    active.do("paste_clips")
+    assert "holds no clips" in said[-1]
+    active.document.edit("Empty", replace(active.document.design, inputs=()))
+    assert not active.actions_by_name["copy_clips"].isEnabled()
+    assert not active.actions_by_name["cut_clips"].isEnabled()
+
+
+def test_where_one_types_the_keys_are_about_the_words(active):
+    field = next(
+        one for one in active.panel("inspector").findChildren(NumberField) if one.isVisible()
+    )
+    field.setFocus()
+    QTest.keyClick(field, Qt.Key.Key_C, CONTROL)
+    assert QGuiApplication.clipboard().text() == "100 Hz"
+    QTest.keyClick(field, Qt.Key.Key_V, CONTROL)
+    assert len(waveforms(active)) == 1
+
+
+def test_in_the_timeline_the_keys_are_about_the_clips(active):
+    lanes = active.panel("timeline")._table.lanes
+    lanes.setFocus()
+    assert QApplication.focusWidget() is not None
+    for key in (Qt.Key.Key_C, Qt.Key.Key_V):
+        QTest.keyClick(QApplication.focusWidget(), key, CONTROL)
+    assert len(waveforms(active)) == 2
