@@ -1,7 +1,7 @@
 """Opening scenes in the window, in the arrangement that shows them."""
 
-from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
@@ -18,7 +18,6 @@ from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.theme import Theme
 
 if TYPE_CHECKING:
-    from skinsource.scenes import OpenedScene
     from skinsource_gui.scenes_page import ScenesPage
 
 
@@ -30,9 +29,7 @@ class SceneActions(QObject):
     document, preferences, files, limbs
         What is open, where and how it is saved, and which limbs there are.
     arrange
-        Takes up the arrangement of a name.
-    docks
-        By the name of their panel; each can `bring_forward`.
+        Takes up the arrangement of a name, with the panels of some names in sight.
     theme
         Gives the colours in use.
     window
@@ -51,14 +48,13 @@ class SceneActions(QObject):
         preferences: Preferences,
         files: FileActions,
         limbs: InstalledLimbs,
-        arrange: Callable[[str], None],
-        docks: Mapping[str, Any],
+        arrange: Callable[[str, Sequence[str]], None],
         theme: Callable[[], Theme],
         window: QWidget,
     ) -> None:
         super().__init__(window)
         self._document, self._files, self._limbs = document, files, limbs
-        self._preferences, self._arrange, self._docks = preferences, arrange, docks
+        self._preferences, self._arrange = preferences, arrange
         self._theme, self._window = theme, window
         self._last = self._last_limb = ""
 
@@ -87,7 +83,7 @@ class SceneActions(QObject):
         self._files.leave_file()
         self._files.suggested = self._preferences.folder / f"{opened.scene.name}{SUFFIX}"
         self._last, self._last_limb = opened.scene.name, limb
-        self._bring(opened)
+        self._arrange(opened.scene.arrangement, opened.scene.panels)
         self.opened.emit(name)
         words = f"Opened {opened.scene.heading}"
         if opened.synthetic:
@@ -95,9 +91,3 @@ class SceneActions(QObject):
         elif limb:
             words += f", on {limb_word(limb).title}"
         self.done.emit(words)
-
-    def _bring(self, opened: "OpenedScene") -> None:
-        self._arrange(opened.scene.arrangement)
-        for panel in opened.scene.panels:
-            if panel in self._docks:
-                self._docks[panel].bring_forward()

@@ -154,8 +154,8 @@ class MainWindow(QMainWindow):
         self.pictures = PanelPictures(self, *own)
         self.exports = ExportActions(*saving, self.runner, self.pictures.picture_of, self)
         self.stimuli = StimulusActions(*saving, self.runner, lambda: self.theme, self)
-        show = self.layout_of_docks.choose_for_scene
-        self.scenes = SceneActions(*saving, self.limbs, show, self.docks, lambda: self.theme, self)
+        show = self.layout_of_docks.show_scene
+        self.scenes = SceneActions(*saving, self.limbs, show, lambda: self.theme, self)
         self.comparison = Comparison(self.document, self.engine, self.panels)
         kept = self.document, self.engine, self.runner, self.files, self.layout_of_docks
         self.keeping = Keeping(*kept, self.preferences.autosave_s, self)
@@ -164,7 +164,7 @@ class MainWindow(QMainWindow):
         self.playback = Playback(self.document, self.preferences, self)
         self.running_jobs = RunningJobs(self.runner, self)
         self.levelling = WaveletLevelling(self.document, self.runner, self)
-        desk = self.docks, self.arrangements, self.layout_of_docks
+        desk = self.arrangements, self.layout_of_docks
         keys = self.document, self.preferences, self.files, *desk
         self.presenter = Presenter(self, *keys, lambda: self.actions_by_name)
         theme = partial(getattr, self, "theme")

@@ -1,5 +1,6 @@
 """Docks of a window, and where they stand."""
 
+from skinsource_gui.shell.docks.arrangement_spec import PRESENTATION
 from skinsource_gui.shell.docks.arrangements import Arrangements
 from skinsource_gui.shell.docks.dock import Dock
 from skinsource_gui.shell.docks.dock_layout import DockLayout
@@ -9,6 +10,7 @@ from skinsource_gui.shell.docks.stage import staged, usual_size
 from skinsource_gui.shell.docks.taking_in import TakingIn
 
 __all__ = [
+    "PRESENTATION",
     "Arrangements",
     "Dock",
     "DockLayout",

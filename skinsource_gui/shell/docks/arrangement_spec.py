@@ -69,6 +69,9 @@ class ArrangementSpec:
     stacks: bool = False
 
 
+#: The name of the arrangement in which an audience sees whatever is shown.
+PRESENTATION = "presentation"
+
 ARRANGEMENTS: tuple[ArrangementSpec, ...] = (
     ArrangementSpec(
         name="design",
@@ -97,7 +100,7 @@ ARRANGEMENTS: tuple[ArrangementSpec, ...] = (
         host="spectra",
     ),
     ArrangementSpec(
-        name="presentation",
+        name=PRESENTATION,
         text="presenting",
         hint="The hand, the skin, and frequency and amplitude to turn, in large words",
         keys=("Alt+4",),

@@ -1,12 +1,12 @@
 """Where the docks of a window stand: between sessions, and in the files of designs."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import QByteArray, QEvent, QObject, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QScreen
 from PySide6.QtWidgets import QMainWindow
 
-from skinsource_gui.shell.docks.arrangement_spec import ArrangementSpec
+from skinsource_gui.shell.docks.arrangement_spec import PRESENTATION, ArrangementSpec
 from skinsource_gui.shell.docks.arrangements import Arrangements
 from skinsource_gui.shell.docks.dock import Dock
 from skinsource_gui.shell.docks.settling import Settling
@@ -75,13 +75,29 @@ class DockLayout(QObject):
             words = _AS_AT_FIRST if again and touched else _AS_LEFT
             self.done.emit(words.format(key=self._present.keys[0]))
 
-    def choose_for_scene(self, name: str) -> None:
-        """Take up the arrangement of a scene, as at first; `leave_scene` takes it back."""
-        kept = self._kept()
-        if self._before_scene is None and self._present is not None:
-            held = self._held
-            self._before_scene = (self._present.name, kept) if held is None else held[1:]
-        self._arrangements.show(name)
+    def show_scene(self, arrangement: str, panels: Sequence[str]) -> None:
+        """Take up the arrangement of a scene, as at first, and bring its panels in sight.
+
+        It is the same whatever was in sight before; `leave_scene` takes it back.  While scenes are
+        presented they stand as people further off can read them.
+
+        Parameters
+        ----------
+        arrangement
+            Its name.
+        panels
+            Names of panels; the last of several in one place comes to the front.
+        """
+        if self._held is not None:
+            self._arrangements.show(PRESENTATION)
+        else:
+            kept = self._kept()
+            if self._before_scene is None and self._present is not None:
+                self._before_scene = (self._present.name, kept)
+            self._arrangements.show(arrangement)
+        for panel in panels:
+            if panel in self._docks:
+                self._docks[panel].bring_forward()
 
     def leave_scene(self) -> None:
         """Put the docks where the user had them before a scene took up its arrangement.

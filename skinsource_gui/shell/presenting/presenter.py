@@ -11,14 +11,13 @@ from skinsource import scenes
 from skinsource.errors import SkinSourceError
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.panels.skin.panel import SkinPanel
-from skinsource_gui.shell.docks import Arrangements, Dock, DockLayout
+from skinsource_gui.shell.docks import PRESENTATION, Arrangements, DockLayout
 from skinsource_gui.shell.presenting.notes_window import NotesWindow
 from skinsource_gui.shell.presenting.page_keys import PageKeys
 from skinsource_gui.shell.presenting.scene_list import Step, steps_of_folder, steps_of_paper
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
 
-_ARRANGEMENT = "presentation"
 #: What clickers send, beside the keys of the table of actions.
 _NEXT, _PREVIOUS, _COVER = ("PgDown",), ("PgUp",), ("B", ".")
 
@@ -36,7 +35,7 @@ class Presenter(QObject):
         Say how the panels stand.
     files
         Ask what becomes of the present design.
-    docks, arrangements, layout
+    arrangements, layout
         Where the panels stand.
     actions
         What has a key, once it is known.
@@ -60,7 +59,6 @@ class Presenter(QObject):
         document: Document,
         preferences: Preferences,
         files: FileActions,
-        docks: Mapping[str, Dock],
         arrangements: Arrangements,
         layout: DockLayout,
         actions: Callable[[], Mapping[str, QAction]],
@@ -68,7 +66,7 @@ class Presenter(QObject):
         super().__init__(window)
         self._window, self._document, self._preferences = window, document, preferences
         self._files, self._actions = files, actions
-        self._docks, self._arrangements, self._layout = docks, arrangements, layout
+        self._arrangements, self._layout = arrangements, layout
         self.presenting = self.covered = False
         self._before, self._size = b"", window.size()
         self._focused: QWidget | None = None
@@ -98,8 +96,7 @@ class Presenter(QObject):
         self._size, self._focused = window.size(), window.focusWidget()
         for bar in self._bars():
             bar.hide()
-        self._arrangements.show(_ARRANGEMENT)
-        _bring_forward(self._docks, self._panels)
+        self._layout.show_scene(PRESENTATION, self._panels)
         # Keys of menus that are away would be dead.
         window.addActions(list(self._actions().values()))
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
@@ -222,7 +219,8 @@ class Presenter(QObject):
         self._document.start_over(shown.design, shown.view, None, scene=step.title)
         self._files.leave_file()
         self._opening, self._is_scene, self._panels = False, self.presenting, shown.panels
-        _bring_forward(self._docks, self._panels)
+        if shown.arrangement:
+            self._layout.show_scene(shown.arrangement, shown.panels)
         self.done.emit(f"Scene {number + 1} of {len(self._steps)}: {step.title}")
         self._show_notes()
 
@@ -239,10 +237,3 @@ class Presenter(QObject):
         heading = titles[self._at] if 0 <= self._at < len(titles) else design.title or "Notes"
         after = titles[following] if 0 < following < len(titles) else ""
         self._notes.show_scene(heading, design.notes, after)
-
-
-def _bring_forward(docks: Mapping[str, Dock], names: tuple[str, ...]) -> None:
-    """Bring panels in sight, the last of several in one place in front."""
-    for name in names:
-        if name in docks:
-            docks[name].bring_forward()

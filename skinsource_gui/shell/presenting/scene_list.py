@@ -19,12 +19,14 @@ class Shown:
     ----------
     design, view
         What the window shows.
-    panels
-        Names of the panels that are brought in sight.
+    arrangement, panels
+        Arrangement of the window that shows it, and the panels that are brought in sight there;
+        empty: the window stays as it is.
     """
 
     design: Design
     view: View
+    arrangement: str = ""
     panels: tuple[str, ...] = ()
 
 
@@ -67,4 +69,10 @@ def _of_file(path: Path) -> Shown:
 
 def _of_paper(name: str) -> Shown:
     opened = scenes.open_scene(name)
-    return Shown(design=opened.design, view=opened.view, panels=opened.scene.panels)
+    known = opened.scene
+    return Shown(
+        design=opened.design,
+        view=opened.view,
+        arrangement=known.arrangement,
+        panels=known.panels,
+    )
