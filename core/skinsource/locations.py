@@ -246,11 +246,13 @@ def output_place(number: int) -> OutputPlace:
 def input_words(number: int, limb: str = "") -> PlaceWords:
     """What input place ``number`` is called; a limb may have places that are not named here.
 
+    Of a limb that is missing nobody knows more of a place than its number.
+
     >>> input_words(25).name
     'Place 25, not on this hand'
     """
     facts = facts_of(limb)
-    if facts.own and 1 <= number <= facts.n_inputs:
+    if (facts.own and 1 <= number <= facts.n_inputs) or facts.missing:
         return _own_words(number, facts.input_names, "Place", "place")
     if facts.own or not 1 <= number <= len(INPUTS):
         return PlaceWords(
@@ -272,7 +274,7 @@ def output_words(number: int, limb: str = "") -> PlaceWords:
     'Not on this limb'
     """
     facts = facts_of(limb)
-    if facts.own and 1 <= number <= facts.n_outputs:
+    if (facts.own and 1 <= number <= facts.n_outputs) or facts.missing:
         return _own_words(number, facts.output_names, "Output", "output")
     if facts.own or not 1 <= number <= len(OUTPUTS):
         return PlaceWords(

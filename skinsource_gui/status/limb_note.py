@@ -5,7 +5,7 @@ from PySide6.QtGui import QFocusEvent, QFont, QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import QLabel, QWidget
 
 from skinsource.dataset.not_installed import NOT_INSTALLED
-from skinsource.own_limbs import facts_of
+from skinsource.own_limbs import facts_of, missing_limb
 from skinsource_gui.state.engine import Outcome
 from skinsource_gui.theme import LIGHT, Theme
 
@@ -20,7 +20,7 @@ class LimbNote(QLabel):
     """Says SYNTHETIC LIMB where it is one, and the way to the measured ones if they are missing.
 
     Of a measured limb it says what there is to note, such as that it was not made from the
-    published files.
+    published files; of one that is not here, only that.
     """
 
     help_wanted = Signal()
@@ -31,7 +31,7 @@ class LimbNote(QLabel):
         self._measured = False
         self._theme = LIGHT
         self._synthetic = False
-        self._limb = self._note = self._own = ""
+        self._limb = self._note = self._own = self._missing = ""
         self._said: tuple[object, ...] = ()
         # Words and their HTML, longest first.
         self._phrases: tuple[tuple[str, str], ...] = (("", ""),)
@@ -51,6 +51,7 @@ class LimbNote(QLabel):
         facts = facts_of(name)
         self._synthetic = facts.synthetic
         self._own = facts.sentence if facts.own else ""
+        self._missing = missing_limb(name, "") if facts.missing else ""
         self._say()
 
     def show_outcome(self, outcome: Outcome) -> None:
@@ -72,16 +73,25 @@ class LimbNote(QLabel):
             super().focusNextPrevChild(True)
 
     def _say(self) -> None:
-        said = (self._synthetic, self._note, self._own, self._measured, self._theme)
+        said = (
+            self._synthetic,
+            self._note,
+            self._own,
+            self._missing,
+            self._measured,
+            self._theme,
+        )
         if said == self._said:
             return  # else the window is laid out anew at each edit
         self._said = said
-        self.setVisible(self._synthetic or bool(self._note) or bool(self._own))
+        self.setVisible(any((self._synthetic, self._note, self._own, self._missing)))
         note = f"{self._note[:1].upper()}{self._note[1:]}"
-        self.setToolTip(f"{self._own} {note}".strip() or _SYNTHETIC)
+        self.setToolTip(self._missing or f"{self._own} {note}".strip() or _SYNTHETIC)
         colour = self._theme.warning
         other = "OWN LIMB" if self._own else "NOT VERIFIED AS PUBLISHED"
         words = "SYNTHETIC LIMB" if self._synthetic else other
+        # What was noted of the results before is of another limb.
+        words = "LIMB MISSING" if self._missing else words
         self._phrases = ((words, f"<b>{words}</b>"),)
         linked = self._synthetic and not self._measured and not self._own
         if linked:

@@ -35,7 +35,7 @@ class LimbFacts:
     own
         Whether a lab imported it: its places are its own.
     known
-        Whether there is such a limb here; if not, all else is that of the published ones.
+        Whether there is such a limb here; if not, its sizes are those of the published ones.
     input_names, output_names
         Of an own limb, one for each; empty ones have no name.
     digest
@@ -63,6 +63,11 @@ class LimbFacts:
     digest: str = ""
     left: bool = False
     mirrored: bool = False
+
+    @property
+    def missing(self) -> bool:
+        """Whether a name is known and nothing else: not even in which band it was measured."""
+        return bool(self.name) and not self.known
 
     @property
     def live(self) -> bool:

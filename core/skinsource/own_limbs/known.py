@@ -5,7 +5,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from skinsource.errors import InvalidInputError, SkinSourceError
-from skinsource.limb import PUBLISHED, Axes, Band, LimbFacts, LimbMap, axes_of, words
+from skinsource.limb import BAND_HZ, PUBLISHED, Axes, Band, LimbFacts, LimbMap, axes_of, words
 from skinsource.own_limbs.content import is_free_name
 from skinsource.own_limbs.limb_file import LimbFile
 from skinsource.own_limbs.store import own_limb_path
@@ -13,8 +13,9 @@ from skinsource.quoting import quoted
 
 
 def facts_of(name: str) -> LimbFacts:
-    """Names and sizes of a limb; of one that is not here, or damaged, those of the published ones.
+    """Names and sizes of a limb; of one that is not here, or damaged, sizes of the published ones.
 
+    Where none is named, all is that of the published ones.
     Quick enough for each edit: a file is read again only after it has changed.
     """
     published = PUBLISHED.get(name)
@@ -27,7 +28,8 @@ def facts_of(name: str) -> LimbFacts:
             return _read(name, path, _state_of(about))[0]
         except (OSError, SkinSourceError):
             pass
-    return LimbFacts(name=name, title=name, sentence="", known=False)
+    band_hz = None if name else BAND_HZ
+    return LimbFacts(name=name, title=name, sentence="", band_hz=band_hz, known=False)
 
 
 def axes_on(limb: str, axes: Axes) -> Axes:

@@ -5,11 +5,13 @@ from functools import partial
 from typing import ClassVar
 
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtWidgets import QMenu, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QMenu, QStackedLayout, QWidget
 
 from skinsource import edits
 from skinsource.design import Design, Input, audible_inputs
 from skinsource.edits import Edit, Refusal
+from skinsource.own_limbs import facts_of
+from skinsource.quoting import quoted
 from skinsource.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.hand.drawings import drawing_of
@@ -46,15 +48,25 @@ class HandPanel(Panel):
         self.diagram.menu_requested.connect(self._open_menu)
         self._pointing = Pointing(self.diagram.stage)
         self._pointing.pointed_at.connect(self.input_pointed_at)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self.diagram)
+        # Of a limb that is missing no hand is known: that of another has other places.
+        self._missing = QLabel()
+        self._missing.setObjectName("hand_missing")
+        self._missing.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._missing.setWordWrap(True)
+        self._stack = QStackedLayout(self)
+        self._stack.addWidget(self.diagram)
+        self._stack.addWidget(self._missing)
         self.setFocusProxy(self.diagram)
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
         self._pointing.show_design(design)
-        self.diagram.show_drawing(drawing_of(design.limb))
+        missing = facts_of(design.limb).missing
+        if missing:
+            self._missing.setText(f"The limb {quoted(design.limb)} is missing")
+        else:
+            self.diagram.show_drawing(drawing_of(design.limb))
+        self._stack.setCurrentWidget(self._missing if missing else self.diagram)
         self._show_inputs()
 
     def show_pointed_input(self, input_id: int | None) -> None:
@@ -63,9 +75,12 @@ class HandPanel(Panel):
     def show_theme(self, theme: Theme) -> None:
         self._theme = theme
         self.diagram.show_theme(theme)
+        self._missing.setStyleSheet(f"color: {theme.dim};")
         self._show_inputs()
 
     def drop_place(self, at: QPoint) -> DropPlace | None:
+        if self._stack.currentWidget() is not self.diagram:
+            return None
         site = self.diagram.stage.site_at(QPointF(self.diagram.mapFrom(self, at)))
         return None if site is None else DropPlace(location=site)
 

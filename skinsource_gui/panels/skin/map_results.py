@@ -109,15 +109,19 @@ class MapResults:
         self._display.change(**nothing, message=message, outdated=False)
 
     def show_bare(self, design: Design | None) -> None:
-        """Where nothing is computed for an own limb, show its places, not those of another."""
+        """Where nothing is computed for an own limb, show its places, not those of another.
+
+        Of one that is missing there is nothing to show.
+        """
         limb = "" if design is None else design.limb
-        if limb == self._display.content.limb or not (own := own_map(limb)):
+        own, missing = own_map(limb), facts_of(limb).missing
+        if not missing and (own is None or limb == self._display.content.limb):
             return
         self._surface = None
         self._display.change(
             limb_map=own,
             limb=limb,
-            px_per_mm=own.hand_length_px / facts_of(limb).hand_length_mm,
+            px_per_mm=own.hand_length_px / facts_of(limb).hand_length_mm if own else 0.0,
             field=None,
             noisy=(),
         )

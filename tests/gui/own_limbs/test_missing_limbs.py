@@ -1,0 +1,93 @@
+"""A design of a limb whose file is gone, in the whole window."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QEvent, QPoint
+from PySide6.QtWidgets import QApplication, QLabel
+
+from skinsource.design import Design, track
+from skinsource.locations import input_words, output_words
+from skinsource.own_limbs import facts_of, remove_limb
+from skinsource.view import View
+from skinsource_gui.status.limb_note import LimbNote
+from tests.core.own_limbs.lab_bench import installed
+
+GONE = Design(limb="lab-9", inputs=(track(6),))
+
+
+def rested(window, qtbot):
+    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
+    window.catch_up()
+
+
+@pytest.fixture
+def gone(user_data, window, qtbot):
+    """A window that showed a limb, and now a design of one that is missing."""
+    rested(window, qtbot)
+    assert window.panel("skin").map.content.limb_map is not None
+    window.document.start_over(GONE, View(outputs=(3,)), None)
+    rested(window, qtbot)
+    return window
+
+
+def test_of_a_missing_limb_places_have_numbers_alone():
+    assert input_words(6, "lab-9").name == "Place 6"
+    assert output_words(3, "lab-9").name == "Output 3"
+    assert facts_of("lab-9").band_hz is None
+
+
+def test_where_no_limb_is_named_places_and_band_are_those_of_the_published_ones():
+    assert input_words(6).name == "Digit I, pad"
+    assert facts_of("").band_hz == (25.0, 600.0)
+
+
+def test_hand_and_inspector_show_nothing_of_another_hand(gone):
+    hand = gone.panel("hand")
+    assert not hand.diagram.isVisibleTo(hand)
+    assert hand.findChild(QLabel, "hand_missing").text() == "The limb 'lab-9' is missing"
+    assert hand.drop_place(QPoint(50, 50)) is None
+    assert "Place 6" in gone.panel("inspector").findChild(QLabel, "inspector_heading").text()
+
+
+def test_the_map_shows_no_outline_of_another_limb_and_says_why(gone):
+    content = gone.panel("skin").map.content
+    assert content.limb_map is None
+    assert content.limb == "lab-9"
+    assert "lab-9" in content.message
+    assert not gone.panel("skin").grab().isNull()
+
+
+def test_the_status_bar_says_that_the_limb_is_missing_and_nothing_of_measured_ones(gone):
+    note = gone.findChild(LimbNote)
+    assert "LIMB MISSING" in note.text()
+    assert "not here" in note.toolTip()
+    assert not note.isHidden()
+
+
+def test_a_limb_that_goes_takes_its_hand_and_outline_and_brings_them_back(user_data, window, qtbot):
+    installed()
+    QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
+    design = Design(limb="lab-1", limb_digest=facts_of("lab-1").digest, inputs=(track(6),))
+    window.document.start_over(design, View(axes="xz", outputs=(3,)), None)
+    rested(window, qtbot)
+    hand = window.panel("hand")
+    assert hand.diagram.isVisibleTo(hand)
+    remove_limb("lab-1")
+    QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
+    rested(window, qtbot)
+    assert not hand.diagram.isVisibleTo(hand)
+    assert "LIMB MISSING" in window.findChild(LimbNote).text()
+    installed()
+    QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
+    rested(window, qtbot)
+    assert hand.diagram.isVisibleTo(hand)
+    assert "OWN LIMB" in window.findChild(LimbNote).text()
+
+
+def test_another_limb_brings_its_hand(gone, qtbot):
+    gone.document.edit("Change limb", replace(gone.document.design, limb="synthetic-1"))
+    rested(gone, qtbot)
+    hand = gone.panel("hand")
+    assert hand.diagram.isVisibleTo(hand)
+    assert "SYNTHETIC LIMB" in gone.findChild(LimbNote).text()
