@@ -3,13 +3,14 @@
 from dataclasses import replace
 from pathlib import Path
 from time import time
+from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from skinsource.design import Design
 from skinsource.edits import Edit, Refusal, kept_selection
-from skinsource.own_limbs import missing_limb, outputs_on
+from skinsource.own_limbs import axes_on, missing_limb, outputs_on
 from skinsource.view import View
 from skinsource_gui.history import MOST_STEPS
 from skinsource_gui.state.step_end import StepEnd
@@ -264,14 +265,20 @@ def _holds_snapshots(saved: Design, saved_view: View, view: View) -> bool:
 
 
 def _existing(view: View, design: Design) -> View:
-    """Return ``view`` with those selected inputs, clips and outputs that exist."""
+    """Return ``view`` with those selected inputs, clips, outputs and axes that exist."""
     chosen = tuple(one for one in view.selected_inputs if one in design.ids)
     clip_ids = {one.id for one in design.clips} if view.selected_clips else set()
     clips = tuple(one for one in view.selected_clips if one in clip_ids)
     outputs = outputs_on(design.limb, view.outputs)
-    if (chosen, clips, outputs) == (view.selected_inputs, view.selected_clips, view.outputs):
+    found: dict[str, Any] = {
+        "selected_inputs": chosen,
+        "selected_clips": clips,
+        "outputs": outputs,
+        "axes": axes_on(design.limb, view.axes),
+    }
+    if all(getattr(view, name) == value for name, value in found.items()):
         return view
-    return replace(view, selected_inputs=chosen, selected_clips=clips, outputs=outputs)
+    return replace(view, **found)
 
 
 def _same_limb(one: Design, other: Design) -> bool:

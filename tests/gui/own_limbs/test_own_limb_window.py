@@ -78,6 +78,20 @@ def test_names_places_and_axes_are_those_of_the_limb(lab_window, lab):
     assert "OWN LIMB" in window.findChild(LimbNote).text()
 
 
+def test_a_new_design_and_one_of_a_file_are_looked_at_along_the_axes_of_the_limb(lab_window, qtbot):
+    window = lab_window
+    axes = window.findChild(ChoiceField, "axes")
+    window.files.new()
+    assert window.document.design.limb == "lab-1"
+    assert window.document.view.axes == "xz"
+    assert axes.shown_text == "x, z"
+    window.document.start_over(replace(PLAYED, limb="lab-1"), View(axes="xyz"), None)
+    rested(window, qtbot)
+    assert window.document.view.axes == "xz"
+    assert axes.shown_text == "x, z"
+    assert not window.document.modified
+
+
 def test_it_is_chosen_like_any_other_and_left_again(lab, window, qtbot):
     limb = window.findChild(ChoiceField, "limb")
     limb.choose("lab-1")
