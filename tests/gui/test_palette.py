@@ -246,3 +246,25 @@ def test_the_colours_in_use_are_checked_however_they_were_chosen(window):
     grey = SkinSettings(colours="CET-L1")
     window.document.look(with_settings(view, "skin", grey))
     assert actions["use_cet_l1_colours"].isChecked()
+
+
+def run_from_palette(window, qtbot, letters):
+    window.do("find_action")
+    palette = next(one for one in window.findChildren(Palette) if one.isVisible())
+    qtbot.keyClicks(palette.line, letters)
+    qtbot.keyClick(palette.line, Qt.Key.Key_Return)
+
+
+def test_a_panel_that_is_shown_stays_shown_when_it_is_to_be_shown(window, qtbot):
+    dock = window.docks["skin"]
+    assert dock.in_sight
+    for letters in ("Skin", "Show panel: Skin"):
+        run_from_palette(window, qtbot, letters)
+        assert dock.in_sight
+
+
+def test_hiding_is_an_entry_of_its_own_while_a_panel_is_in_the_window(window, qtbot):
+    assert found(window, qtbot, "panel: skin") == ["Show panel: Skin", "Hide panel: Skin"]
+    run_from_palette(window, qtbot, "Hide panel: Skin")
+    assert window.docks["skin"].isHidden()
+    assert found(window, qtbot, "panel: skin") == ["Show panel: Skin"]

@@ -26,12 +26,19 @@ def menu_toggles(docks: Iterable[Dock], parent: QObject) -> list[QAction]:
 
 
 def toggles(docks: Iterable[Dock]) -> list[QAction]:
-    """Return one new action for each dock, which shows or hides it; for the palette."""
+    """Return new actions that bring each dock into sight, and that hide those in the window.
+
+    For the palette: what says that it shows a panel never hides it.
+    """
     actions = []
     for dock in docks:
-        action = QAction(f"{'Hide' if dock.in_sight else 'Show'} panel: {dock.windowTitle()}")
-        action.triggered.connect(dock.hide if dock.in_sight else dock.bring_forward)
-        actions.append(action)
+        ways = [("Show", dock.bring_forward)]
+        if not dock.isHidden():
+            ways.append(("Hide", dock.hide))
+        for word, act in ways:
+            action = QAction(f"{word} panel: {dock.windowTitle()}")
+            action.triggered.connect(act)
+            actions.append(action)
     return actions
 
 
