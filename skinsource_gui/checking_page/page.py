@@ -72,8 +72,8 @@ class CheckingPage(QDialog):
         self.resize(*_SIZE_PX)
         self._preferences, self._theme = preferences, theme
         self.run = CheckRun(runner, self)
-        name = document.path.name if document.path else document.design.title or "This design"
-        self.list = CheckList((Row(name=name, design=document.design),), preferences)
+        row = Row(name=_name_of(document), design=document.design)
+        self.list = CheckList((row,), preferences)
         self.axes, self.rate = ChoiceField(_AXES), NumberField(_RATE)
         self.axes.set_value(_ALL)
         self.rate.set_value(facts_of(document.design.limb).sample_rate_hz)
@@ -195,3 +195,11 @@ class CheckingPage(QDialog):
     def _complain(self, reason: str) -> None:
         self.words.setStyleSheet(f"color: {self._theme().error};")
         self.words.setText(sentence(reason))
+
+
+def _name_of(document: Document) -> str:
+    """What a report calls the open design: a file is not what was checked once it was edited."""
+    if document.path is None:
+        return document.design.title or "This design"
+    edited = ", with unsaved edits" if document.modified else ""
+    return f"{document.path.name}{edited}"

@@ -10,15 +10,17 @@ from skinsource.analysis.noise import QUIET_SHARE, quiet_rms
 from skinsource.analysis.statistics import dominant_frequency
 from skinsource.analysis_rules.noise_rules import place_noise
 from skinsource.arrays import Floats
+from skinsource.choice_words import AXES, word_of
 from skinsource.comparing.snapshot import louder
 from skinsource.design import Design, audible_inputs
 from skinsource.errors import InvalidInputError, RecordingError
+from skinsource.export.description import describe_played
 from skinsource.files import named
 from skinsource.job import Progress, Stop, never, silent
 from skinsource.limb import N_AXES, N_OUTPUTS, Axes, Limb
 from skinsource.own_limbs import facts_of
 from skinsource.quantities import new_graph, sources
-from skinsource.quoting import quoted
+from skinsource.quoting import printable, quoted
 from skinsource.recordings.reading_process import ReadingProcess
 from skinsource.validation import (
     agreement,
@@ -28,6 +30,8 @@ from skinsource.validation import (
     superposition_correlation,
 )
 from skinsource.validation.report import Condition, NoiseOf
+from skinsource.validity import Findings
+from skinsource.validity.finding import words_of
 from skinsource.view import View
 
 _LEVELS = (0.25, 0.5, 1.0, 2.0)
@@ -93,17 +97,17 @@ def condition_of(
     progress(0, 3, f"Predicting {name}")
     # What is compared is the prediction through the graph of the studio, not one made for it.
     basis = _values(design, seen, stop, "limb_data", "response_samples", "stimulus_start_s")
-    limb, n_times = basis["limb_data"], basis["response_samples"]
-    _refuse_too_much(name, limb, len(chosen), n_times)
+    limb = basis["limb_data"]
+    _refuse_too_much(name, limb, len(chosen), basis["response_samples"])
     every = replace(seen, outputs=tuple(range(1, limb.n_outputs + 1)))
-    field = _values(design, every, stop, "axis_traces")["axis_traces"]
+    predicted = _values(design, every, stop, "axis_traces", "validity")
+    field = predicted["axis_traces"]
     progress(1, 3, f"Checking {name}")
     linear, superposed = _checks(design, every, field, limb.sample_rate_hz, stop)
+    main_hz = _main_frequency(field, limb.sample_rate_hz)
+    details = _details(design, limb, chosen, recorded, predicted["validity"])
     found = Condition(
-        name=name,
-        frequency_hz=_main_frequency(field, limb.sample_rate_hz),
-        linear=linear,
-        superposed=superposed,
+        name=name, frequency_hz=main_hz, linear=linear, superposed=superposed, details=details
     )
     if recorded is None:
         return found
@@ -114,6 +118,19 @@ def condition_of(
     noise, noise_of = _noise(quiet, design, limb, chosen)
     agrees = agreement(field, shifted, noise)
     return replace(found, agreement=agrees, shift_samples=shift, noise_of=noise_of)
+
+
+def _details(
+    design: Design, limb: Limb, axes: str, recorded: Recorded | None, findings: Findings
+) -> tuple[str, ...]:
+    """What files say of a design, and which recording it was held against."""
+    played = design.limb, limb.note, design.scaling, design.inputs, design.actuated
+    return (
+        f"recording: {'none' if recorded is None else printable(recorded.path.name)}",
+        *describe_played(*played),
+        f"axes: {word_of(AXES, axes).both}",
+        *words_of(findings),
+    )
 
 
 def _read(

@@ -52,6 +52,8 @@ class Condition:
         With its measurement, and by how much that was shifted; None: nothing was measured.
     noise_of
         What told the noise that channels are held against.
+    details
+        Lines on what was checked: recording, limb, scaling, inputs, cautions.
     """
 
     name: str
@@ -61,6 +63,7 @@ class Condition:
     agreement: Agreement | None = None
     shift_samples: int = 0
     noise_of: NoiseOf = "nothing"
+    details: tuple[str, ...] = ()
 
     @property
     def noise_words(self) -> str:
@@ -86,6 +89,7 @@ def report_html(conditions: Sequence[Condition], about: Sequence[str]) -> str:
         *(f"<p class='note'>{escape(line)}</p>" for line in about),
         _table(conditions),
         *(_plots(measured) if measured else ["<p>No measurement was given.</p>"]),
+        *_details(conditions),
         "</body></html>",
     ]
     return "\n".join(parts) + "\n"
@@ -153,6 +157,16 @@ def _table(conditions: Sequence[Condition]) -> str:
         notes.append(f"{names}: {words}.")
     said = "".join(f"<p class='note'>{escape(one)}</p>" for one in notes)
     return f"<table>{head}{''.join(rows)}</table>{said}"
+
+
+def _details(conditions: Sequence[Condition]) -> list[str]:
+    """What was checked, so that a report can be told from one on something else."""
+    parts = []
+    for one in conditions:
+        if one.details:
+            lines = "<br>".join(escape(line) for line in one.details)
+            parts.append(f"<h2>{escape(one.name)}</h2><p class='note'>{lines}</p>")
+    return parts
 
 
 def by_frequency(conditions: Sequence[Condition], figure: int) -> list[tuple[str, Floats]]:

@@ -7,6 +7,7 @@ import pytest
 
 import skinsource as ss
 from skinsource.checking import Recorded, condition_of
+from skinsource.choice_words import SCALINGS, word_of
 from skinsource.commands.command_line import main
 from skinsource.design_file import save_design
 from skinsource.errors import RecordingError
@@ -68,6 +69,27 @@ def test_a_recording_is_held_against_the_prediction_and_reported(design_file, tm
     assert page.count("<svg") == 3
     assert "<td>67</td>" in page
     assert "two.skinsource" in page
+    # What else could it be a report on?
+    assert "recording: lab.npz" in page
+    assert "limb: Synthetic 1" in page
+    assert f"scaling: {word_of(SCALINGS, design.scaling).both}" in page
+    assert "input at place 13: amplitude 0.5" in page
+    assert re.search(r"written on \d{4}-\d\d-\d\d \d\d:\d\d UTC", page)
+
+
+def test_a_report_says_what_there_is_to_note_of_the_limb_and_what_a_lamp_warns_of(
+    measured,
+):
+    tone = ss.waveforms.Tone(frequency_hz=640.0, duration_s=0.1)
+    design = ss.Design(limb="measured-1", inputs=(ss.track(8, tone),))
+    note = ss.load_limb("measured-1").note
+    assert note
+    found = condition_of(design, "<fast>")
+    page = report_html([found], [])
+    assert "recording: none" in page
+    assert f"NOTE on the limb: {note}" in page
+    assert "validity, band: CAUTION" in page
+    assert "<h2>&lt;fast&gt;</h2>" in page
 
 
 @pytest.mark.parametrize("strength", [0.002, 3.0])
