@@ -91,7 +91,7 @@ def test_a_fragment_lies_elsewhere_as_it_lay_here():
     below = edits.paste_fragment(DESIGN, View(selected_inputs=(4,)), fragment, 0.0).design
     assert [one.location for one in below.inputs] == [7, 2, 11, 12, 2, 11]
     assert below.inputs[5].amplitude == 0.25
-    alone = edits.paste_fragment(Design(limb="any"), View(), fragment, 0.0).design
+    alone = edits.paste_fragment(Design(limb="synthetic-1"), View(), fragment, 0.0).design
     assert [one.location for one in alone.inputs] == [7, 2, 11]
 
 

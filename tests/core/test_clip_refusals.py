@@ -10,8 +10,8 @@ from skinsource.view import View
 from skinsource.waveforms import Tap
 from tests.core.clips_bench import DESIGN, VIEW
 
-FULL = Design(limb="any", inputs=(Input(location=1, clips=(Clip(),) * MAX_CLIPS),))
-CROWD = Design(limb="any", inputs=(Input(location=1),) * MAX_INPUTS)
+FULL = Design(limb="synthetic-1", inputs=(Input(location=1, clips=(Clip(),) * MAX_CLIPS),))
+CROWD = Design(limb="synthetic-1", inputs=(Input(location=1),) * MAX_INPUTS)
 LANES = edits.fragment_of(DESIGN, (1, 3))
 
 

@@ -168,7 +168,7 @@ def test_a_clip_that_cannot_be_played_is_named():
 
 def test_clips_get_the_smallest_free_ids_and_keep_them():
     design = Design(
-        limb="any",
+        limb="synthetic-1",
         inputs=(Input(location=1, clips=(Clip(id=2), Clip())), track(2), Input(location=3)),
     )
     assert [one.id for one in design.clips] == [2, 1, 3]
@@ -180,11 +180,11 @@ def test_clips_get_the_smallest_free_ids_and_keep_them():
     with pytest.raises(InvalidInputError, match="no clip has the id 9; there are 5"):
         more.clip(9)
     with pytest.raises(InvalidInputError, match=r"ids of the clips are .* 2 twice"):
-        Design(limb="any", inputs=(Input(location=1, clips=(Clip(id=2), Clip(id=2))),))
+        Design(limb="synthetic-1", inputs=(Input(location=1, clips=(Clip(id=2), Clip(id=2))),))
 
 
 def test_a_change_of_one_clip_leaves_the_others_the_very_same():
-    design = Design(limb="any", inputs=(Input(location=1, clips=CLIPS), track(2)))
+    design = Design(limb="synthetic-1", inputs=(Input(location=1, clips=CLIPS), track(2)))
     changed = design.with_clip(2, gain=4.0)
     assert changed.inputs[1] is design.inputs[1]
     assert changed.clips[1].gain == 4.0
@@ -236,7 +236,7 @@ def test_an_impossible_clip_is_refused_by_name(wrong):
 def test_levels_do_not_depend_on_how_a_track_was_cut():
     rng = np.random.default_rng(3)
     for waveform in (Tone(frequency_hz=377.7), Noise(seed=2), Gabor(frequency_hz=100.0)) * 6:
-        whole = Design(limb="any", inputs=(track(7, waveform, onset_s=float(rng.uniform(0, 1))),))
+        whole = Design(limb="synthetic-1", inputs=(track(7, waveform, onset_s=float(rng.uniform(0, 1))),))
         cut, [one] = whole, whole.clips
         for part in rng.uniform(0.05, 0.95, 3):
             ids = tuple(clip.id for clip in cut.clips)

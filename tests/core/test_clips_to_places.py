@@ -11,7 +11,7 @@ from skinsource.waveforms import Tone
 
 TONE = Tone(100.0, 0.0, 0.2)
 DESIGN = Design(
-    limb="any",
+    limb="synthetic-1",
     inputs=(
         Input(location=7, clips=(Clip(waveform=TONE), Clip(onset_s=0.3)), amplitude=0.5),
         Input(location=3, clips=(Clip(onset_s=0.1, waveform=TONE),)),
@@ -64,10 +64,10 @@ def test_a_clip_that_is_there_already_stays_as_it_is():
 
 def test_what_cannot_be_is_refused_with_a_reason():
     full = Design(
-        limb="any",
+        limb="synthetic-1",
         inputs=(Input(location=3, clips=(Clip(),) * MAX_CLIPS), Input(location=7, clips=(Clip(),))),
     )
-    many = Design(limb="any", inputs=(Input(location=1, clips=(Clip(),)),) * MAX_INPUTS)
+    many = Design(limb="synthetic-1", inputs=(Input(location=1, clips=(Clip(),)),) * MAX_INPUTS)
     for outcome, words in (
         (edits.move_clips_to_place(DESIGN, VIEW, (), 3), "No clip is selected"),
         (edits.move_clips_to_place(DESIGN, VIEW, (2,), 0), "location"),

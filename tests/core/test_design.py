@@ -156,7 +156,7 @@ def test_an_impossible_design_is_refused_by_name(wrong):
 
 def test_inputs_without_an_id_get_the_smallest_that_is_free():
     given = (track(location=1, id=2), track(location=2), track(location=3), track(location=4, id=9))
-    design = Design(limb="any", inputs=given)
+    design = Design(limb="synthetic-1", inputs=given)
     assert design.ids == (2, 1, 3, 9)
     assert design.adding(track(location=5, id=9)).ids == (2, 1, 3, 9, 4)
 
@@ -172,7 +172,7 @@ def test_an_input_is_found_by_its_id_wherever_it_stands():
 
 def test_two_inputs_of_one_id_are_refused():
     with pytest.raises(InvalidInputError, match="expected different ones"):
-        Design(limb="any", inputs=(track(location=1, id=4), track(location=2, id=4)))
+        Design(limb="synthetic-1", inputs=(track(location=1, id=4), track(location=2, id=4)))
 
 
 @pytest.mark.parametrize("name", ["id", "colour"])
@@ -194,7 +194,7 @@ def test_words_about_a_design_are_texts_of_bounded_length(name):
 
 
 def test_a_new_design_is_in_probe_scaling_and_says_what_amplitudes_mean():
-    assert Design(limb="any").scaling == "probe"
+    assert Design(limb="synthetic-1").scaling == "probe"
     specs = [amplitude_spec(scaling) for scaling in SCALINGS]
     assert [spec.unit for spec in specs] == ["m/s²", "×", "m/s²"]
     assert "within about 3 dB" in amplitude_spec("probe").hint

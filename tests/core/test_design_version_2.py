@@ -92,7 +92,7 @@ def test_an_onset_is_the_nearest_sample_and_half_a_sample_is_rounded_up():
 
 def rewritten(tmp_path: Path, change) -> Path:
     """What another studio would have written in version 2, with its checksum."""
-    tree = codec.encode(DesignFile(design=Design(limb="any")))
+    tree = codec.encode(DesignFile(design=Design(limb="synthetic-1")))
     for name in ("markers", "loop_s"):
         del tree["design"][name]
     tone = {"kind": "Tone", "frequency_hz": 90.0}
@@ -106,7 +106,7 @@ def rewritten(tmp_path: Path, change) -> Path:
 def test_what_a_file_of_version_2_lacks_takes_its_default(tmp_path):
     found = open_design(rewritten(tmp_path, lambda tree: None)).design
     expected = track(7, waveforms.Tone(frequency_hz=90.0), id=1)
-    assert found == Design(limb="any", inputs=(expected,), scaling="upstream")
+    assert found == Design(limb="synthetic-1", inputs=(expected,), scaling="upstream")
 
 
 def one_input(**changes: Any):

@@ -21,7 +21,7 @@ THREE = Design(
     ),
 )
 LAST = View(selected_inputs=(1, 3))
-FULL = Design(limb="any", inputs=(track(location=1),) * MAX_INPUTS)
+FULL = Design(limb="synthetic-1", inputs=(track(location=1),) * MAX_INPUTS)
 
 
 def places(outcome: Edit) -> list[int]:
@@ -221,7 +221,7 @@ def test_a_zoom_stays_on_the_same_piece_when_the_delay_goes():
         edits.remove_inputs(THREE, LAST, (9,)),
         edits.duplicate_inputs(THREE, LAST, ()),
         edits.mute_inputs(THREE, LAST, (1,), "yes"),
-        edits.clear_inputs(Design(limb="any"), LAST),
+        edits.clear_inputs(Design(limb="synthetic-1"), LAST),
     ],
 )
 def test_what_cannot_be_done_is_refused_with_one_sentence(outcome):

@@ -14,7 +14,7 @@ VIEW = View()
 
 
 def design(*clips):
-    return Design(limb="any", inputs=(Input(location=7, clips=clips),))
+    return Design(limb="synthetic-1", inputs=(Input(location=7, clips=clips),))
 
 
 @pytest.mark.parametrize(
@@ -50,10 +50,10 @@ def test_parts_that_lie_side_by_side_but_were_not_are_not_joined():
 
 
 def test_a_loop_that_would_end_too_late_is_gone():
-    looped = Design(limb="any", loop_s=(1100.0, 1190.0))
+    looped = Design(limb="synthetic-1", loop_s=(1100.0, 1190.0))
     assert edits.insert_time(looped, VIEW, 0.0, 10.0).design.loop_s == (1110.0, 1200.0)
     assert edits.insert_time(looped, VIEW, 0.0, 11.0).design.loop_s is None
-    late = Design(limb="any", loop_s=(1195.0, 1199.0))
+    late = Design(limb="synthetic-1", loop_s=(1195.0, 1199.0))
     assert edits.insert_time(late, VIEW, 0.0, 10.0).design.loop_s is None
 
 
@@ -73,7 +73,7 @@ def test_what_was_silent_as_a_group_stays_silent_apart():
 
 def test_a_fragment_of_lower_tracks_begins_with_the_first_of_them():
     tracks = tuple(Input(location=place, clips=(Clip(),)) for place in (7, 9, 11, 13))
-    four = Design(limb="any", inputs=tracks)
+    four = Design(limb="synthetic-1", inputs=tracks)
     fragment = edits.fragment_of(four, (2, 4))
     assert [(lane.location, lane.offset) for lane in fragment.lanes] == [(9, 0), (13, 2)]
     pasted = edits.paste_fragment(four, View(selected_inputs=(1,)), fragment, 0.5)

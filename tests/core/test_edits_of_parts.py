@@ -69,7 +69,7 @@ def test_a_part_is_called_by_its_label_or_by_what_it_plays():
     ],
 )
 def test_the_history_says_what_was_done_to_a_list(after, words):
-    design = Design(limb="any").adding(track(location=7, waveform=Layers((A, B, C))))
+    design = Design(limb="synthetic-1").adding(track(location=7, waveform=Layers((A, B, C))))
     (one,) = design.inputs
     done = edits.change_field(design, View(), (one.id,), "parts", after)
     assert done.label == f"{words} input at 7 (II pad)"

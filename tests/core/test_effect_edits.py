@@ -15,7 +15,7 @@ from skinsource.waveforms import Tone
 
 CHAIN = (Reverse(), Fade(), Repeat())
 DESIGN = Design(
-    limb="any",
+    limb="synthetic-1",
     inputs=(
         Input(
             location=7,

@@ -24,7 +24,7 @@ def gains(design, times_s):
 
 
 def design_of(curve):
-    return Design(limb="any", inputs=(Input(location=7, gain_curve=curve),))
+    return Design(limb="synthetic-1", inputs=(Input(location=7, gain_curve=curve),))
 
 
 def around(low, high):

@@ -22,7 +22,7 @@ def test_what_can_be_read_and_not_be_written_is_damaged(value):
 
 
 def test_a_snapshot_that_could_not_be_shown_is_none():
-    design = Design(limb="any", inputs=(track(7, amplitude=2.0),))
+    design = Design(limb="synthetic-1", inputs=(track(7, amplitude=2.0),))
     Snapshot(number=1, design=design, gain=500.0)
     with pytest.raises(InvalidInputError, match="amplitude"):
         Snapshot(number=1, design=design, gain=501.0)

@@ -100,7 +100,7 @@ def test_an_impossible_group_is_refused_by_name(wrong):
 
 
 DESIGN = Design(
-    limb="any", inputs=(Input(location=1, clips=PARTS), Input(location=2, clips=(Clip(),)))
+    limb="synthetic-1", inputs=(Input(location=1, clips=PARTS), Input(location=2, clips=(Clip(),)))
 )
 VIEW = View(selected_inputs=(1,))
 

@@ -12,7 +12,7 @@ def test_a_motion_that_repeats_one_long_burst_draws_it_once(qtbot, monkeypatch):
     played = clip_strip.played
     monkeypatch.setattr(clip_strip, "played", lambda *one: (drawn.append(one), played(*one))[1])
     owner = QObject()
-    draft = Draft(Design(limb="any"), 0.0, owner)
+    draft = Draft(Design(limb="synthetic-1"), 0.0, owner)
     draft.change_kind("Alternation")
     draft.change_field("rounds", 200)
     draft.change_waveform_field("duration_s", 60.0)

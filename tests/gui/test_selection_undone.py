@@ -14,7 +14,7 @@ from skinsource.waveforms import Tap, Tone
 from skinsource_gui.state.document import Document
 
 START = Design(
-    limb="any",
+    limb="synthetic-1",
     inputs=tuple(
         Input(location=place, clips=(Clip(waveform=Tone()), Clip(onset_s=0.4, waveform=Tap())))
         for place in (7, 3, 15)

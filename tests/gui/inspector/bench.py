@@ -83,7 +83,7 @@ class Bench:
 
 
 def design_of(*waveforms):
-    design = Design(limb="any")
+    design = Design(limb="synthetic-1")
     for place, waveform in enumerate(waveforms, start=7):
         design = design.adding(track(location=place, waveform=waveform))
     return design

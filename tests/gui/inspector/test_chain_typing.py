@@ -15,7 +15,7 @@ from tests.gui.inspector.test_effect_chain import ChainBench
 @pytest.fixture
 def bench(qtbot):
     clip = Clip(id=1, waveform=Tone(), effects=(Fade(0.01, 0.01), Fade(0.02, 0.02)))
-    return ChainBench(qtbot, Design(limb="any", inputs=(Input(location=7, clips=(clip,)),)))
+    return ChainBench(qtbot, Design(limb="synthetic-1", inputs=(Input(location=7, clips=(clip,)),)))
 
 
 def test_what_was_typed_for_an_effect_that_is_removed_goes_to_no_other(bench):

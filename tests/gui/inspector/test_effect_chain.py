@@ -45,7 +45,7 @@ class ChainBench(Bench):
 def bench(qtbot):
     clips = (Clip(id=1, waveform=Tone(), effects=CHAIN), Clip(id=2, onset_s=0.5))
     inputs = (Input(location=7, clips=clips), Input(location=3, clips=()))
-    return ChainBench(qtbot, Design(limb="any", inputs=inputs))
+    return ChainBench(qtbot, Design(limb="synthetic-1", inputs=inputs))
 
 
 def test_the_chain_is_listed_in_its_order_and_closed(bench):

@@ -18,7 +18,7 @@ def test_without_a_selected_input_it_says_what_to_do(bench):
     bench.show(selected_inputs=())
     assert bench.words("inspector_empty").isVisible()
     assert "Select an input" in bench.words("inspector_empty").text()
-    bench.show(Design(limb="any"), selected_inputs=(4,))
+    bench.show(Design(limb="synthetic-1"), selected_inputs=(4,))
     assert bench.words("inspector_empty").text() == "Click a place on the hand to add an input"
     assert not bench.preview.isVisible()
 

@@ -84,7 +84,7 @@ class Bench:
 
 
 def design_of(*places, **changes):
-    design = Design(limb="any")
+    design = Design(limb="synthetic-1")
     for place in places:
         design = design.adding(track(location=place, **changes))
     return design

@@ -21,7 +21,7 @@ def clips_design():
         Clip(onset_s=0.7, waveform=Tap()),
     )
     return Design(
-        limb="any",
+        limb="synthetic-1",
         inputs=(
             Input(location=7, clips=first),
             Input(location=3, clips=(Clip(onset_s=0.1, waveform=tone),)),

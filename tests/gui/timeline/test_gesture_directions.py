@@ -38,7 +38,7 @@ def test_a_rectangle_with_ctrl_held_adds_to_what_is_selected(lanes):
 
 def test_a_marker_does_not_snap_to_where_it_was(lanes):
     design = lanes.design
-    lanes.show(Design(limb="any", inputs=design.inputs, markers=(Marker(time_s=0.61),)))
+    lanes.show(Design(limb="synthetic-1", inputs=design.inputs, markers=(Marker(time_s=0.61),)))
     flag = QPointF(lanes.content.scale.x(0.61), 4.0)
     lanes.drag(flag, flag + QPointF(6.0, 0.0))
     assert lanes.design.markers[0].time_s > 0.61

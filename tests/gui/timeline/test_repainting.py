@@ -32,7 +32,7 @@ def bench(qtbot):
     clips = (Clip(onset_s=0.1, waveform=TONE), Clip(onset_s=0.5, waveform=Tap()))
     tracks = tuple(Input(location=1 + k, clips=clips) for k in range(4))
     made.view = replace(made.view, time_range_s=(0.0, 1.2), selected_inputs=())
-    made.show(Design(limb="any", inputs=tracks))
+    made.show(Design(limb="synthetic-1", inputs=tracks))
     made.panel.show_results(results_of(made.design))
     settled(made)
     return made
@@ -235,7 +235,7 @@ def test_a_marked_clip_is_painted_however_little_of_its_lane_is_in_sight(bench):
     clip = (Clip(onset_s=0.1, waveform=TONE),)
     tracks = tuple(Input(location=1 + k, clips=clip) for k in range(20))
     bench.view = replace(bench.view, selected_inputs=(10,))
-    bench.show(Design(limb="any", inputs=tracks))
+    bench.show(Design(limb="synthetic-1", inputs=tracks))
     bars = bench.panel.findChildren(QScrollBar)
     (bar,) = (one for one in bars if one.accessibleName() == "Tracks shown")
     in_sight = set()

@@ -16,7 +16,7 @@ def test_there_is_one_row_for_each_input_in_the_order_of_the_design(bench):
 
 
 def test_an_empty_list_says_what_to_do(bench):
-    bench.show(Design(limb="any"))
+    bench.show(Design(limb="synthetic-1"))
     words = bench.panel.findChild(QLabel, "inputs_empty")
     assert words.isVisible()
     assert words.text() == "Click a place on the hand to add a track"
@@ -154,7 +154,7 @@ def test_the_row_that_has_the_keyboard_may_give_way_to_others(bench):
     """As when another design is opened while a number of the list is selected."""
     first = bench.row(0)
     first.amplitude.setFocus()
-    new = Design(limb="any", inputs=tuple(replace(track(location=k), id=50 + k) for k in (4, 5)))
+    new = Design(limb="synthetic-1", inputs=tuple(replace(track(location=k), id=50 + k) for k in (4, 5)))
     bench.show(new)
     assert [one.id for one in bench.rows.rows] == [54, 55]
     assert bench.rows.hasFocus()
