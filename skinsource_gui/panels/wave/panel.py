@@ -1,6 +1,6 @@
 """How fast a wave travels along the selected outputs, and what it loses."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar
 
 import numpy as np
@@ -10,6 +10,7 @@ from skinsource.analysis.travelling import LEAST_EXPLAINED, LEAST_STRAIGHT, Trav
 from skinsource.analysis_rules.wave_rules import LineWave
 from skinsource.design import Design
 from skinsource.view import View
+from skinsource.voices import Voice
 from skinsource_gui.figure_panel import SILENT, FigurePanel
 from skinsource_gui.panels.wave.picture import WavePicture
 from skinsource_gui.theme import Theme
@@ -18,6 +19,7 @@ from skinsource_gui.widgets.empty_words import SKIN
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 
 _LINE = "The line goes through the selected outputs, in the order in which they were selected"
+_OVERLAP = "waves of several inputs overlap"
 _ABOUT = "Along {axis}; distances on the map, delays of the group"
 
 
@@ -44,7 +46,7 @@ class WavePanel(FigurePanel):
 
     @property
     def needs(self) -> frozenset[str]:
-        return frozenset({"line_wave", "shown_outputs", "limb_data"})
+        return frozenset({"line_wave", "shown_outputs", "limb_data", "voices"})
 
     def show_state(self, design: Design, view: View) -> None:
         if len(view.outputs) < 2:
@@ -67,7 +69,8 @@ class WavePanel(FigurePanel):
         left_out = len(outputs) - len(found.outputs)
         note = f" · {left_out} not on the map" if left_out else ""
         synthetic = " · synthetic limb" if results["limb_data"].synthetic else ""
-        self.show_found(f"{wave_words(found.wave)}{note}{synthetic}")
+        several = f" · {_OVERLAP}" if _several(results["voices"]) else ""
+        self.show_found(f"{wave_words(found.wave)}{several}{note}{synthetic}")
 
     def show_in_sight(self, names: frozenset[str]) -> None:
         said = self.figure.message == self._few()
@@ -120,7 +123,15 @@ def wave_words(wave: TravellingWave) -> str:
     elif np.isfinite(wave.speed_m_per_s):
         speed = f"Speed {wave.speed_m_per_s:.1f}{_spread(wave.speed_deviation_m_per_s, 1)} m/s"
     loss = f"{wave.attenuation_db_per_cm:.2f}{_spread(wave.attenuation_deviation_db_per_cm, 2)}"
-    return f"{speed} · attenuation {loss} dB/cm, spreading included".replace("-", "−")
+    # Through two points there is always a line.
+    alone = 2 in (wave.timed.sum(), wave.counted.sum())
+    unsure = " · two outputs: no uncertainty" if alone else ""
+    return f"{speed} · attenuation {loss} dB/cm, spreading included{unsure}".replace("-", "−")
+
+
+def _several(voices: Sequence[Voice]) -> bool:
+    """Whether waves come from more than one place: then none of them is seen alone."""
+    return len({one.location for one in voices if one.heard and one.amplitude != 0.0}) > 1
 
 
 def _spread(deviation: float, decimals: int) -> str:

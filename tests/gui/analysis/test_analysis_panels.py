@@ -234,6 +234,21 @@ def test_the_wave_says_speed_and_attenuation_along_the_selection(show, window, s
     assert "two or more outputs" in panel.figure.message
 
 
+def test_the_wave_cautions_where_inputs_at_several_places_sound(show, window, settle):
+    panel = show("wave", outputs=(29, 31, 33, 35))
+    design = window.document.design
+    there = design.inputs[0].location
+    elsewhere = there % 20 + 1
+    for other, overlap in (
+        (track(elsewhere, Tap()), True),
+        (track(there, Tap()), False),
+        (track(elsewhere, Tap(), muted=True), False),
+    ):
+        window.document.edit("Add", replace(design, inputs=(*design.inputs, other)))
+        settle()
+        assert ("waves of several inputs overlap" in panel.words.text) is overlap
+
+
 def test_with_no_output_selected_the_spectrogram_says_what_to_do(show, window):
     panel = show("spectrogram")
     window.document.look(replace(window.document.view, outputs=()))

@@ -55,3 +55,14 @@ def test_one_output_above_the_noise_has_neither_speed_nor_attenuation():
     counted = np.array([True, False, False, False])
     words = wave_words(replace(the_wave(), counted=counted, timed=counted))
     assert words == "fewer than two outputs are more than noise"
+
+
+def test_a_line_through_two_outputs_is_said_to_have_no_uncertainty():
+    assert "two outputs: no uncertainty" not in wave_words(the_wave())
+    two = replace(
+        the_wave(),
+        timed=np.array([True, True, False, False]),
+        speed_deviation_m_per_s=float("nan"),
+    )
+    assert wave_words(two).startswith("Speed 10.0 m/s ")
+    assert wave_words(two).endswith("two outputs: no uncertainty")
