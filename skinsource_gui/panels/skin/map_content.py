@@ -102,6 +102,11 @@ class MapContent:
         return None if self.message else self.values
 
     @property
+    def hatched(self) -> tuple[int, ...]:
+        """Outputs that are drawn as mostly noise."""
+        return () if self.message else self.noisy
+
+    @property
     def shown_field(self) -> FieldImage | None:
         """The interpolated map, where it may be shown."""
         return None if self.message or self.field_values is None else self.field

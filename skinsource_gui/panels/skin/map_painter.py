@@ -81,7 +81,7 @@ class MapPainter:
             self._paint_discs(painter, content, layout, theme)
             _paint_cards(painter, layout, theme)
         self._paint_palmar(painter, content, layout, theme)
-        if content.noisy and not content.message:
+        if content.hatched:
             self._paint_hatch(painter, content, layout)
         if content.inputs:
             self._paint_inputs(painter, content, layout, theme)

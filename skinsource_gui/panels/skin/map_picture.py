@@ -1,10 +1,11 @@
 """The map as a picture for a page or a slide."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
+from skinsource.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.choice_words import SCALINGS, limb_word, signal_words, word_of
 from skinsource.design import Design
 from skinsource.limb import LimbMap
@@ -20,6 +21,8 @@ from skinsource_gui.theme import Theme, tabular
 from skinsource_gui.widgets.kept_picture import PaintedAnew
 from skinsource_gui.widgets.map.colour_maps import colour_table
 
+#: What strokes over a map say.
+HATCHED = f"hatched: less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise"
 # Lines of text in the height of the picture, also of one that is wide; the limits of a line, px.
 _LINES, _WIDE_LINES = 48, 32
 _SMALLEST_FONT_PX, _LARGEST_FONT_PX = 9, 64
@@ -37,6 +40,11 @@ class Heading:
     title: str
     details: str
     note: str = ""
+
+    @property
+    def with_hatching(self) -> "Heading":
+        """The same where something is hatched, which nobody can ask a picture about."""
+        return replace(self, details=f"{self.details} · {HATCHED}")
 
 
 def heading_of(design: Design | None, view: View, quantity: MapQuantity | None = None) -> Heading:
@@ -77,6 +85,8 @@ def paint_picture(
     seen
         What part of the map; all of it unless given.
     """
+    if content.hatched:
+        heading = heading.with_hatching
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     whole = QRectF(0, 0, size.width(), size.height())
     painter.fillRect(whole, QColor(theme.base))

@@ -8,6 +8,7 @@ from PySide6.QtCore import QPoint, QSizeF
 from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtSvg import QSvgRenderer
 
+from skinsource_gui.panels.skin import map_picture
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_picture import Heading, heading_of, paint_picture
 from skinsource_gui.theme import DARK, LIGHT
@@ -52,6 +53,20 @@ def test_pictures_say_what_is_shown_over_what_and_of_whom(window):
     assert heading.details == (
         "Synthetic 1 (175 mm) · x, y, z, principal axis · scaling: probe acceleration"
     )
+
+
+def test_pictures_say_what_strokes_mean_where_there_are_some(window, monkeypatch):
+    said = []
+    monkeypatch.setattr(
+        map_picture,
+        "_paint_heading",
+        lambda painter, inner, heading, *rest: said.append(heading) or 0.0,
+    )
+    for noisy in ((), (3, 4)):
+        window.panel.show_noisy(noisy)
+        window.panel.picture(300, 400)
+    assert ["hatched" in one.details for one in said] == [False, True]
+    assert said[1].details.endswith("hatched: less than 6 dB above the noise")
 
 
 def test_pictures_are_light_unless_another_theme_is_asked_for(window):
