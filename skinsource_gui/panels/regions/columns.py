@@ -22,8 +22,8 @@ NO_REGIONS = "Of an own limb it is not known which outputs lie in which region"
 class Column:
     """A column: its title, what it is, and a text and a number for each region.
 
-    ``head`` is the title in two narrow lines, where it is not as narrow itself; ``copied`` what
-    the table for a spreadsheet adds to the title.
+    ``head`` is the title in two narrow lines, where it is not as narrow itself; ``spelt`` what the
+    table for a spreadsheet has in its place, and ``copied`` what it adds.
     """
 
     title: str
@@ -32,6 +32,7 @@ class Column:
     head: str = ""
     synthetic: bool = False
     copied: str = ""
+    spelt: str = ""
 
     @property
     def has_levels(self) -> bool:
@@ -74,13 +75,19 @@ def columns_of_people(people: Sequence[Compared]) -> list[Column]:
         felt = [bool(np.all(levels > FLOOR_DB)) for levels in by_region]
         what = f"over {len(known)} people, dB"
         found.append(
-            Column(title="Mean", hint=f"Mean {what}", numbers=tuple(mean for mean, _ in pairs))
+            Column(
+                title="Mean",
+                hint=f"Mean {what} re 1 m/s²",
+                numbers=tuple(mean for mean, _ in pairs),
+                spelt=f"Mean over {len(known)} people",
+            )
         )
         found.append(
             Column(
                 title="± dB",
                 head="±\ndB",
                 hint=f"Standard deviation {what}",
+                spelt=f"Standard deviation {what}",
                 numbers=tuple(
                     spread if heard else float("nan")
                     for (_, spread), heard in zip(pairs, felt, strict=True)
@@ -112,7 +119,11 @@ def _is_synthetic(one: Compared) -> bool:
 
 
 def _column(title: str, head: str, one: Compared) -> Column:
-    said = partial(Column, title=title, head=head, synthetic=_is_synthetic(one))
+    kind = "synthetic" if _is_synthetic(one) else "measured"
+    spelt = title if kind in title.lower() else f"{title}, {kind}"
+    if _limb(one) not in PUBLISHED:
+        spelt = title
+    said = partial(Column, title=title, head=head, synthetic=_is_synthetic(one), spelt=spelt)
     nothing = (float("nan"),) * len(REGION_OUTPUTS)
     if one.values is None:
         return said(hint=one.problem or "Computing…", numbers=nothing)
@@ -127,7 +138,12 @@ def _column(title: str, head: str, one: Compared) -> Column:
 def tab_separated(columns: Sequence[Column]) -> str:
     """The table for a spreadsheet; empty where a dash is shown."""
     lines = [
-        "\t".join(("region_db_re_1_m_per_s2", *(f"{one.title}{one.copied}" for one in columns)))
+        "\t".join(
+            (
+                "region_db_re_1_m_per_s2",
+                *(f"{one.spelt or one.title}{one.copied}" for one in columns),
+            )
+        )
     ]
     for row, region in enumerate(REGION_OUTPUTS):
         lines.append("\t".join((region, *(copied_level(one.numbers[row]) for one in columns))))

@@ -102,7 +102,7 @@ class RegionsPanel(Panel):
             return
         words = signal_words(view.axes, view.method)
         people = shown_words(design, view)
-        parts = f"RMS in dB, {words}", span_words(view.span), "no sensor on the palm"
+        parts = f"RMS in dB re 1 m/s², {words}", span_words(view.span), "no sensor on the palm"
         self._about = " · ".join([*parts, *([f"people: {people}"] if people else [])])
         self._say_about()
 

@@ -65,6 +65,7 @@ def test_people_and_snapshots_stand_side_by_side_and_cost_nothing_while_hidden(
     dock.setFloating(False)
     panel.copy.click()
     assert QGuiApplication.clipboard().text().splitlines()[1].startswith("Digit I\t")
+    assert "RMS in dB re 1 m/s²" in panel.about.text
     panel.grab()
     window.docks["regions"].toggleViewAction().trigger()
     settle()
@@ -138,3 +139,20 @@ def test_silence_has_no_spread():
     assert {tuple(line.split("\t")[1:]) for line in copied} == {("", "")}
     *_, mean, spread = columns_of_people([person(1, loud), person(2, loud)])
     assert set(mean.texts()) == set(spread.texts()) == {"0.0"}
+
+
+def test_what_is_copied_says_whether_limbs_were_measured_and_what_is_a_deviation():
+    def person(limb):
+        snapshot = Snapshot(number=1, design=Design(limb=limb, inputs=(track(7),)))
+        return Compared(snapshot=snapshot, values={"output_levels_db": np.zeros(72)})
+
+    people = [person(limb) for limb in ("measured-1", "measured-2", "synthetic-1")]
+    head = tab_separated(columns_of_people(people)).splitlines()[0]
+    assert head.split("\t") == [
+        "region_db_re_1_m_per_s2",
+        "Limb 1, measured",
+        "Limb 2, measured",
+        "Synthetic 1",
+        "Mean over 3 people",
+        "Standard deviation over 3 people, dB",
+    ]
