@@ -20,6 +20,7 @@ from skinsource.own_limbs import NAME_RULE
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.name_line import NameLine
 from skinsource_gui.widgets.page_button import page_button
 from skinsource_gui.widgets.tooltips import tooltip
 
@@ -91,7 +92,8 @@ class LimbForm(QObject):
         self._rows = QFormLayout(self.widget)
         self._rows.setContentsMargins(0, 0, 0, 0)
         self._chosen: dict[str, QLabel] = {}
-        self.name, self.title, self.note, self.order = (QLineEdit() for _ in range(4))
+        lines: list[QLineEdit] = [NameLine() for _ in range(4)]
+        self.name, self.title, self.note, self.order = lines
         self.axes = ChoiceField(_AXES)
         self.axes.set_value("z")
         self.numbers = {name: NumberField(spec) for name, spec in _NUMBERS.items()}

@@ -177,5 +177,6 @@ class ValidityLamps(QWidget):
 
 
 def _words_of(finding: Finding) -> str:
-    head = f"{NAMES[finding.name].capitalize()}: {STATES[finding.state]}"
+    name = NAMES[finding.name]
+    head = f"{name[:1].upper()}{name[1:]}: {STATES[finding.state]}"
     return f"{head}\n{finding.sentence}\nClick to see what can be done."

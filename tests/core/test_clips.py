@@ -236,7 +236,9 @@ def test_an_impossible_clip_is_refused_by_name(wrong):
 def test_levels_do_not_depend_on_how_a_track_was_cut():
     rng = np.random.default_rng(3)
     for waveform in (Tone(frequency_hz=377.7), Noise(seed=2), Gabor(frequency_hz=100.0)) * 6:
-        whole = Design(limb="synthetic-1", inputs=(track(7, waveform, onset_s=float(rng.uniform(0, 1))),))
+        whole = Design(
+            limb="synthetic-1", inputs=(track(7, waveform, onset_s=float(rng.uniform(0, 1))),)
+        )
         cut, [one] = whole, whole.clips
         for part in rng.uniform(0.05, 0.95, 3):
             ids = tuple(clip.id for clip in cut.clips)

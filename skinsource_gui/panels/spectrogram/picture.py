@@ -20,6 +20,9 @@ from skinsource_gui.widgets.plot.ranges import HeldRange, Range
 #: How far below its loudest the colours go.
 SPAN_DB = 60.0
 _SCALE_PX = 10.0
+# What levels are relative to stands below the highest where the scale is so many lines high.
+_REFERENCE, _ROOM_LINES = "re 1 m/s²", 5.0
+_FLAGS = Qt.AlignmentFlag.AlignVCenter
 _LONG_S = 2.0
 
 
@@ -87,7 +90,8 @@ class SpectrogramPicture(Figure):
         if shown is None:
             return
         metrics = QFontMetricsF(painter.font())
-        scale_px = metrics.horizontalAdvance("−100 dB") + _SCALE_PX + 2 * UNIT_PX
+        widest = max(map(metrics.horizontalAdvance, ("−100 dB", _REFERENCE)))
+        scale_px = widest + _SCALE_PX + 2 * UNIT_PX
         inner = room.adjusted(0, 0, -scale_px, 0)
         self.axes = axes = fitted_axes(inner, _time_axis(shown), _frequency_axis(shown), metrics)
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
@@ -148,9 +152,17 @@ class SpectrogramPicture(Figure):
         low, high = self.range_db
         for part in (0.0, 0.5, 1.0):
             y = ramp.bottom() - part * ramp.height()
-            words = minus(f"{low + part * (high - low):.0f} dB")
             place = QRectF(ramp.right() + 4, y - line / 2, room.right() - ramp.right() - 4, line)
-            painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, words)
+            roomy = ramp.height() > _ROOM_LINES * line
+            for words in scale_words(low + part * (high - low), top=roomy and part == 1.0):
+                painter.drawText(place, _FLAGS, words)
+                place.translate(0.0, line)
+
+
+def scale_words(level_db: float, *, top: bool) -> tuple[str, ...]:
+    """A level beside the scale; at its ``top``, and below it, what levels are relative to."""
+    words = minus(f"{level_db:.0f} dB")
+    return (words, _REFERENCE) if top else (words,)
 
 
 def _rows_within(shown: Shown) -> slice:

@@ -12,7 +12,7 @@ from skinsource.edits import Edit
 from skinsource.validity import Finding
 from skinsource_gui.state.engine import FIRST_SLOT
 from skinsource_gui.status.validity_card import ValidityCard
-from skinsource_gui.status.validity_lamps import ValidityLamps
+from skinsource_gui.status.validity_lamps import ValidityLamps, _words_of
 from skinsource_gui.theme import DARK
 
 FINDINGS = (
@@ -34,6 +34,11 @@ def lamps(qtbot):
     qtbot.addWidget(found)
     found.show_findings(FINDINGS)
     return found
+
+
+def test_a_lamp_is_called_in_its_explanation_as_beside_it():
+    heads = [_words_of(one).splitlines()[0] for one in FINDINGS[:3]]
+    assert heads == ["Band: caution", "Drive: unknown", "SNR: kept"]
 
 
 def test_lamps_are_explained_and_mended_with_one_click(window, qtbot):

@@ -14,6 +14,7 @@ from skinsource.job import Job, stop_if
 from skinsource.limb_import import LimbSource, export_limb, import_limb
 from skinsource.own_limbs import facts_of, own_limb_names, remove_limb
 from skinsource_gui.limb_page.canvas import spacing_of
+from skinsource_gui.widgets.name_line import NameLine
 from tests.core.own_limbs.lab_bench import N_TAPS, RATE_HZ, installed
 
 YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.No
@@ -92,6 +93,10 @@ def test_a_file_in_the_layout_is_imported_and_can_be_chosen_at_once(
             NO,
         )
     ]
+
+
+def test_names_on_the_page_are_selected_by_the_first_click(page):
+    assert all(isinstance(one, NameLine) for one in (page.form.name, page.form.title))
 
 
 def test_a_limb_of_the_same_name_is_replaced_after_a_question(

@@ -154,7 +154,9 @@ def test_the_row_that_has_the_keyboard_may_give_way_to_others(bench):
     """As when another design is opened while a number of the list is selected."""
     first = bench.row(0)
     first.amplitude.setFocus()
-    new = Design(limb="synthetic-1", inputs=tuple(replace(track(location=k), id=50 + k) for k in (4, 5)))
+    new = Design(
+        limb="synthetic-1", inputs=tuple(replace(track(location=k), id=50 + k) for k in (4, 5))
+    )
     bench.show(new)
     assert [one.id for one in bench.rows.rows] == [54, 55]
     assert bench.rows.hasFocus()

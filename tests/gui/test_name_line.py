@@ -1,0 +1,42 @@
+"""Lines for names that are there already."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLineEdit, QVBoxLayout, QWidget
+
+from skinsource_gui.widgets.name_line import NameLine
+
+
+@pytest.fixture
+def around(qtbot):
+    found = QWidget()
+    qtbot.addWidget(found)
+    return found
+
+
+@pytest.fixture
+def line(around):
+    column = QVBoxLayout(around)
+    column.addWidget(QLineEdit())
+    found = NameLine()
+    column.addWidget(found)
+    around.show()
+    around.findChild(QLineEdit).setFocus()
+    found.setText("hand")
+    return found
+
+
+def test_what_is_typed_after_the_first_click_takes_the_place_of_the_name(line, qtbot):
+    qtbot.mouseClick(line, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(line.hasFocus)
+    assert line.selectedText() == "hand"
+    qtbot.keyClicks(line, "lab")
+    assert line.text() == "lab"
+
+
+def test_a_further_click_sets_the_cursor(line, qtbot):
+    for _ in range(2):
+        qtbot.mouseClick(line, Qt.MouseButton.LeftButton, pos=line.rect().center())
+    assert line.selectedText() == ""
+    qtbot.keyClicks(line, "-2")
+    assert line.text() == "hand-2"
