@@ -1,15 +1,17 @@
 """The bar on the skin map that says how long some millimetres are."""
 
-from PySide6.QtCore import QLineF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
 
-from skinsource_gui.panels.skin.stage.map_layout import MapLayout
+from skinsource_gui.panels.skin.stage.map_layout import WORDS_LINES, MapLayout
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.map.length_bar import bar_length_mm
 
 
-def paint_length_bar(painter: QPainter, layout: MapLayout, px_per_mm: float, theme: Theme) -> None:
-    """Draw the bar into the lower left corner.
+def paint_length_bar(
+    painter: QPainter, layout: MapLayout, px_per_mm: float, skin: QPainterPath, theme: Theme
+) -> None:
+    """Draw the bar into a corner, the lower left one unless skin lies there.
 
     Parameters
     ----------
@@ -19,18 +21,20 @@ def paint_length_bar(painter: QPainter, layout: MapLayout, px_per_mm: float, the
         Where the map lies.
     px_per_mm
         Outline pixels in a millimetre; 0: that is not known, and nothing is drawn.
+    skin
+        The outline on the screen.
     """
     on_screen = px_per_mm * layout.frame.scale
     if on_screen <= 0.0:
         return
     length_mm = bar_length_mm(on_screen, layout.room.width())
     line, unit = painter.fontMetrics().height(), layout.unit
-    left, bottom = layout.room.left() + 8 * unit, layout.room.bottom() - 6 * unit
     words = f"{length_mm} mm"
     width = max(length_mm * on_screen, painter.fontMetrics().horizontalAdvance(words))
+    card = bar_card(layout, QSizeF(width + 8 * unit, 1.5 * line + 3 * unit), line, skin)
+    left, bottom = card.left() + 4 * unit, card.bottom() - 3 * unit
     ground = QColor(theme.base)
     ground.setAlphaF(0.88)
-    card = QRectF(left - 4 * unit, bottom - 1.5 * line, width + 8 * unit, 1.5 * line + 3 * unit)
     painter.fillRect(card, ground)
     pen = QPen(QColor(theme.text), 2 * unit)
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)
@@ -39,3 +43,25 @@ def paint_length_bar(painter: QPainter, layout: MapLayout, px_per_mm: float, the
     painter.setPen(QColor(theme.text))
     beside = QRectF(left, bottom - 1.4 * line, width, 1.2 * line)
     painter.drawText(beside, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, words)
+
+
+def bar_card(layout: MapLayout, size: QSizeF, line: float, skin: QPainterPath) -> QRectF:
+    """Where the bar stands: in the first corner where it hides neither skin nor a card.
+
+    Where there is none, as on a hand that was zoomed into, in the lower left one.
+    """
+    room, unit = layout.room, layout.unit
+    cards = [one for one in (layout.palmar_card, layout.triad_card) if not one.isEmpty()]
+    left, top = room.left() + 4 * unit, room.top() + WORDS_LINES * line
+    low, right = room.bottom() - 3 * unit - size.height(), room.right() - 4 * unit - size.width()
+    beside = min((one.left() for one in cards), default=room.right()) - 4 * unit - size.width()
+    corners = (QPointF(left, low), QPointF(beside, low), QPointF(right, top), QPointF(left, top))
+    places = [QRectF(corner, size) for corner in corners]
+    free = (
+        place
+        for place in places
+        if room.contains(place)
+        and not skin.intersects(place)
+        and not any(one.intersects(place) for one in cards)
+    )
+    return next(free, places[0])

@@ -86,7 +86,7 @@ class MapPainter:
         if content.inputs:
             self._paint_inputs(painter, content, layout, theme)
         self._paint_selection(painter, content, layout, theme)
-        paint_length_bar(painter, layout, content.px_per_mm, theme)
+        paint_length_bar(painter, layout, content.px_per_mm, self._screen_outline, theme)
 
     def _paint_ground(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme

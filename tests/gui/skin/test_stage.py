@@ -2,9 +2,11 @@
 
 from dataclasses import replace
 
-from PySide6.QtCore import QEvent, QObject, QPointF
+from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSizeF, Qt
+from PySide6.QtGui import QPainterPath
 from PySide6.QtWidgets import QApplication
 
+from skinsource_gui.panels.skin.length_bar import bar_card
 from skinsource_gui.widgets.pan_zoom import FREE, WHOLE
 
 
@@ -45,3 +47,22 @@ def test_the_map_is_painted_anew_wherever_it_is_zoomed_to(window, qtbot):
     paints = Paints(view)
     view.stage.pan_zoom.zoom(2.0, QPointF(150, 200))
     qtbot.waitUntil(lambda: paints.n > 0, timeout=2000)
+
+
+def test_the_bar_of_millimetres_stands_where_it_hides_no_skin(window):
+    layout, size, line = window.panel.map.stage.layout, QSizeF(60.0, 20.0), 14.0
+    room, skin = layout.room, QPainterPath()
+    skin.setFillRule(Qt.FillRule.WindingFill)
+    usual = bar_card(layout, size, line, skin)
+    assert usual.right() < room.center().x() < room.right()
+    assert usual.top() > room.center().y()
+    # As of an arm that goes down to the left, then of one that fills all that is below.
+    for hidden in (usual, QRectF(room.left(), room.center().y(), room.width(), room.height())):
+        skin.addRect(hidden)
+        place = bar_card(layout, size, line, skin)
+        assert room.contains(place)
+        assert not skin.intersects(place)
+        assert not layout.palmar_card.intersects(place)
+        assert not layout.triad_card.intersects(place)
+    skin.addRect(room)
+    assert bar_card(layout, size, line, skin) == usual
