@@ -128,6 +128,7 @@ PANELS: tuple[PanelSpec, ...] = (
         settings=SideBySideSettings,
         places=_places(),
     ),
+    PanelSpec(panel=LatePanel("linearity", "Linearity"), places=_places()),
     PanelSpec(
         panel=LatePanel("perception", "Perception"), settings=PerceptionSettings, places=_places()
     ),

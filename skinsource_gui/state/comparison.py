@@ -27,6 +27,7 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request, Slot
 from skinsource_gui.state.on_limbs import OnLimbs
 from skinsource_gui.state.predicting import (
+    OF_OUTPUTS,
     key_of_levels,
     reason_of,
     sources_of_levels,
@@ -45,10 +46,11 @@ _PRESENT = -1
 class _Known:
     """What was predicted, or why it could not be.
 
-    ``key`` is what it depends on.
+    ``key`` is what levels depend on, ``outputs`` are those of which it has traces.
     """
 
     key: tuple[Any, ...]
+    outputs: tuple[int, ...]
     found: Mapping[str, Any] | str
 
     @property
@@ -189,9 +191,10 @@ class Comparison(QObject):
         for one in self._together():
             if self._found(one, wanted) is not None:
                 continue
-            given = sources_of_levels(one.design, self._document.view)
+            view = self._document.view
+            given = sources_of_levels(one.design, view, with_outputs=bool(wanted & OF_OUTPUTS))
             if refused := too_large(one.design.limb):
-                self._known[one.number] = _Known(key_of_levels(given), refused)
+                self._known[one.number] = _known(given, refused)
                 continue
             complete = False
             if one.design is self._document.design and self._engine.busy:
@@ -206,10 +209,14 @@ class Comparison(QObject):
 
     def _found(self, one: Snapshot, wanted: frozenset[str]) -> _Known | None:
         """What is known of a snapshot as it was stored, whoever asked for it."""
-        key = key_of_levels(sources_of_levels(one.design, self._document.view))
+        view = self._document.view
+        key = key_of_levels(sources_of_levels(one.design, view))
+        outputs = view.outputs if wanted & OF_OUTPUTS else None
         for number in (one.number, *self._known):
             known = self._known.get(number)
-            if known is not None and known.key == key and known.holds(wanted):
+            if known is None or known.key != key or outputs not in (None, known.outputs):
+                continue
+            if known.holds(wanted):
                 self._known[one.number] = known
                 return known
         return None
@@ -222,7 +229,7 @@ class Comparison(QObject):
         if number is None:
             return
         found = reason_of(outcome.error) if outcome.values is None else outcome.values
-        self._known[number] = _Known(key_of_levels(request.given), found)
+        self._known[number] = _known(request.given, found)
         self._ask()
         self._tell()
 
@@ -268,6 +275,10 @@ def _shown_words(number: int, document: Document) -> str:
     words = f"{name[:1].upper()}{name[1:]} is shown"
     other = other_than(document.view.snapshots, document.design)
     return words if other is None else f"{words}; X shows {name_of(other.number)}"
+
+
+def _known(given: Mapping[str, Any], found: Mapping[str, Any] | str) -> _Known:
+    return _Known(key_of_levels(given), given["outputs"], found)
 
 
 def _slot(number: int) -> Slot:

@@ -1,6 +1,7 @@
 """What a prediction beside the one of the window starts from, and why there may be none."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from skinsource.design import Design
@@ -12,6 +13,8 @@ from skinsource.view import View
 
 #: Of these is made what takes long on a large limb; drives and clips are not.
 FROM_THE_LIMB = frozenset({"driven_limb", "surface"})
+#: What is of the selected outputs, of all that is wanted of designs beside the one of the window.
+OF_OUTPUTS = frozenset({"axis_traces", "shown_outputs"})
 #: What levels depend on.
 _DEPENDS_ON = (
     "limb",
@@ -32,15 +35,20 @@ def sources_shown(design: Design, view: View) -> dict[str, Any]:
     return sources(design, view, match_gain=view.match_gain(design))
 
 
-def sources_of_levels(design: Design, view: View, *, match_gain: float = 1.0) -> dict[str, Any]:
+def sources_of_levels(
+    design: Design, view: View, *, match_gain: float = 1.0, with_outputs: bool = False
+) -> dict[str, Any]:
     """What evaluation starts from: of the view only what levels depend on.
 
     The rest of it changes while one looks around.  A design on a limb that has not been measured
     along the axes of the view is looked at along those that it has.  ``match_gain``: see
-    `skinsource.quantities.sources`.
+    `skinsource.quantities.sources`.  ``with_outputs``: what is wanted is also of the selected
+    outputs, as traces are.
     """
     axes = axes_on(design.limb, view.axes)
     seen = View(axes=axes, method=view.method, span=view.span, selected_inputs=())
+    if with_outputs:
+        seen = replace(seen, outputs=view.outputs)
     return sources(design, seen, match_gain=match_gain)
 
 

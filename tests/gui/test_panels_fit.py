@@ -25,6 +25,7 @@ PANELS = (
     "transfer",
     "main_axis",
     "wave",
+    "linearity",
     "windowed",
     "regions",
     "perception",

@@ -1,6 +1,25 @@
-"""A design held against a recording of it, and against what a linear model rests on."""
+"""What a linear model rests on: a design held against a recording of it, designs against others."""
 
 from skinsource.checking.condition import Recorded, condition_of
+from skinsource.checking.linearity import (
+    Proportion,
+    Superposition,
+    joint_of,
+    proportion,
+    strengths_of,
+    superposition,
+)
 from skinsource.checking.pages import html_of, write_report
 
-__all__ = ["Recorded", "condition_of", "html_of", "write_report"]
+__all__ = [
+    "Proportion",
+    "Recorded",
+    "Superposition",
+    "condition_of",
+    "html_of",
+    "joint_of",
+    "proportion",
+    "strengths_of",
+    "superposition",
+    "write_report",
+]

@@ -74,7 +74,7 @@ def _overlay(name: str, limb: int) -> MadeScene:
             "their strength: where the skin is linear they lie on each other.",
             inferred=(_BY_CONSTRUCTION, "which outputs are shown", "lengths of the tones"),
             labels=tuple(f"{speed} mm/s" for speed in _SPEEDS_MM_PER_S),
-            panels=("skin", "traces"),
+            panels=("skin", "traces", "linearity"),
         ),
         *(played(limb, _tones(speed), scaling="probe") for speed in _SPEEDS_MM_PER_S),
         shown=4,
@@ -102,7 +102,7 @@ def _fit(name: str, title: str, sentence: str, *inferred: str) -> MadeScene:
             sentence=sentence,
             inferred=(_BY_CONSTRUCTION, _LEVEL_WORDS, *inferred),
             labels=tuple(f"{level:g} m/s²" for level in _LEVELS),
-            panels=("skin", "spectra"),
+            panels=("skin", "traces", "linearity"),
         ),
         *_sweeps(),
         shown=3,
@@ -119,12 +119,17 @@ _LINE = _fit(
     "A sweep from 25 to 600 Hz at four levels: in each band of 2 Hz the output is a straight line "
     "of the input.",
     "which outputs and bands are shown",
+    "in the panel Linearity the RMS over all bands, and how straight the line of each band is",
 )
 _FITS = _fit(
     "5E",
     "How straight the lines are",
     "Adjusted R² of those lines over all outputs and bands: 1 where the skin is linear.",
+    "in the panel Linearity those of the selected outputs, in the figure of all",
 )
+
+# Some cycles in the middle of the sweep, as in the figure.
+_CYCLES_S = (1.0, 1.05)
 
 _SUPERPOSITION = made(
     Scene(
@@ -134,13 +139,14 @@ _SUPERPOSITION = made(
         "sum of what each causes alone.",
         inferred=("exact by construction: the model is linear", "level of the sweep, 3 m/s²"),
         labels=("Input 8", "Input 13", "Both"),
-        panels=("skin", "traces"),
+        panels=("skin", "traces", "linearity"),
     ),
     *(played(1, *at(places, _SWEEP, 3.0), scaling="probe") for places in ([8], [13], [8, 13])),
     shown=2,
     turned="amplitude",
     axes="z",
     outputs=(20, 26),
+    time_range_s=_CYCLES_S,
 )
 
 CHECKS: tuple[MadeScene, ...] = (

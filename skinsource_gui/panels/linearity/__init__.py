@@ -1,0 +1,1 @@
+"""Whether snapshots show proportion and superposition."""

@@ -1,0 +1,142 @@
+"""What the panel shows of a proportion, or of a superposition: diagrams, words, and numbers."""
+
+import numpy as np
+
+from skinsource.arrays import Floats
+from skinsource.checking import Proportion, Superposition
+from skinsource.resampling import finer
+from skinsource_gui.panels.linearity.diagram import Curve, Diagram
+from skinsource_gui.widgets.figure.axes import Axis
+
+# Of long responses this much is drawn, around the loudest instant, where no zoom says which part.
+_SHOWN_S = 0.03
+# Wide lines of more points take long.
+_MOST_SAMPLES = 1500
+_WIDEST_PX, _NARROWEST_PX = 8.0, 1.2
+_PALE = 0.55
+
+
+def part_of(time_s: Floats, curves: Floats, zoom: tuple[float, float] | None) -> tuple[int, int]:
+    """From which to before which sample curves, (..., n_times), are drawn."""
+    if zoom is None:
+        loudest = float(time_s[np.argmax(np.abs(curves).max(axis=tuple(range(curves.ndim - 1))))])
+        zoom = loudest - _SHOWN_S / 2, loudest + _SHOWN_S / 2
+    first, end = np.searchsorted(time_s, zoom)
+    first = int(min(first, time_s.size - 2))
+    return first, int(min(max(end, first + 2), first + _MOST_SAMPLES, time_s.size))
+
+
+def diagrams_of_proportion(
+    found: Proportion,
+    rows: tuple[int, ...],
+    time_s: Floats,
+    zoom: tuple[float, float] | None,
+    unit: str,
+) -> tuple[Diagram, ...]:
+    """Divided responses over each other, output over input, and how straight that is.
+
+    ``rows`` are the channels that are drawn over time, one for each output; ``unit`` is that of
+    the strengths.
+    """
+    part = part_of(time_s, found.divided[:, rows], zoom)
+    x, y = finer(time_s, found.divided[:, rows], *part)
+    n = len(found.strengths)
+    widths = np.linspace(_WIDEST_PX, _NARROWEST_PX, n)
+    over = tuple(
+        Curve(x=x, y=y[k, rank], rank=rank, width_px=float(widths[k]), pale=_pale(k, n))
+        for rank in range(len(rows))
+        for k in range(n)
+    )
+    most = float(found.strengths[-1])
+    lines: list[Curve] = []
+    for rank, row in enumerate(rows):
+        at, level = found.strengths, found.rms[:, row]
+        lines.append(Curve(x=at, y=found.line[:, row], rank=rank, width_px=1.2, pale=_PALE))
+        lines.append(Curve(x=at, y=level, rank=rank, width_px=0.0))
+    straight = tuple(
+        Curve(x=found.frequency_hz, y=found.adjusted_r2[row], rank=rank, width_px=0.0)
+        for rank, row in enumerate(rows)
+    )
+    highest = float(found.frequency_hz[-1]) if found.frequency_hz.size else 1.0
+    return (
+        Diagram(x=_time(x), y=_around(y, "Response / strength"), curves=over),
+        Diagram(
+            x=Axis(shown=(0.0, 1.05 * most), title=f"Strength ({unit})"),
+            y=Axis(shown=(0.0, _top(found.rms[:, rows])), title="RMS (m/s²)"),
+            curves=tuple(lines),
+        ),
+        Diagram(
+            x=Axis(shown=(0.0, 1.05 * highest), title="Frequency (Hz)"),
+            y=Axis(shown=(0.0, 1.1), title="Adjusted R²"),
+            curves=straight,
+        ),
+    )
+
+
+def diagrams_of_superposition(
+    found: Superposition,
+    rows: tuple[int, ...],
+    time_s: Floats,
+    zoom: tuple[float, float] | None,
+) -> tuple[Diagram, ...]:
+    """The sum below the joint response, and the one over the other."""
+    both = np.stack((found.separate, found.joint))[:, rows]
+    part = part_of(time_s, both, zoom)
+    x, (separate, joint) = finer(time_s, both, *part)
+    over = tuple(
+        curve
+        for rank in range(len(rows))
+        for curve in (
+            Curve(x=x, y=separate[rank], rank=rank, width_px=_WIDEST_PX, pale=_PALE),
+            Curve(x=x, y=joint[rank], rank=rank, width_px=_NARROWEST_PX),
+        )
+    )
+    seen = both[..., slice(*part)]
+    against = tuple(
+        Curve(x=seen[0, rank], y=seen[1, rank], rank=rank, width_px=0.0)
+        for rank in range(len(rows))
+    )
+    axis = _around(both, "Joint (m/s²)")
+    return (
+        Diagram(x=_time(x), y=_around(joint, "Joint, thin · sum, wide (m/s²)"), curves=over),
+        Diagram(x=Axis(shown=axis.shown, title="Sum of separate (m/s²)"), y=axis, curves=against),
+    )
+
+
+def proportion_words(found: Proportion) -> str:
+    """What was found, in a sentence."""
+    least = float(np.nanmin(found.adjusted_r2)) if np.isfinite(found.adjusted_r2).any() else np.nan
+    return (
+        f"{len(found.strengths)} strengths, divided by them: {_apart_words(found.apart)} · "
+        f"adjusted R² in bands of 2 Hz {least:.6f} at least"
+    )
+
+
+def superposition_words(found: Superposition) -> str:
+    """What was found, in a sentence."""
+    return (
+        f"Sum of separate and joint: {_apart_words(found.apart)} · "
+        f"r {float(np.nanmin(found.correlation)):.6f} at least"
+    )
+
+
+def _apart_words(apart: float) -> str:
+    return f"differences up to {apart:.0e} of the peak" if apart else "no difference"
+
+
+def _pale(k: int, n: int) -> float:
+    """The widest is palest: each is seen below the next."""
+    return 0.75 * (1.0 - k / (n - 1))
+
+
+def _time(x: Floats) -> Axis:
+    return Axis(shown=(float(x[0]), float(x[-1])), title="Time (ms)", factor=1e3)
+
+
+def _around(values: Floats, title: str) -> Axis:
+    peak = float(np.abs(values).max()) or 1.0
+    return Axis(shown=(-1.1 * peak, 1.1 * peak), title=title)
+
+
+def _top(values: Floats) -> float:
+    return 1.1 * float(values.max()) or 1.0

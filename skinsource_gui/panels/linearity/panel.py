@@ -1,0 +1,181 @@
+"""What snapshots show of the linear model: strengths in proportion, inputs that add up."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any, ClassVar
+
+import numpy as np
+from PySide6.QtWidgets import QWidget
+
+from skinsource.arrays import Floats
+from skinsource.chain import amplitude_unit
+from skinsource.checking import (
+    Proportion,
+    Superposition,
+    joint_of,
+    proportion,
+    strengths_of,
+    superposition,
+)
+from skinsource.design import Design
+from skinsource.own_limbs import axes_on, facts_of
+from skinsource.view import View
+from skinsource_gui.compared import Compared
+from skinsource_gui.figure_panel import SILENT, FigurePanel
+from skinsource_gui.panels.linearity.content import (
+    diagrams_of_proportion,
+    diagrams_of_superposition,
+    proportion_words,
+    superposition_words,
+)
+from skinsource_gui.panels.linearity.diagram import DiagramsPicture
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.figure.words_label import WordsLabel
+
+_NEEDS = frozenset({"axis_traces", "shown_outputs", "response_time_s", "sample_rate_hz"})
+NEITHER = (
+    "Store one stimulus at three strengths or more, or inputs alone and all of them together, "
+    "with Ctrl+1 to Ctrl+4: here is seen whether outputs grow in step, and add up"
+)
+_TOO_MUCH = (
+    "Too long to be shown here; File > Check against a recording… checks whether it is linear"
+)
+# More takes longer than a picture may.
+_MOST_VALUES = 2_000_000
+
+
+class LinearityPanel(FigurePanel):
+    """Responses divided by strength, output over input, or the sum of inputs and all of them."""
+
+    title: ClassVar[str] = "Linearity"
+    name: ClassVar[str] = "linearity"
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        self.picture = DiagramsPicture("linearity_picture", "Linearity of snapshots")
+        super().__init__(self.picture, parent)
+        self._view = View()
+        self._drawn: tuple[Any, ...] = ()
+        self._outputs: tuple[int, ...] = ()
+        self.found: Proportion | Superposition | None = None
+        self.about = WordsLabel("linearity_about")
+        self.about.setToolTip(
+            "Snapshots as they were stored. Over time the part is drawn to which Traces is zoomed, "
+            "else the loudest one; all the rest counts whole."
+        )
+        self.choices.addWidget(self.about, 1)
+        self.copy = self.add_copy(self.table)
+        self.say_instead(NEITHER)
+
+    @property
+    def needs_of_snapshots(self) -> frozenset[str]:
+        return _NEEDS if self._view.outputs else frozenset()
+
+    def show_state(self, design: Design, view: View) -> None:
+        zoomed = view.time_range_s != self._view.time_range_s
+        self._view = view
+        if zoomed:
+            self._drawn = ()
+        if not view.outputs:
+            self.say_instead(self.no_outputs)
+        elif self.figure.message == self.no_outputs:
+            self.await_results()
+
+    def show_snapshots(self, compared: Sequence[Compared]) -> None:
+        designs = [one.snapshot.design for one in compared]
+        strengths, whole = strengths_of(designs), joint_of(designs)
+        problem = next((one.problem for one in compared if one.problem), "")
+        if not strengths and whole is None:
+            self.say_instead(NEITHER)
+        elif problem:
+            self.say_instead(problem)
+        elif any(one.values is None for one in compared):
+            if self.found is None:
+                self.await_results()
+        else:
+            found = [one.values for one in compared if one.values is not None]
+            traces = [one["axis_traces"] for one in found]
+            if not self._is_drawn((self._view.time_range_s, *traces)):
+                self._show(designs, found, strengths, whole)
+
+    def show_problem(self, reason: str) -> None:
+        """Snapshots have problems of their own, see `show_snapshots`."""
+
+    def show_theme(self, theme: Theme) -> None:
+        super().show_theme(theme)
+        self.about.show_theme(theme)
+
+    def say_instead(self, message: str) -> None:
+        self._drawn, self.found = (), None
+        super().say_instead(message)
+        self.about.say("")
+
+    def table(self) -> str:
+        """The numbers, with tabs between the columns."""
+        found = self.found
+        if found is None:
+            return ""
+        outputs = self._outputs
+        rows: Floats
+        if isinstance(found, Proportion):
+            channels = found.rms.shape[-1] // len(outputs)
+            header = ["strength"] + [
+                f"rms_{output}_{k + 1}_m_per_s2" for output in outputs for k in range(channels)
+            ]
+            rows = np.column_stack((found.strengths, found.rms))
+        else:
+            channels = found.correlation.size // len(outputs)
+            header = ["output", "axis", "pearson_r"]
+            numbers = np.repeat(outputs, channels)
+            rows = np.column_stack(
+                (numbers, np.tile(np.arange(1, channels + 1), len(outputs)), found.correlation)
+            )
+        lines = ["\t".join(header), *("\t".join(map(repr, row)) for row in rows.tolist())]
+        return "\n".join(lines) + "\n"
+
+    def _is_drawn(self, wanted: tuple[Any, ...]) -> bool:
+        same = len(wanted) == len(self._drawn) and all(
+            one is other for one, other in zip(wanted, self._drawn, strict=True)
+        )
+        if not same:
+            self._drawn = wanted
+        return same
+
+    def _show(
+        self,
+        designs: Sequence[Design],
+        results: Sequence[Mapping[str, Any]],
+        strengths: tuple[float, ...],
+        whole: int | None,
+    ) -> None:
+        """Draw what is known of all designs."""
+        drawn, design = self._drawn, designs[0]
+        traces = [one["axis_traces"] for one in results]
+        n_outputs, n_axes, _ = traces[0].shape
+        if sum(one.size for one in traces) > _MOST_VALUES:
+            self.say_instead(_TOO_MUCH)
+            return
+        channels = [one.reshape(n_outputs * n_axes, -1) for one in traces]
+        if not all(one.any() for one in channels):
+            self.say_instead(SILENT)
+            return
+        axes, limb = axes_on(design.limb, self._view.axes), facts_of(design.limb)
+        along = "z" if "z" in axes else axes[0]
+        rows = tuple(axes.index(along) + n_axes * rank for rank in range(n_outputs))
+        zoom, longest = self._view.time_range_s, results[whole or 0]
+        self._outputs = longest["shown_outputs"]
+        if strengths:
+            rate_hz = longest["sample_rate_hz"]
+            self.found = shown = proportion(strengths, np.stack(channels), rate_hz, limb.band_hz)
+            unit = amplitude_unit(design.scaling, design.actuation)
+            time_s = longest["response_time_s"]
+            self.picture.show_diagrams(diagrams_of_proportion(shown, rows, time_s, zoom, unit))
+            self.show_found(proportion_words(shown))
+        elif whole is not None:
+            parts = [one for k, one in enumerate(channels) if k != whole]
+            self.found = added = superposition(parts, channels[whole])
+            time_s = longest["response_time_s"]
+            self.picture.show_diagrams(diagrams_of_superposition(added, rows, time_s, zoom))
+            self.show_found(superposition_words(added))
+        self._drawn = drawn
+        self.copy.setEnabled(True)
+        synthetic = " · synthetic limb" if limb.synthetic else ""
+        self.about.say(f"Along {along}, of the selected outputs: linear by construction{synthetic}")

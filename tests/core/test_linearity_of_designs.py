@@ -1,0 +1,112 @@
+"""Designs that are held against each other: strengths in proportion, and inputs that add up."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.checking import joint_of, proportion, strengths_of, superposition
+from skinsource.evaluation import evaluate
+from skinsource.view import View
+
+TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.1)
+RATE_HZ = 1300.0
+
+
+def played(*places, amplitude=1.0, **others):
+    tracks = tuple(ss.track(one, TONE, amplitude=amplitude) for one in places)
+    return ss.Design(limb="synthetic-1", inputs=tracks, scaling="probe", **others)
+
+
+def test_designs_that_differ_in_strength_and_words_alone_have_strengths():
+    designs = [played(8, amplitude=k, title=f"At {k}", notes="As loud") for k in (1.0, 4.0, 2.0)]
+    assert strengths_of(designs) == (1.0, 4.0, 2.0)
+    assert joint_of(designs) is None
+
+
+@pytest.mark.parametrize(
+    "designs",
+    [
+        [],
+        [played(8), played(8, amplitude=2.0)],
+        [played(8), played(8, amplitude=2.0), played(8, amplitude=2.0)],
+        [played(8), played(8, amplitude=2.0), played(9, amplitude=3.0)],
+        [
+            played(8),
+            played(8, amplitude=2.0),
+            replace(played(8, amplitude=3.0), limb="synthetic-2"),
+        ],
+        [played(8, amplitude=0.0), played(8, amplitude=2.0), played(8, amplitude=3.0)],
+        [played(8), played(), played(8, amplitude=3.0)],
+    ],
+)
+def test_others_have_none(designs):
+    assert strengths_of(designs) == ()
+
+
+@pytest.mark.parametrize("order", [(0, 1, 2), (2, 0, 1), (1, 2, 0)])
+def test_the_joint_design_is_found_among_its_parts(order):
+    designs = [played(8), played(13), played(8, 13, title="Both")]
+    assert joint_of([designs[k] for k in order]) == order.index(2)
+
+
+@pytest.mark.parametrize(
+    "designs",
+    [
+        [played(8), played(8)],
+        [played(8), played(13), played(8, 14)],
+        [played(8), played(13, amplitude=2.0), played(8, 13)],
+        [played(8), replace(played(13), limb="synthetic-2"), played(8, 13)],
+        [played(), played(8), played(8)],
+    ],
+)
+def test_others_have_no_joint_one(designs):
+    assert joint_of(designs) is None
+
+
+def test_a_linear_response_is_the_same_once_divided_and_a_line_through_zero():
+    rng = np.random.default_rng(1)
+    one = rng.normal(size=(2, 400))
+    x = np.array([2.0, 1.0, 5.0])
+    found = proportion(x, x[:, None, None] * one, RATE_HZ, None)
+    assert found.strengths.tolist() == [1.0, 2.0, 5.0]
+    assert found.apart < 1e-14
+    assert np.allclose(found.divided, one)
+    rms = np.sqrt(np.mean(one**2, axis=-1))
+    assert np.allclose(found.rms, found.strengths[:, None] * rms)
+    assert np.allclose(found.line, found.rms)
+    assert np.nanmin(found.adjusted_r2) > 1.0 - 1e-12
+
+
+def test_a_response_that_saturates_is_told():
+    rng = np.random.default_rng(2)
+    one = rng.normal(size=(1, 400))
+    x = np.array([1.0, 2.0, 3.0, 4.0])
+    found = proportion(x, np.tanh(x[:, None, None] * one), RATE_HZ, None)
+    assert found.apart > 0.3
+    assert np.nanmin(found.adjusted_r2) < 0.9
+    assert np.abs(found.line - found.rms).max() > 0.005
+
+
+def test_what_inputs_cause_together_is_held_against_their_sum():
+    rng = np.random.default_rng(3)
+    first, second = rng.normal(size=(2, 300)), rng.normal(size=(2, 200))
+    joint = first.copy()
+    joint[:, :200] += second
+    found = superposition([first, second], joint)
+    assert np.array_equal(found.separate, joint)
+    assert found.apart == 0.0
+    assert np.allclose(found.correlation, 1.0)
+    bent = superposition([first, second], np.tanh(joint))
+    assert bent.apart > 0.1
+    assert (bent.correlation < 0.99).all()
+
+
+def test_the_prediction_adds_up():
+    view = View(axes="z", outputs=(20, 26))
+    parts = [
+        evaluate(played(*places), "axis_traces", view=view)["axis_traces"][:, 0]
+        for places in ((8,), (13,), (8, 13))
+    ]
+    assert superposition(parts[:2], parts[2]).apart < 1e-9

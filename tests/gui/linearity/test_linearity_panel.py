@@ -1,0 +1,143 @@
+"""Snapshots held against each other: strengths in proportion, inputs that add up."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPointF
+from PySide6.QtWidgets import QApplication
+
+import skinsource as ss
+from skinsource.checking import Proportion, Superposition
+from skinsource.comparing import Snapshot
+from skinsource.view import View
+from skinsource_gui.panels.linearity.panel import NEITHER
+
+TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.1)
+OUTPUTS = (20, 26)
+
+
+def played(*places, amplitude=1.0):
+    tracks = tuple(ss.track(one, TONE, amplitude=amplitude) for one in places)
+    return ss.Design(limb="synthetic-1", inputs=tracks, scaling="probe")
+
+
+def kept(*designs):
+    return tuple(Snapshot(number=k, design=one) for k, one in enumerate(designs, 1))
+
+
+STRENGTHS = [played(8, amplitude=k) for k in (1.0, 2.0, 4.0)]
+PARTS = [played(8), played(13), played(8, 13)]
+
+
+@pytest.fixture
+def show(make_window, qtbot):
+    """A window on the last of designs that are kept, with the panel in front."""
+
+    def opened(designs, **view):
+        looked = View(**{"axes": "z", "outputs": OUTPUTS, "levels_matched": False, **view})
+        window = make_window(designs[-1], replace(looked, snapshots=kept(*designs)))
+        window.docks["linearity"].bring_forward()
+        panel = window.panel("linearity")
+        qtbot.waitUntil(lambda: settled(window, panel), timeout=30_000)
+        return window, panel
+
+    return opened
+
+
+def settled(window, panel):
+    QApplication.processEvents()
+    return not window.engine.busy and panel.figure.message != "Computing…"
+
+
+def test_strengths_of_one_stimulus_lie_on_each_other_once_divided(show):
+    _, panel = show(STRENGTHS)
+    assert panel.figure.message == ""
+    assert isinstance(panel.found, Proportion)
+    assert panel.found.strengths.tolist() == [1.0, 2.0, 4.0]
+    assert panel.found.apart < 1e-9
+    assert "3 strengths" in panel.words.text
+    over, growth, straight = panel.picture.diagrams
+    assert len(over.curves) == 3 * len(OUTPUTS)
+    assert np.ptp([one.y for one in over.curves[:3]], axis=0).max() < 1e-9
+    assert growth.x.title == "Strength (m/s²)"
+    assert straight.y.title == "Adjusted R²"
+    assert "synthetic" in panel.about.text
+    panel.grab()
+    # Below the pointer are numbers.
+    frame = panel.picture._placed[1][1].frame
+    at = panel.picture._placed[1][0] + frame.center()
+    assert "Strength (m/s²): 2.1" in panel.picture.read(at)
+    assert panel.picture.read(QPointF(-5.0, -5.0)) == ""
+
+
+def test_inputs_alone_add_up_to_all_of_them(show):
+    _, panel = show(PARTS)
+    assert isinstance(panel.found, Superposition)
+    assert panel.found.apart < 1e-9
+    assert "Sum of separate and joint" in panel.words.text
+    panel.grab()
+    head, *rows = panel.table().splitlines()
+    assert head == "output\taxis\tpearson_r"
+    assert [float(row.split("\t")[2]) for row in rows] == pytest.approx([1.0, 1.0])
+
+
+def test_the_design_in_the_window_counts_though_it_is_no_snapshot(show, qtbot):
+    window, panel = show(STRENGTHS)
+    document = window.document
+    document.edit("Louder", document.design.with_input(0, amplitude=9.0))
+    qtbot.waitUntil(lambda: panel.found is not None and len(panel.found.strengths) == 4)
+    assert panel.found.strengths[-1] == 9.0
+    assert len(panel.table().splitlines()) == 5
+
+
+def test_other_outputs_are_shown_as_soon_as_they_are_selected(show, qtbot):
+    window, panel = show(STRENGTHS)
+    window.document.look(replace(window.document.view, outputs=(30,)))
+    qtbot.waitUntil(lambda: len(panel.picture.diagrams[0].curves) == 3)
+    assert panel.found.rms.shape == (3, 1)
+    window.document.look(replace(window.document.view, outputs=()))
+    qtbot.waitUntil(lambda: "elect" in panel.figure.message)
+    assert not panel.copy.isEnabled()
+
+
+def test_the_part_to_which_traces_are_zoomed_is_drawn(show, qtbot):
+    window, panel = show(PARTS)
+    window.document.look(replace(window.document.view, time_range_s=(0.08, 0.1)))
+    qtbot.waitUntil(
+        lambda: panel.picture.diagrams[0].x.shown == pytest.approx((0.08, 0.1), abs=1e-3)
+    )
+
+
+def test_what_cannot_be_held_against_each_other_says_what_to_store(show, qtbot):
+    window, panel = show([played(8), played(9)])
+    assert panel.figure.message == NEITHER
+    assert panel.table() == ""
+    assert not panel.copy.isEnabled()
+    document = window.document
+    document.look(replace(document.view, snapshots=kept(*PARTS)))
+    document.edit("Both", PARTS[2])
+    qtbot.waitUntil(lambda: panel.found is not None, timeout=30_000)
+
+
+def test_hidden_it_has_no_traces_computed(show, qtbot):
+    window, _ = show(STRENGTHS)
+    asked = []
+    ask = window.engine.request
+    window.engine.request = lambda one: (asked.append(one.slot.name), ask(one))
+    window.docks["linearity"].hide()
+    window.document.look(replace(window.document.view, outputs=(30, 31)))
+    qtbot.waitUntil(lambda: not window.engine.busy)
+    assert not any("snapshot" in one for one in asked)
+
+
+@pytest.mark.parametrize("name", ["5A", "5D", "5F"])
+def test_scenes_of_linearity_open_with_it(make_window, qtbot, name):
+    window = make_window()
+    window.scenes.open(name)
+    assert window.docks["linearity"].in_sight
+    panel = window.panel("linearity")
+    qtbot.waitUntil(lambda: panel.found is not None, timeout=60_000)
+    kind = Superposition if name == "5F" else Proportion
+    assert isinstance(panel.found, kind)
+    assert panel.found.apart < 1e-9
