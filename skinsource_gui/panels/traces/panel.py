@@ -5,6 +5,7 @@ from dataclasses import replace
 from functools import cache, partial
 from typing import Any
 
+import numpy as np
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 
@@ -15,7 +16,7 @@ from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.resampling import finer
 from skinsource.view import View
-from skinsource_gui.panels.traces.settings import TracesSettings
+from skinsource_gui.panels.traces.settings import RELATIVE, TracesSettings
 from skinsource_gui.signal_panel import SignalPanel
 from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.plot.axis_spec import XAxis
@@ -47,6 +48,10 @@ class TracesPanel(SignalPanel):
             *_switch_words(facts_of("").pre_trigger_delay_s),
             self._remove_delay,
         )
+        self._relative = self._plot.toolbar.add_switch(
+            "relative", RELATIVE.label, RELATIVE.hint, self._choose_relative
+        )
+        self._results: Mapping[str, Any] | None = None
         self._plot.toolbar.layout_chosen.connect(self._choose_layout)
         self._plot.zoom_requested.connect(self._zoom)
         self._plot.plot.playhead.wanted.connect(self.playhead_wanted)
@@ -67,18 +72,24 @@ class TracesPanel(SignalPanel):
 
     def show_state(self, design: Design, view: View) -> None:
         self._design = design
-        self._view, self._settings = view, settings_of(view, self.name, TracesSettings)
+        settings = settings_of(view, self.name, TracesSettings)
+        scaled_anew = settings.relative != self._settings.relative
+        self._view, self._settings = view, settings
+        self._relative.setChecked(settings.relative)
         self._delay.setChecked(view.delay_removed)
         self._show_delay(facts_of(design.limb).pre_trigger_delay_s)
         zoomed = view.time_range_s is not None
         self._plot.toolbar.show_state(layout=self._settings.layout, zoomed=zoomed)
         self._plot.plot.playhead.show_at(view.playhead_s)
         if not view.outputs:
+            self._results = None
             self._plot.show_message(self.no_outputs)
         elif self._plot.plot.message == self.no_outputs:
             self._plot.wait_for_curves()
         if self._drawn_removed == view.delay_removed:
             self._apply_view()
+        if scaled_anew and self._results is not None:
+            self._draw(self._results)
 
     def show_playhead(self, view: View) -> None:
         self._view = view
@@ -90,16 +101,27 @@ class TracesPanel(SignalPanel):
         shift_s = facts_of(results["limb"]).pre_trigger_delay_s if self._drawn_removed else 0.0
         self._early_s = max(-shift_s - first_s, 0.0)
         self._apply_view()
-        if not results["outputs"]:
+        self._results = dict(results) if results["outputs"] else None
+        if self._results is None:
             self._plot.show_message(self.no_outputs)
-            return
+        else:
+            self._draw(self._results)
+
+    def show_problem(self, reason: str) -> None:
+        self._results = None
+        super().show_problem(reason)
+
+    def _draw(self, results: Mapping[str, Any]) -> None:
+        relative = self._settings.relative
+        scale = _peaks(results["selected_traces"]) if relative else None
         curves = Curves(
             x=results["response_time_s"],
-            y=results["selected_traces"],
+            y=results["selected_traces"] if scale is None else results["selected_traces"] / scale,
+            kind="amplitude" if scale is None else "relative",
             names=output_names(results["outputs"], results["limb"]),
             about=lines_later(results),
             heading=heading_of(results),
-            between=partial(_wave, results),
+            between=partial(_wave, results, scale),
         )
         self._plot.show_curves(
             curves,
@@ -130,6 +152,10 @@ class TracesPanel(SignalPanel):
         settings = replace(self._settings, layout=layout)
         if settings != self._settings:
             self.view_changed.emit(with_settings(self._view, self.name, settings))
+
+    def _choose_relative(self, relative: bool) -> None:
+        settings = replace(self._settings, relative=relative)
+        self.view_changed.emit(with_settings(self._view, self.name, settings))
 
     def _remove_delay(self, removed: bool) -> None:
         if self._design is not None:
@@ -207,8 +233,21 @@ def _heard(outputs: tuple[int, ...], results: Mapping[str, Any]) -> tuple[int, .
     return tuple(output for output in outputs if output in loud)
 
 
-def _wave(results: Mapping[str, Any], first: int, end: int) -> tuple[Floats, Floats]:
+def _peaks(traces: Floats) -> Floats:
+    """Peak of each trace, (n, 1); 1 where it is silent."""
+    found = np.abs(traces).max(axis=-1, keepdims=True)
+    return np.where(found > 0.0, found, 1.0)
+
+
+def _wave(
+    results: Mapping[str, Any], scale: Floats | None, first: int, end: int
+) -> tuple[Floats, Floats]:
     """The traces from one sample to before another, with points between them."""
+    instants, waves = _wave_as_predicted(results, first, end)
+    return instants, waves if scale is None else waves / scale
+
+
+def _wave_as_predicted(results: Mapping[str, Any], first: int, end: int) -> tuple[Floats, Floats]:
     time_s, projection = results["response_time_s"], results["selected_projection"]
     if projection.directions is not None:
         return finer(time_s, results["selected_traces"], first, end)

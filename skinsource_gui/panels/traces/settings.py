@@ -3,20 +3,33 @@
 from dataclasses import dataclass
 
 from skinsource import fields
-from skinsource.fields import ChoiceSpec
+from skinsource.fields import ChoiceSpec, SwitchSpec
 
 LAYOUT = ChoiceSpec(
     label="Layout",
     options=(("overlaid", "Overlaid"), ("stacked", "Stacked")),
     hint="All curves over each other, or each in its own row",
 )
+RELATIVE = SwitchSpec(
+    label="Each to its peak",
+    hint="Draw each curve relative to its own peak: shapes are seen where all others would be flat",
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TracesSettings:
-    """How traces are drawn: ``layout`` is ``"overlaid"`` or ``"stacked"``."""
+    """How traces are drawn.
+
+    Attributes
+    ----------
+    layout
+        ``"overlaid"`` or ``"stacked"``.
+    relative
+        Whether each is drawn relative to its own peak.
+    """
 
     layout: str = fields.choice("overlaid", LAYOUT)
+    relative: bool = fields.switch(False, RELATIVE)
 
     def __post_init__(self) -> None:
         fields.check(self)

@@ -88,9 +88,11 @@ class ValueUnit:
 
 
 def value_unit(kind: Kind, low: float, high: float) -> ValueUnit:
-    """Unit in which a range of m/s² (or of dB re 1 m/s²) reads well."""
+    """Unit in which a range of m/s², of levels or of parts of a peak reads well."""
     if kind == "level":
         return ValueUnit(factor=1.0, symbol="dB", decimals=1)
+    if kind == "relative":
+        return ValueUnit(factor=1.0, symbol="of its peak", decimals=3)
     top = max(high, -low)
     factor, symbol = next(
         (

@@ -36,7 +36,7 @@ class Curves:
     x : (n_points,)
         Rising, SI.
     y : (n_curves, n_points)
-        m/s², or levels in dB.
+        m/s², levels in dB, or parts of the peak of each.
     names : (n_curves,)
         Their names; a curve's rank is its colour.
     kind

@@ -6,8 +6,9 @@ from typing import Literal
 from skinsource.decibels import FLOOR_DB
 
 Range = tuple[float, float]
-#: ``"amplitude"``: linear, includes zero; ``"level"``: dB, 80 dB from top to bottom.
-Kind = Literal["amplitude", "level"]
+#: ``"amplitude"``: linear, includes zero; ``"level"``: dB, 80 dB from top to bottom;
+#: ``"relative"``: as amplitudes, without a unit.
+Kind = Literal["amplitude", "level", "relative"]
 
 LEVEL_SPAN_DB = 80.0
 _LEVEL_STEP_DB = 5.0

@@ -8,6 +8,13 @@ from skinsource.export.csv_table import CsvTable
 from skinsource.export.output_file import output_file
 from skinsource.job import never
 from skinsource_gui.widgets.plot.plot import Plot
+from skinsource_gui.widgets.plot.ranges import Kind
+
+_UNITS: dict[Kind, str] = {
+    "amplitude": "m_per_s2",
+    "level": "db_re_1_m_per_s2",
+    "relative": "of_its_peak",
+}
 
 
 def save_table(path: Path, plot: Plot, title: str) -> None:
@@ -21,7 +28,7 @@ def save_table(path: Path, plot: Plot, title: str) -> None:
     curves = plot.curves
     if curves is None:
         return
-    unit = "db_re_1_m_per_s2" if curves.kind == "level" else "m_per_s2"
+    unit = _UNITS[curves.kind]
     axis = plot.x_window.axis
     about = ["SkinSource studio", title, axis.titles[0]]
     about.extend(curves.about())

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
@@ -11,6 +12,7 @@ from skinsource.panel_settings import settings_of
 from skinsource.view import View
 from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.state.start_design import start_design
+from skinsource_gui.widgets.plot.signal_table import save_table
 from skinsource_gui.widgets.plot.signal_view import SignalView
 from tests.gui.curve_panels.bench import click, plot_of, said_above
 from tests.gui.curve_panels.traces_bench import SIGNED, opener, results_for
@@ -200,3 +202,37 @@ def test_the_part_that_is_seen_decides_the_unit(show):
     plot = plot_of(show(later, n_times=13_001))
     assert plot.x_window.axis.unit == "s"
     assert plot.x_window.axis.reading(5.123077) == "5.12308 s"
+
+
+def test_each_curve_can_be_drawn_relative_to_its_own_peak(show):
+    panel = show()
+    plot = plot_of(panel)
+    peaks = np.abs(plot.curves.y).max(axis=-1)
+    assert peaks[2] < 0.5 * peaks[0]
+    click(panel, "relative")
+    assert settings_of(panel._view, "traces", TracesSettings).relative
+    assert np.allclose(np.abs(plot.curves.y).max(axis=-1), 1.0)
+    assert plot.unit.symbol == "of its peak"
+    # Between samples too.
+    _, waves = plot.curves.between(0, 300)
+    assert 0.95 < np.abs(waves).max() < 1.05
+    # New results are drawn the same.
+    panel.show_results(results_for(panel._view, amplitude=7.0))
+    assert np.allclose(np.abs(plot.curves.y).max(axis=-1), 1.0)
+    click(panel, "relative")
+    assert np.abs(plot.curves.y).max() == pytest.approx(peaks[0])
+    assert plot.unit.symbol == "m/s²"
+
+
+def test_silence_has_no_peak_to_be_relative_to(show):
+    panel = show()
+    click(panel, "relative")
+    panel.show_results(results_for(panel._view, amplitude=0.0))
+    assert not plot_of(panel).curves.y.any()
+
+
+def test_a_table_of_curves_relative_to_their_peaks_says_so(show, tmp_path):
+    panel = show()
+    click(panel, "relative")
+    save_table(tmp_path / "traces.csv", plot_of(panel), "Traces")
+    assert "output_29_of_its_peak" in (tmp_path / "traces.csv").read_text("utf-8")

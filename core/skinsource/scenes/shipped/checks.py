@@ -5,7 +5,7 @@ from math import pi
 from skinsource.clips import Clip
 from skinsource.design import Design, Input
 from skinsource.scenes.paper_scene import Scene
-from skinsource.scenes.shipped.making import MOVING, MadeScene, at, made, played
+from skinsource.scenes.shipped.making import MOVING, OWN_ROWS, MadeScene, at, made, played
 from skinsource.waveforms import Chirp, Tone
 
 _PREDICTED = Tone(frequency_hz=104.0, duration_s=10 / 104)
@@ -43,7 +43,7 @@ _TRACES = made(
     axes="z",
     outputs=(20, 24, 26, 27, 48),
     time_range_s=(0.04, 0.2),
-    panels={"traces": {"layout": "stacked"}},
+    panels=OWN_ROWS,
 )
 
 _SPEEDS_MM_PER_S = (5, 10, 20, 40, 80)

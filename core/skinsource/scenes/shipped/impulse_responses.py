@@ -5,6 +5,7 @@ from skinsource.scenes.shipped.making import (
     AXES_BESIDE,
     BESIDE,
     MOVING,
+    OWN_ROWS,
     MadeScene,
     at,
     made,
@@ -14,6 +15,10 @@ from skinsource.waveforms import Impulse
 
 _ALONG_DIGIT_III = (20, 24, 26, 27, 48, 49, 72)
 _PULSE = Impulse()
+_OWN_MAPS = (
+    "in the figure each map is relative to its own maximum, in the panel Side by side all have one "
+    "scale"
+)
 
 
 _TRACES = made(
@@ -22,10 +27,7 @@ _TRACES = made(
         title="A pulse runs down the hand",
         sentence="A pulse on the pad of digit III arrives later and longer at outputs along the "
         "back of the hand and arm; within 3 ms it leaves the finger.",
-        inferred=(
-            "in the figure each trace is relative to its own peak, in the panel Traces all have "
-            "one scale",
-        ),
+        inferred=("each trace relative to its own peak",),
         panels=("skin", "traces"),
     ),
     played(4, *at([8], _PULSE), scaling="relative"),
@@ -35,7 +37,7 @@ _TRACES = made(
     time_range_s=(0.045, 0.15),
     slow_motion=100.0,
     playhead_s=0.055,
-    panels={"traces": {"layout": "stacked"}, **MOVING},
+    panels={**OWN_ROWS, **MOVING},
 )
 
 _SPECTRA = made(
@@ -46,7 +48,7 @@ _SPECTRA = made(
         "high frequencies.",
         inferred=(
             "in the figure each spectrum is relative to its own largest magnitude, in the panel "
-            "Spectra all have one scale",
+            "Spectra all have one scale, and z alone is drawn",
         ),
         panels=("skin", "spectra"),
     ),
@@ -79,7 +81,7 @@ _PLACES = made(
         title="Where the pulse is given",
         sentence="The same pulse at the pad of digit III, at its base and on the palm reaches "
         "other parts of the hand.",
-        inferred=("which three places: 8, 13 and 18", "each map relative to its own maximum"),
+        inferred=("which three places: 8, 13 and 18", _OWN_MAPS),
         labels=("Pad 8", "Base 13", "Palm 18"),
         arrangement="design",
         panels=("skin", "side_by_side"),
@@ -96,7 +98,7 @@ _PEOPLE = made(
         title="Four people",
         sentence="The same pulse on the pad of digit III of four people: hands differ in how far "
         "they carry it.",
-        inferred=("each map relative to its own maximum",),
+        inferred=(_OWN_MAPS,),
         labels=("Limb 1", "Limb 2", "Limb 3", "Limb 4"),
         arrangement="design",
         panels=("skin", "side_by_side"),

@@ -16,6 +16,8 @@ from skinsource.waveforms import Waveform
 CONTROLS = "frequency_and_amplitude"
 #: The skin as it moves along z, slowed down: of scenes that speak of what travels.
 MOVING = {"skin": {"quantity": "z"}}
+#: A row for each output, relative to its own peak: of scenes in which most others would be flat.
+OWN_ROWS = {"traces": {"layout": "stacked", "relative": True}}
 #: Maps of all designs of a scene at once: of scenes that compare people, places or frequencies.
 BESIDE = {"side_by_side": {"of": "snapshots"}}
 #: Maps of the design along each axis at once.

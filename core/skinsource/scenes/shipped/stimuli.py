@@ -1,7 +1,7 @@
 """Fig. 2: stimuli, and what arrives of them."""
 
 from skinsource.scenes.paper_scene import Scene
-from skinsource.scenes.shipped.making import BESIDE, MOVING, MadeScene, at, made, played
+from skinsource.scenes.shipped.making import BESIDE, MOVING, OWN_ROWS, MadeScene, at, made, played
 from skinsource.waveforms import Noise, Tap, Tone, WaveletTrain
 
 # Ten cycles of 200 Hz, 65 samples; and 200 ms, 260 samples, whatever the frequency.
@@ -30,7 +30,7 @@ _TRACES = made(
     time_range_s=(0.04, 0.18),
     slow_motion=50.0,
     playhead_s=0.08,
-    panels={"traces": {"layout": "stacked"}, **MOVING},
+    panels={**OWN_ROWS, **MOVING},
 )
 
 _FREQUENCIES = made(
@@ -66,7 +66,7 @@ _NOISE_TRACES = made(
     turned="amplitude",
     axes="z",
     outputs=_NOISE_OUTPUTS,
-    panels={"traces": {"layout": "stacked"}},
+    panels=OWN_ROWS,
 )
 
 _NOISE_SPECTRA = made(
@@ -74,7 +74,11 @@ _NOISE_SPECTRA = made(
         name="2D",
         title="Noise, as spectra",
         sentence="Of the same noise the skin passes on low frequencies more than high ones.",
-        inferred=(*_OWN_NOISE, "each spectrum is the mean over ten bins"),
+        inferred=(
+            *_OWN_NOISE,
+            "in the figure each spectrum is of three axes and the mean over ten bins, in the panel "
+            "Spectra x alone is drawn, whole",
+        ),
         panels=("skin", "spectra"),
     ),
     played(2, *at([5], _NOISE)),
