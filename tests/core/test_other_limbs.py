@@ -150,7 +150,7 @@ def test_outputs_and_places_that_the_limb_does_not_have_are_refused_by_name():
     with pytest.raises(InvalidInputError, match=r"made-up has the outputs 1 to 10; .* \[29, 52\]"):
         shown(limb, SHORT, View(outputs=(29, 3, 52)), "record")
     elsewhere = SHORT.with_input(0, location=8)
-    with pytest.raises(InvalidInputError, match=r"input location 8 does not exist: .* 1 to 7"):
+    with pytest.raises(InvalidInputError, match=r"made-up has the places 1 to 7, .* at place 8"):
         shown(limb, elsewhere, View(outputs=OUTPUTS), "record")
 
 

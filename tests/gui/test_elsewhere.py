@@ -54,14 +54,20 @@ def test_another_limb_can_be_chosen_instead(window, opened, qtbot):
     assert np.isfinite(window.panel("skin").map.content.values).all()
 
 
+def test_outputs_that_the_limb_does_not_have_are_not_selected_on_it(window, opened, qtbot):
+    opened(Design(limb="synthetic-1", inputs=(track(location=7),)), View(outputs=(29, 80)))
+    qtbot.waitUntil(lambda: window.document.view.outputs == (29,), timeout=30_000)
+    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
+    assert message(window) == ""
+
+
 @pytest.mark.parametrize(
     ("one", "outputs", "words"),
     [
-        (track(location=25), (29,), "input location 25 does not exist"),
-        (track(location=7), (29, 80), "has the outputs 1 to 72; selected are also"),
+        (track(location=25), (29,), "places 1 to 20, and there is an input at place 25"),
         (track(location=7, waveform=Tone(frequency_hz=650.0)), (29,), "half the sample rate"),
     ],
-    ids=["place", "output", "frequency"],
+    ids=["place", "frequency"],
 )
 def test_what_the_limb_does_not_have_is_said_in_one_sentence(
     window, opened, qtbot, one, outputs, words
