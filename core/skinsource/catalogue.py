@@ -44,6 +44,9 @@ def load_limb(name: str, digest: str = "") -> Limb:
                 raise InvalidInputError(missing)
         return load_own_limb(name)
     if not isinstance(name, str) or name not in LIMB_NAMES:
+        if isinstance(name, str) and digest:
+            # None of the others is that of the design: which to import is what matters.
+            raise UnknownLimbError(missing_limb(name, digest))
         raise UnknownLimbError(
             f"the limb {quoted(name)} is not available here; choose one of "
             f"{', '.join(available_limbs())}"

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource import edits
 from skinsource.design import Design, track
+from skinsource.design_file import save_design
 from skinsource.own_limbs import facts_of, install_limb, mirror_limb, remove_limb
 from skinsource.view import View
 from skinsource.waveforms import Noise, Tone
@@ -125,6 +126,20 @@ def test_a_limb_that_goes_locks_its_design_until_it_is_back(lab_window, qtbot):
     installed()
     window.document.edit("Mute", before.with_input(0, muted=True))
     assert window.document.design.inputs[0].muted
+
+
+def test_a_design_whose_limb_is_gone_opens_read_only_and_says_so_wherever_results_would_be(
+    lab, window, tmp_path, qtbot
+):
+    path = tmp_path / "lab.skinsource"
+    edit = edits.change_limb(PLAYED, View(), "lab-1")
+    save_design(path, edit.design, edit.view)
+    remove_limb("lab-1")
+    window.files.open(path)
+    missing = "The limb 'lab-1' of this design is not here. Import it (File > Own limbs…)"
+    qtbot.waitUntil(lambda: window.notice.text.startswith(missing), timeout=30_000)
+    assert window.panel("skin").map.content.message.startswith(missing)
+    assert "(read-only)" in window.windowTitle()
 
 
 def test_another_limb_unlocks_a_design_whose_limb_is_gone(lab_window, qtbot):
