@@ -187,7 +187,10 @@ def test_places_that_have_no_name_here_are_called_by_their_number():
     assert input_words(7).name == "Digit II, pad"
     assert input_words(25).name == "Place 25, not on this hand"
     assert output_words(80).short_name == "not on this limb"
-    assert edits.place_input(SHORT, View(), 25).label == "Place input at 25 (not on this hand)"
+    assert (
+        edits.place_input(replace(SHORT, limb="synthetic-1"), View(), 25).label
+        == "Place input at 25 (not on this hand)"
+    )
 
 
 @pytest.mark.parametrize(
