@@ -1,6 +1,7 @@
 """A map of how much louder one design is than another."""
 
 from dataclasses import dataclass
+from math import ceil
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent
@@ -13,6 +14,8 @@ from skinsource_gui.widgets.map.colour_maps import DIVERGING, colour_table
 from skinsource_gui.widgets.map.scale_row import Scale, paint_scale_row, scale_row_px
 from skinsource_gui.widgets.map.small_map import Range, SmallMap, paint_small_map, small_frame
 from skinsource_gui.widgets.outputs.picking import output_at
+
+_LEAST_MAP_PX = 70.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -55,7 +58,6 @@ class DifferenceMap(QWidget):
         self._theme: Theme = LIGHT
         self._difference = Difference()
         self.setObjectName("difference_map")
-        self.setMinimumSize(180, 160)
 
     @property
     def difference(self) -> Difference:
@@ -76,6 +78,10 @@ class DifferenceMap(QWidget):
 
     def sizeHint(self) -> QSize:
         return QSize(240, 320)
+
+    def minimumSizeHint(self) -> QSize:
+        line = self.fontMetrics().height()
+        return QSize(180, ceil(line + scale_row_px(line) + UNIT_PX + _LEAST_MAP_PX))
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:

@@ -53,7 +53,8 @@ from skinsource_gui.widgets.folding_row import FoldingRow
 from skinsource_gui.widgets.map.small_map import Range, SmallMap, SmallMaps
 
 _NEEDS = frozenset({"limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db"})
-_BESIDE_PX = 620
+# So wide that the map stands beside the cards, also in lines of words.
+_BESIDE_PX, _BESIDE_LINES = 620, 36
 
 
 class ComparePanel(Panel):
@@ -132,7 +133,8 @@ class ComparePanel(Panel):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        beside = event.size().width() >= _BESIDE_PX
+        needed = max(_BESIDE_PX, _BESIDE_LINES * self.fontMetrics().height())
+        beside = event.size().width() >= needed
         way = QBoxLayout.Direction.LeftToRight if beside else QBoxLayout.Direction.TopToBottom
         self._halves.setDirection(way)
 

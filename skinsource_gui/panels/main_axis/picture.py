@@ -125,7 +125,7 @@ class MainAxisPicture(Figure):
         # Beside and above the ellipse there is room for the names of the axes.
         beside = max(map(metrics.horizontalAdvance, shown.axes)) + _GAP_PX
         room = area.adjusted(_GAP_PX, metrics.height(), -beside, -_GAP_PX)
-        centre, radius = room.center(), 0.5 * min(room.width(), room.height())
+        centre, radius = room.center(), 0.5 * max(min(room.width(), room.height()), 0.0)
         painter.setPen(QPen(QColor(theme.grid), 1))
         painter.drawLine(QLineF(centre.x() - radius, centre.y(), centre.x() + radius, centre.y()))
         painter.drawLine(QLineF(centre.x(), centre.y() - radius, centre.x(), centre.y() + radius))

@@ -27,6 +27,8 @@ from skinsource_gui.widgets.map.fixed_range import fixed_range_db
 from skinsource_gui.widgets.map.small_map import SmallMaps
 from skinsource_gui.widgets.paper import on_paper
 
+# In a flat picture letters are so small that maps and plot have room beside the words.
+_LINES_OF_PICTURE = 26
 _SILENT = "Silent: nothing is driven"
 _TOO_SHORT = "No whole window fits into the response. Choose shorter ones."
 
@@ -141,7 +143,7 @@ class WindowedPanel(Panel):
         """Draw the strip for a page or a slide, with all that is needed to read it; size in px."""
         font = painter.font()
         font.setFamily(self.font().family())
-        font.setPixelSize(max(round(width / 62), 8))
+        font.setPixelSize(max(round(min(width / 62, height / _LINES_OF_PICTURE)), 8))
         painter.setFont(font)
         painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
         content, line = self.strip.content, float(painter.fontMetrics().height())

@@ -19,8 +19,12 @@ _DOT_PX = 2.5
 _RING_PX = 4.0
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-#: Names of the curves of the extent, longer and shorter, and which colour of outputs each has.
-CURVES = (("mean distance", "mean", 0), ("90 % of the energy within", "90 % within", 1))
+#: Names of the curves of the extent, the longest first, and which colour of outputs each has.
+CURVES = (
+    (("mean distance", "mean", "mean"), 0),
+    (("90 % of the energy within", "90 % within", "90 %"), 1),
+)
+_BELOW = ("mm from the input, window by window", "mm from the input", "mm")
 
 
 def paint_strip(
@@ -73,7 +77,7 @@ def _paint_extent(painter: QPainter, area: QRectF, content: WindowedContent, the
     line = painter.fontMetrics().height()
     _paint_axis(painter, area, top, theme)
     n = max(len(content.extents), 1)
-    for *_, rank in CURVES:
+    for _, rank in CURVES:
         colour = theme.output_colour(rank)
         painter.setPen(QPen(colour, 1.5))
         painter.setBrush(colour)
@@ -100,9 +104,11 @@ def _paint_extent(painter: QPainter, area: QRectF, content: WindowedContent, the
 def curve_names(
     room: float, width_of: Callable[[str], float], gap: float
 ) -> tuple[tuple[str, int], ...]:
-    """Names of the curves and their colours: the shorter names where the longer do not fit."""
-    longer = sum(width_of(name) + gap for name, _, _ in CURVES) - gap
-    return tuple((name if longer <= room else short, rank) for name, short, rank in CURVES)
+    """Names of the curves and their colours: the longest names that fit, or the shortest."""
+    for names in zip(*(names for names, _ in CURVES), strict=True):
+        if sum(width_of(name) + gap for name in names) - gap <= room:
+            break
+    return tuple(zip(names, (rank for _, rank in CURVES), strict=True))
 
 
 def _paint_axis(painter: QPainter, area: QRectF, top: float, theme: Theme) -> None:
@@ -116,10 +122,9 @@ def _paint_axis(painter: QPainter, area: QRectF, top: float, theme: Theme) -> No
         painter.drawText(beside, _RIGHT, f"{part * top:g}")
     painter.setPen(QColor(theme.dim))
     below = QRectF(area.left(), area.bottom() + 0.15 * line, area.width(), line)
-    words = "mm from the input, window by window"
-    if painter.fontMetrics().horizontalAdvance(words) > below.width():
-        words = "mm from the input"
-    painter.drawText(below, _CENTRE, words)
+    width_of = painter.fontMetrics().horizontalAdvance
+    fitting = (words for words in _BELOW if width_of(words) <= below.width())
+    painter.drawText(below, _CENTRE, next(fitting, _BELOW[-1]))
 
 
 def _rounded_up(value: float) -> float:

@@ -1,5 +1,7 @@
 """The strip of windows as a widget: shown, pointed at, stepped through."""
 
+from math import ceil
+
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
@@ -14,7 +16,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from skinsource_gui.panels.windowed.content import WindowedContent, window_words
-from skinsource_gui.panels.windowed.strip_layout import StripLayout, strip_layout
+from skinsource_gui.panels.windowed.strip_layout import StripLayout, least_height, strip_layout
 from skinsource_gui.panels.windowed.strip_painter import paint_strip
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
@@ -39,10 +41,12 @@ class StripView(QWidget):
         self.setAccessibleName("Windows")
         self.setAccessibleDescription("Left and right go from window to window")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setMinimumSize(220, 240)
 
     def sizeHint(self) -> QSize:
         return QSize(520, 460)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(220, ceil(least_height(self.fontMetrics().height())))
 
     @property
     def places(self) -> StripLayout:
@@ -79,7 +83,7 @@ class StripView(QWidget):
 
     @property
     def head_words(self) -> str:
-        """What stands above on the left: what its times are, in as many words as fit."""
+        """What stands above on the left: what its times are, in as many words as fit, if any."""
         if self.content is None or self.message:
             return ""
         if self.outdated:
@@ -90,7 +94,7 @@ class StripView(QWidget):
             room -= metrics.horizontalAdvance(_SYNTHETIC)
         phrases = self.content.time_phrases
         fitting = (one for one in phrases if metrics.horizontalAdvance(one) <= room)
-        return next(fitting, phrases[-1])
+        return next(fitting, "")
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, theme = QPainter(self), self._theme

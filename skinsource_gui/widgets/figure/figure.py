@@ -1,6 +1,6 @@
 """A picture that follows the theme, says why it is empty, and reads what the pointer is over."""
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
@@ -12,6 +12,7 @@ from skinsource_gui.widgets.lateness import Lateness
 
 _TEXT = 0.92
 _PALE = 0.5
+_LEAST_LINES = 6
 
 
 class Figure(QWidget):
@@ -39,7 +40,10 @@ class Figure(QWidget):
         self.setAccessibleName(accessible_name)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
-        self.setMinimumSize(200, 120)
+
+    def minimumSizeHint(self) -> QSize:
+        # Letters around a frame may be as large as they like: some of it is left.
+        return QSize(200, max(120, _LEAST_LINES * self.fontMetrics().height()))
 
     def draw(self, painter: QPainter, room: QRectF) -> None:
         """Draw what there is, in ``room``."""
