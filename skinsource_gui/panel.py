@@ -13,6 +13,7 @@ from skinsource.view import View
 from skinsource_gui.compares import ComparesDesigns
 from skinsource_gui.history import History
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.cover import Cover
 from skinsource_gui.widgets.drop_place import DropPlace
 from skinsource_gui.widgets.empty_words import USUALLY_IN_SIGHT
 
@@ -57,6 +58,9 @@ class Panel(ComparesDesigns):
         super().__init__(parent)
         #: Names of the panels that can be used beside it.
         self.in_sight = USUALLY_IN_SIGHT
+        #: Parts that show what the map of the skin shows: they are covered together with it.
+        self.guessed: tuple[QWidget, ...] = ()
+        self._covers: list[Cover] = []
         # The window behind is not painted again for each change in here.
         self.setAutoFillBackground(True)
         #: Where something would go in another panel that is dragged from here and held over a
@@ -105,6 +109,13 @@ class Panel(ComparesDesigns):
     def show_in_sight(self, names: frozenset[str]) -> None:
         """Take over which panels are in sight, so that no words lead to one that is not."""
         self.in_sight = names
+
+    def show_covered(self, covered: bool) -> None:
+        """Hide what is to be guessed, in front of an audience; or reveal it."""
+        while self._covers:
+            self._covers.pop().take_away()
+        if covered:
+            self._covers = [Cover(part) for part in self.guessed]
 
     def show_folder(self, folder: Path) -> None:
         """Take over where the next file is to be suggested."""

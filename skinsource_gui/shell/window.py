@@ -165,7 +165,7 @@ class MainWindow(QMainWindow):
         self.running_jobs = RunningJobs(self.runner, self)
         self.levelling = WaveletLevelling(self.document, self.runner, self)
         desk = self.arrangements, self.layout_of_docks
-        keys = self.document, self.preferences, self.files, *desk
+        keys = self.document, self.panels, self.preferences, self.files, *desk
         self.presenter = Presenter(self, *keys, lambda: self.actions_by_name)
         theme = partial(getattr, self, "theme")
         measured = self.runner, self.status_line, theme, self.preferences

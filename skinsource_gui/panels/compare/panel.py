@@ -89,6 +89,7 @@ class ComparePanel(Panel):
         for card in self.cards:
             card.wanted.connect(self._act)
         self.setFocusProxy(self.cards[1])
+        self.guessed = self._row, self.words, self.map
         self.show_snapshots(())
 
     @property

@@ -73,6 +73,7 @@ class SideBySidePanel(Panel):
         column.addWidget(self.maps, 1)
         column.addLayout(foot)
         self.setFocusProxy(self.maps)
+        self.guessed = self.maps, self.words
 
     @property
     def needs(self) -> frozenset[str]:

@@ -124,8 +124,8 @@ class SkinPanel(Panel):
         self._display.change(noisy=outputs)
         self._display.show_map()
 
-    def cover(self, covered: bool) -> None:
-        """Hide what was computed, for an audience that shall guess first; or reveal it."""
+    def show_covered(self, covered: bool) -> None:
+        """Hide what was computed; limb and inputs stay, so that there is something to point at."""
         self._display.cover(covered)
 
     def show_theme(self, theme: Theme) -> None:

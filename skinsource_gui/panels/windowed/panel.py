@@ -63,6 +63,7 @@ class WindowedPanel(Panel):
         column.addWidget(row)
         column.addWidget(self.strip, 1)
         self.setFocusProxy(self.strip)
+        self.guessed = (self.strip,)
         self.strip.time_chosen.connect(self.playhead_wanted)
         self._show_view()
 

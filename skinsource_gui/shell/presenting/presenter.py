@@ -1,4 +1,4 @@
-"""Presenting: the window without its bars, scenes by one key, a map that can be covered."""
+"""Presenting: the window without its bars, scenes by one key, maps that can be covered."""
 
 from collections.abc import Callable, Mapping
 
@@ -10,7 +10,7 @@ from shiboken6 import isValid
 from skinsource import scenes
 from skinsource.errors import SkinSourceError
 from skinsource_gui.files.file_actions import FileActions
-from skinsource_gui.panels.skin.panel import SkinPanel
+from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.shell.docks import PRESENTATION, Arrangements, DockLayout
 from skinsource_gui.shell.presenting.notes_window import NotesWindow
 from skinsource_gui.shell.presenting.page_keys import PageKeys
@@ -31,6 +31,8 @@ class Presenter(QObject):
         What is presented in; also the parent.
     document
         What scenes are opened into.
+    panels
+        Cover the maps that they draw.
     preferences
         Say how the panels stand.
     files
@@ -45,7 +47,7 @@ class Presenter(QObject):
     presenting
         Whether the bars are away.
     covered
-        Whether the map is.
+        Whether the maps are, in all panels.
     """
 
     #: What shall be said: of a scene, or how to leave.
@@ -57,6 +59,7 @@ class Presenter(QObject):
         self,
         window: QMainWindow,
         document: Document,
+        panels: MadePanels,
         preferences: Preferences,
         files: FileActions,
         arrangements: Arrangements,
@@ -68,6 +71,8 @@ class Presenter(QObject):
         self._files, self._actions = files, actions
         self._arrangements, self._layout = arrangements, layout
         self.presenting = self.covered = False
+        self._made = panels
+        panels.each(lambda panel: panel.show_covered(self.covered))
         self._before, self._size = b"", window.size()
         self._focused: QWidget | None = None
         self._arranged = ""
@@ -136,10 +141,10 @@ class Presenter(QObject):
             self._notes.close()
 
     def cover(self) -> None:
-        """Cover the map, so that people guess first; or reveal it."""
+        """Cover the maps, so that people guess first; or reveal them."""
         self.covered = not self.covered
-        for panel in self._window.findChildren(SkinPanel):
-            panel.cover(self.covered)
+        for panel in self._made:
+            panel.show_covered(self.covered)
 
     def next_scene(self) -> None:
         """Go to the next scene."""
