@@ -13,13 +13,13 @@ from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.shell.docks import PRESENTATION, Arrangements, DockLayout
 from skinsource_gui.shell.presenting.notes_window import NotesWindow
-from skinsource_gui.shell.presenting.page_keys import PageKeys
+from skinsource_gui.shell.presenting.presenting_keys import PresentingKeys, unless_dragging
 from skinsource_gui.shell.presenting.scene_list import Step, steps_of_folder, steps_of_paper
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
 
 #: What clickers send, beside the keys of the table of actions.
-_NEXT, _PREVIOUS, _COVER = ("PgDown",), ("PgUp",), ("B", ".")
+_NEXT, _PREVIOUS, _COVER, _LEAVE = ("PgDown",), ("PgUp",), ("B", "."), ("Esc",)
 
 
 class Presenter(QObject):
@@ -84,7 +84,7 @@ class Presenter(QObject):
         self._is_scene = self._opening = False
         self._notes: NotesWindow | None = None
         self._keys: list[QShortcut] = []
-        self._pages: PageKeys | None = None
+        self._taken: PresentingKeys | None = None
         document.jumped.connect(self._look)
 
     def toggle(self) -> None:
@@ -106,9 +106,11 @@ class Presenter(QObject):
         window.addActions(list(self._actions().values()))
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
         self._listen(window)
-        self._pages = PageKeys(self.next_scene, self.previous_scene, self)
+        play = self._actions()["play"].trigger
+        steps = self.next_scene, self.previous_scene
+        self._taken = PresentingKeys(*steps, play, self.end, self)
         leave = self._actions()["present"].shortcut().toString()
-        self.done.emit(f"Page Down: next scene · B: cover the map · {leave}: leave")
+        self.done.emit(f"Page Down: next scene · B: cover the maps · {leave} or Esc: leave")
 
     def end(self) -> None:
         """Bring the bars back, the panels where they stood, and the map."""
@@ -121,9 +123,9 @@ class Presenter(QObject):
             key.setEnabled(False)
             key.deleteLater()
         self._keys.clear()
-        if self._pages is not None:
-            self._pages.end()
-            self._pages = None
+        if self._taken is not None:
+            self._taken.end()
+            self._taken = None
         window.setWindowState(window.windowState() & ~Qt.WindowState.WindowFullScreen)
         # What was told meanwhile would lie over what the line says.
         window.statusBar().clearMessage()
@@ -191,6 +193,7 @@ class Presenter(QObject):
             (_NEXT, self.next_scene),
             (_PREVIOUS, self.previous_scene),
             (_COVER, self.cover),
+            (_LEAVE, unless_dragging(self.end)),
         )
         for texts, do in keys:
             for text in texts:

@@ -115,7 +115,7 @@ def test_a_covered_map_shows_nothing_that_was_computed(window, settle):
 
 def test_while_the_bars_are_away_words_lie_over_the_window(studio):
     studio.do("present")
-    assert "F9: leave" in studio.notice.text
+    assert "F9 or Esc: leave" in studio.notice.text
     studio.do("next_scene")
     assert studio.notice.text == "Scene 3 of 3: 3 both"
     studio.do("next_scene")
