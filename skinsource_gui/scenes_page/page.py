@@ -3,15 +3,17 @@
 from collections.abc import Collection
 from html import escape
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QPoint, QRect, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
+    QFrame,
     QHBoxLayout,
     QLabel,
     QListWidget,
     QListWidgetItem,
+    QScrollArea,
     QVBoxLayout,
     QWidget,
 )
@@ -25,6 +27,7 @@ from skinsource_gui.scenes_page.picture import ScenePicture
 from skinsource_gui.state.predicting import too_large
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.screen_fit import fit_by_guess
 
 TITLE = "Scenes"
 _SIZE_PX = (1120, 650)
@@ -67,7 +70,6 @@ class ScenesPage(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setObjectName("scenes_page")
         self.setWindowTitle(TITLE)
-        self.resize(*_SIZE_PX)
         self._limbs, self._theme, self._scenes = frozenset(limbs), theme, all_scenes()
         own = [name for name in limbs if facts_of(name).own]
         titles = tuple((name, limb_word(name).title) for name in own)
@@ -105,6 +107,10 @@ class ScenesPage(QDialog):
         self.buttons.rejected.connect(self.reject)
         self._show_limb()
         self.list.setFocus()
+        place = QRect(QPoint(), QSize(*_SIZE_PX))
+        place.moveCenter(parent.window().geometry().center())
+        self.setGeometry(place)
+        fit_by_guess(self)
 
     @property
     def scene(self) -> Scene:
@@ -112,7 +118,9 @@ class ScenesPage(QDialog):
         return self._scenes[max(self.list.currentRow(), 0)]
 
     def _lay_out(self) -> None:
-        right = QVBoxLayout()
+        about = QWidget()
+        right = QVBoxLayout(about)
+        right.setContentsMargins(0, 0, 0, 0)
         right.setSpacing(UNIT_PX)
         right.addWidget(self.picture, 1)
         right.addWidget(self.words)
@@ -129,7 +137,7 @@ class ScenesPage(QDialog):
         for part in (title, self.played_on):
             part.setVisible(self._any_own)
         columns.addLayout(left)
-        columns.addLayout(right, 1)
+        columns.addWidget(_scrolled(about), 1)
         rows = QVBoxLayout(self)
         rows.addLayout(columns, 1)
         rows.addWidget(self.buttons)
@@ -188,6 +196,16 @@ class ScenesPage(QDialog):
         # The question about unsaved work stands in front of the window, not of this page.
         self.accept()
         self.chosen.emit(name, self.played_on.value)
+
+
+def _scrolled(inside: QWidget) -> QScrollArea:
+    """What has no room on a small screen, so that the buttons below stay on it."""
+    area = QScrollArea()
+    area.setObjectName("scene_area")
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setWidgetResizable(True)
+    area.setWidget(inside)
+    return area
 
 
 def picture_of(scene: Scene) -> QPixmap:

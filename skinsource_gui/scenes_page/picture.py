@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QWidget
 from skinsource_gui.theme import Theme
 
 _MARGIN_PX = 8.0
+_LEAST_PX = (360, 220)
 
 
 class ScenePicture(QWidget):
@@ -22,10 +23,11 @@ class ScenePicture(QWidget):
         super().__init__()
         self._theme, self._picture = theme, QPixmap()
         self.setObjectName("scene_picture")
-        self.setMinimumSize(360, 220)
+        self.setMinimumSize(*_LEAST_PX)
 
     def sizeHint(self) -> QSize:
-        return QSize(720, 440)
+        # As large as there is room, but nothing is scrolled for it.
+        return QSize(*_LEAST_PX)
 
     def show_picture(self, picture: QPixmap, words: str) -> None:
         """Show another picture; ``words`` are read to who cannot see it."""

@@ -15,10 +15,10 @@ from skinsource.files.assets import user_folder
 from skinsource.keeping.crash_log import CrashLog
 from skinsource_gui.shell.ending import EndSignals, end_if_stuck
 from skinsource_gui.shell.garbage import take_over_collection
-from skinsource_gui.shell.screen_fit import ScreenFit
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences, settings_path
 from skinsource_gui.state.start_design import start_design
+from skinsource_gui.widgets.screen_fit import ScreenFit
 
 #: While the worker computes, the window gets its turn after this time, and so does a device that
 #: plays, which asks every 5 ms (Python's own is 5 ms).

@@ -1,4 +1,4 @@
-"""Keeps a window, frame and all, on the screen."""
+"""Keeps windows, frame and all, on the screen."""
 
 from PySide6.QtCore import QEvent, QMargins, QObject, QRect, QSize
 from PySide6.QtWidgets import QStyle, QWidget
@@ -23,6 +23,20 @@ def fitted(inside: QRect, available: QRect, frame: QMargins) -> QRect:
     return QRect(left, top, size.width(), size.height())
 
 
+def fit_by_guess(window: QWidget) -> None:
+    """Fit a window onto its screen before it is shown, with a frame as most desktops have it."""
+    bar = window.style().pixelMetric(QStyle.PixelMetric.PM_TitleBarHeight)
+    edge = window.style().pixelMetric(QStyle.PixelMetric.PM_DefaultFrameWidth)
+    _fit(window, QMargins(edge, bar + edge, edge, 2 * edge))
+
+
+def _fit(window: QWidget, frame: QMargins) -> None:
+    inside = window.geometry()
+    best = fitted(inside, window.screen().availableGeometry(), frame)
+    if best != inside:
+        window.setGeometry(best)
+
+
 class ScreenFit(QObject):
     """Fits ``window`` onto its screen when it is first shown.
 
@@ -37,9 +51,8 @@ class ScreenFit(QObject):
 
     def guess(self) -> None:
         """Fit it with a frame as most desktops have it."""
-        bar = self._window.style().pixelMetric(QStyle.PixelMetric.PM_TitleBarHeight)
-        edge = self._window.style().pixelMetric(QStyle.PixelMetric.PM_DefaultFrameWidth)
-        self._fit(QMargins(edge, bar + edge, edge, 2 * edge))
+        if not self._window.windowState():
+            fit_by_guess(self._window)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         moved = event.type() in (QEvent.Type.Move, QEvent.Type.WindowActivate)
@@ -48,12 +61,6 @@ class ScreenFit(QObject):
             frame = handle.frameMargins()
             if not frame.isNull():
                 watched.removeEventFilter(self)
-                self._fit(frame)
+                if not self._window.windowState():
+                    _fit(self._window, frame)
         return super().eventFilter(watched, event)
-
-    def _fit(self, frame: QMargins) -> None:
-        if not self._window.windowState():
-            inside = self._window.geometry()
-            best = fitted(inside, self._window.screen().availableGeometry(), frame)
-            if best != inside:
-                self._window.setGeometry(best)
