@@ -88,11 +88,12 @@ class LimbNote(QLabel):
         note = f"{self._note[:1].upper()}{self._note[1:]}"
         self.setToolTip(self._missing or f"{self._own} {note}".strip() or _SYNTHETIC)
         colour = self._theme.warning
-        other = "OWN LIMB" if self._own else "NOT VERIFIED AS PUBLISHED"
-        words = "SYNTHETIC LIMB" if self._synthetic else other
+        other = ("OWN LIMB",) if self._own else ("NOT VERIFIED AS PUBLISHED", "NOT VERIFIED")
+        ways = ("SYNTHETIC LIMB",) if self._synthetic else other
         # What was noted of the results before is of another limb.
-        words = "LIMB MISSING" if self._missing else words
-        self._phrases = ((words, f"<b>{words}</b>"),)
+        ways = ("LIMB MISSING",) if self._missing else ways
+        words = ways[0]
+        self._phrases = tuple((one, f"<b>{one}</b>") for one in ways)
         linked = self._synthetic and not self._measured and not self._own
         if linked:
             start = f"<a href='#get' style='color:{colour}'>"
