@@ -59,7 +59,7 @@ def diagrams_of_proportion(
     )
     highest = float(found.frequency_hz[-1]) if found.frequency_hz.size else 1.0
     return (
-        Diagram(x=_time(x), y=_around(y, "Response / strength"), curves=over),
+        Diagram(x=_time(x), y=_around(y, "Divided"), curves=over),
         Diagram(
             x=Axis(shown=(0.0, 1.05 * most), title=f"Strength ({unit})"),
             y=Axis(shown=(0.0, _top(found.rms[:, rows])), title="RMS (m/s²)"),
@@ -98,7 +98,7 @@ def diagrams_of_superposition(
     )
     axis = _around(both, "Joint (m/s²)")
     return (
-        Diagram(x=_time(x), y=_around(joint, "Joint, thin · sum, wide (m/s²)"), curves=over),
+        Diagram(x=_time(x), y=_around(joint, "Both (m/s²)"), curves=over),
         Diagram(x=Axis(shown=axis.shown, title="Sum of separate (m/s²)"), y=axis, curves=against),
     )
 
@@ -115,7 +115,7 @@ def proportion_words(found: Proportion) -> str:
 def superposition_words(found: Superposition) -> str:
     """What was found, in a sentence."""
     return (
-        f"Sum of separate and joint: {_apart_words(found.apart)} · "
+        f"Sum of separate and joint, wide and thin: {_apart_words(found.apart)} · "
         f"r {float(np.nanmin(found.correlation)):.6f} at least"
     )
 
