@@ -29,6 +29,20 @@ def studio(make_window):
     window.appearance.fit_room(1.0)
 
 
+@pytest.fixture
+def settle(qtbot, studio):
+    """Wait until results are shown and docks have shared the room."""
+    settling = studio.layout_of_docks.settling
+    timers = settling._widened, settling._settled
+
+    def wait():
+        qtbot.waitUntil(lambda: not studio.engine.busy, timeout=30_000)
+        QApplication.processEvents()
+        qtbot.waitUntil(lambda: not any(timer.isActive() for timer in timers))
+
+    return wait
+
+
 def in_sight(window):
     return [dock for dock in window.docks.values() if dock.isVisible() and dock.in_sight]
 
