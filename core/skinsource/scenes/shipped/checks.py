@@ -119,13 +119,13 @@ _LINE = _fit(
     "A sweep from 25 to 600 Hz at four levels: in each band of 2 Hz the output is a straight line "
     "of the input.",
     "which outputs and bands are shown",
-    "in the panel Linearity the RMS over all bands, and how straight the line of each band is",
+    "in the panel Linearity the RMS over all bands",
 )
 _FITS = _fit(
     "5E",
     "How straight the lines are",
     "Adjusted R² of those lines over all outputs and bands: 1 where the skin is linear.",
-    "in the panel Linearity those of the selected outputs, in the figure of all",
+    "in the panel Linearity of the selected outputs",
 )
 
 # Some cycles in the middle of the sweep, as in the figure.

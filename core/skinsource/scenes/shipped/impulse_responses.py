@@ -15,10 +15,7 @@ from skinsource.waveforms import Impulse
 
 _ALONG_DIGIT_III = (20, 24, 26, 27, 48, 49, 72)
 _PULSE = Impulse()
-_OWN_MAPS = (
-    "in the figure each map is relative to its own maximum, in the panel Side by side all have one "
-    "scale"
-)
+_OWN_MAPS = "one scale here, in the figure a scale for each map"
 
 
 _TRACES = made(
@@ -47,8 +44,7 @@ _SPECTRA = made(
         sentence="Spectra of the same responses: the farther from the pulse, the less is left of "
         "high frequencies.",
         inferred=(
-            "in the figure each spectrum is relative to its own largest magnitude, in the panel "
-            "Spectra all have one scale, and z alone is drawn",
+            "one scale and z alone here, in the figure a scale for each output and three axes",
         ),
         panels=("skin", "spectra"),
     ),

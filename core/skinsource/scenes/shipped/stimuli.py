@@ -76,8 +76,7 @@ _NOISE_SPECTRA = made(
         sentence="Of the same noise the skin passes on low frequencies more than high ones.",
         inferred=(
             *_OWN_NOISE,
-            "in the figure each spectrum is of three axes and the mean over ten bins, in the panel "
-            "Spectra x alone is drawn, whole",
+            "three axes and the mean over ten bins in the figure, x here",
         ),
         panels=("skin", "spectra"),
     ),
