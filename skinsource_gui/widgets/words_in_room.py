@@ -10,6 +10,8 @@ from skinsource_gui.theme import scaled
 
 # How much smaller words may be.
 _SCALES = (1.0, 0.9, 0.8, 0.7, 0.6)
+# Below this they are hard to read: where they can, some go into a row below instead.
+_READABLE = 0.8
 
 
 def fitting_font(rows: Sequence[Sequence[QAbstractButton]], font: QFont, room_px: int) -> QFont:
@@ -43,6 +45,11 @@ def _words_px(button: QAbstractButton, metrics: QFontMetrics) -> int:
 def smallest_of(font: QFont) -> QFont:
     """The smallest font in which words of ``font`` are written."""
     return scaled(font, _SCALES[-1])
+
+
+def readable_of(font: QFont) -> QFont:
+    """The smallest font in which all words of a row shall stand, while there may be another row."""
+    return scaled(font, _READABLE)
 
 
 def write_in(font: QFont, buttons: Sequence[QAbstractButton]) -> None:

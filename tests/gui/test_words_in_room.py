@@ -72,3 +72,20 @@ def test_in_any_room_words_settle_in_one_size(qtbot, make, scale):
         bar.removeEventFilter(fits)
         # Once for the room; once or twice more where words take another size or another row.
         assert fits.count <= 6, (width, bar.width())
+
+
+def test_switches_go_below_before_words_are_hard_to_read(qtbot):
+    bar = above_a_plot(None)
+    qtbot.addWidget(bar)
+    bar.show()
+    buttons = [one for one in bar.findChildren(QToolButton) if one.isVisibleTo(bar)]
+    usual = bar.font().pointSizeF()
+    rows = set()
+    for width in range(width_in(bar.font(), buttons) + 100, 200, -1):
+        bar.resize(width, bar.height())
+        rows.add(len({one.mapTo(bar, one.rect().topLeft()).y() for one in buttons}))
+        if len(rows) > 1:
+            break
+        assert min(one.font().pointSizeF() for one in buttons) >= 0.79 * usual, width
+    assert rows == {1, 2}
+    assert min(one.font().pointSizeF() for one in buttons) >= 0.99 * usual

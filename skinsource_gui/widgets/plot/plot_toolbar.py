@@ -14,7 +14,13 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource_gui.theme import UNIT_PX
-from skinsource_gui.widgets.words_in_room import fitting_font, smallest_of, width_in, write_in
+from skinsource_gui.widgets.words_in_room import (
+    fitting_font,
+    readable_of,
+    smallest_of,
+    width_in,
+    write_in,
+)
 
 TOOLBAR_HEIGHT_PX = 28
 _BESIDE, _BELOW = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
@@ -28,7 +34,7 @@ class PlotToolbar(QWidget):
     """Overlaid or stacked, switches of one plot, and the way out of a zoom.
 
     Buttons say what the user wants; what they show is set from outside.  Where there is too little
-    room they are written smaller, and where even that does not do, switches go below.
+    room they are written smaller, and before that is hard to read, switches go below.
     """
 
     #: ``"overlaid"`` or ``"stacked"``.
@@ -103,7 +109,7 @@ class PlotToolbar(QWidget):
         around, gap = self._rows.contentsMargins(), self._rows.spacing()
         room = self.width() - around.left() - around.right() - gap * len(shown)
         smallest = smallest_of(self.font())
-        folds = bool(others) and width_in(smallest, shown) > room
+        folds = bool(others) and width_in(readable_of(self.font()), shown) > room
         rows = (first, others) if folds else (shown,)
         write_in(fitting_font(rows, self.font(), room), shown)
         direction = _BELOW if folds else _BESIDE
