@@ -10,29 +10,8 @@ from skinsource.errors import InvalidInputError
 from skinsource.limb import LIMB_NAMES
 from skinsource.scenes.shelf import path_of
 from skinsource.scenes.shipped import SHIPPED
+from tests.core.scenes.scenes_bench import PANELS
 
-#: The panels of the paper that can be computed.
-PANELS = [
-    "1C",
-    "1D",
-    "1E",
-    "1F",
-    "1G",
-    "2A",
-    "2B",
-    "2C",
-    "2D",
-    "2E",
-    "2F",
-    "2H",
-    "4A",
-    "4B",
-    "5A",
-    "5B",
-    "5D",
-    "5E",
-    "5F",
-]
 MEASURED = tuple(name for name in LIMB_NAMES if name.startswith("measured"))
 every = pytest.mark.parametrize("name", PANELS)
 

@@ -27,5 +27,15 @@ def two_places(window):
     window.document.edit("Place", design)
 
 
+def show_matched(window, settle):
+    """Store two snapshots, and show the second, made softer to match the first."""
+    window.do("store_snapshot_1")
+    two_places(window)
+    window.do("store_snapshot_2")
+    for _ in range(2):
+        window.do("toggle_snapshots")
+        settle()
+
+
 def cards(panel):
     return {card.number: card for card in panel.cards if not card.isHidden()}

@@ -10,18 +10,13 @@ from skinsource.comparing import louder, match_words
 from skinsource.design_file import open_design
 from skinsource.evaluation import evaluate
 from skinsource_gui.state.playing.played_of import played_of
-from tests.gui.compare.compare_bench import edit, levels, shown_levels, two_places
+from tests.gui.compare.compare_bench import edit, levels, show_matched, shown_levels
 
 
 @pytest.fixture
 def matched(window, settle):
     """Show the second of two snapshots, made softer to match the first; return its gain."""
-    window.do("store_snapshot_1")
-    two_places(window)
-    window.do("store_snapshot_2")
-    for _ in range(2):
-        window.do("toggle_snapshots")
-        settle()
+    show_matched(window, settle)
     gain = window.document.view.match_gain(window.document.design)
     assert gain < 0.9
     return gain

@@ -11,7 +11,7 @@ from skinsource.map_range import map_range_db
 from skinsource.panel_settings import with_settings
 from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 from tests.core.own_limbs.lab_bench import installed
-from tests.gui.side_by_side.test_side_by_side import point_at, shown
+from tests.gui.side_by_side.side_by_side_bench import point_at, shown
 
 OWN = {"axis_levels_db", "axis_surface_levels_db", "axis_above_noise_db"}
 

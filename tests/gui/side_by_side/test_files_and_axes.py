@@ -14,6 +14,7 @@ from skinsource.view import View
 from skinsource.waveforms import Tone
 from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 from tests.core.own_limbs.lab_bench import installed
+from tests.gui.side_by_side.side_by_side_bench import shown
 
 SAVED = Design(limb="synthetic-2", inputs=(track(13, Tone(frequency_hz=200.0), amplitude=3.0),))
 
@@ -26,15 +27,6 @@ def panel(window, settle):
     window.docks["side_by_side"].bring_forward()
     settle()
     return window.panel("side_by_side")
-
-
-def drawn(panel, qtbot, n):
-    def complete():
-        cells = panel.maps.content.cells
-        return sum(cell.small is not None for cell in cells) == n
-
-    qtbot.waitUntil(complete, timeout=60_000)
-    return panel.maps.content.cells
 
 
 @pytest.fixture
@@ -56,7 +48,7 @@ def test_a_design_of_a_file_is_one_of_the_sides_and_the_present_one_stays_open(
     assert not panel.bar.limbs.isVisible()
     before = document.design
     panel.bar.file.click()
-    cells = drawn(panel, qtbot, 2)
+    cells = shown(panel, qtbot, 2)
     assert document.design is before
     assert document.path is None
     assert {cell.heading for cell in cells} == {"Edited", "Snapshot 1 · two hundred"}
@@ -85,7 +77,7 @@ def test_a_difference_of_snapshots_on_two_limbs_says_on_which_they_are(window, p
     document.apply(edits.take_snapshot(document.design, document.view, SAVED))
     settings = SideBySideSettings(of="snapshots", shown="difference")
     document.look(with_settings(document.view, "side_by_side", settings))
-    [cell] = drawn(panel, qtbot, 1)
+    [cell] = shown(panel, qtbot, 1)
     assert cell.headings[-1] == "1 on Synthetic 2 minus Edited on Synthetic 1"
     assert all("on Synthetic 2" in one and "on Synthetic 1" in one for one in cell.headings)
 
@@ -99,7 +91,7 @@ def test_a_snapshot_on_a_limb_without_the_axes_of_the_view_shows_those_it_has(
     on_lab = Design(limb="lab-1", inputs=(track(3),))
     document.apply(edits.take_snapshot(document.design, document.view, on_lab))
     document.look(replace(document.view, axes="y"))
-    cells = drawn(panel, qtbot, 2)
+    cells = shown(panel, qtbot, 2)
     [lab] = [cell for cell in cells if cell.limb == "lab-1"]
     assert lab.heading == "Snapshot 1 (x, z)"
     seen = View(axes="xz", method=document.view.method)

@@ -6,11 +6,10 @@ import numpy as np
 import pytest
 
 from skinsource.design import Design, track
-from skinsource.panel_settings import settings_of, with_settings
 from skinsource_gui.compared import SILENCE
-from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 from skinsource_gui.panels.side_by_side.table import tab_separated
-from tests.gui.compare.compare_bench import levels, two_places
+from tests.gui.compare.compare_bench import levels, show_matched, two_places
+from tests.gui.side_by_side.side_by_side_bench import choose as choose_sides
 
 
 @pytest.fixture
@@ -19,9 +18,7 @@ def choose(window, settle):
     window.docks["side_by_side"].bring_forward()
 
     def chosen(**changes):
-        view = window.document.view
-        settings = replace(settings_of(view, "side_by_side", SideBySideSettings), **changes)
-        window.document.look(with_settings(view, "side_by_side", settings))
+        choose_sides(window, **changes)
         settle()
         return window.panel("side_by_side")
 
@@ -87,12 +84,7 @@ def test_a_limb_that_is_not_here_is_the_reason_that_is_given(choose, window, set
 
 
 def test_a_design_that_is_shown_with_a_gain_has_it_on_every_limb_and_axis(choose, window, settle):
-    window.do("store_snapshot_1")
-    two_places(window)
-    window.do("store_snapshot_2")
-    for _ in range(2):
-        window.do("toggle_snapshots")
-        settle()
+    show_matched(window, settle)
     design = window.document.design
     gain_db = 20 * np.log10(window.document.view.match_gain(design))
     panel = choose(of="limbs", shown="levels")

@@ -1,0 +1,24 @@
+"""What tests of the page of limbs share."""
+
+from PySide6.QtWidgets import QLabel, QPushButton
+
+from skinsource.own_limbs import own_limb_names
+
+
+def words(page):
+    return page.findChild(QLabel, "limb_words").text()
+
+
+def button(page, name):
+    return page.findChild(QPushButton, name)
+
+
+def opened(page, path, what, qtbot):
+    page.open_file(path, what)
+    qtbot.waitUntil(lambda: not page.reader.busy, timeout=60_000)
+
+
+def imported(page, name, qtbot):
+    button(page, "import_limb").click()
+    qtbot.waitUntil(lambda: words(page).startswith("Imported as"), timeout=60_000)
+    assert name in own_limb_names()
