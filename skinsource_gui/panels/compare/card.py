@@ -12,7 +12,9 @@ from skinsource_gui.panels.compare.card_words import level_words, sentence
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
 from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.key_tables.key_table import meant
-from skinsource_gui.widgets.map.small_map import Range, SmallMap, paint_small_map
+from skinsource_gui.widgets.map.colour_maps import colour_table
+from skinsource_gui.widgets.map.scale_row import Scale
+from skinsource_gui.widgets.map.small_map import SmallMap, paint_small_map
 
 _PLACE = "snapshot"
 _RADIUS_PX, _FRAME_PX, _TALLEST_PX, _RINGS_PX = 4, 2, 200, 6
@@ -38,7 +40,7 @@ class Card(QAbstractButton):
         self._theme: Theme = LIGHT
         self._compared: Compared | None = None
         self._map: SmallMap | None = None
-        self._range_db: Range | None = None
+        self._scale: Scale | None = None
         self._present = False
         self.setObjectName(f"snapshot_card_{number}")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -63,12 +65,12 @@ class Card(QAbstractButton):
         self,
         compared: Compared | None,
         shown: SmallMap | None,
-        range_db: Range | None,
+        scale: Scale | None,
         *,
         present: bool,
     ) -> None:
-        """Take over what to show; None: nothing is stored."""
-        self._compared, self._map, self._range_db = compared, shown, range_db
+        """Take over what to show, in which colours; None: nothing is stored."""
+        self._compared, self._map, self._scale = compared, shown, scale
         self._present = present
         words = (
             f"Snapshot {self.number}: nothing stored; click, or press Ctrl+{self.number}, to store"
@@ -145,11 +147,12 @@ class Card(QAbstractButton):
         painter.setPen(QColor(theme.dim))
         gain = fitted_level(painter, gain_words(compared.gain), area.width())
         painter.drawText(below.translated(0, line), centre, gain)
-        if self._map is not None:
+        if self._map is not None and self._scale is not None:
             # Rings of inputs reach beyond the outline.
             room = area.adjusted(0, line + _RINGS_PX, 0, -2 * line - _RINGS_PX)
-            design = compared.snapshot.design
-            paint_small_map(painter, room, self._map, design, theme, self._range_db)
+            design, scale = compared.snapshot.design, self._scale
+            table = colour_table(scale.colours)
+            paint_small_map(painter, room, self._map, design, theme, scale.range_db, table)
 
     def _act(self) -> None:
         self.wanted.emit(self.number, "show" if self._compared else "store")

@@ -28,7 +28,6 @@ from skinsource.comparing import (
     shown,
 )
 from skinsource.design import Design
-from skinsource.map_range import map_range_db
 from skinsource.view import View
 from skinsource_gui.compared import (
     ELSEWHERE,
@@ -50,7 +49,9 @@ from skinsource_gui.panels.compare.card_words import (
 from skinsource_gui.panels.compare.difference_map import Difference, DifferenceMap
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.folding_row import FoldingRow
-from skinsource_gui.widgets.map.small_map import Range, SmallMap, SmallMaps
+from skinsource_gui.widgets.map.level_look import level_look
+from skinsource_gui.widgets.map.scale_row import Scale, scale_of_levels
+from skinsource_gui.widgets.map.small_map import SmallMap, SmallMaps
 
 _NEEDS = frozenset({"limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db"})
 # So wide that the map stands beside the cards, also in lines of words.
@@ -118,8 +119,8 @@ class ComparePanel(Panel):
         for card in self.cards:
             one = next((one for one in compared if one.snapshot.number == card.number), None)
             card.setVisible(card.number != EDITED or one is not None)
-            small, range_db = self._map_of(one, loudest)
-            card.show_snapshot(one, small, range_db, present=one is not None and one is present)
+            small, scale = self._map_of(one, loudest)
+            card.show_snapshot(one, small, scale, present=one is not None and one is present)
         self._row.fold()
         self.map.show_difference(self._difference(compared, present))
 
@@ -176,13 +177,13 @@ class ComparePanel(Panel):
 
     def _map_of(
         self, one: Compared | None, loudest_db: float
-    ) -> tuple[SmallMap | None, Range | None]:
+    ) -> tuple[SmallMap | None, Scale | None]:
         """The map of a card, in colours that mean the same on all of them."""
         if one is None or one.values is None:
             return None, None
-        low, high = map_range_db(loudest_db)
-        gain = gain_db(one)
-        return self._maps.map_of(one.values), (low - gain, high - gain)
+        scale, gain = scale_of_levels(np.array(loudest_db), level_look(self._view)), gain_db(one)
+        low, high = scale.range_db
+        return self._maps.map_of(one.values), replace(scale, range_db=(low - gain, high - gain))
 
     def _difference(self, compared: Sequence[Compared], present: Compared | None) -> Difference:
         wanted = None if self._design is None else other_than(self._view.snapshots, self._design)

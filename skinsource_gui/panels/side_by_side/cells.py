@@ -9,10 +9,10 @@ import numpy as np
 from skinsource.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.arrays import Floats
 from skinsource.comparing import difference_db, end_db, mean_and_spread_over, same_outputs
-from skinsource.map_range import map_range_db
 from skinsource_gui.compared import ELSEWHERE, SILENCE, Compared, gain_db, is_silent
 from skinsource_gui.panels.side_by_side.content import Cell
 from skinsource_gui.widgets.map.colour_maps import DIVERGING
+from skinsource_gui.widgets.map.level_look import USUAL_LOOK, LevelLook
 from skinsource_gui.widgets.map.scale_row import Scale, scale_of_levels
 from skinsource_gui.widgets.map.small_map import Range, SmallMap, SmallMaps
 
@@ -28,13 +28,13 @@ class Cells:
         self._before: dict[str, SmallMaps] = {}
 
     def of_levels(
-        self, compared: Sequence[Compared], names: Sequence[Names], fixed_db: Range | None = None
+        self, compared: Sequence[Compared], names: Sequence[Names], look: LevelLook = USUAL_LOOK
     ) -> tuple[Cell, ...]:
-        """A map of the levels of each, in the same colours; over ``fixed_db`` where it is given."""
+        """A map of the levels of each, in the same colours over the same range."""
         self._begin()
         known = [_levels_db(one) for one in compared if one.values is not None]
         loudest = np.array([levels.max() for levels in known])
-        scale = _scale(loudest, fixed_db)
+        scale = scale_of_levels(loudest, look)
         return tuple(
             self._levels(one, name, scale) for one, name in zip(compared, names, strict=True)
         )
@@ -62,7 +62,7 @@ class Cells:
         compared: Sequence[Compared],
         names: Sequence[Names],
         reference: int,
-        fixed_db: Range | None = None,
+        look: LevelLook = USUAL_LOOK,
     ) -> tuple[Cell, ...]:
         """Mean and standard deviation over all whose outputs are at the places of ``reference``."""
         self._begin()
@@ -91,9 +91,12 @@ class Cells:
             "late": late,
             "synthetic": any(_synthetic(one) for one in known),
         }
-        of_mean = _scale(mean, fixed_db)
+        of_mean = scale_of_levels(mean, look)
         of_spread = Scale(
-            range_db=(0.0, end_db(spread)), words="dB", reached_db=_reached_db([spread])
+            range_db=(0.0, end_db(spread)),
+            words="dB",
+            colours=look.colours,
+            reached_db=_reached_db([spread]),
         )
         return (
             Cell(
@@ -157,11 +160,6 @@ class Cells:
             values["surface_levels_db"] = values["surface_levels_db"] + gain_db(one)
         self._maps[kept] = maps = self._before.pop(kept, None) or SmallMaps()
         return replace(maps.map_of(values), noisy=noisy)
-
-
-def _scale(levels_db: Floats, fixed_db: Range | None) -> Scale:
-    """Of levels: over the range that was chosen, or over that of the loudest."""
-    return scale_of_levels(fixed_db or map_range_db(levels_db), fixed=fixed_db is not None)
 
 
 def _of_all(called: Sequence[Names], n_compared: int) -> Names:

@@ -10,7 +10,7 @@ from skinsource_gui.compared import SILENT, Compared, is_silent, shown_words
 from skinsource_gui.panels.side_by_side.cells import Cells, Names
 from skinsource_gui.panels.side_by_side.content import Cell
 from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
-from skinsource_gui.widgets.map.fixed_range import fixed_range_db
+from skinsource_gui.widgets.map.level_look import level_look
 
 #: What a map of levels takes.
 LEVELS = frozenset(
@@ -88,8 +88,8 @@ class Kind:
         shown = settings.shown if "shown" in self.fields else "levels"
         names = self.names(compared, view, difference=shown == "difference")
         if shown == "levels":
-            return cells.of_levels(compared, names, fixed_range_db(view))
+            return cells.of_levels(compared, names, level_look(view))
         reference = self.reference(compared, design, view)
         if shown == "difference":
             return cells.of_differences(compared, names, reference)
-        return cells.of_spread(compared, names, reference, fixed_range_db(view))
+        return cells.of_spread(compared, names, reference, level_look(view))

@@ -11,7 +11,7 @@ from skinsource_gui.panels.skin.map_painter import small_font
 from skinsource_gui.panels.skin.map_quantity import time_text
 from skinsource_gui.panels.skin.stage.map_layout import MapLayout
 from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.map.fixed_range import FIXED_MARK
+from skinsource_gui.widgets.map.level_look import FIXED_MARK
 
 SYNTHETIC_MARK = "SYNTHETIC"
 OUTDATED_MARK = "updating…"

@@ -9,8 +9,7 @@ from skinsource.fields import ChoiceSpec, NumberSpec, Range, RangeSpec, SwitchSp
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.panels.skin.map_quantity import LEVELS, MAGNITUDE, RMS, SENSATION, Z
-from skinsource_gui.widgets.map.colour_maps import VIRIDIS
-from skinsource_gui.widgets.map.fixed_range import MAP_RANGE, LevelRangeSettings
+from skinsource_gui.widgets.map.level_look import MAP_RANGE, LevelLook
 
 #: Name of the panel, under which a view keeps its settings.
 SKIN = "skin"
@@ -36,19 +35,6 @@ RMS_WINDOW = NumberSpec(
     hint="What the sliding RMS is taken over; the playhead is in its middle",
 )
 Z_LIMITS = RangeSpec(label="Limits", unit="m/s²")
-COLOURS = ChoiceSpec(
-    label="Colours",
-    options=(
-        (VIRIDIS, "Viridis"),
-        ("cividis", "Cividis"),
-        ("magma", "Magma"),
-        ("CET-L1", "Grey"),
-        ("turbo", "Turbo, like MATLAB's jet"),
-    ),
-    hint="Colours of levels. All but the last grow evenly lighter, and are told apart with any "
-    "colour vision",
-)
-
 MAP_STYLE = ChoiceSpec(
     label="Style", options=(("interpolated", "Interpolated"), ("sensors", "Sensors only"))
 )
@@ -56,7 +42,7 @@ SENSORS_SHOWN = SwitchSpec(label="Sensors", hint="Mark the outputs on the interp
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class SkinSettings(LevelRangeSettings):
+class SkinSettings(LevelLook):
     """What the map shows, and how.
 
     Attributes
@@ -71,8 +57,6 @@ class SkinSettings(LevelRangeSettings):
         What the sliding RMS is taken over.
     moving_range_db, z_limits
         The same of magnitude and sliding RMS, dB; and of acceleration along z, m/s².
-    colours
-        Colour map of levels.
     """
 
     map_style: str = fields.choice("interpolated", MAP_STYLE)
@@ -82,7 +66,6 @@ class SkinSettings(LevelRangeSettings):
     rms_window_s: float = fields.number(0.02, RMS_WINDOW)
     moving_range_db: Range | None = fields.interval(None, MAP_RANGE)
     z_limits: Range | None = fields.interval(None, Z_LIMITS)
-    colours: str = fields.choice(VIRIDIS, COLOURS)
 
 
 def has_colours(name: str, design: Design, view: View) -> bool:

@@ -5,9 +5,9 @@ from dataclasses import dataclass, replace
 from skinsource.analysis import Extent, Windows
 from skinsource.arrays import Floats
 from skinsource.design import Design
-from skinsource.map_range import map_range_db
+from skinsource_gui.widgets.map.level_look import USUAL_LOOK, LevelLook
 from skinsource_gui.widgets.map.scale_row import Scale, scale_of_levels
-from skinsource_gui.widgets.map.small_map import Range, SmallMap
+from skinsource_gui.widgets.map.small_map import SmallMap
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -34,8 +34,8 @@ class WindowedContent:
         Whether the responses are computed, not measured.
     traces_late_s
         How much later than here the traces show what is shown; 0 where they do not.
-    fixed_range_db
-        Ends of the colours that were chosen on the skin map; None: they follow the loudest.
+    look
+        Colours and range that were chosen on the skin map.
     """
 
     design: Design
@@ -49,7 +49,7 @@ class WindowedContent:
     noisy: tuple[tuple[int, ...], ...] = ()
     in_noise: tuple[bool, ...] = ()
     traces_late_s: float = 0.0
-    fixed_range_db: Range | None = None
+    look: LevelLook = USUAL_LOOK
 
     @property
     def time_phrases(self) -> tuple[str, ...]:
@@ -78,14 +78,9 @@ class WindowedContent:
         return _extent_words(self.extents[window])
 
     @property
-    def range_db(self) -> Range:
-        """Levels of the lowest and the highest colour of all maps."""
-        return self.fixed_range_db or map_range_db(self.levels_db)
-
-    @property
     def scale(self) -> Scale:
         """What the colours of all maps mean."""
-        return scale_of_levels(self.range_db, fixed=self.fixed_range_db is not None)
+        return scale_of_levels(self.levels_db, self.look)
 
     @property
     def bounds_s(self) -> list[tuple[float, float]]:

@@ -23,7 +23,7 @@ from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.beside_or_below import BesideOrBelow
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.lateness import Lateness
-from skinsource_gui.widgets.map.fixed_range import fixed_range_db
+from skinsource_gui.widgets.map.level_look import level_look
 from skinsource_gui.widgets.map.small_map import SmallMaps
 from skinsource_gui.widgets.paper import on_paper
 
@@ -164,7 +164,7 @@ class WindowedPanel(Panel):
         late_s = 0.0
         if self._design is not None and not self._view.delay_removed:
             late_s = facts_of(self._design.limb).pre_trigger_delay_s
-        return {"traces_late_s": late_s, "fixed_range_db": fixed_range_db(self._view)}
+        return {"traces_late_s": late_s, "look": level_look(self._view)}
 
     def _heading(self) -> str:
         if self._design is None:

@@ -47,7 +47,8 @@ def paint_strip(
     """
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     line = float(painter.fontMetrics().height())
-    table = colour_table()
+    scale = content.scale
+    table = colour_table(scale.colours)
     titles = [window_words(bounds) for bounds in content.bounds_s]
     metrics, places = painter.fontMetrics(), zip(layout.cells, titles, strict=True)
     if any(metrics.horizontalAdvance(words) > cell.width() for cell, words in places):
@@ -57,7 +58,7 @@ def paint_strip(
         painter.drawText(QRectF(cell.left(), cell.top(), cell.width(), line), _CENTRE, words)
         area = cell.adjusted(2.0, line + _RING_PX, -2.0, -2.0)
         paint_small_map(
-            painter, area, content.map_of(window), content.design, theme, content.range_db, table
+            painter, area, content.map_of(window), content.design, theme, scale.range_db, table
         )
         if window == len(titles) - 1:  # one for all: they are alike
             limb = content.design.limb
@@ -66,7 +67,7 @@ def paint_strip(
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.setPen(QPen(QColor(theme.accent), 1.5))
             painter.drawRoundedRect(cell.adjusted(1.0, 0.5, -1.0, -1.0), 3.0, 3.0)
-    paint_scale_row(painter, layout.scale, content.scale, theme)
+    paint_scale_row(painter, layout.scale, scale, theme)
     _paint_extent(painter, layout.plot, content, theme)
 
 

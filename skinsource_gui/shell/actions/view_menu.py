@@ -7,10 +7,11 @@ from skinsource.design import Design
 from skinsource.edits import Edit, Refusal
 from skinsource.edits.selection import clip_of
 from skinsource.view import View
-from skinsource_gui.panels.skin.settings import COLOURS, has_colours, use_colours
+from skinsource_gui.panels.skin.settings import has_colours, use_colours
 from skinsource_gui.shell.action_spec import ActionSpec, action
 from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS
 from skinsource_gui.theme import theme_words
+from skinsource_gui.widgets.map.level_look import COLOURS
 
 
 def _toggle_delay(design: Design, view: View) -> Edit | Refusal:

@@ -6,11 +6,13 @@ import numpy as np
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
+from skinsource.arrays import Floats
 from skinsource.decibels import FLOOR_DB
+from skinsource.map_range import map_range_db
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.map.colour_maps import VIRIDIS, colour_table
-from skinsource_gui.widgets.map.fixed_range import FIXED_MARK
+from skinsource_gui.widgets.map.level_look import FIXED_MARK, LevelLook
 from skinsource_gui.widgets.map.scale_ticks import tick_text
 from skinsource_gui.widgets.map.small_map import Range
 
@@ -55,10 +57,14 @@ class Scale:
         return minus(f"{value_db:+z.1f} dB" if self.signed else f"{value_db:z.1f} dB")
 
 
-def scale_of_levels(range_db: Range, *, fixed: bool) -> Scale:
-    """The scale of RMS levels, which says so where its range was ``fixed`` by hand."""
-    words = f"{_LEVELS} · {FIXED_MARK}" if fixed else _LEVELS
-    return Scale(range_db=range_db, words=words)
+def scale_of_levels(levels_db: Floats, look: LevelLook) -> Scale:
+    """The scale of RMS levels as they shall look; it says so where its range was fixed by hand."""
+    fixed = look.map_range_db is not None
+    return Scale(
+        range_db=look.map_range_db or map_range_db(levels_db),
+        words=f"{_LEVELS} · {FIXED_MARK}" if fixed else _LEVELS,
+        colours=look.colours,
+    )
 
 
 def scale_row_px(line_px: float) -> float:

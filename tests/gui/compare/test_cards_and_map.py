@@ -92,7 +92,7 @@ def test_cards_show_each_snapshot_its_level_and_what_is_in_the_window(window, pa
     assert found[0].present
     assert not found[2].present
     # The colours of the card are those of the large map.
-    assert found[0]._range_db == window.panel("skin").colour_bar.range_db
+    assert found[0]._scale.range_db == window.panel("skin").colour_bar.range_db
     assert found[1].compared is None
     assert "nothing stored" in found[1].accessibleName()
     loudest = levels(window.document.design).max()

@@ -41,7 +41,7 @@ def test_it_shows_what_was_computed_in_one_scale(panel, studio):
     assert content.windows.count == 5
     assert (content.levels_db == ss.decibels(found["rms_of_windows"])).all()
     assert content.extents == found["extents_of_windows"]
-    assert content.range_db[1] >= content.levels_db.max() > content.range_db[1] - 5.0
+    assert content.scale.range_db[1] >= content.levels_db.max() > content.scale.range_db[1] - 5.0
     assert content.synthetic
 
 
@@ -199,21 +199,21 @@ def test_its_head_says_that_the_traces_show_it_later_unless_their_delay_is_taken
 
 
 def test_a_range_that_is_fixed_on_the_skin_map_holds_here_too(panel, studio, qtbot):
-    followed = panel.strip.content.range_db
+    followed = panel.strip.content.scale.range_db
     computed = panel.strip.content.levels_db
     skin = with_settings(studio.document.view, "skin", SkinSettings(map_range_db=(-60.0, -20.0)))
     studio.document.look(skin)
     settle(studio, qtbot)
     assert panel.strip.content.levels_db is computed
-    assert panel.strip.content.range_db == (-60.0, -20.0)
+    assert panel.strip.content.scale.range_db == (-60.0, -20.0)
     studio.document.edit("Softer", TRAIN.with_input(0, amplitude=0.05))
     settle(studio, qtbot)
     assert panel.strip.content.levels_db is not computed
-    assert panel.strip.content.range_db == (-60.0, -20.0)
+    assert panel.strip.content.scale.range_db == (-60.0, -20.0)
     assert panel.strip.content.scale.words == "dB re 1 m/s² · range fixed"
 
     studio.document.edit("As before", TRAIN)
     studio.document.look(with_settings(studio.document.view, "skin", SkinSettings()))
     settle(studio, qtbot)
-    assert panel.strip.content.range_db == followed
+    assert panel.strip.content.scale.range_db == followed
     assert panel.strip.content.scale.words == "dB re 1 m/s²"

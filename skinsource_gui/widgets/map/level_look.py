@@ -1,0 +1,57 @@
+"""Colours and range that were chosen on the skin map, for all maps of levels beside it."""
+
+from dataclasses import dataclass
+
+from skinsource import fields
+from skinsource.fields import ChoiceSpec, Range, RangeSpec
+from skinsource.panel_settings import settings_of
+from skinsource.view import View
+from skinsource_gui.widgets.map.colour_maps import VIRIDIS
+
+#: Said where the colours span what was chosen, and do not follow the design.
+FIXED_MARK = "range fixed"
+MAP_RANGE = RangeSpec(label="Range", unit="dB")
+COLOURS = ChoiceSpec(
+    label="Colours",
+    options=(
+        (VIRIDIS, "Viridis"),
+        ("cividis", "Cividis"),
+        ("magma", "Magma"),
+        ("CET-L1", "Grey"),
+        ("turbo", "Turbo, like MATLAB's jet"),
+    ),
+    hint="Colours of levels. All but the last grow evenly lighter, and are told apart with any "
+    "colour vision",
+)
+
+# Where they are chosen, and whose settings hold them in files.
+_PANEL = "skin"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LevelLook:
+    """How maps of levels look, whichever panel shows them.
+
+    Attributes
+    ----------
+    map_range_db
+        Levels of the ends of the colour bar, dB re 1 m/s²; ``None``: each map follows what it
+        shows (`skinsource.map_range.map_range_db`).
+    colours
+        Colour map of levels.
+    """
+
+    map_range_db: Range | None = fields.interval(None, MAP_RANGE)
+    colours: str = fields.choice(VIRIDIS, COLOURS)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+
+#: Where nothing was chosen.
+USUAL_LOOK = LevelLook()
+
+
+def level_look(view: View) -> LevelLook:
+    """What was chosen for all maps of levels."""
+    return settings_of(view, _PANEL, LevelLook)

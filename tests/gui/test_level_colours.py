@@ -1,0 +1,96 @@
+"""Colours of levels that were chosen for the skin map, on every map of levels."""
+
+import numpy as np
+import pytest
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QApplication
+
+from skinsource.design_file import save_design
+from skinsource_gui.widgets.map.colour_maps import DIVERGING, colour_table
+from skinsource_gui.widgets.pictures.picture_file import drawn_image
+from tests.gui.compare.compare_bench import two_places
+
+#: Pixels of a small map, and of words that happen to have its colours.
+MANY, FEW = 100, 20
+MAPS = ("skin", "windowed", "side_by_side", "compare")
+
+
+def n_in(image, colours):
+    """How many pixels of a picture have colours of a map; its ends may be those of words."""
+    argb = image.convertToFormat(QImage.Format.Format_RGB32)
+    pixels = np.frombuffer(argb.constBits(), np.uint32).reshape(argb.height(), -1)
+    pixels = pixels[:, : argb.width()] | np.uint32(0xFF000000)
+    return int(np.isin(pixels, colour_table(colours)[8:-8]).sum())
+
+
+def look_at(window, qtbot, name):
+    """Bring a panel into sight, and wait until it has maps."""
+    window.docks[name].bring_forward()
+    panel = window.panel(name)
+    qtbot.waitUntil(panel.isVisible)
+    if name == "windowed":
+        qtbot.waitUntil(lambda: panel.strip.content is not None, timeout=60_000)
+    elif name == "side_by_side":
+        cells = lambda: panel.maps.content.cells  # noqa: E731
+        qtbot.waitUntil(lambda: bool(cells()) and all(one.small for one in cells()), timeout=60_000)
+    elif name == "compare":
+        qtbot.waitUntil(lambda: panel.cards[0].compared is not None, timeout=60_000)
+        qtbot.waitUntil(lambda: panel.cards[0].compared.values is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: not window.engine.busy, timeout=60_000)
+    QApplication.processEvents()
+    return panel
+
+
+def picture_of(window, name):
+    return drawn_image(window.pictures.picture_of(name).draw, 700, 700)
+
+
+@pytest.mark.parametrize("name", MAPS)
+@pytest.mark.parametrize("opened_before", [True, False])
+def test_colours_chosen_in_the_menu_are_those_of_every_map_of_levels(
+    window, qtbot, name, opened_before
+):
+    if opened_before:
+        panel = look_at(window, qtbot, name)
+        assert n_in(panel.grab().toImage(), "viridis") > MANY
+    window.do("use_magma_colours")
+    panel = look_at(window, qtbot, name)
+    for image in (panel.grab().toImage(), picture_of(window, name)):
+        assert n_in(image, "magma") > MANY
+        assert n_in(image, "viridis") < FEW
+    window.do("use_viridis_colours")
+    QApplication.processEvents()
+    assert n_in(panel.grab().toImage(), "viridis") > MANY
+
+
+def test_the_bars_below_small_maps_have_the_colours_of_the_maps(window, qtbot):
+    window.do("use_magma_colours")
+    assert look_at(window, qtbot, "windowed").strip.content.scale.colours == "magma"
+    cells = look_at(window, qtbot, "side_by_side").maps.content.cells
+    assert {cell.scale.colours for cell in cells} == {"magma"}
+
+
+def test_differences_keep_their_diverging_colours(window, qtbot):
+    panel = look_at(window, qtbot, "compare")
+    window.do("use_magma_colours")
+    window.do("store_snapshot_1")
+    two_places(window)
+    qtbot.waitUntil(lambda: panel.map.difference.shown is not None, timeout=60_000)
+    QApplication.processEvents()
+    image = panel.map.grab().toImage()
+    assert n_in(image, DIVERGING) > MANY
+    assert n_in(image, "magma") < FEW
+
+
+@pytest.mark.parametrize("name", MAPS)
+def test_a_file_that_is_opened_after_a_restart_has_its_colours_on_every_map(
+    window, make_window, qtbot, tmp_path, name
+):
+    window.do("use_magma_colours")
+    path = tmp_path / "magma.skinsource"
+    save_design(path, window.document.design, window.document.view)
+    window.close_unasked()
+    again = make_window()
+    again.files.open(path)
+    panel = look_at(again, qtbot, name)
+    assert n_in(panel.grab().toImage(), "magma") > MANY
