@@ -7,6 +7,7 @@ import pytest
 
 import skinsource as ss
 from skinsource.checking import joint_of, proportion, strengths_of, superposition
+from skinsource.clips import Marker
 from skinsource.evaluation import evaluate
 from skinsource.view import View
 
@@ -26,6 +27,21 @@ def test_designs_that_differ_in_strength_and_words_alone_have_strengths():
 
 
 @pytest.mark.parametrize(
+    "about",
+    [
+        {"author": "Somebody"},
+        {"licence": "CC BY"},
+        {"loop_s": (0.0, 0.1)},
+        {"markers": (Marker(time_s=0.1),)},
+    ],
+)
+def test_what_is_not_heard_keeps_neither_strengths_nor_a_joint_design(about):
+    louder = [played(8), played(8, amplitude=2.0, **about), played(8, amplitude=3.0)]
+    assert strengths_of(louder) == (1.0, 2.0, 3.0)
+    assert joint_of([played(8), played(13, **about), played(8, 13)]) == 2
+
+
+@pytest.mark.parametrize(
     "designs",
     [
         [],
@@ -39,6 +55,8 @@ def test_designs_that_differ_in_strength_and_words_alone_have_strengths():
         ],
         [played(8, amplitude=0.0), played(8, amplitude=2.0), played(8, amplitude=3.0)],
         [played(8), played(), played(8, amplitude=3.0)],
+        [played(8, 13), played(8, amplitude=2.0), played(8, amplitude=3.0)],
+        [played(8), played(8, 13, amplitude=2.0), played(8, amplitude=3.0)],
     ],
 )
 def test_others_have_none(designs):
@@ -59,6 +77,8 @@ def test_the_joint_design_is_found_among_its_parts(order):
         [played(8), played(13, amplitude=2.0), played(8, 13)],
         [played(8), replace(played(13), limb="synthetic-2"), played(8, 13)],
         [played(), played(8), played(8)],
+        [played(8), played(13), played(8, 8)],
+        [played(8), played(8), played(8, 13)],
     ],
 )
 def test_others_have_no_joint_one(designs):

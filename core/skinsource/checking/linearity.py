@@ -71,7 +71,7 @@ class Superposition:
 def strengths_of(designs: Sequence[Design]) -> tuple[float, ...]:
     """Amplitudes of the first input of designs that differ in strength alone; none: they do not.
 
-    Three different ones or more; titles and notes do not matter.
+    Three different ones or more; words about them, markers and loops do not matter.
     """
     plain = [_plain(one) for one in designs]
     if not plain or not all(one.inputs and one.inputs[0].amplitude > 0.0 for one in plain):
@@ -94,12 +94,14 @@ def joint_of(designs: Sequence[Design]) -> int | None:
     """Which of the designs plays what all the others play, each once; None: none does."""
     if len(designs) < 3:
         return None
-    if len({replace(one, title="", notes="", inputs=()) for one in designs}) > 1:
+    plain = [_plain(one) for one in designs]
+    # Ids that a design gave tell the same inputs apart.
+    played = [[_bare(one) for one in each.inputs] for each in plain]
+    if not all(played) or len({replace(one, inputs=()) for one in plain}) > 1:
         return None
-    played = [[_bare(one) for one in audible_inputs(each.inputs)] for each in designs]
     for k, whole in enumerate(played):
         others = [one for n, each in enumerate(played) if n != k for one in each]
-        if all(played) and len(others) == len(whole) and all(one in others for one in whole):
+        if _are_the_same(others, whole):
             return k
     return None
 
@@ -143,12 +145,31 @@ def superposition(parts: Sequence[Floats], joint: Floats) -> Superposition:
 def _plain(design: Design) -> Design:
     """What is played and where, whatever it is called and however it looks."""
     inputs = tuple(_bare(one) for one in audible_inputs(design.inputs))
-    return replace(design, title="", notes="", inputs=inputs)
+    return replace(
+        design,
+        title="",
+        author="",
+        notes="",
+        licence="",
+        markers=(),
+        loop_s=None,
+        inputs=inputs,
+    )
 
 
 def _bare(one: Input) -> Input:
     clips = tuple(replace(each, id=0) for each in one.clips)
     return replace(one, id=0, colour=0, solo=False, clips=clips)
+
+
+def _are_the_same(some: Sequence[Input], others: Sequence[Input]) -> bool:
+    """Whether both are the same inputs, in any order, each as often."""
+    left = list(others)
+    for one in some:
+        if one not in left:
+            return False
+        left.remove(one)
+    return not left
 
 
 def _apart(curves: Floats) -> float:

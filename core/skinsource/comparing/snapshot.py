@@ -63,7 +63,9 @@ def louder(design: Design, gain: float) -> Design:
 
 def alike(design: Design, other: Design) -> bool:
     """Whether they are the same, but for the rounding of amplitudes."""
-    pairs = list(zip(design.inputs, other.inputs, strict=False))
+    if len(design.inputs) != len(other.inputs):
+        return False
+    pairs = list(zip(design.inputs, other.inputs, strict=True))
     taken = tuple(replace(one, amplitude=than.amplitude) for one, than in pairs)
     return replace(design, inputs=taken) == other and all(
         math.isclose(one.amplitude, than.amplitude, rel_tol=1e-9) for one, than in pairs

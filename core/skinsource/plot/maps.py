@@ -128,8 +128,10 @@ def draw_map(
     """
     limb = levels.limb
     scale = limb.hand_length_mm / limb.map.hand_length_px
-    image = _draw_field(ax, levels, colours, _SIGNED_COLOUR_MAP if signed else _COLOUR_MAP)
-    _hatch(ax, limb.map.output_positions * scale, levels.noisy, _NOISE_REACH * limb.hand_length_mm)
+    table = _SIGNED_COLOUR_MAP if signed else _COLOUR_MAP
+    image, outline = _draw_field(ax, levels, colours, table)
+    reach_mm = _NOISE_REACH * limb.hand_length_mm
+    _hatch(ax, limb.map.output_positions * scale, levels.noisy, reach_mm, outline)
     _mark(ax, limb.map.input_positions * scale, levels.places, "input")
     _mark(ax, limb.map.output_positions * scale, outputs, "output")
     low, high = _bounds(limb, part)
@@ -144,8 +146,8 @@ def draw_map(
     return image
 
 
-def _draw_field(ax: Any, levels: Levels, colours: Range, colour_map: str) -> Any:
-    """Draw the interpolated map, cut by the outline."""
+def _draw_field(ax: Any, levels: Levels, colours: Range, colour_map: str) -> tuple[Any, Any]:
+    """Draw the interpolated map, cut by the outline; return both."""
     surface, limb = levels.surface, levels.limb
     half = (surface.x_mm[1] - surface.x_mm[0]) / 2.0
     x, y = surface.x_mm, surface.y_mm
@@ -167,10 +169,12 @@ def _draw_field(ax: Any, levels: Levels, colours: Range, colour_map: str) -> Any
     )
     ax.add_patch(outline)
     image.set_clip_path(outline)
-    return image
+    return image, outline
 
 
-def _hatch(ax: Any, positions: Floats, noisy: tuple[int, ...], reach_mm: float) -> None:
+def _hatch(
+    ax: Any, positions: Floats, noisy: tuple[int, ...], reach_mm: float, outline: Any
+) -> None:
     """Strokes around outputs that are mostly noise, cut by the outline."""
     places = [positions[number - 1] for number in noisy]
     shown = [place for place in places if np.isfinite(place).all()]
@@ -181,7 +185,6 @@ def _hatch(ax: Any, positions: Floats, noisy: tuple[int, ...], reach_mm: float) 
     strokes = module("matplotlib.patches").PathPatch(
         discs, fill=False, hatch=_STROKES, edgecolor=_STROKE_COLOUR, linewidth=0.0
     )
-    (outline,) = ax.patches
     ax.add_patch(strokes)
     strokes.set_clip_path(outline)
 

@@ -28,10 +28,13 @@ from skinsource_gui.panels.linearity.content import (
     superposition_words,
 )
 from skinsource_gui.panels.linearity.diagram import DiagramsPicture
+from skinsource_gui.panels.linearity.table import tab_separated
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 
-_NEEDS = frozenset({"axis_traces", "shown_outputs", "response_time_s", "sample_rate_hz"})
+_NEEDS = frozenset(
+    {"axis_traces", "shown_outputs", "response_time_s", "delay_removed", "sample_rate_hz"}
+)
 NEITHER = (
     "Store one stimulus at three strengths or more, or inputs alone and all of them together, "
     "with Ctrl+1 to Ctrl+4: here is seen whether outputs grow in step, and add up"
@@ -55,6 +58,7 @@ class LinearityPanel(FigurePanel):
         self._view = View()
         self._drawn: tuple[Any, ...] = ()
         self._outputs: tuple[int, ...] = ()
+        self._axes: tuple[str, ...] = ()
         self.found: Proportion | Superposition | None = None
         self.about = WordsLabel("linearity_about")
         self.about.setToolTip(
@@ -70,10 +74,7 @@ class LinearityPanel(FigurePanel):
         return _NEEDS if self._view.outputs else frozenset()
 
     def show_state(self, design: Design, view: View) -> None:
-        zoomed = view.time_range_s != self._view.time_range_s
         self._view = view
-        if zoomed:
-            self._drawn = ()
         if not view.outputs:
             self.say_instead(self.no_outputs)
         elif self.figure.message == self.no_outputs:
@@ -93,7 +94,7 @@ class LinearityPanel(FigurePanel):
         else:
             found = [one.values for one in compared if one.values is not None]
             traces = [one["axis_traces"] for one in found]
-            if not self._is_drawn((self._view.time_range_s, *traces)):
+            if not self._is_drawn((self._view.time_range_s, self._view.delay_removed, *traces)):
                 self._show(designs, found, strengths, whole)
 
     def show_problem(self, reason: str) -> None:
@@ -110,26 +111,7 @@ class LinearityPanel(FigurePanel):
 
     def table(self) -> str:
         """The numbers, with tabs between the columns."""
-        found = self.found
-        if found is None:
-            return ""
-        outputs = self._outputs
-        rows: Floats
-        if isinstance(found, Proportion):
-            channels = found.rms.shape[-1] // len(outputs)
-            header = ["strength"] + [
-                f"rms_{output}_{k + 1}_m_per_s2" for output in outputs for k in range(channels)
-            ]
-            rows = np.column_stack((found.strengths, found.rms))
-        else:
-            channels = found.correlation.size // len(outputs)
-            header = ["output", "axis", "pearson_r"]
-            numbers = np.repeat(outputs, channels)
-            rows = np.column_stack(
-                (numbers, np.tile(np.arange(1, channels + 1), len(outputs)), found.correlation)
-            )
-        lines = ["\t".join(header), *("\t".join(map(repr, row)) for row in rows.tolist())]
-        return "\n".join(lines) + "\n"
+        return "" if self.found is None else tab_separated(self.found, self._outputs, self._axes)
 
     def _is_drawn(self, wanted: tuple[Any, ...]) -> bool:
         same = len(wanted) == len(self._drawn) and all(
@@ -161,21 +143,28 @@ class LinearityPanel(FigurePanel):
         along = "z" if "z" in axes else axes[0]
         rows = tuple(axes.index(along) + n_axes * rank for rank in range(n_outputs))
         zoom, longest = self._view.time_range_s, results[whole or 0]
-        self._outputs = longest["shown_outputs"]
+        self._outputs, self._axes = longest["shown_outputs"], tuple(axes)
+        time_s = self._time_s(longest, limb.pre_trigger_delay_s)
         if strengths:
             rate_hz = longest["sample_rate_hz"]
             self.found = shown = proportion(strengths, np.stack(channels), rate_hz, limb.band_hz)
-            unit = amplitude_unit(design.scaling, design.actuation)
-            time_s = longest["response_time_s"]
+            unit = amplitude_unit(design.scaling, design.actuated)
             self.picture.show_diagrams(diagrams_of_proportion(shown, rows, time_s, zoom, unit))
             self.show_found(proportion_words(shown))
         elif whole is not None:
             parts = [one for k, one in enumerate(channels) if k != whole]
             self.found = added = superposition(parts, channels[whole])
-            time_s = longest["response_time_s"]
             self.picture.show_diagrams(diagrams_of_superposition(added, rows, time_s, zoom))
             self.show_found(superposition_words(added))
         self._drawn = drawn
         self.copy.setEnabled(True)
         synthetic = " · synthetic limb" if limb.synthetic else ""
         self.about.say(f"Along {along}, of the selected outputs: linear by construction{synthetic}")
+
+    def _time_s(self, results: Mapping[str, Any], delay_s: float) -> Floats:
+        """Instants on the time axes as they are now: results of the window know the delay removed.
+
+        Those of snapshots do not: nothing else that is of them depends on it.
+        """
+        found: Floats = results["response_time_s"]
+        return found + delay_s * (int(results["delay_removed"]) - int(self._view.delay_removed))

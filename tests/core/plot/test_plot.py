@@ -8,11 +8,14 @@ from io import BytesIO
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
 
 import skinsource as ss
 from skinsource.errors import InvalidInputError, MissingExtraError
 from skinsource.extras import extra_line
-from skinsource.plot.levels import common_range
+from skinsource.plot.levels import common_range, levels_of
+from skinsource.plot.maps import draw_map
 from skinsource.resampling import FINER
 
 DESIGN = ss.Design(
@@ -253,3 +256,19 @@ def test_all_words_of_a_strip_stand_in_the_figure_and_none_on_a_curve(count):
     assert extent.get_legend().get_window_extent().y0 >= extent.get_window_extent().y1 - 1.0
     (label,) = (one for one in words if one.get_text() == "mm from\nthe input")
     assert label.get_window_extent().x1 < extent.get_window_extent().x0
+
+
+def test_what_is_mostly_noise_is_hatched_within_the_outline_on_axes_that_are_drawn_on_too():
+    ax = Figure().add_subplot()
+    ax.add_patch(Rectangle((0, 0), 1, 1))
+    limb = ss.load_limb("synthetic-1")
+    levels = levels_of(np.zeros(72), limb, None)
+    draw_map(ax, replace(levels, noisy=(30, 61)), (-50.0, 0.0))
+    (hatched,) = (one for one in ax.patches if one.get_hatch())
+    outline = ax.patches[1]
+    clip, to_screen = hatched.get_transformed_clip_path_and_affine()
+    wanted = outline.get_transform().transform(outline.get_path().vertices)
+    np.testing.assert_allclose(to_screen.transform(clip.vertices), wanted)
+    # One disc: output 61 has no place on the back.
+    place = limb.map.output_positions[29] * limb.hand_length_mm / limb.map.hand_length_px
+    np.testing.assert_allclose(hatched.get_path().get_extents().get_points().mean(axis=0), place)

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication
 import skinsource as ss
 from skinsource.checking import Proportion, Superposition
 from skinsource.comparing import Snapshot
+from skinsource.edits import remove_delay
 from skinsource.view import View
 from skinsource_gui.panels.linearity.panel import NEITHER
 
@@ -79,6 +80,7 @@ def test_inputs_alone_add_up_to_all_of_them(show):
     panel.grab()
     head, *rows = panel.table().splitlines()
     assert head == "output\taxis\tpearson_r"
+    assert [row.split("\t")[:2] for row in rows] == [["20", "z"], ["26", "z"]]
     assert [float(row.split("\t")[2]) for row in rows] == pytest.approx([1.0, 1.0])
 
 
@@ -107,6 +109,43 @@ def test_the_part_to_which_traces_are_zoomed_is_drawn(show, qtbot):
     qtbot.waitUntil(
         lambda: panel.picture.diagrams[0].x.shown == pytest.approx((0.08, 0.1), abs=1e-3)
     )
+
+
+@pytest.mark.parametrize("designs", [STRENGTHS, PARTS])
+def test_a_part_is_the_same_whether_the_delay_is_removed_or_not(show, qtbot, designs):
+    window, panel = show(designs, time_range_s=(0.06, 0.08))
+    before = panel.picture.diagrams[0].curves
+    # Traces have the window say the instants that its time axes have.
+    window.docks["traces"].bring_forward()
+    for removed in (True, False):
+        window.document.apply(remove_delay(window.document.design, window.document.view, removed))
+        shown = (0.008, 0.028) if removed else (0.06, 0.08)
+        axis = pytest.approx(shown, abs=1e-3)
+        qtbot.waitUntil(lambda axis=axis: panel.picture.diagrams[0].x.shown == axis)
+        qtbot.waitUntil(lambda: settled(window, panel))
+        assert panel.picture.diagrams[0].x.shown == axis
+        now = panel.picture.diagrams[0].curves
+        for one, other in zip(before, now, strict=True):
+            np.testing.assert_allclose(one.y, other.y)
+
+
+def test_rms_are_copied_by_strength_output_and_axis(show):
+    _, panel = show(STRENGTHS, axes="xz")
+    head, *rows = (line.split("\t") for line in panel.table().splitlines())
+    wanted = [f"rms_{output}_{axis}_m_per_s2" for output in OUTPUTS for axis in "xz"]
+    assert head == ["strength", *wanted]
+    found = np.array(rows, float)
+    one = ss.evaluate(STRENGTHS[0], "axis_traces", view=View(axes="xz", outputs=OUTPUTS))
+    rms = np.sqrt(np.mean(one["axis_traces"] ** 2, axis=-1)).ravel()
+    np.testing.assert_allclose(found[:, 0], [1.0, 2.0, 4.0])
+    np.testing.assert_allclose(found[:, 1:], found[:, :1] * rms, rtol=1e-6)
+
+
+def test_actuators_that_are_switched_off_make_no_volts(show):
+    coil = ss.ActuatorAt(model=ss.actuators.load("example-voice-coil"))
+    off = ss.Actuation(actuators=(coil,), on=False)
+    _, panel = show([replace(one, actuation=off) for one in STRENGTHS])
+    assert panel.picture.diagrams[1].x.title == "Strength (m/s²)"
 
 
 def test_what_cannot_be_held_against_each_other_says_what_to_store(show, qtbot):
