@@ -107,6 +107,8 @@ def test_a_response_that_saturates_is_told():
     assert found.apart > 0.3
     assert np.nanmin(found.adjusted_r2) < 0.9
     assert np.abs(found.line - found.rms).max() > 0.005
+    through = np.polynomial.Polynomial.fit(x, found.rms[:, 0], 1)
+    np.testing.assert_allclose(found.line[:, 0], through(x))
 
 
 def test_what_inputs_cause_together_is_held_against_their_sum():

@@ -113,16 +113,19 @@ def test_channels_count_that_are_above_twice_the_noise_of_their_recording(
     assert share == pytest.approx(np.mean(rms >= 2.0 * noise_rms), abs=0.03)
 
 
-def test_a_recording_without_quiet_is_held_against_the_noise_of_the_limb(measured, tmp_path):
+@pytest.mark.parametrize("axes", ["xyz", "z", "xz"])
+def test_a_recording_without_quiet_is_held_against_the_noise_of_the_limb(measured, tmp_path, axes):
     tone = ss.waveforms.Tone(frequency_hz=104.0, duration_s=0.1)
     design = ss.Design(limb="measured-1", inputs=(ss.track(8, tone),), scaling="probe")
-    view = View(outputs=tuple(range(1, 73)))
+    view = View(axes=axes, outputs=tuple(range(1, 73)))
     field = ss.evaluate(design, "axis_traces", view=view)["axis_traces"][..., 60:]
     path = tmp_path / "lab.npz"
     np.savez(path, field=np.moveaxis(field, -1, 0), fs=1300.0)
-    found = condition_of(design, "lab", Recorded(path=path))
+    found = condition_of(design, "lab", Recorded(path=path), axes=axes)
     assert (found.shift_samples, found.noise_of) == (60, "limb")
-    sensors = np.sqrt(np.mean(ss.load_limb("measured-1").response_to(8)[..., :39] ** 2, axis=-1))
+    chosen = ["xyz".index(axis) for axis in axes]
+    before = ss.load_limb("measured-1").response_to(8)[:, chosen, :39]
+    sensors = np.sqrt(np.mean(before**2, axis=-1))
     aligned = np.sqrt(np.sum(field**2, axis=-1) / (field.shape[-1] + 60))
     np.testing.assert_array_equal(found.agreement.counted, aligned >= 2.0 * sensors)
     assert "noise of the sensors of the limb" in summary_lines([found])[0]

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import scipy
 
-from skinsource.analysis.noise import noise_rms, predicted_noise_energy
+from skinsource.analysis.noise import noise_rms, predicted_noise_energy, quiet_rms
 from skinsource.analysis.statistics import crest_factor, dominant_frequency, onset_time
 from skinsource.errors import InvalidInputError
 
@@ -59,6 +59,13 @@ def test_noise_is_what_comes_before_the_pulse():
     response[..., 60:] *= 100.0
     found = noise_rms(response, RATE)
     assert found == pytest.approx(np.sqrt(np.mean(response[..., :39] ** 2, axis=-1)), rel=1e-12)
+
+
+def test_too_few_samples_of_a_recording_tell_no_noise():
+    quiet = np.random.default_rng(6).normal(size=(2, 3, 8))
+    assert quiet_rms(quiet[..., :7]) is None
+    assert quiet_rms(quiet[..., :0]) is None
+    np.testing.assert_allclose(quiet_rms(quiet), np.sqrt(np.mean(quiet**2, axis=-1)))
 
 
 def test_the_noise_of_a_prediction_is_that_of_convolving_noise():
