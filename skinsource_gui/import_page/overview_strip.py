@@ -6,10 +6,10 @@ from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
+from skinsource_gui.import_page.taken_part import TakenPart
 from skinsource_gui.theme import LIGHT, Theme
 
 _HEIGHT_PX = 44
-_HANDLE_PX = 6
 _SHADE_ALPHA = 46
 _LEAST_PX = 3.0
 
@@ -30,13 +30,10 @@ class OverviewStrip(QWidget):
 
     def __init__(self, longest_s: float, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._longest_s = longest_s
         self._theme = LIGHT
         self._extremes: Floats | None = None
-        self._lasts_s = 1.0
-        self._part_s = (0.0, 1.0)
         self._landmarks_s: Floats | None = None
-        self._held: tuple[str, float] | None = None
+        self._part = TakenPart(longest_s, self.width)
         self.setObjectName("import_overview")
         self.setAccessibleName("Whole recording; type the part in Start and Length")
         self.setToolTip(
@@ -71,20 +68,19 @@ class OverviewStrip(QWidget):
 
     def show_part(self, lasts_s: float, start_s: float, duration_s: float) -> None:
         """Mark the part of a recording of that length."""
-        self._lasts_s = lasts_s
-        self._part_s = (start_s, min(start_s + duration_s, lasts_s))
+        self._part.show(lasts_s, start_s, duration_s)
         self.update()
 
     def x_of(self, time_s: float) -> float:
         """Where a time lies, px."""
-        return self.width() * time_s / self._lasts_s
+        return self._part.x_of(time_s)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(self._theme.base))
         if self._extremes is not None:
             self._paint_extremes(painter, self._extremes)
-        start, end = (self.x_of(time_s) for time_s in self._part_s)
+        start, end = self.x_of(self._part.start_s), self.x_of(self._part.end_s)
         part = QRectF(start, 0.0, max(end - start, _LEAST_PX), self.height())
         shade = QColor(self._theme.accent)
         painter.setPen(QPen(shade, 2))
@@ -94,72 +90,28 @@ class OverviewStrip(QWidget):
         painter.drawLine(QLineF(part.topRight(), part.bottomRight()))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        if event.button() != Qt.MouseButton.LeftButton:
-            return
-        x = event.position().x()
-        end = self._end_at(x)
-        start_s, end_s = self._part_s
-        if end:
-            self._held = (end, 0.0)
-        elif self._all_is_taken:
-            self._held = ("new", self._time_of(x))
-        elif self.x_of(start_s) <= x <= self.x_of(end_s):
-            self._held = ("part", self._time_of(x) - start_s)
-        else:
-            self._held = ("part", (end_s - start_s) / 2.0)
-            self._drag(x)
+        if event.button() == Qt.MouseButton.LeftButton and self._part.hold(event.position().x()):
+            self._tell()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         x = event.position().x()
-        if self._held is not None:
-            self._drag(x)
-        else:
-            over = Qt.CursorShape.SizeHorCursor if self._end_at(x) else Qt.CursorShape.ArrowCursor
-            self.setCursor(over)
+        if not self._part.held:
+            over_end = bool(self._part.end_at(x))
+            self.setCursor(Qt.CursorShape.SizeHorCursor if over_end else Qt.CursorShape.ArrowCursor)
+        elif self._part.drag(x):
+            self._tell()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        self._held = None
+        self._part.let_go()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        self._held = None
-        self._want(0.0, min(self._lasts_s, self._longest_s))
+        self._part.let_go()
+        self._part.take_all()
+        self._tell()
 
-    @property
-    def _all_is_taken(self) -> bool:
-        start_s, end_s = self._part_s
-        return self.x_of(start_s) < 1.0 and self.x_of(end_s) > self.width() - 1.0
-
-    def _end_at(self, x: float) -> str:
-        ends = zip(("start", "end"), self._part_s, strict=True)
-        near = [name for name, at_s in ends if abs(self.x_of(at_s) - x) <= _HANDLE_PX]
-        return near[-1] if near else ""
-
-    def _time_of(self, x: float) -> float:
-        return min(max(x / max(self.width(), 1), 0.0), 1.0) * self._lasts_s
-
-    def _drag(self, x: float) -> None:
-        held, offset_s = self._held or ("part", 0.0)
-        start_s, end_s = self._part_s
-        least_s = self._lasts_s / max(self.width(), 1)
-        at_s = self._time_of(x)
-        if held == "new":
-            if abs(self.x_of(at_s) - self.x_of(offset_s)) < _LEAST_PX:
-                return
-            at_s = min(max(at_s, offset_s - self._longest_s), offset_s + self._longest_s)
-            start_s, end_s = sorted((offset_s, at_s))
-        elif held == "start":
-            start_s = min(max(at_s, end_s - self._longest_s), end_s - least_s)
-        elif held == "end":
-            end_s = max(min(at_s, start_s + self._longest_s), start_s + least_s)
-        else:
-            length_s = end_s - start_s
-            start_s = min(max(at_s - offset_s, 0.0), self._lasts_s - length_s)
-            end_s = start_s + length_s
-        self._want(max(start_s, 0.0), end_s)
-
-    def _want(self, start_s: float, end_s: float) -> None:
-        self._part_s = (start_s, end_s)
+    def _tell(self) -> None:
         self.update()
+        start_s, end_s = self._part.start_s, self._part.end_s
         self.part_wanted.emit(start_s, end_s - start_s)
 
     def _paint_extremes(self, painter: QPainter, extremes: Floats) -> None:
@@ -171,7 +123,7 @@ class OverviewStrip(QWidget):
         share = (np.arange(columns) + 0.5) / columns
         if self._landmarks_s is not None:
             among = np.linspace(0.0, 1.0, self._landmarks_s.size)
-            share = np.interp(share, among, self._landmarks_s) / self._lasts_s
+            share = np.interp(share, among, self._landmarks_s) / self._part.lasts_s
         x = share * self.width()
         tops, bottoms = middle - reach * known[1] / largest, middle - reach * known[0] / largest
         painter.setPen(QPen(QColor(self._theme.dim), 1))

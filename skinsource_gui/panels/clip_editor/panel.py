@@ -144,9 +144,9 @@ class ClipEditorPanel(Panel):
     def _connect(self) -> None:
         self._toolbar.tool_wanted.connect(self.use)
         self._toolbar.bound_wanted.connect(self._drawing.bound)
-        self._toolbar.everything_wanted.connect(self._canvas.see_everything)
+        self._toolbar.everything_wanted.connect(self._canvas.seen.show_everything)
         self._canvas.key_pressed.connect(self._press)
-        self._look.pan_wanted.connect(self._canvas.pan)
+        self._look.pan_wanted.connect(self._canvas.seen.pan)
         self._drawing.edited.connect(self.edited)
         self._shaping.edited.connect(self.edited)
         self._gliding.edited.connect(self.edited)
@@ -201,9 +201,9 @@ class ClipEditorPanel(Panel):
         if wanted in self._tools:
             self.use(wanted)
         elif wanted in ("zoom_in", "zoom_out"):
-            self._canvas.zoom(_ZOOM if wanted == "zoom_in" else 1 / _ZOOM)
+            self._canvas.seen.zoom(_ZOOM if wanted == "zoom_in" else 1 / _ZOOM)
         elif wanted == "whole":
-            self._canvas.see_everything()
+            self._canvas.seen.show_everything()
         elif wanted == "give_up":
             self.use("look")
         else:

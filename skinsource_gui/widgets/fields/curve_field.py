@@ -11,20 +11,12 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
 
-from skinsource.effects.breakpoints import (
-    HIGHEST,
-    Points,
-    moved,
-    place_of,
-    with_point,
-    with_point_put,
-)
+from skinsource.effects.breakpoints import Points
 from skinsource.fields import BreakpointsSpec
 from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.widgets.fields.curve_mouse import CurveMouse
 from skinsource_gui.widgets.fields.curve_painter import paint_curve, paint_frame
-from skinsource_gui.widgets.fields.curve_scale import CurveScale
 from skinsource_gui.widgets.fields.edited_points import EditedPoints
-from skinsource_gui.widgets.fields.gesture import new_gesture
 from skinsource_gui.widgets.fields.point_menu import (
     SEGMENT_WORDS,
     fill_ground_menu,
@@ -55,13 +47,11 @@ class CurveField(QWidget):
 
     def __init__(self, spec: BreakpointsSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._spec, self._theme = spec, LIGHT
+        self._theme = LIGHT
         self.points = EditedPoints(spec, self)
         self.points.edited.connect(self.edited)
         self.points.changed.connect(self.update)
-        # While one is dragged: number of the gesture, the points as it began, where it began.
-        self._drag: tuple[int, Points, QPointF] | None = None
-        self._scale = CurveScale.around(self.value)
+        self._mouse = CurveMouse(spec, self.points, self._inside)
         self.setAccessibleName(spec.label)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -83,8 +73,7 @@ class CurveField(QWidget):
     def set_value(self, points: Points) -> None:
         """Show other points, and tell nobody."""
         self.points.show(points)
-        if self._drag is None:
-            self._scale = CurveScale.around(points)
+        self._mouse.fit()
         self.update()
 
     def show_theme(self, theme: Theme) -> None:
@@ -94,12 +83,12 @@ class CurveField(QWidget):
 
     def cancel(self) -> None:
         """Let go of a drag."""
-        self._drag = None
+        self._mouse.let_go()
 
     def place_of(self, index: int) -> QPointF:
         """Where a point is seen."""
         x, y, _ = self.value[index]
-        return self._scale.place(x, y, self._inside())
+        return self._mouse.scale.place(x, y, self._inside())
 
     def sizeHint(self) -> QSize:
         return QSize(160, 84)
@@ -111,56 +100,37 @@ class CurveField(QWidget):
         return kept_from_shortcuts(event, self._wants) or super().event(event)
 
     def _wants(self, event: QKeyEvent) -> bool:
-        gives_up = self._drag is not None and event.key() == Qt.Key.Key_Escape
+        gives_up = self._mouse.drags and event.key() == Qt.Key.Key_Escape
         return gives_up or bool(meant("curve", event))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() != Qt.MouseButton.LeftButton:
             event.ignore()
             return
-        self.points.burst.end()
-        gesture, before, inside = new_gesture(), self.value, self._inside()
-        near = self._scale.point_at(before, event.position(), inside)
-        if near is None:
-            x = self._rounded(self._scale.value(event.position(), inside)[0])
-            if not self._scale.is_on_curve(before, x, event.position(), inside):
-                return
-            near = place_of(before, x)
-            self.points.put(with_point(before, x), near, gesture)
-        self.points.choose(near)
-        self._drag = (gesture, self.value, event.position())
+        self._mouse.press(event.position())
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if self._drag is None or not event.buttons() & Qt.MouseButton.LeftButton:
-            return
-        gesture, start, pressed = self._drag
-        inside = self._inside()
-        here, there = (self._scale.value(at, inside) for at in (event.position(), pressed))
-        chosen = self.points.chosen
-        x, y, _ = start[min(chosen, len(start) - 1)]
-        to_x, to_y = self._rounded(x + here[0] - there[0]), round(y + here[1] - there[1], 3)
-        self.points.put(moved(start, {chosen}, to_x - x, to_y - y), chosen, gesture)
+        if event.buttons() & Qt.MouseButton.LeftButton:
+            self._mouse.move(event.position())
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        self._drag = None
+        self._mouse.let_go()
         self.set_value(self.value)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        at = event.position()
-        beside = self._scale.point_at(self.value, at, self._inside()) is None
+        beside = self._mouse.point_at(event.position()) is None
         if event.button() == Qt.MouseButton.LeftButton and beside:
-            self._put(at)
+            self._mouse.put(event.position())
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         at = QPointF(event.pos())
         by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
-        near = self._scale.point_at(self.value, at, self._inside())
-        near = self.points.chosen if by_key else near
+        near = self.points.chosen if by_key else self._mouse.point_at(at)
         menu = QMenu(self)
         menu.setObjectName("point_menu")
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         if near is None:
-            fill_ground_menu(menu, lambda: self._put(at))
+            fill_ground_menu(menu, lambda: self._mouse.put(at))
         else:
             self.points.choose(near)
             fill_point_menu(
@@ -173,10 +143,8 @@ class CurveField(QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         name = meant("curve", event)
-        if self._drag is not None and event.key() == Qt.Key.Key_Escape:
-            gesture, start, _ = self._drag
-            self._drag = None
-            self.points.put(start, self.points.chosen, gesture)
+        if self._mouse.drags and event.key() == Qt.Key.Key_Escape:
+            self._mouse.give_up()
         elif name:
             self.points.act(name)
         else:
@@ -187,7 +155,7 @@ class CurveField(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         paint_frame(painter, QRectF(self.rect()), self._theme, focused=self.hasFocus())
         chosen = self.points.chosen if self.hasFocus() else None
-        paint_curve(painter, inside, self._scale, self.value, chosen, self._theme)
+        paint_curve(painter, inside, self._mouse.scale, self.value, chosen, self._theme)
         painter.setPen(QColor(self._theme.dim))
         room = QRectF(inside.left(), 2, inside.width(), _WORDS_PX)
         words = painter.fontMetrics().elidedText(
@@ -202,18 +170,6 @@ class CurveField(QWidget):
         x, y, segment = self.value[chosen]
         place = f"{chosen + 1}/{len(self.value)}"
         return f"{place} · {1000.0 * x:.4g} ms · {y:.3g} · {SEGMENT_WORDS[segment]}"
-
-    def _put(self, at: QPointF) -> None:
-        """Add a point just there."""
-        x, y = self._scale.value(at, self._inside())
-        highest = min(self._spec.y.maximum, HIGHEST)
-        put = with_point_put(self.value, self._rounded(x), round(y, 3), highest)
-        self.points.put(*put, new_gesture())
-
-    def _rounded(self, x: float) -> float:
-        """A time in whole tenths of a step."""
-        step = self._spec.x.step / 10.0
-        return max(round(x / step) * step, 0.0)
 
     def _inside(self) -> QRectF:
         return QRectF(self.rect()).adjusted(7, _WORDS_PX + 6, -7, -7)

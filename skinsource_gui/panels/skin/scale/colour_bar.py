@@ -6,9 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QResizeEvent
-from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
 from skinsource.map_range import MAP_RANGE_DB, MAP_ROUND_TO_DB, map_range_db
+from skinsource_gui.panels.skin.scale.auto_button import AutoButton
 from skinsource_gui.panels.skin.scale.colour_strip import ColourStrip
 from skinsource_gui.panels.skin.scale.level_field import high_field, low_field
 from skinsource_gui.panels.skin.scale.level_range import (
@@ -35,17 +36,14 @@ class ColourBar(QWidget):
         self.range_db: Range = SILENT_RANGE
         self.strip = ColourStrip(self)
         self.high_field, self.low_field = high_field(self), low_field(self)
-        self.auto_button = QToolButton(self)
-        self.auto_button.setObjectName("range_auto")
-        self.auto_button.setText("Auto")
-        self.auto_button.setAccessibleName("Automatic range")
-        self.auto_button.setToolTip(
+        self.auto_button = AutoButton(
+            "range_auto",
+            "Automatic range",
             f"The range follows the loudest output: {MAP_RANGE_DB:g} dB, "
-            f"up to the next {MAP_ROUND_TO_DB:g} dB"
+            f"up to the next {MAP_ROUND_TO_DB:g} dB",
+            self,
         )
-        self.auto_button.setCheckable(True)
         self.auto_button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.auto_button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(UNIT_PX // 2)

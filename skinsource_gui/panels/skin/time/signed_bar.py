@@ -2,11 +2,12 @@
 
 from PySide6.QtCore import QEvent, QRectF, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent
-from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
 from skinsource.fields import NumberSpec
 from skinsource_gui.panels.skin.map_painter import small_font
 from skinsource_gui.panels.skin.map_quantity import MapQuantity, Z
+from skinsource_gui.panels.skin.scale.auto_button import AutoButton
 from skinsource_gui.panels.skin.scale.colour_scale import paint_colour_scale
 from skinsource_gui.panels.skin.scale.level_range import Range
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
@@ -79,15 +80,12 @@ class SignedBar(QWidget):
         self.limit.setToolTip(tooltip(_LIMIT.label, _LIMIT.hint))
         self.limit.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.strip = SignedStrip(self)
-        self.auto_button = QToolButton(self)
-        self.auto_button.setObjectName("z_auto")
-        self.auto_button.setText("Auto")
-        self.auto_button.setCheckable(True)
-        self.auto_button.setAccessibleName("Automatic limit")
-        self.auto_button.setToolTip(
-            "The limit follows the design: a quarter of the largest acceleration along z anywhere"
+        self.auto_button = AutoButton(
+            "z_auto",
+            "Automatic limit",
+            "The limit follows the design: a quarter of the largest acceleration along z anywhere",
+            self,
         )
-        self.auto_button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(UNIT_PX // 2)
