@@ -48,11 +48,6 @@ def test_the_extras_that_the_readme_installs_exist():
             assert re.search(rf"^{extra} = \[", project, re.MULTILINE), extra
 
 
-def test_the_links_of_the_readme_lead_somewhere():
-    for target in re.findall(r"\]\((?!http)(.*?)\)", README):
-        assert (ROOT / target).exists(), target
-
-
 @pytest.mark.parametrize("path", sorted((ROOT / "examples").glob("*.py")), ids=lambda p: p.stem)
 def test_the_examples_run_on_the_built_in_limb(path, capsys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

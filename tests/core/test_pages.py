@@ -1,0 +1,63 @@
+"""Pages of the project: their links and files are there, and each of them is reached."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+DECISIONS = sorted((ROOT / "docs" / "adr").glob("0*.md"))
+BEGIN = ("README.md", "CONTRIBUTING.md")
+PAGES = [ROOT / name for name in (*BEGIN, "CHANGELOG.md")] + sorted((ROOT / "docs").rglob("*.md"))
+#: Paths that begin like this are those of files of the project.
+FOLDERS = (".ci", "benchmarks", "core", "data", "docs", "examples", "resources", "tests")
+every = pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+
+
+def text_of(page: Path) -> str:
+    return page.read_text(encoding="utf-8")
+
+
+def links_of(page: Path) -> list[Path]:
+    """What it leads to within the project."""
+    targets = re.findall(r"\]\((?!http)([^)#]+)", text_of(page))
+    return [(page.parent / target).resolve() for target in targets]
+
+
+def anchors_of(page: Path) -> set[str]:
+    """Names of its headings in links."""
+    headings = re.findall(r"^#+ (.*)$", text_of(page), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", one.lower()).strip().replace(" ", "-") for one in headings}
+
+
+@every
+def test_links_lead_somewhere(page):
+    assert [target for target in links_of(page) if not target.exists()] == []
+    for target, anchor in re.findall(r"\]\((?!http)([^)#]*)#([^)]+)\)", text_of(page)):
+        assert anchor in anchors_of((page.parent / target) if target else page), anchor
+
+
+@every
+def test_files_that_are_named_are_there(page):
+    named = re.findall(rf"`((?:{'|'.join(map(re.escape, FOLDERS))})/[\w./-]+)`", text_of(page))
+    assert [name for name in named if not (ROOT / name).exists()] == []
+
+
+def test_every_page_is_reached_from_the_readme_or_from_what_contributors_read():
+    reached, ahead = set(), [ROOT / name for name in BEGIN]
+    while ahead:
+        page = ahead.pop()
+        if page.suffix == ".md" and page not in reached:
+            reached.add(page)
+            ahead += links_of(page)
+    assert {page.name for page in set(PAGES) - reached} == {"CHANGELOG.md"}
+
+
+def test_every_decision_is_in_the_list_under_its_number_and_title():
+    listed = re.findall(r"^- (\d+): \[(.*)\]\((.*)\)$", text_of(ROOT / "docs/adr/README.md"), re.M)
+    expected = []
+    for path in DECISIONS:
+        number, title = re.match(r"# (\d+)\. (.*)", text_of(path)).groups()
+        assert path.name.startswith(f"{int(number):04}-")
+        expected.append((number, title, path.name))
+    assert listed == expected
