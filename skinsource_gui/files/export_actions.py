@@ -19,7 +19,7 @@ from skinsource.view import View
 from skinsource_gui.files.export_jobs import ExportJobs
 from skinsource_gui.files.exports import EXPORTS, SEEN, SIZED, WIRED, ExportSpec
 from skinsource_gui.files.file_actions import FileActions
-from skinsource_gui.panels.skin.time.animation import MOST_PX
+from skinsource_gui.panels.skin.time.film import MOST_PX
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
@@ -102,8 +102,9 @@ class ExportActions(QObject):
             self._export_picture(spec)
             return
         besides: dict[str, Any] = {}
+        options: PictureOptions | None = None
         if SIZED in spec.wants:
-            remark = "" if spec.remark is None else spec.remark(design, view)
+            remark = None if spec.remark is None else partial(spec.remark, design, view)
             options = self._ask_options(spec, spec.size_px, most_px=MOST_PX, remark=remark)
             if options is None:
                 return
@@ -113,7 +114,7 @@ class ExportActions(QObject):
         if WIRED in spec.wants:
             rig = self._preferences.rig_path
             besides[WIRED] = Path(rig) if rig else None
-        path = self._ask_where(spec)
+        path = self._ask_where(spec, options)
         if path is not None:
             order = _Order(spec=spec, path=path, design=design, view=view, besides=besides)
             self._add(order)
@@ -123,13 +124,13 @@ class ExportActions(QObject):
         QGuiApplication.clipboard().setText(packing.citation(self._document.design))
         self._files.done.emit("Copied what to cite")
 
-    def _ask_where(self, spec: ExportSpec) -> Path | None:
-        title = f"Export {spec.title.removesuffix('…')}"
+    def _ask_where(self, spec: ExportSpec, options: PictureOptions | None = None) -> Path | None:
         document, name = self._document, spec.file_name
         if spec.named is not None:
-            name = spec.named(document.design, document.view)
+            name = spec.named(document.design, document.view, options)
         start = self._preferences.folder / name
-        return self._files.ask_where(title, start, spec.filter, spec.endings)
+        kinds = spec.filter_for(start.suffix)
+        return self._files.ask_where(spec.window_title, start, kinds, spec.endings)
 
     def _export_picture(self, spec: ExportSpec) -> None:
         picture = self._drawer_of(spec.panel)
@@ -151,7 +152,11 @@ class ExportActions(QObject):
         """Ask how large, and in which colours; the next time it begins with these."""
         usual = PictureOptions(width_px=size_px[0], height_px=size_px[1])
         known = self._picture_options.get(spec.name, usual)
-        options = ask_picture_options(self._window, known, kinds=spec.kind_words, **about)
+        kinds = spec.kind_words
+        if spec.begun is not None:
+            known, kinds = spec.begun(self._document.design, self._document.view, known), ""
+        about |= {"title": spec.window_title, "kinds": kinds}
+        options = ask_picture_options(self._window, known, **about)
         if options is not None:
             self._picture_options[spec.name] = options
         return options

@@ -17,7 +17,9 @@ from skinsource.export import (
 from skinsource.job import Progress, Stop
 from skinsource.view import View
 from skinsource_gui.panels.skin.time.animation import SIZE_PX, export_animation
-from skinsource_gui.panels.skin.time.film_words import film_name, film_words
+from skinsource_gui.panels.skin.time.film_options import KINDS, film_options
+from skinsource_gui.panels.skin.time.film_words import film_name, film_remark
+from skinsource_gui.widgets.pictures.picture_options import PictureOptions, Remark
 from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT, IN_USE
 
 #: By name, what a function that writes may want besides: `PictureOptions`, the part of the skin map
@@ -46,15 +48,16 @@ class ExportSpec:
         Suggested name of the file; what can be written, as words and ending, first that of the
         suggested name.
     named
-        The name that is suggested instead, of what is open.
+        The name that is suggested instead, of what is open and was chosen.
     hint
         What is written, in a sentence.
     write
         Computes and writes the file.
     wants
         What ``write`` is given besides: `SIZED` is asked of the user before, the others are known.
-    remark
-        What is said where that is asked, of what is open.
+    begun, remark
+        What is asked of the user begins with these, for what is open and with the sizes of the last
+        time, and says as what it is written; what is said of what is chosen.
     panel, size_px
         The panel whose picture is saved, and width and height of that.
     package
@@ -71,9 +74,10 @@ class ExportSpec:
     kinds: tuple[tuple[str, str], ...]
     hint: str
     write: Write | None = None
-    named: Callable[[Design, View], str] | None = None
+    begun: Callable[[Design, View, PictureOptions], PictureOptions] | None = None
+    named: Callable[[Design, View, Any], str] | None = None
     wants: frozenset[str] = frozenset()
-    remark: Callable[[Design, View], str] | None = None
+    remark: Callable[[Design, View, Any], Remark] | None = None
     panel: str = ""
     size_px: tuple[int, int] = (1200, 1800)
     package: tuple[str, str] | None = None
@@ -84,7 +88,17 @@ class ExportSpec:
     @property
     def filter(self) -> str:
         """What the dialog offers."""
-        return ";;".join(f"{words} (*{ending})" for words, ending in self.kinds)
+        return self.filter_for(self.kinds[0][1])
+
+    def filter_for(self, ending: str) -> str:
+        """The same, with one of the endings first: that is the one that it begins with."""
+        kinds = sorted(self.kinds, key=lambda kind: kind[1] != ending)
+        return ";;".join(f"{words} (*{ending})" for words, ending in kinds)
+
+    @property
+    def window_title(self) -> str:
+        """Of the windows that ask how and where to."""
+        return f"Export {self.title.removesuffix('…')}"
 
     @property
     def kind_words(self) -> str:
@@ -154,11 +168,12 @@ EXPORTS: tuple[ExportSpec, ...] = (
         title="animation of the skin map…",
         file_name="skin-map.mp4",
         named=film_name,
-        kinds=(("MP4", ".mp4"), ("WebM", ".webm"), ("GIF", ".gif")),
+        kinds=KINDS,
         hint="Save the skin map in time, in slow motion, as MP4, WebM or GIF",
         write=export_animation,
         wants=frozenset({SIZED, SEEN}),
-        remark=film_words,
+        begun=film_options,
+        remark=film_remark,
         size_px=SIZE_PX,
         package=("imageio_ffmpeg", "video"),
         keywords="video film movie wave gif mp4 webm slow motion time",

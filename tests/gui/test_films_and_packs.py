@@ -2,42 +2,51 @@
 
 import sys
 import zipfile
+from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog
 
 from skinsource.rigs import Rig, save_rig
 from skinsource_gui.files import export_actions
-from skinsource_gui.widgets.pictures.picture_options import PictureOptions
+from skinsource_gui.panels.skin.time.film_options import FilmOptions
 
 
 def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_this_machine(
     window, qtbot, monkeypatch, write_with, tmp_path
 ):
-    given, asked, answers = [], [], {}
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (answers["save"], ""))
+    given, asked, suggested, answers = [], [], [], {}
+
+    def name_it(_window, _title, start, kinds):
+        suggested.append((Path(start).name, kinds))
+        return answers["save"], ""
+
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", name_it)
 
     def wait():
         qtbot.waitUntil(lambda: not window.runner.busy, timeout=20_000)
 
     window.panel("skin").map.stage.pan_zoom.show("hand")
     write_with("animation", lambda *_, options, seen, **more: given.append((options, seen.fit)))
-    wanted = PictureOptions(width_px=640, height_px=480, colours="dark")
+    wanted = FilmOptions(width_px=640, height_px=480, colours="dark", kind=".webm")
 
-    def ask(_window, usual, *, kinds, most_px, remark):
-        assert "along z" in remark
-        asked.append((usual.width_px, usual.height_px, kinds, most_px))
+    def ask(_window, usual, *, title, kinds, most_px, remark):
+        assert "frames" in remark(usual).words
+        asked.append((title, usual.width_px, usual.height_px, kinds, most_px))
         return answers.get("options", wanted)
 
     monkeypatch.setattr(export_actions, "ask_picture_options", ask)
     answers["save"] = str(tmp_path / "film.mp4")
     window.do("export_animation")
     wait()
-    assert asked == [(900, 1200, "MP4, WebM or GIF", 4096)]
+    assert asked == [("Export animation of the skin map", 900, 1200, "", 4096)]
+    assert suggested == [
+        ("skin-map-along-z-1-20.webm", "WebM (*.webm);;MP4 (*.mp4);;GIF (*.gif)"),
+    ]
     assert given == [(wanted, "hand")]
     # The next time it begins with these; cancelled, nothing is asked or written any more.
     answers["options"] = None
     window.do("export_animation")
-    assert asked[1][:2] == (640, 480)
+    assert asked[1][1:3] == (640, 480)
     assert len(given) == 1
     path = tmp_path / "two.skinrig"
     save_rig(path, Rig())

@@ -1,5 +1,6 @@
 """How large a picture is, and in which colours."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -8,7 +9,7 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLabel, QWidget
 
 from skinsource import fields
-from skinsource.fields import ChoiceSpec, NumberSpec, specs_of
+from skinsource.fields import ChoiceSpec, NumberSpec, Spec, specs_of
 from skinsource_gui.theme import LIGHT, THEMES, Theme, theme_of, theme_words
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.number_field import NumberField
@@ -78,25 +79,51 @@ class PictureOptions:
         return THEMES[self.colours]
 
     @property
+    def unused(self) -> frozenset[str]:
+        """Names of the fields that say nothing beside the values of the others."""
+        return frozenset()
+
+    @property
     def pixels_words(self) -> str:
         """How many pixels it has where it is made of pixels."""
         across, down = (round(one * self.dpi / PER_INCH) for one in (self.width_px, self.height_px))
         return f"In pixels: {across} × {down}"
 
 
+@dataclass(frozen=True, slots=True)
+class Remark:
+    """What is to be known of a picture before it is written.
+
+    Attributes
+    ----------
+    words
+        Sentences.
+    warns, refuses
+        Whether it will not be as it is wanted; whether it cannot be written at all.
+    """
+
+    words: str
+    warns: bool = False
+    refuses: bool = False
+
+
+#: Asked for what is to be known of a picture with these options.
+RemarkOf = Callable[[Any], Remark]
+
+
 class PictureDialog(QDialog):
-    """Lets the user change `PictureOptions`.
+    """Lets the user change `PictureOptions`, or what more than these a picture takes.
 
     Parameters
     ----------
     options
         To begin with.
-    kinds
-        What can be written, in words.
+    title, kinds
+        Of the window; what can be written, in words, unless that is among the options.
     most_px
         Pixels that the longer side may have: the resolution of a layout is lowered to it.
     remark
-        What else is to be known before it is written.
+        Says what else is to be known before it is written.
 
     Attributes
     ----------
@@ -104,6 +131,8 @@ class PictureDialog(QDialog):
         As they are in the fields.
     pixels
         Says how many pixels the file has: width and height are those of an inch of a page.
+    said
+        What is to be known besides.
     """
 
     def __init__(
@@ -111,37 +140,43 @@ class PictureDialog(QDialog):
         options: PictureOptions,
         parent: QWidget | None = None,
         *,
+        title: str = "Picture",
         kinds: str = "PNG, SVG or PDF",
         most_px: int | None = None,
-        remark: str = "",
+        remark: RemarkOf | None = None,
     ) -> None:
         super().__init__(parent)
-        self.options, self._most_px = options, most_px
+        self.options, self._most_px, self._remark = options, most_px, remark
         self._usual = options.width_px, options.height_px
         self._cells: dict[str, FieldCell] = {}
-        self.setWindowTitle("Picture")
+        self.setWindowTitle(title)
         self._form = form = QFormLayout(self)
-        for name, spec in specs_of(options).items():
-            cell = FieldCell(name, spec, self)
-            cell.set_value(getattr(options, name))
-            cell.edited.connect(self._take)
-            cell.show_theme(theme_of(self.palette()))
-            cell.field.installEventFilter(self)
-            form.addRow(cell.label, cell)
-            self._cells[name] = cell
-        self.pixels = QLabel(options.pixels_words)
+        for name, spec in _specs(options).items():
+            self._cells[name] = self._cell(name, spec)
+        self.pixels = QLabel()
         form.addRow(self.pixels)
-        if remark:
-            said = QLabel(remark)
-            said.setWordWrap(True)
-            form.addRow(said)
-        form.addRow(QLabel(f"The next step asks where to, and whether as {kinds}."))
+        self.said = QLabel()
+        self.said.setObjectName("picture_remark")
+        self.said.setWordWrap(True)
+        form.addRow(self.said)
+        whether = f", and whether as {kinds}" if kinds else ""
+        form.addRow(QLabel(f"The next step asks where to{whether}."))
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        save = buttons.addButton("Save as…", QDialogButtonBox.ButtonRole.AcceptRole)
-        save.setDefault(True)
+        self._save = buttons.addButton("Save as…", QDialogButtonBox.ButtonRole.AcceptRole)
+        self._save.setDefault(True)
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         form.addRow(buttons)
+        self._tell()
+
+    def _cell(self, name: str, spec: Spec) -> FieldCell:
+        cell = FieldCell(name, spec, self)
+        cell.set_value(getattr(self.options, name))
+        cell.edited.connect(self._take)
+        cell.show_theme(theme_of(self.palette()))
+        cell.field.installEventFilter(self)
+        self._form.addRow(cell.label, cell)
+        return cell
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         # In the studio's panels Enter begins to type; a dialog is done with it.
@@ -151,7 +186,7 @@ class PictureDialog(QDialog):
             and event.key() in FINISHERS
             and isinstance(watched, NumberField)
         ):
-            if not watched.editing or watched.commit():
+            if (not watched.editing or watched.commit()) and self._save.isEnabled():
                 self.accept()
             return True
         return super().eventFilter(watched, event)
@@ -179,7 +214,27 @@ class PictureDialog(QDialog):
         self.options = replace(self.options, **changes)
         for other in changes.keys() - {name}:
             self._cells[other].set_value(getattr(self.options, other))
+        self._tell()
+
+    def _tell(self) -> None:
+        """Say what follows from the options, and show the fields that say something with them."""
+        for name, cell in self._cells.items():
+            self._form.setRowVisible(cell, name not in self.options.unused)
         self.pixels.setText(self.options.pixels_words)
+        remark = Remark("") if self._remark is None else self._remark(self.options)
+        theme = theme_of(self.palette())
+        colours = {(True, False): theme.warning, (False, True): theme.error}
+        colour = colours.get((remark.warns, remark.refuses), theme.text)
+        self.said.setStyleSheet(f"color: {colour};")
+        self.said.setText(remark.words)
+        self._form.setRowVisible(self.said, bool(remark.words))
+        self._save.setEnabled(not remark.refuses)
+
+
+def _specs(options: PictureOptions) -> dict[str, Spec]:
+    """Of all fields; what a picture shows stands above how large it is."""
+    usual, every = specs_of(PictureOptions), specs_of(options)
+    return {name: spec for name, spec in every.items() if name not in usual} | usual
 
 
 def ask_picture_options(

@@ -19,10 +19,10 @@ from skinsource_gui.panels.skin.map_quantity import MAGNITUDE, RMS, Z
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.stage.map_layout import SeenPart
 from skinsource_gui.panels.skin.time import animation
-from skinsource_gui.panels.skin.time.animation import export_animation, film_of
-from skinsource_gui.panels.skin.time.film_words import film_name, film_words, filmed
+from skinsource_gui.panels.skin.time.animation import export_animation
+from skinsource_gui.panels.skin.time.film import MOST_PX, film_of, frame_size
+from skinsource_gui.panels.skin.time.film_options import FilmOptions
 from skinsource_gui.panels.skin.time.pace import pace_of
-from skinsource_gui.state.start_design import start_design
 from skinsource_gui.theme import DARK
 from skinsource_gui.widgets.pictures.caption import with_caption
 from skinsource_gui.widgets.pictures.layouts import LAYOUTS
@@ -196,7 +196,7 @@ def test_the_settings_of_the_panel_are_those_of_the_film(tmp_path, small, monkey
     ],
 )
 def test_a_film_has_the_size_and_the_ground_that_was_asked_for(options, size):
-    assert animation.frame_size(options) == size
+    assert frame_size(options) == size
 
 
 def test_a_film_has_its_stimulus_below_it_at_every_size(monkeypatch):
@@ -219,7 +219,7 @@ def test_a_film_has_its_stimulus_below_it_at_every_size(monkeypatch):
 
 
 def test_a_film_that_no_encoder_takes_is_refused(tmp_path):
-    poster = PictureOptions(width_px=1588, height_px=2117, dpi=300)
+    poster = FilmOptions(width_px=1588, height_px=2117, dpi=300)
     with pytest.raises(InvalidInputError, match="4962 x 6616 pixels, expected at most 4096"):
         export_animation(tmp_path / "a.mp4", DESIGN, VIEW, options=poster)
     assert list(tmp_path.iterdir()) == []
@@ -227,46 +227,12 @@ def test_a_film_that_no_encoder_takes_is_refused(tmp_path):
 
 def test_the_sizes_of_pictures_are_offered_for_films_and_none_is_too_large(qtbot):
     dialog = PictureDialog(
-        PictureOptions(width_px=900, height_px=1200), kinds="MP4 or GIF", most_px=animation.MOST_PX
+        PictureOptions(width_px=900, height_px=1200), kinds="MP4 or GIF", most_px=MOST_PX
     )
     qtbot.addWidget(dialog)
     for one in LAYOUTS:
         dialog._take("layout", one.name, None)
-        assert max(animation.frame_size(dialog.options)) <= animation.MOST_PX
+        assert max(frame_size(dialog.options)) <= MOST_PX
         assert dialog.options.layout == one.name
     words = [label.text() for label in dialog.findChildren(QLabel)]
     assert "The next step asks where to, and whether as MP4 or GIF." in words
-
-
-@pytest.mark.parametrize(
-    ("quantity", "called"),
-    [
-        ("levels", "along-z"),
-        ("sensation", "along-z"),
-        ("z", "along-z"),
-        ("magnitude", "magnitude"),
-        ("rms", "sliding-rms"),
-    ],
-)
-def test_the_name_of_a_film_says_what_it_shows_and_how_slowly(quantity, called):
-    design = start_design("synthetic-1")
-    shown = SkinSettings(quantity=quantity)
-    view = replace(with_settings(View(), "skin", shown), slow_motion=100.0)
-    assert film_name(design, view) == f"skin-map-{called}-1-100.mp4"
-
-
-def test_before_a_film_is_written_it_is_said_what_which_part_and_how_slowly():
-    design = start_design("synthetic-1")
-    shown = with_settings(View(), "skin", SkinSettings(quantity="magnitude"))
-    view = replace(shown, slow_motion=100.0)
-    begin = "Shows magnitude of acceleration at 1/100 of real time: "
-    assert film_words(design, view).startswith(begin + "all of the response. ")
-    zoomed = replace(view, time_range_s=(0.05, 0.15))
-    assert film_words(design, zoomed).startswith(begin + "50 to 150 ms, 10 s. ")
-
-
-@pytest.mark.parametrize("quantity", ["levels", "sensation"])
-def test_where_the_map_shows_what_is_the_same_at_any_time_a_film_shows_motion_along_z(quantity):
-    view = with_settings(View(), "skin", SkinSettings(quantity=quantity, map_style="sensors"))
-    assert filmed(view).quantity == "z"
-    assert filmed(view).map_style == "sensors"

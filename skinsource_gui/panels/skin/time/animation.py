@@ -1,6 +1,6 @@
 """The skin map in time as a file: MP4, WebM or GIF."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,95 +10,28 @@ from PySide6.QtGui import QGuiApplication, QImage, QPainter
 
 from skinsource.choice_words import limb_word
 from skinsource.design import Design
-from skinsource.errors import InvalidInputError
 from skinsource.export.exported_design import ExportedDesign
 from skinsource.export.video import frames_per_s, video_file
 from skinsource.job import Progress, Stop, never, silent
-from skinsource.limb import LimbFacts
 from skinsource.own_limbs import facts_of
+from skinsource.panel_settings import settings_of
 from skinsource.rendering.in_time import block_of
 from skinsource.view import View
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_picture import Heading, heading_of, paint_picture
-from skinsource_gui.panels.skin.settings import SkinSettings
+from skinsource_gui.panels.skin.settings import SKIN, SkinSettings
 from skinsource_gui.panels.skin.stage.map_layout import ALL, SeenPart
-from skinsource_gui.panels.skin.time.film_words import filmed
+from skinsource_gui.panels.skin.time.film import Film, film_of, frame_size
+from skinsource_gui.panels.skin.time.film_options import FilmOptions, film_options
 from skinsource_gui.panels.skin.time.frames import NEEDS, Frames
-from skinsource_gui.panels.skin.time.pace import pace_of
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.map.colour_maps import DIVERGING
 from skinsource_gui.widgets.map.field_image import field_image
 from skinsource_gui.widgets.pictures.caption import caption_of, with_caption
-from skinsource_gui.widgets.pictures.layouts import PER_INCH
 from skinsource_gui.widgets.pictures.picture_options import PictureOptions
 
-#: Width and height of a frame unless another size is asked for, px; the most that encoders take.
+#: Width and height of a frame unless another size is asked for, px.
 SIZE_PX = (900, 1200)
-MOST_PX = 4096
-#: Ten minutes of a film.
-MOST_FRAMES = 36_000
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Film:
-    """Which instants are shown, and how fast.
-
-    Attributes
-    ----------
-    begin_s, count
-        The first instant, and how many there are.
-    frames_per_s, slow_motion
-        Of the film; how many times slower it runs than it happens.
-    """
-
-    begin_s: float
-    count: int
-    frames_per_s: int
-    slow_motion: float
-
-    def time_s(self, number: int) -> float:
-        """Instant of a frame, from 0 on."""
-        return self.begin_s + number / (self.frames_per_s * self.slow_motion)
-
-
-def film_of(view: View, settings: SkinSettings, end_s: float, per_s: int, limb: LimbFacts) -> Film:
-    """The film of what the time axes show, of all of it where they are not zoomed.
-
-    Raises
-    ------
-    InvalidInputError
-        It would be longer than ten minutes.
-    """
-    first_s, last_s = view.time_range_s or (0.0, end_s)
-    first_s, last_s = min(max(first_s, 0.0), end_s), min(max(last_s, 0.0), end_s)
-    pace = pace_of(view, settings, per_s, limb)
-    # The last instant belongs to it, however its seconds are rounded.
-    count = int((last_s - first_s) * per_s * pace + 1e-6) + 1
-    if count > MOST_FRAMES:
-        raise InvalidInputError(
-            f"The animation from {first_s:g} s to {last_s:g} s at 1/{pace:g} has {count} frames, "
-            f"expected at most {MOST_FRAMES}: {MOST_FRAMES / per_s / 60:g} minutes. Zoom the time "
-            "axes to a shorter piece, or choose another speed."
-        )
-    return Film(begin_s=first_s, count=count, frames_per_s=per_s, slow_motion=pace)
-
-
-def frame_size(options: PictureOptions) -> tuple[int, int]:
-    """Width and height of a frame, px: even ones, as encoders want them.
-
-    Raises
-    ------
-    InvalidInputError
-        It is larger than encoders take.
-    """
-    scale = options.dpi / PER_INCH
-    sides = [max(2 * round(one * scale / 2), 2) for one in (options.width_px, options.height_px)]
-    if max(sides) > MOST_PX:
-        raise InvalidInputError(
-            f"The animation has {sides[0]} x {sides[1]} pixels, expected at most {MOST_PX} on a "
-            "side. Choose a smaller size or resolution."
-        )
-    return sides[0], sides[1]
 
 
 def export_animation(
@@ -106,18 +39,17 @@ def export_animation(
     design: Design,
     view: View,
     *,
-    options: PictureOptions | None = None,
-    seen: SeenPart | None = None,
+    options: FilmOptions | None = None,
+    seen: SeenPart = ALL,
     progress: Progress = silent,
     stop: Stop = never,
     largest_error: float = np.inf,
 ) -> None:
     """Write the skin map in time, each frame computed at its instant, the stimulus below it.
 
-    What is shown, over which colours and how slowly is as the skin panel has it; where that shows
-    what is the same at any time, the acceleration along z.  The piece is that of the time axes.
-    ``options`` say how large it is and on which ground, ``seen`` which part of the map; all of it
-    unless given.
+    ``options`` say what is shown and how slowly, how large and on which ground; what the skin panel
+    shows unless given.  The piece is that of the time axes, the colours are those of the panel, and
+    ``seen`` is the part of the map that is in sight.
 
     Raises
     ------
@@ -130,15 +62,22 @@ def export_animation(
     """
     # Frames are no numbers that anyone computes with.
     del largest_error
-    settings = filmed(view)
+    options = options or film_options(design, view, _usual_size())
+    view = options.view_of(view)
+    settings = settings_of(view, SKIN, SkinSettings)
     per_s = frames_per_s(path)
-    camera = _Camera(ExportedDesign(design, view, progress, stop), settings, options, seen)
+    exported = ExportedDesign(design, view, progress, stop)
+    camera = _Camera(exported, settings, options, options.part_of(seen))
     film = film_of(view, settings, camera.end_s, per_s, facts_of(design.limb))
     about = f"SkinSource studio, {camera.words(film)}"
     with video_file(path, camera.size, about, stop) as add:
         for number in range(film.count):
             add(camera.frame(film, number))
             progress(number + 1, film.count, "Drawing frames")
+
+
+def _usual_size() -> PictureOptions:
+    return PictureOptions(width_px=SIZE_PX[0], height_px=SIZE_PX[1])
 
 
 class _Camera:
@@ -149,11 +88,11 @@ class _Camera:
         exported: ExportedDesign,
         settings: SkinSettings,
         options: PictureOptions | None = None,
-        seen: SeenPart | None = None,
+        seen: SeenPart = ALL,
     ) -> None:
-        self._seen = seen or ALL
+        self._seen = seen
         self._exported, self._settings = exported, settings
-        self._options = options or PictureOptions(width_px=SIZE_PX[0], height_px=SIZE_PX[1])
+        self._options = options or _usual_size()
         self.size = frame_size(self._options)
         self._caption = caption_of(exported.design)
         self._frames = Frames()

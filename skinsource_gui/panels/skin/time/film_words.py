@@ -1,53 +1,102 @@
-"""What a film of the skin map shows, and how it is called."""
+"""How a film of the skin map is called, and what is to be known before it is written."""
 
-from dataclasses import replace
-from pathlib import Path
-
-from skinsource.design import Design
-from skinsource.export.video import frames_per_s
+from skinsource.design import Design, audible_inputs
+from skinsource.errors import InvalidInputError
 from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of
 from skinsource.view import View
-from skinsource_gui.panels.skin.map_quantity import MAGNITUDE, RMS, STILL, Z
+from skinsource_gui.panels.skin.map_quantity import MAGNITUDE, RMS, Z
 from skinsource_gui.panels.skin.settings import SKIN, SkinSettings
+from skinsource_gui.panels.skin.time.film import Film, film_of, frame_size
+from skinsource_gui.panels.skin.time.film_options import FilmOptions
 from skinsource_gui.panels.skin.time.pace import pace_of
+from skinsource_gui.widgets.pictures.picture_options import Remark
 
-_USUAL = Path("film.mp4")
-# In names of files, and in words.
-_CALLED = {
-    Z: ("along-z", "acceleration along z"),
-    MAGNITUDE: ("magnitude", "magnitude of acceleration"),
-    RMS: ("sliding-rms", "sliding RMS"),
-}
+# In names of files.
+_CALLED = {Z: "along-z", MAGNITUDE: "magnitude", RMS: "sliding-rms"}
+# Bytes of a frame for each million pixels of the map at 1/20, which become fewer with this power of
+# the speed, and for this quantity; and for how long the skin moves on: as films of the published
+# limbs came out, most within a factor of two.
+_BYTES = {".mp4": 3000.0, ".webm": 3500.0, ".gif": 40_000.0}
+_USUAL_PACE, _POWER = 20.0, 0.7
+_OF_RMS, _AT_REST = 0.4, 0.1
+_MOVES_ON_S = 0.15
+# The map is so much higher than wide; what lies beside it costs next to nothing.
+_MAP_SHAPE = 4 / 3
 
 
-def filmed(view: View) -> SkinSettings:
-    """The settings of a film: where what is shown is the same at any time, of motion along z."""
-    settings = settings_of(view, SKIN, SkinSettings)
-    return replace(settings, quantity=Z) if settings.quantity in STILL else settings
-
-
-def film_name(design: Design, view: View) -> str:
+def film_name(design: Design, view: View, options: FilmOptions) -> str:
     """``"skin-map-along-z-1-50.mp4"``: what it shows, and how much slower than it happens."""
-    settings = filmed(view)
-    called, _ = _CALLED[settings.quantity]
-    return f"skin-map-{called}-1-{_pace(design, view, settings):g}{_USUAL.suffix}"
+    pace = _pace(design, view, options)
+    return f"skin-map-{_CALLED[options.quantity]}-1-{pace:g}{options.kind}"
 
 
-def film_words(design: Design, view: View) -> str:
-    """What it shows, which part and how slowly; and where that is chosen."""
-    settings = filmed(view)
-    _, called = _CALLED[settings.quantity]
-    pace = _pace(design, view, settings)
-    part = "all of the response"
-    if view.time_range_s is not None:
-        first_s, last_s = view.time_range_s
-        part = f"{1e3 * first_s:.0f} to {1e3 * last_s:.0f} ms, {(last_s - first_s) * pace:.0f} s"
-    return (
-        f"Shows {called} at 1/{pace:g} of real time: {part}. Choose what and how slowly above the "
-        "skin map, and zoom the traces to a part."
-    )
+def film_remark(design: Design, view: View, options: FilmOptions) -> Remark:
+    """How long it will be, how many frames and about how large; or why there is none."""
+    shown = options.view_of(view)
+    settings, limb = settings_of(shown, SKIN, SkinSettings), facts_of(design.limb)
+    try:
+        frame_size(options)
+        film = film_of(shown, settings, _end_s(design, view), options.frames_per_s, limb)
+    except InvalidInputError as error:
+        return Remark(str(error), refuses=True)
+    # How long all of it is follows from the clips, and is known within a sample or two.
+    about = "about " if view.time_range_s is None else ""
+    said = [
+        f"{_part_words(view)}: {about}{film.duration_s:.3g} s of film, {film.count} frames, "
+        f"about {_size_words(_bytes(film, design, options))}."
+    ]
+    if film.slow_motion != float(options.pace):
+        said.append(
+            f"It runs at 1/{film.slow_motion:g}: at 1/{options.pace} it would have fewer than two "
+            "frames in a period of its fastest waves, and show waves that there are not."
+        )
+    if view.time_range_s is None:
+        said.append("Zoom the traces to film a part.")
+    return Remark(" ".join(said))
 
 
-def _pace(design: Design, view: View, settings: SkinSettings) -> float:
-    return pace_of(view, settings, frames_per_s(_USUAL), facts_of(design.limb))
+def _pace(design: Design, view: View, options: FilmOptions) -> float:
+    shown = options.view_of(view)
+    settings = settings_of(shown, SKIN, SkinSettings)
+    return pace_of(shown, settings, options.frames_per_s, facts_of(design.limb))
+
+
+def _moves_s(design: Design) -> tuple[float, float]:
+    """From when until when clips play; what they play is not computed for it."""
+    tracks = audible_inputs(design.inputs)
+    heard = [clip for track in tracks for clip in track.clips if not clip.muted]
+    begin_s = min((clip.onset_s for clip in heard), default=0.0)
+    return begin_s, max((clip.end_s for clip in heard), default=0.0)
+
+
+def _end_s(design: Design, view: View) -> float:
+    """When the response ends on the time axis."""
+    limb = facts_of(design.limb)
+    removed_s = limb.pre_trigger_delay_s if view.delay_removed else 0.0
+    end_s = _moves_s(design)[1] + (limb.n_taps - 1) / limb.sample_rate_hz
+    return max(end_s - removed_s, 0.0)
+
+
+def _part_words(view: View) -> str:
+    if view.time_range_s is None:
+        return "All of the response"
+    first_s, last_s = view.time_range_s
+    return f"{1e3 * first_s:.0f} to {1e3 * last_s:.0f} ms of the response"
+
+
+def _bytes(film: Film, design: Design, options: FilmOptions) -> float:
+    width, height = frame_size(options)
+    map_px = min(width * height, width * width * _MAP_SHAPE, height * height / _MAP_SHAPE)
+    begin_s, end_s = _moves_s(design)
+    seen_s = min(film.time_s(film.count), end_s + _MOVES_ON_S) - max(film.begin_s, begin_s)
+    moving = min(max(seen_s, 0.0) * film.frames_per_s * film.slow_motion, film.count)
+    frames = moving + _AT_REST * (film.count - moving)
+    each = _BYTES[options.kind] * (_OF_RMS if options.quantity == RMS else 1.0)
+    return frames * each * map_px / 1e6 * (_USUAL_PACE / film.slow_motion) ** _POWER
+
+
+def _size_words(n_bytes: float) -> str:
+    """``"3 MB"``: no more than one digit is known."""
+    unit, words = (1e6, "MB") if n_bytes >= 0.95e6 else (1e3, "kB")
+    return f"{max(float(f'{n_bytes / unit:.1g}'), 1.0):g} {words}"

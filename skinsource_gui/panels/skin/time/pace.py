@@ -8,6 +8,9 @@ from skinsource.view import View
 from skinsource_gui.panels.skin.map_quantity import MAGNITUDE, RMS, Z
 from skinsource_gui.panels.skin.settings import SkinSettings
 
+#: How many times slower it can be chosen to run.
+PACES = (1, 2, 5, 10, 20, 50, 100, 200)
+
 
 def pace_of(view: View, settings: SkinSettings, per_s: int, limb: LimbFacts) -> float:
     """How many times slower it is shown: as the view says, or as slowly as it can be followed.

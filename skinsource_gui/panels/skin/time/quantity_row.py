@@ -6,15 +6,15 @@ from PySide6.QtWidgets import QHBoxLayout, QWidget
 from skinsource.fields import ChoiceSpec
 from skinsource_gui.panels.skin.map_quantity import RMS, STILL
 from skinsource_gui.panels.skin.settings import QUANTITY, RMS_WINDOW, SkinSettings
+from skinsource_gui.panels.skin.time.pace import PACES
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.tooltips import tooltip
 
-_PACES = (1, 2, 5, 10, 20, 50, 100, 200)
 PACE = ChoiceSpec(
     label="Speed",
-    options=tuple((str(pace), f"1/{pace}") for pace in _PACES),
+    options=tuple((str(pace), f"1/{pace}") for pace in PACES),
     hint="How fast time runs while it plays; below 1/1 it is seen, and not heard",
 )
 _PACE_PX, _WINDOW_PX = 76, 66

@@ -1,0 +1,184 @@
+"""What is asked before a film of the skin map is written."""
+
+from dataclasses import replace
+from functools import partial
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QPushButton
+
+import skinsource as ss
+from skinsource.panel_settings import settings_of, with_settings
+from skinsource.view import View
+from skinsource_gui.panels.skin.settings import SkinSettings
+from skinsource_gui.panels.skin.stage.map_layout import SeenPart
+from skinsource_gui.panels.skin.time import animation
+from skinsource_gui.panels.skin.time import film_options as film_options_module
+from skinsource_gui.panels.skin.time.animation import export_animation
+from skinsource_gui.panels.skin.time.film_options import FilmOptions, film_options
+from skinsource_gui.panels.skin.time.film_words import film_name, film_remark
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.pictures.picture_options import PictureDialog, PictureOptions
+
+DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tap()),))
+ZOOMED = View(time_range_s=(0.05, 0.15))
+SIZES = PictureOptions(width_px=900, height_px=1200)
+
+
+def shown(quantity, view=ZOOMED, slow_motion=1.0, **settings):
+    settings = SkinSettings(quantity=quantity, **settings)
+    return replace(with_settings(view, "skin", settings), slow_motion=slow_motion)
+
+
+@pytest.fixture
+def form(qtbot):
+    view = shown("z", slow_motion=100.0)
+    dialog = PictureDialog(
+        film_options(DESIGN, view, SIZES), remark=partial(film_remark, DESIGN, view), kinds=""
+    )
+    qtbot.addWidget(dialog)
+    dialog.show()
+    return dialog
+
+
+def choose(form, name, option):
+    form.findChild(ChoiceField, f"{name}_field").choose(option)
+
+
+def said(form):
+    return form.said.text().replace("\N{NO-BREAK SPACE}", " ")
+
+
+@pytest.mark.parametrize(
+    ("quantity", "filmed"),
+    [("levels", "z"), ("sensation", "z"), ("z", "z"), ("magnitude", "magnitude"), ("rms", "rms")],
+)
+def test_it_begins_with_what_the_screen_shows_and_how_slowly(quantity, filmed):
+    view = shown(quantity, slow_motion=100.0, rms_window_s=0.05)
+    options = film_options(DESIGN, view, replace(SIZES, colours="dark"))
+    assert (options.quantity, options.pace, options.part) == (filmed, "100", "seen")
+    assert (options.rms_window_s, options.colours) == (0.05, "dark")
+    assert options.part_of(SeenPart(fit="hand")) == SeenPart(fit="hand")
+
+
+def test_it_begins_as_fast_as_waves_can_be_followed_and_keeps_the_format_of_the_last_time():
+    assert film_options(DESIGN, shown("z"), SIZES).pace == "20"
+    assert film_options(DESIGN, shown("magnitude"), SIZES).pace == "50"
+    # Of a speed that no list offers, the next one that is slower.
+    assert film_options(DESIGN, shown("z", slow_motion=30.0), SIZES).pace == "50"
+    last = FilmOptions(kind=".gif", quantity="rms", part="hand")
+    options = film_options(DESIGN, shown("z"), last)
+    # A GIF has fewer frames per second.
+    assert (options.kind, options.quantity, options.part, options.pace) == (
+        ".gif",
+        "z",
+        "seen",
+        "50",
+    )
+
+
+def test_a_limb_that_is_not_measured_along_z_is_filmed_in_magnitude(monkeypatch):
+    facts = film_options_module.facts_of
+    flat = replace(facts("synthetic-1"), axes="xy")
+    monkeypatch.setattr(film_options_module, "facts_of", lambda name: flat)
+    assert film_options(DESIGN, shown("levels"), SIZES).quantity == "magnitude"
+
+
+def test_length_frames_and_size_follow_what_is_chosen(form):
+    begin = "50 to 150 ms of the response: "
+    assert said(form) == f"{begin}10 s of film, 601 frames, about 600 kB."
+    choose(form, "pace", "20")
+    assert said(form).startswith(f"{begin}2.02 s of film, 121 frames, about 400 kB.")
+    choose(form, "kind", ".gif")
+    # Of 50 frames per second 20 times slower would be too fast.
+    assert said(form).startswith(f"{begin}5.02 s of film, 251 frames, about 6 MB. It runs at 1/50")
+    choose(form, "quantity", "rms")
+    assert said(form) == f"{begin}2.02 s of film, 101 frames, about 2 MB."
+    small = said(form)
+    form.findChild(ChoiceField, "layout_field").choose("slide")
+    assert said(form) != small
+
+
+def test_what_is_too_fast_for_its_waves_says_how_fast_it_will_run(form):
+    choose(form, "pace", "1")
+    assert "It runs at 1/20: at 1/1 it would have fewer than two frames" in said(form)
+    choose(form, "quantity", "magnitude")
+    assert "It runs at 1/50: at 1/1" in said(form)
+    choose(form, "pace", "200")
+    assert "It runs" not in said(form)
+
+
+def test_what_cannot_be_written_says_why_and_cannot_be_saved(qtbot):
+    long = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tone(duration_s=60.0)),))
+    view = shown("z", View(), slow_motion=200.0)
+    form = PictureDialog(
+        film_options(long, view, SIZES), remark=partial(film_remark, long, view), kinds=""
+    )
+    qtbot.addWidget(form)
+    form.show()
+    save = next(one for one in form.findChildren(QPushButton) if one.text() == "Save as…")
+    assert "expected at most 36000: 10 minutes" in said(form)
+    assert not save.isEnabled()
+    QTest.keyClick(form.findChild(NumberField, "width_px_field"), Qt.Key.Key_Return)
+    assert form.isVisible()
+    choose(form, "pace", "5")
+    choose(form, "quantity", "rms")
+    assert said(form).startswith("All of the response: about ")
+    assert said(form).endswith("Zoom the traces to film a part.")
+    assert save.isEnabled()
+    form._take("width_px", 5000.0, None)
+    assert "expected at most 4096 on a side" in said(form)
+    assert not save.isEnabled()
+
+
+def test_the_window_of_the_sliding_rms_is_asked_for_where_that_is_shown(form):
+    window = form.findChild(NumberField, "rms_window_s_field")
+    assert not window.isVisible()
+    choose(form, "quantity", "rms")
+    assert window.isVisible()
+
+
+@pytest.mark.parametrize(
+    ("quantity", "called"), [("z", "along-z"), ("magnitude", "magnitude"), ("rms", "sliding-rms")]
+)
+def test_the_name_of_a_film_says_what_it_shows_how_slowly_and_ends_as_its_kind(quantity, called):
+    options = FilmOptions(quantity=quantity, pace="100", kind=".webm")
+    assert film_name(DESIGN, View(), options) == f"skin-map-{called}-1-100.webm"
+    fast = replace(options, pace="1", quantity="z", kind=".gif")
+    assert film_name(DESIGN, View(), fast) == "skin-map-along-z-1-50.gif"
+
+
+def test_what_was_chosen_is_filmed_and_not_what_the_screen_shows(tmp_path, monkeypatch):
+    seen = []
+    monkeypatch.setattr(
+        animation,
+        "paint_picture",
+        lambda painter, size, content, heading, *look: seen.append((content, heading, look)),
+    )
+    view = shown("z", View(time_range_s=(0.06, 0.064)), slow_motion=100.0, map_style="sensors")
+    options = FilmOptions(
+        width_px=120, height_px=160, quantity="rms", rms_window_s=0.04, part="hand", pace="50"
+    )
+    whole = SeenPart(fit="whole")
+    export_animation(tmp_path / "a.gif", DESIGN, view, options=options, seen=whole)
+    _content, heading, look = seen[0]
+    assert heading.title == "Skin acceleration, RMS over 40 ms, at 60.0 ms"
+    assert heading.details.endswith("1/50 of real time")
+    assert look[-1] == SeenPart(fit="hand")
+    # How it is drawn is as on the screen.
+    assert settings_of(options.view_of(view), "skin", SkinSettings).map_style == "sensors"
+
+
+@pytest.mark.parametrize("kind", [".mp4", ".webm", ".gif"])
+def test_the_size_that_is_told_is_about_that_of_the_file(tmp_path, kind):
+    pytest.importorskip("imageio_ffmpeg")
+    view = shown("z", View(time_range_s=(0.05, 0.08)), slow_motion=50.0)
+    options = replace(film_options(DESIGN, view, SIZES), width_px=300, height_px=400, kind=kind)
+    path = tmp_path / f"a{kind}"
+    export_animation(path, DESIGN, view, options=options)
+    words = film_remark(DESIGN, view, options).words.replace("\N{NO-BREAK SPACE}", " ")
+    number, unit = words.rstrip(".").split("about ")[1].split()
+    told = float(number) * {"kB": 1e3, "MB": 1e6}[unit]
+    assert told / 4 < path.stat().st_size < told * 4
