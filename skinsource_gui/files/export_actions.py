@@ -24,6 +24,7 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.status.error_label import VISIBLE
+from skinsource_gui.widgets.pictures.letters import letters_remark
 from skinsource_gui.widgets.pictures.picture_file import save_drawing
 from skinsource_gui.widgets.pictures.picture_options import PictureOptions, ask_picture_options
 from skinsource_gui.widgets.pictures.whole_picture import WholePicture
@@ -134,7 +135,8 @@ class ExportActions(QObject):
 
     def _export_picture(self, spec: ExportSpec) -> None:
         picture = self._drawer_of(spec.panel)
-        options = self._ask_options(spec, picture.size_px or spec.size_px)
+        size, remark = picture.size_px or spec.size_px, letters_remark(picture)
+        options = self._ask_options(spec, size, remark=remark)
         path = None if options is None else self._ask_where(spec)
         if options is None or path is None:
             return

@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from functools import partial
 
 from PySide6.QtCore import QEventLoop, QPoint, QRect, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QPainter
+from PySide6.QtGui import QColor, QFont, QFontInfo, QPainter
 from PySide6.QtWidgets import QApplication, QWidget
 
 from skinsource_gui.made_panels import MadePanels
@@ -15,10 +15,12 @@ from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.docks import Dock, staged, usual_size
 from skinsource_gui.state.document import Document
 from skinsource_gui.theme import LIGHT, Theme, apply_theme
-from skinsource_gui.widgets.pictures.caption import caption_of, with_caption
-from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT, IN_USE, WholePicture
+from skinsource_gui.widgets.pictures.caption import caption_of, height_above, with_caption
+from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT, IN_USE, Letters, WholePicture
 
 _TITLE_PX, _EDGE_PX = 22, 6
+# The smallest letters of panels, as a part of usual ones: those of notes on the skin map.
+_SMALLEST_LETTERS = 2 / 3
 
 
 class PanelPictures:
@@ -62,14 +64,18 @@ class PanelPictures:
         caption = caption_of(design, self._document.view.match_gain(design))
         size: tuple[int, int] | None = None
         draw: Callable[..., None] = self._draw_all
+        letters: Letters | None = None
         if panel is None:
             size = self._frame.width(), self._frame.height()
+            letters = partial(self._letters_px, caption)
         else:
             draw = partial(self._draw_one, panel)
             likes = panel.size() if panel.isVisible() else usual_size(panel)
             size = None if name != IN_USE else (2 * likes.width(), 2 * likes.height())
         seen = panel.map.stage.seen if isinstance(panel, SkinPanel) else None
-        return WholePicture(draw=with_caption(draw, caption), size_px=size, seen=seen)
+        return WholePicture(
+            draw=with_caption(draw, caption), size_px=size, seen=seen, letters_px=letters
+        )
 
     def _in_use(self) -> Panel:
         """The panel that has the keyboard, or had it before a page or the palette; or the first."""
@@ -99,14 +105,7 @@ class PanelPictures:
 
     def _draw_all(self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT) -> None:
         """All panels in sight, each where it is, with its title."""
-        places = {
-            panel: QRect(panel.mapTo(self._frame, QPoint()), panel.size())
-            for panel in self._panels
-            if panel.isVisible() and panel.window() is self._frame
-        }
-        whole = QRect()
-        for place in places.values():
-            whole = whole.united(place.adjusted(0, -_TITLE_PX, 0, 0))
+        places, whole = self._places()
         painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
         if whole.isEmpty():
             return
@@ -118,6 +117,26 @@ class PanelPictures:
             for panel, place in places.items():
                 _draw_titled(painter, panel, place, theme)
             painter.restore()
+
+    def _places(self) -> tuple[dict[Panel, QRect], QRect]:
+        """Where each panel in sight is, and a box around them and their titles."""
+        places = {
+            panel: QRect(panel.mapTo(self._frame, QPoint()), panel.size())
+            for panel in self._panels
+            if panel.isVisible() and panel.window() is self._frame
+        }
+        whole = QRect()
+        for place in places.values():
+            whole = whole.united(place.adjusted(0, -_TITLE_PX, 0, 0))
+        return places, whole
+
+    def _letters_px(self, caption: str, width: int, height: int) -> float:
+        """Height of the smallest letters of panels in a picture of all."""
+        _, whole = self._places()
+        font = QApplication.font()
+        above = height_above(caption, font, width, height)
+        scale = min(width / max(whole.width(), 1), above / max(whole.height(), 1))
+        return scale * _SMALLEST_LETTERS * QFontInfo(font).pixelSize()
 
     @contextmanager
     def _in_colours(self, theme: Theme) -> Iterator[None]:

@@ -75,7 +75,27 @@ def _draw(
     height: int,
     theme: Theme = LIGHT,
 ) -> None:
-    font = QFont(painter.font())
+    lines, font, left, edge = _laid_out(words, painter.font(), width, height)
+    painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
+    painter.save()
+    draw(painter, width, left, theme)
+    painter.restore()
+    painter.setFont(font)
+    painter.setPen(QColor(theme.dim))
+    below = QRectF(edge, left + edge / 2, width - 2 * edge, height - left)
+    painter.drawText(below, _FLAGS, "\n".join(lines))
+
+
+def height_above(words: str, font: QFont, width: int, height: int) -> int:
+    """What `with_caption` leaves of the height for the picture itself."""
+    return _laid_out(words, font, width, height)[2]
+
+
+def _laid_out(
+    words: str, font: QFont, width: int, height: int
+) -> tuple[list[str], QFont, int, float]:
+    """Lines and letters of the caption, where it begins, and its edge; px."""
+    font = QFont(font)
     edge = 0.02 * min(width, height)
     room = QRectF(edge, 0.0, width - 2 * edge, _MOST_HEIGHT * height)
     pixels = min(max(round(min(width, height) * _PART), _SMALLEST_PX), _LARGEST_PX)
@@ -88,14 +108,7 @@ def _draw(
         words = f"{words[: int(0.9 * len(words)) - 1].rstrip('…')}…"
         lines = lines_of(words, QFontMetricsF(font), room.width())
     left = max(int(height - _height(lines, font) - 1.5 * edge), 1)
-    painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
-    painter.save()
-    draw(painter, width, left, theme)
-    painter.restore()
-    painter.setFont(font)
-    painter.setPen(QColor(theme.dim))
-    below = QRectF(edge, left + edge / 2, room.width(), height - left)
-    painter.drawText(below, _FLAGS, "\n".join(lines))
+    return lines, font, left, edge
 
 
 def _height(lines: Sequence[str], font: QFont) -> float:

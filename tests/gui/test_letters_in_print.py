@@ -1,0 +1,70 @@
+"""Letters of the picture of all panels become smaller with it, and that is said before."""
+
+import re
+from dataclasses import replace
+from math import hypot
+
+import pytest
+from PySide6.QtWidgets import QPushButton
+
+from skinsource_gui.state.start_design import start_design
+from skinsource_gui.widgets.pictures.layouts import layout_of
+from skinsource_gui.widgets.pictures.letters import letters_remark
+from skinsource_gui.widgets.pictures.picture_file import save_drawing
+from skinsource_gui.widgets.pictures.picture_options import PictureDialog, PictureOptions, Remark
+from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT, WholePicture
+
+
+def smallest_px(path):
+    """Of all letters of a drawing, the height of the smallest, as they are on the page."""
+    sizes, scale = [], 1.0
+    drawing = path.read_text("utf-8")
+    words = re.compile(r'<g [^>]*matrix\(([^,]+),([^,]+),|<text [^>]*font-size="([\d.]+)"')
+    for found in words.finditer(drawing):
+        if found[1]:
+            scale = hypot(float(found[1]), float(found[2]))
+        else:
+            sizes.append(scale * float(found[3]))
+    return min(sizes)
+
+
+@pytest.mark.parametrize("layout", ["column", "two_columns"])
+def test_letters_that_cannot_be_read_in_print_are_said_before_the_picture_of_all_panels_is_saved(
+    make_window, qtbot, tmp_path, layout
+):
+    window = make_window(start_design("synthetic-1"))
+    picture = window.pictures.picture_of(ALL_IN_SIGHT)
+    width, height = layout_of(layout).size_px(picture.size_px)
+    path = tmp_path / "a.svg"
+    save_drawing(path, picture.draw, width, height)
+    form = PictureDialog(
+        PictureOptions(width_px=picture.size_px[0], height_px=picture.size_px[1]),
+        remark=letters_remark(picture),
+    )
+    qtbot.addWidget(form)
+    form._take("layout", layout, None)
+    told_pt = float(re.search(r"The smallest letters are ([\d.]+) pt", form.said.text())[1])
+    assert told_pt == pytest.approx(smallest_px(path) * 0.75, rel=0.2)
+    needed_px = int(re.search(r"a width of (\d+) px", form.said.text())[1])
+    form._take("width_px", float(needed_px), None)
+    form._take("height_px", float(round(needed_px * height / width)), None)
+    assert form.said.text() == ""
+    save = next(one for one in form.findChildren(QPushButton) if one.text() == "Save as…")
+    assert save.isEnabled()
+
+
+def test_layouts_that_are_large_enough_are_named():
+    picture = WholePicture(draw=print, size_px=(1366, 768), letters_px=lambda w, h: 8.0 * w / 1366)
+    remark = letters_remark(picture)
+    assert remark(PictureOptions(width_px=336, height_px=189)) == Remark(
+        "The smallest letters are 1.5 pt high: in print 5 pt can be read. Choose a width of "
+        "1140 px or Slide (16 : 9) or Poster (420 mm), hide some panels and make the window "
+        "smaller, or export the panel in use.",
+        warns=True,
+    )
+    assert remark(PictureOptions(width_px=1140, height_px=640)) == Remark("")
+
+
+def test_a_picture_that_lays_itself_out_keeps_its_letters():
+    picture = WholePicture(draw=print, size_px=(1366, 768), letters_px=lambda w, h: 1.0)
+    assert letters_remark(replace(picture, letters_px=None)) is None
