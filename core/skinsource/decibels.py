@@ -8,6 +8,8 @@ from skinsource.errors import InvalidInputError
 
 #: What silence is shown as.  Nothing measured or predicted comes near it.
 FLOOR_DB = -200.0
+# A map of silence is interpolated between such levels, and rounded.
+_ROUNDING_DB = 1e-6
 
 
 def decibels(
@@ -48,3 +50,13 @@ def decibels(
     np.log10(amplitude, out=level, where=amplitude > 0)
     level = np.where(amplitude > 0, 20.0 * (level - np.log10(reference)), floor_db)
     return np.maximum(level, floor_db)
+
+
+def in_tables(levels_db: ArrayLike) -> NDArray[np.float64]:
+    """Levels as tables hold them: NaN for silence, which has none.
+
+    In files that is ``nan``, which NumPy, pandas, MATLAB and R read as no number; where a table is
+    copied for a spreadsheet it is an empty field.
+    """
+    levels = real_array("levels_db", levels_db, "levels in dB")
+    return np.where(levels <= FLOOR_DB + _ROUNDING_DB, np.nan, levels)

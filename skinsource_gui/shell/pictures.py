@@ -16,7 +16,12 @@ from skinsource_gui.shell.docks import Dock, staged, usual_size
 from skinsource_gui.state.document import Document
 from skinsource_gui.theme import LIGHT, Theme, apply_theme
 from skinsource_gui.widgets.pictures.caption import caption_of, height_above, with_caption
-from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT, IN_USE, Letters, WholePicture
+from skinsource_gui.widgets.pictures.whole_picture import (
+    ALL_IN_SIGHT,
+    IN_USE,
+    Letters,
+    WholePicture,
+)
 
 _TITLE_PX, _EDGE_PX = 22, 6
 # The smallest letters of panels, as a part of usual ones: those of notes on the skin map.

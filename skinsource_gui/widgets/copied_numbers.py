@@ -2,7 +2,7 @@
 
 import math
 
-from skinsource.decibels import FLOOR_DB
+from skinsource.decibels import in_tables
 
 
 def copied(value: float) -> str:
@@ -12,4 +12,4 @@ def copied(value: float) -> str:
 
 def copied_level(level_db: float) -> str:
     """The same of a level in dB; empty for silence, which has none."""
-    return copied(level_db) if level_db > FLOOR_DB else ""
+    return copied(float(in_tables(level_db)))

@@ -3,7 +3,7 @@ import math
 import numpy as np
 import pytest
 
-from skinsource.decibels import FLOOR_DB, decibels
+from skinsource.decibels import FLOOR_DB, decibels, in_tables
 from skinsource.errors import InvalidInputError
 
 
@@ -83,3 +83,9 @@ def test_what_is_handed_over_is_not_changed():
     amplitude.flags.writeable = False
     decibels(amplitude)
     np.testing.assert_array_equal(amplitude, [0.0, 1.0, 2.0])
+
+
+def test_tables_hold_no_number_where_silence_has_no_level():
+    held = in_tables(decibels([0.0, 1.0, 10.0]))
+    np.testing.assert_array_equal(held, [np.nan, 0.0, 20.0])
+    assert np.isnan(in_tables([np.nan, FLOOR_DB + 1e-9])).all()

@@ -100,6 +100,15 @@ def test_without_selected_outputs_there_are_no_traces(saved, tmp_path):
     assert not (tmp_path / "out" / "traces.csv").exists()
 
 
+def test_a_map_of_silence_has_no_levels(tmp_path):
+    silent = tmp_path / "silent.skinsource"
+    ss.save_design(silent, ss.Design(limb="synthetic-1"))
+    assert main(["render", str(silent), "--out", str(tmp_path / "out")]) == 0
+    table = np.loadtxt(tmp_path / "out" / "map.csv", delimiter=",", comments=("#", "y"))
+    assert np.isfinite(table[:, 0]).all()
+    assert np.isnan(table[:, 1:]).all()
+
+
 def test_a_picture_has_its_highest_row_first_and_white_where_there_is_no_skin(tmp_path):
     levels_db = np.array([[np.nan, -10.0], [-60.0, -200.0], [-9.9, -35.0]])
     pixels = picture_of(levels_db, -10.0)[::3, ::3].astype(int)

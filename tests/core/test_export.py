@@ -132,12 +132,14 @@ def test_files_without_levels_name_what_levels_are_the_rms_over_too(tmp_path, sp
         assert line.endswith(f"({span})")
 
 
-def test_silence_is_minus_200_db_and_no_infinity(tmp_path):
+def test_silence_has_an_rms_of_0_and_no_level_in_a_table(tmp_path):
     path = tmp_path / "levels.csv"
-    export_levels(path, Design(limb="measured-1"), View())
+    export_levels(path, Design(limb="synthetic-1"), View())
     _, _, table = read(path)
     assert not table[:, 1].any()
-    assert (table[:, 2] == -200.0).all()
+    assert np.isnan(table[:, 2]).all()
+    assert "-200" not in path.read_text("utf-8")
+    assert "-inf" not in path.read_text("utf-8")
 
 
 @pytest.mark.parametrize("export", [export_traces, export_levels])

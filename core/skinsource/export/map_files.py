@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.arrays import Floats
+from skinsource.decibels import in_tables
 from skinsource.design import Design
 from skinsource.export.csv_table import CsvTable
 from skinsource.export.exported_design import ExportedDesign
@@ -45,14 +46,15 @@ def export_map(
 ) -> None:
     """Compute and write the map as a table: a row for each y, from the lowest, in mm; dB re 1 m/s².
 
-    Outside the outline of the limb stands ``nan``.  Parameters and errors are those of
+    Outside the outline of the limb stands ``nan``, and so it does in silence, which has no level.
+    Parameters and errors are those of
     `export_traces`.
     """
     surface, levels_db, about = _map_of(design, view, progress, stop, largest_error)
     header = ["y_mm", *(f"x_{x:g}_mm" for x in surface.x_mm)]
     with output_file(path, stop) as file:
         table = CsvTable(file, about, header, stop)
-        table.add(np.column_stack((surface.y_mm, levels_db)))
+        table.add(np.column_stack((surface.y_mm, in_tables(levels_db))))
         progress(1, 1, "Writing")
 
 

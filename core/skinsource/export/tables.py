@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from skinsource.arrays import Floats
+from skinsource.decibels import in_tables
 from skinsource.design import Design
 from skinsource.export.csv_table import CsvTable
 from skinsource.export.exported_design import PIECE_SAMPLES, ExportedDesign
@@ -95,7 +96,8 @@ def export_levels(
 ) -> None:
     """Compute and write the RMS of each output, in m/s² and in dB re 1 m/s², side and place.
 
-    Parameters and errors are those of `export_traces`.
+    An output that is silent has an RMS of 0 and no level: ``nan``.  Parameters and errors are those
+    of `export_traces`.
     """
     exported = ExportedDesign(design, view, progress, stop)
     wanted = exported.values({"output_rms", "output_levels_db"})
@@ -112,8 +114,9 @@ def export_levels(
     header = ["output", "rms_m_per_s2", "level_db_re_1_m_per_s2", "side", "place"]
     with output_file(path, stop) as file:
         table = CsvTable(file, about, header, stop)
+        levels_db = in_tables(wanted["output_levels_db"])
         table.add(
-            np.vstack((exported.all_outputs, wanted["output_rms"], wanted["output_levels_db"])).T,
+            np.vstack((exported.all_outputs, wanted["output_rms"], levels_db)).T,
             [_side_and_place(output, exported.design.limb) for output in exported.all_outputs],
         )
         progress(1, 1, "Writing")

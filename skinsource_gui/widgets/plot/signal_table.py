@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
+from skinsource.decibels import in_tables
 from skinsource.export.csv_table import CsvTable
 from skinsource.export.output_file import output_file
 from skinsource.job import never
@@ -36,5 +37,6 @@ def save_table(path: Path, plot: Plot, title: str) -> None:
         about.insert(1, "SYNTHETIC LIMB: computed responses, not measured ones")
     own = curves.columns or tuple(f"output_{name.number}_{unit}" for name in curves.names)
     header = [axis.column, *own]
+    y = in_tables(curves.y) if curves.kind == "level" else curves.y
     with output_file(path, never) as file:
-        CsvTable(file, about, header, never).add(np.vstack((curves.x, curves.y)).T)
+        CsvTable(file, about, header, never).add(np.vstack((curves.x, y)).T)

@@ -11,6 +11,7 @@ from skinsource.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.state.start_design import start_design
+from skinsource_gui.widgets.plot.signal_table import save_table
 from skinsource_gui.widgets.plot.signal_view import SignalView
 from tests.gui.curve_panels.bench import click, plot_of, said_above
 from tests.gui.curve_panels.spectra_bench import LINEAR, SPECTRA, opener, results_for
@@ -163,6 +164,13 @@ def test_silence_is_drawn_without_a_warning(show):
         panel = show(seen(LINEAR, log_magnitude=level), amplitude=0.0)
         assert plot_of(panel).curves is not None
         panel.grab()
+
+
+def test_a_table_of_levels_holds_no_number_for_silence(show, tmp_path):
+    panel = show(seen(LINEAR, log_magnitude=True), amplitude=0.0)
+    save_table(tmp_path / "spectra.csv", plot_of(panel), "Spectra")
+    *_, last = (tmp_path / "spectra.csv").read_text("utf-8").splitlines()
+    assert set(last.split(",")[1:]) == {"nan"}
 
 
 def test_a_problem_is_not_undone_by_a_switch(show):
