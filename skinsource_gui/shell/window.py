@@ -214,8 +214,8 @@ class MainWindow(QMainWindow):
         self._bar = StudioBar(self.setup_bar, self.playback.bar, groups, self)
         self.statusBar().addWidget(self.status_line, 1)
         self._match_note = MatchNote([actions["keep_match_gain"], actions["match_levels"]])
-        self.statusBar().addPermanentWidget(self._match_note)
-        self.statusBar().addPermanentWidget(self.job_bar)
+        for told in (self._match_note, self.playback.note, self.job_bar):
+            self.statusBar().addPermanentWidget(told)
         self.validity = Validity(self.document, self.engine, self.panels, self.statusBar())
         self.statusBar().addPermanentWidget(self._limb_note)
 

@@ -18,6 +18,7 @@ from skinsource_gui.state.playing.pace import Pace
 from skinsource_gui.state.playing.played_by import played_by
 from skinsource_gui.state.playing.player import Player
 from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.status.preparing_note import PreparingNote
 
 if TYPE_CHECKING:
     from skinsource_gui.panels.playback.panel import PlaybackPanel
@@ -41,8 +42,9 @@ class Playback(QObject):
 
     Attributes
     ----------
-    player, pace, bar, matching
-        Who plays; how fast; what asks for it above the panels; who opens the matching page.
+    player, pace, bar, note, matching
+        Who plays; how fast; what asks for it above the panels; what says that it is prepared; who
+        opens the matching page.
     """
 
     def __init__(self, document: Document, preferences: Preferences, window: QWidget) -> None:
@@ -50,7 +52,7 @@ class Playback(QObject):
         self._document = document
         self.player = Player(document, preferences, self)
         self.pace = Pace(document, self.player, self)
-        self.bar = Transport(window)
+        self.bar, self.note = Transport(window), PreparingNote(window)
         self.matching = MatchingActions(document, preferences, self.player, window)
         self.rigs = RigPages(document, self.player.settings, window)
         self._panel: PlaybackPanel | None = None
@@ -84,6 +86,7 @@ class Playback(QObject):
         bar.play_wanted.connect(player.play_or_stop)
         bar.repeat_wanted.connect(player.toggle_loop)
         bar.gain_wanted.connect(player.gain.put)
+        self.note.cancel_wanted.connect(player.stop)
         player.changed.connect(self._follow)
         player.failed.connect(reports.complain)
         self.rigs.failed.connect(reports.complain)
@@ -107,6 +110,7 @@ class Playback(QObject):
 
     def _follow(self) -> None:
         playing = self.player.playing
+        self.note.show_preparing(self.player.preparing)
         self._escape.watch(playing)
         if playing and not self._timer.isActive():
             self._timer.start()

@@ -93,6 +93,11 @@ class Player(QObject):
         """Whether it plays, or is about to."""
         return self._starting or self.now is not None
 
+    @property
+    def preparing(self) -> bool:
+        """Whether it is about to play: what is played is made, the device opened."""
+        return self._starting
+
     def play_or_stop(self) -> None:
         """Play from the playhead on; or fade out, or wait for the device no longer."""
         if self.playing:

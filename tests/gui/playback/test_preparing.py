@@ -1,0 +1,57 @@
+"""A long design takes a while before it plays: that is said, and can be cancelled."""
+
+import threading
+
+import pytest
+from PySide6.QtWidgets import QPushButton
+
+from skinsource.playing import session
+
+WAIT = {"timeout": 20_000}
+
+
+@pytest.fixture
+def made(monkeypatch):
+    """Lets a mix be made once it is set, at the latest at the end of the test."""
+    ready, mix = threading.Event(), session.Mixer.mix
+
+    def slowly(self, *given, **more):
+        assert ready.wait(20)
+        return mix(self, *given, **more)
+
+    monkeypatch.setattr(session.Mixer, "mix", slowly)
+    yield ready
+    ready.set()
+
+
+def test_it_is_said_that_sound_is_prepared_until_it_plays(sound, studio, player, qtbot, made):
+    note = studio.playback.note
+    studio.do("play")
+    assert not note.isVisible()
+    qtbot.waitUntil(note.isVisible, **WAIT)
+    assert studio.playback.bar.play.accessibleName() == "Stop"
+    made.set()
+    qtbot.waitUntil(lambda: player.now is not None, **WAIT)
+    assert not note.isVisible()
+    player.stop_at_once()
+    qtbot.waitUntil(lambda: not player.playing, **WAIT)
+
+
+def test_what_is_prepared_can_be_cancelled_and_is_not_played(sound, studio, player, qtbot, made):
+    note = studio.playback.note
+    studio.do("play")
+    qtbot.waitUntil(note.isVisible, **WAIT)
+    note.findChild(QPushButton, "cancel_preparing").click()
+    assert not note.isVisible()
+    assert not player.playing
+    made.set()
+    qtbot.waitUntil(lambda: bool(sound.streams) and not sound.streams[-1].active, **WAIT)
+    assert player.now is None
+
+
+def test_what_plays_at_once_says_nothing_of_it(sound, studio, player, qtbot, listen):
+    listen()
+    assert not player.preparing
+    assert not studio.playback.note.isVisible()
+    player.stop_at_once()
+    qtbot.waitUntil(lambda: not player.playing, **WAIT)
