@@ -121,6 +121,7 @@ class TracesPanel(SignalPanel):
             names=output_names(results["outputs"], results["limb"]),
             about=lines_later(results),
             heading=heading_of(results),
+            peaks=() if scale is None else tuple(_largest(results["selected_traces"]).tolist()),
             between=partial(_wave, results, scale),
         )
         self._plot.show_curves(
@@ -235,8 +236,13 @@ def _heard(outputs: tuple[int, ...], results: Mapping[str, Any]) -> tuple[int, .
 
 def _peaks(traces: Floats) -> Floats:
     """Peak of each trace, (n, 1); 1 where it is silent."""
-    found = np.abs(traces).max(axis=-1, keepdims=True)
+    found = _largest(traces)[:, np.newaxis]
     return np.where(found > 0.0, found, 1.0)
+
+
+def _largest(traces: Floats) -> Floats:
+    peaks: Floats = np.abs(traces).max(axis=-1)
+    return peaks
 
 
 def _wave(

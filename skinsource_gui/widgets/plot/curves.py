@@ -7,7 +7,9 @@ import numpy as np
 
 from skinsource.arrays import Floats
 from skinsource.locations import PlaceWords, output_words
+from skinsource_gui.widgets.plot.axis_spec import ValueUnit, value_unit
 from skinsource_gui.widgets.plot.ranges import Kind
+from skinsource_gui.widgets.plot.ticks import significant
 
 #: What levels are, where nothing else is said.
 LEVEL_WORDS = "dB re 1 m/s²"
@@ -51,6 +53,8 @@ class Curves:
         Gives lines that tell a table of them what they are.
     heading
         The same for a picture, in parts.
+    peaks : (n_curves,)
+        What each was divided by, m/s², where ``y`` holds parts of the peak of each; none elsewhere.
     between
         Gives ``x`` and ``y`` of the wave from one point to before another, counted from 0, those
         points among them; None: nothing is known between the points.
@@ -65,6 +69,7 @@ class Curves:
     columns: tuple[str, ...] = ()
     about: Callable[[], tuple[str, ...]] = tuple
     heading: tuple[str, ...] = ()
+    peaks: tuple[float, ...] = ()
     between: Between | None = None
 
     def __post_init__(self) -> None:
@@ -73,6 +78,17 @@ class Curves:
                 f"y has shape {self.y.shape}, expected ({len(self.names)}, {self.x.size}) with at "
                 "least one point"
             )
+
+    @property
+    def peak_words(self) -> tuple[str, ...]:
+        """Peak of each curve in one unit, as digits; none where curves keep their height."""
+        factor = self.peak_unit.factor
+        return tuple(significant(peak * factor) for peak in self.peaks)
+
+    @property
+    def peak_unit(self) -> ValueUnit:
+        """Unit of the peaks: that in which the largest reads well."""
+        return value_unit("amplitude", 0.0, max(self.peaks, default=0.0))
 
     def nearest(self, x: float) -> int:
         """Index of the point nearest to ``x``."""

@@ -111,8 +111,11 @@ def _legend_lines(plot: Plot) -> list[list[tuple[int, int, str]]]:
     metrics = QFontMetricsF(plot.words_font)
     lines: list[list[tuple[int, int, str]]] = [[]]
     left = UNIT_PX
-    for rank, name in enumerate(() if plot.curves is None else plot.curves.names):
+    curves = plot.curves
+    for rank, name in enumerate(() if curves is None else curves.names):
         text = f"{name.number}  {name.short}" if name.number else name.short
+        if curves is not None and curves.peaks:
+            text += f", peak {curves.peak_words[rank]} {curves.peak_unit.symbol}"
         width = ceil(_SWATCH_PX + 4 + metrics.horizontalAdvance(text) + 2 * UNIT_PX)
         if lines[-1] and left + width > plot.width():
             lines.append([])

@@ -33,6 +33,11 @@ def save_table(path: Path, plot: Plot, title: str) -> None:
     axis = plot.x_window.axis
     about = ["SkinSource studio", title, axis.titles[0]]
     about.extend(curves.about())
+    if curves.peaks:
+        pairs = zip(curves.names, curves.peaks, strict=True)
+        about.append(
+            f"peaks in m/s²: {', '.join(f'{one.number}: {peak!r}' for one, peak in pairs)}"
+        )
     if plot.words.synthetic:
         about.insert(1, "SYNTHETIC LIMB: computed responses, not measured ones")
     own = curves.columns or tuple(f"output_{name.number}_{unit}" for name in curves.names)

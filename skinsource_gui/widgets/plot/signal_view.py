@@ -10,7 +10,7 @@ from skinsource_gui.widgets.lateness import Lateness
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves
 from skinsource_gui.widgets.plot.legend.legend_strip import LegendStrip
-from skinsource_gui.widgets.plot.legend.legend_text import LegendText
+from skinsource_gui.widgets.plot.legend.legend_text import PEAK, LegendText
 from skinsource_gui.widgets.plot.plot import Plot
 from skinsource_gui.widgets.plot.plot_layout import Words
 from skinsource_gui.widgets.plot.plot_toolbar import PlotToolbar
@@ -124,9 +124,22 @@ def reading(plot: Plot) -> LegendText:
         reading_room=max((unit.reading(value) for value in plot.value_scale.values), key=len),
     )
     if plot.crosshair.index is None:
-        return text
+        return _with_peaks(text, curves) if curves.peaks else text
     return replace(
         text,
         where=axis.reading(float(curves.x[plot.crosshair.index])),
         readings=tuple(unit.reading(float(y)) for y in curves.y[:, plot.crosshair.index]),
+    )
+
+
+def _with_peaks(text: LegendText, curves: Curves) -> LegendText:
+    """Where nothing is read: the peaks to which the curves are relative."""
+    peaks = curves.peak_words
+    return replace(
+        text,
+        unit=curves.peak_unit.symbol,
+        where=PEAK,
+        where_room=PEAK,
+        readings=peaks,
+        reading_room=max(peaks, key=len),
     )

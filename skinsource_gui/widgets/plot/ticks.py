@@ -101,3 +101,10 @@ def _round_step(least: float) -> float:
 
 def _first_digit(value: float) -> int:
     return round(value / 10.0 ** floor(log10(value) + 1e-9))
+
+
+def significant(value: float, digits: int = 3) -> str:
+    """``value`` with so many significant digits: "0.0312", "12.3", "1 230"."""
+    if value == 0.0 or not isfinite(value):
+        return number_text(value, 0)
+    return number_text(value, max(digits - 1 - floor(log10(abs(value))), 0))

@@ -4,6 +4,9 @@ from dataclasses import dataclass
 
 from skinsource_gui.widgets.plot.curves import CurveName
 
+#: In place of where curves are read: what is said of each is its peak.
+PEAK = "peak"
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LegendText:
@@ -35,7 +38,7 @@ class LegendText:
 
     def lines(self) -> str:
         """All of it, one line for each curve."""
-        lines = [f"at {self.where}"] if self.where else []
+        lines = [self.where if self.where == PEAK else f"at {self.where}"] if self.where else []
         for rank, name in enumerate(self.names):
             reading = f": {self.readings[rank]} {self.unit}" if self.readings else ""
             told = f"{name.number}  {name.full}" if name.number else f"{name.short}: {name.full}"
