@@ -29,6 +29,7 @@ _AXES = ChoiceSpec(
     options=tuple((word.name, word.title) for word in AXES),
     hint="Along which each output measures, in the order of the file; z is normal to the skin",
 )
+_STARTING_AXES = "z"
 _HIGHEST_RATE_HZ = 768_000.0
 
 
@@ -71,6 +72,18 @@ _FILES = {
     "photograph": ("Photograph", "A picture on which places are clicked"),
 }
 
+# What a file in the layout fills, and what is in it.
+_Field = QLineEdit | NumberField | ChoiceField | QCheckBox
+_Value = str | float | bool
+
+
+def _value_of(field: _Field) -> _Value:
+    if isinstance(field, QCheckBox):
+        return field.isChecked()
+    if isinstance(field, NumberField):
+        return field.value_si
+    return field.value if isinstance(field, ChoiceField) else field.text()
+
 
 class LimbForm(QObject):
     """The fields at the left of the page.
@@ -95,10 +108,10 @@ class LimbForm(QObject):
         lines: list[QLineEdit] = [NameLine() for _ in range(4)]
         self.name, self.title, self.note, self.order = lines
         self.axes = ChoiceField(_AXES)
-        self.axes.set_value("z")
+        self.axes.set_value(_STARTING_AXES)
         self.numbers = {name: NumberField(spec) for name, spec in _NUMBERS.items()}
         # What a file said, by its field: it goes with that file, unless it was changed since.
-        self._said: dict[QLineEdit | NumberField, str | float] = {}
+        self._said: dict[_Field, _Value] = {}
         self.left, self.mirrored = QCheckBox("Left hand"), QCheckBox("Show mirrored")
         self.mirrored.setToolTip(tooltip("Show mirrored", "A left hand as a right one"))
         self._lay_out()
@@ -123,8 +136,7 @@ class LimbForm(QObject):
         for name, field in self.numbers.items():
             field.set_value(float(said[name]) * (_METRES if name == "hand_length_mm" else 1.0))
         self.left.setChecked(header["hand"] == "left")
-        self._said = {field: field.text() for field in (self.name, self.title, self.note)}
-        self._said |= {field: field.value_si for field in self.numbers.values()}
+        self._said = {field: _value_of(field) for field in self._filled()}
 
     def show_plain(self, in_layout: bool, path: Path) -> None:
         """Ask for what an array does not say."""
@@ -137,13 +149,23 @@ class LimbForm(QObject):
             self.name.setText(stem.strip("-0123456789")[:40])
             self._said[self.name] = self.name.text()
 
+    def _filled(self) -> tuple[_Field, ...]:
+        """What a file in the layout fills."""
+        lines = self.name, self.title, self.note
+        return *lines, self.axes, *self.numbers.values(), self.left
+
     def _forget_file(self) -> None:
-        for field in (self.name, self.title, self.note):
-            if field.text() == self._said.get(field):
-                field.clear()
+        unchanged = {field for field in self._said if _value_of(field) == self._said[field]}
+        for line in (self.name, self.title, self.note):
+            if line in unchanged:
+                line.clear()
+        if self.axes in unchanged:
+            self.axes.set_value(_STARTING_AXES)
         for name, number in self.numbers.items():
-            if number.value_si == self._said.get(number):
+            if number in unchanged:
                 number.set_value(_STARTS.get(name, 0.0))
+        if self.left in unchanged:
+            self.left.setChecked(False)
         self._said = {}
 
     def values(self) -> dict[str, Any]:

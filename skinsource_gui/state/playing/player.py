@@ -40,8 +40,9 @@ class Player(QObject):
 
     Attributes
     ----------
-    now
-        What is being played, if anything.
+    now, preparing
+        What is being played, if anything; whether it is about to play: what is played is made, the
+        device opened.
     settings
         What it is played on.
     edits
@@ -71,7 +72,7 @@ class Player(QObject):
         self.edits = LiveEdits(document, self._session, self._thread, self)
         self.playhead = RunningPlayhead(document, self)
         self.now: Playing | None = None
-        self._starting = False
+        self.preparing = False
         # A stream that was over before its thread had said that it plays.
         self._over_early: Stream | None = None
         self.gain, self.loops = GainSetting(self), False
@@ -91,12 +92,7 @@ class Player(QObject):
     @property
     def playing(self) -> bool:
         """Whether it plays, or is about to."""
-        return self._starting or self.now is not None
-
-    @property
-    def preparing(self) -> bool:
-        """Whether it is about to play: what is played is made, the device opened."""
-        return self._starting
+        return self.preparing or self.now is not None
 
     def play_or_stop(self) -> None:
         """Play from the playhead on; or fade out, or wait for the device no longer."""
@@ -132,14 +128,14 @@ class Player(QObject):
 
     def play_tone(self, number: int) -> None:
         """Play the test tone on one output, instead of all else."""
-        if not self._starting and self.settings.rig_is_read():
+        if not self.preparing and self.settings.rig_is_read():
             self._leave()
             output, gain_db, rig = self.settings.output, self.gain.gain_db, self.settings.rig
             self._begin(partial(self._session.made.tone, number, output, gain_db, rig), None)
 
     def stop(self) -> None:
         """Fade out; what is about to be played is not."""
-        self._starting = False
+        self.preparing = False
         stream = None if self.now is None else self.now.stream
         if stream is None or stream.gone:
             self._leave()
@@ -149,7 +145,7 @@ class Player(QObject):
 
     def stop_at_once(self) -> None:
         """Be silent within a millisecond; the gain goes back to where it starts."""
-        self._starting = False
+        self.preparing = False
         if self.now is not None and self.now.stream is not None:
             self.now.stream.deck.stop_at_once()
         else:
@@ -164,22 +160,22 @@ class Player(QObject):
 
     def end(self) -> None:
         """Stop for good, and let go of the device."""
-        self._starting = False
+        self.preparing = False
         self._leave()
         self._thread.end(self._session.close)
 
     def _begin(self, play: "Callable[[], Playing]", follow: Callable[[], None] | None) -> None:
-        self._starting = True
+        self.preparing = True
 
         def take(playing: "Playing | None", error: SkinSourceError | None) -> None:
             if playing is None:
-                self._starting = False
+                self.preparing = False
                 self.failed.emit(str(error))
-            elif not self._starting:
+            elif not self.preparing:
                 # It was stopped before it began.
                 self._thread.do(self._session.close, _nothing_more)
             else:
-                self._starting, self.now = False, playing
+                self.preparing, self.now = False, playing
                 if playing.reason or playing.stream is not None:
                     self.settings.note_missing(playing.reason)
                 if playing.reason:
@@ -218,7 +214,7 @@ class Player(QObject):
 
     def _end_of(self, stream: "Stream") -> None:
         if stream.closed or self.now is None or self.now.stream is not stream:
-            self._over_early = stream if self._starting else None
+            self._over_early = stream if self.preparing else None
             return
         ending = stream.deck.ending
         natural = ending is not None and ending.reason == "end"

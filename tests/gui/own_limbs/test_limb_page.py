@@ -103,12 +103,36 @@ def test_what_a_file_said_goes_with_it_and_what_was_typed_stays(user_data, tmp_p
     form = page.form
     assert (form.name.text(), form.title.text(), form.note.text()) == ("first", "My title", "")
     assert form.values()["band_hz"] is None
+    assert words(page) == "The responses have 2 axes; choose as many."
+    form.axes.choose("xy")
     assert words(page) == "0 of 7 inputs have a place: click them, or open a table."
     opened(page, tmp_path / "second.npy", "responses", qtbot)
     assert form.name.text() == "second"
     form.name.setText("mine")
     opened(page, tmp_path / "first.npy", "responses", qtbot)
     assert form.name.text() == "mine"
+
+
+def test_axes_and_hand_of_a_file_go_with_it_unless_they_were_chosen(
+    user_data, tmp_path, page, qtbot
+):
+    installed(left=True)
+    export_limb("lab-1", tmp_path / "lab.h5")
+    np.save(tmp_path / "plain.npy", np.zeros((7, 31, 2, 9)))
+    form = page.form
+    opened(page, tmp_path / "lab.h5", "responses", qtbot)
+    assert (form.values()["axes"], form.values()["left"]) == ("xz", True)
+    opened(page, tmp_path / "plain.npy", "responses", qtbot)
+    assert (form.values()["axes"], form.values()["left"]) == ("z", False)
+    # What somebody chose stays, also where a file had said something else before.
+    opened(page, tmp_path / "lab.h5", "responses", qtbot)
+    form.axes.choose("xy")
+    form.left.setChecked(False)
+    form.left.setChecked(True)
+    form.mirrored.setChecked(True)
+    opened(page, tmp_path / "plain.npy", "responses", qtbot)
+    assert form.values()["axes"] == "xy"
+    assert form.values()["mirrored"]
 
 
 def test_tables_that_were_opened_stay_when_an_array_takes_the_place_of_a_file_in_the_layout(
@@ -121,6 +145,7 @@ def test_tables_that_were_opened_stay_when_an_array_takes_the_place_of_a_file_in
     opened(page, tmp_path / "lab.h5", "responses", qtbot)
     opened(page, tmp_path / "in.csv", "inputs", qtbot)
     opened(page, tmp_path / "plain.npy", "responses", qtbot)
+    page.form.axes.choose("xz")
     assert words(page) == "0 of 31 outputs have a place: click them, or open a table."
 
 
